@@ -1,0 +1,27 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "commands.h"
+#include "console.h"
+#include "mjforge/forge/forge.h"
+#include "options.h"
+#include "usage.h"
+
+namespace mjforge::app {
+
+Action AddSchema(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("schema", "Print a JSON Schema");
+  auto which = std::make_shared<std::string>("object");
+  command.add_option("WHICH", *which, "object (a spec, the default) or manifest (a record)")
+      ->option_text(" ");
+  AddExamples(command,
+              "  mjforge schema > object.schema.json\n"
+              "  mjforge schema manifest");
+  return [which] {
+    if (*which == "object") return Print(spec::JsonSchema());
+    if (*which == "manifest") return Print(output::ManifestSchema());
+    return WrongUsage("'" + *which + "' is not one of object, manifest", "schema");
+  };
+}
+
+}  // namespace mjforge::app

@@ -1,0 +1,74 @@
+#include "console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::app {
+namespace {
+
+// False, with errno set, if not all could be written.
+bool WriteAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// https://no-color.org: any value but the empty one.
+bool IsSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+bool UseColor(const std::string& choice) {
+  if (choice != "auto") return choice == "always";
+  const char* terminal = std::getenv("TERM");
+  return !IsSet("NO_COLOR") && ::isatty(STDERR_FILENO) != 0 &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+}  // namespace
+
+Console::Console(const ReportOptions& options)
+    : json_(options.findings == "json"),
+      color_(UseColor(options.color)),
+      quiet_(options.quiet),
+      verbose_(options.verbose) {}
+
+void Console::Show(diag::Findings findings, const diag::Sources& sources, std::uint64_t more) {
+  findings.Sort();
+  findings.Unique();
+  std::string text;
+  std::size_t shown = 0;
+  for (const diag::Finding& finding : findings) {
+    if (shown == forge::kMaxFindings) break;
+    text += json_ ? diag::RenderJson(finding, sources) + "\n"
+                  : diag::RenderText(finding, sources, color_);
+    ++shown;
+  }
+  more += findings.size() - shown;
+  if (more > 0) text += fmt::format(json_ ? "{{\"more\":{}}}\n" : "and {} more\n", more);
+  WriteAll(STDERR_FILENO, text);
+}
+
+void Console::Say(std::string_view line) {
+  if (!quiet_) WriteAll(STDERR_FILENO, fmt::format("{}\n", line));
+}
+
+ExitStatus Print(std::string_view bytes) {
+  if (WriteAll(STDOUT_FILENO, bytes)) return ExitStatus::kDone;
+  const std::string words = std::generic_category().message(errno);
+  WriteAll(STDERR_FILENO, fmt::format("mjforge: error: cannot write to standard output: {}\n", words));
+  return ExitStatus::kInputOutput;
+}
+
+}  // namespace mjforge::app

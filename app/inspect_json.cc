@@ -1,0 +1,169 @@
+#include "inspect.h"
+#include "json.h"
+
+namespace mjforge::app {
+namespace {
+
+void Value(Json& json, const sample::ParameterValue& value) {
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    json.StartArray();
+    for (const double number : *numbers) json.Value(number);
+    json.EndArray();
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    json.Value(*number);
+  } else if (const auto* flag = std::get_if<bool>(&value)) {
+    json.Value(*flag);
+  } else {
+    json.Value(std::get<std::string>(value));
+  }
+}
+
+void Parameters(Json& json, const forge::Recipe& recipe, const forge::Variant& variant) {
+  json.Key("parameters");
+  json.StartArray();
+  for (std::size_t i = 0; i < recipe.spec->parameters.size(); ++i) {
+    const spec::Parameter& parameter = recipe.spec->parameters[i];
+    json.StartObject();
+    json.Member("name", parameter.name);
+    json.Member("spec", parameter.source);
+    json.Key("value");
+    Value(json, variant.record.params[i].second);
+    json.Member("unit", parameter.unit);
+    json.Member("doc", parameter.doc);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void Pose(Json& json, const model::Pose& pose) {
+  json.Member("pos", pose.p);
+  json.Member("quat", Eigen::Vector4d(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()));
+}
+
+void Parts(Json& json, const model::Body& body) {
+  json.Key("parts");
+  json.StartArray();
+  for (const model::Part& part : body.parts) {
+    json.StartObject();
+    json.Member("name", part.name);
+    json.Member("type", model::GeomTypeName(part.shape.type));
+    json.Member("collides", part.role != model::Role::kVisual);
+    json.Member("visible", part.role != model::Role::kCollision);
+    json.Member("size", part.shape.size.head(model::SizeCount(part.shape.type)));
+    Pose(json, part.X_BG);
+    json.Member("mass", part.mass);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void Joints(Json& json, const model::Body& body) {
+  json.Key("joints");
+  json.StartArray();
+  for (const model::Joint& joint : body.joints) {
+    json.StartObject();
+    json.Member("name", joint.name);
+    json.Member("type", joint.type);
+    if (joint.type == "hinge" || joint.type == "slide") json.Member("axis", joint.axis);
+    if (joint.range) json.Member("range", *joint.range);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void Sites(Json& json, const model::Body& body) {
+  json.Key("sites");
+  json.StartArray();
+  for (const model::Site& site : body.sites) {
+    json.StartObject();
+    json.Member("name", site.name);
+    Pose(json, site.X_BS);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void Totals(Json& json, const model::MassProperties& properties, const model::Box3& aabb) {
+  const Eigen::Matrix3d& I = properties.I_Cm_F;
+  json.Key("aabb");
+  json.StartObject();
+  json.Member("min", aabb.min);
+  json.Member("max", aabb.max);
+  json.EndObject();
+  json.Member("mass", properties.mass);
+  json.Member("com", properties.p_FCm);
+  json.Member("inertia",
+              Eigen::Vector<double, 6>(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
+}
+
+}  // namespace
+
+std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant) {
+  const model::Object& object = *variant.object;
+  const output::Record& record = variant.record;
+  Json json;
+  json.StartObject();
+  json.Member("name", recipe.spec->name);
+  json.Member("description", recipe.spec->description);
+  json.Member("spec", recipe.reference);
+  json.Member("spec_sha256", recipe.spec->sha256);
+  Parameters(json, recipe, variant);
+  json.Member("seed", record.seed);
+  json.Member("index", record.index);
+  json.Member("attempt", record.attempt);
+  json.Key("bodies");
+  json.StartArray();
+  for (const model::Body& body : object.bodies) {
+    json.StartObject();
+    json.Member("name", body.name);
+    json.Member("mass", body.mass_properties.mass);
+    Parts(json, body);
+    Joints(json, body);
+    Sites(json, body);
+    json.EndObject();
+  }
+  json.EndArray();
+  Totals(json, object.mass_properties, object.bounds.aabb);
+  json.Member("top_offset", object.bounds.top_offset);
+  json.Member("bottom_offset", object.bounds.bottom_offset);
+  json.Member("horizontal_radius", object.bounds.horizontal_radius);
+  json.EndObject();
+  return json.Line();
+}
+
+std::string InspectJson(const validate::CompiledModel& model) {
+  Json json;
+  json.StartObject();
+  json.Member("name", model.name);
+  json.Key("bodies");
+  json.StartArray();
+  for (const validate::CompiledModel::Body& body : model.bodies) {
+    json.StartObject();
+    json.Member("name", body.name);
+    json.Member("parent", body.parent);
+    json.Member("mass", body.mass);
+    json.Member("inertia", body.inertia);
+    json.Member("geoms", static_cast<std::size_t>(body.geoms));
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Key("joints");
+  json.StartArray();
+  for (const validate::CompiledModel::Joint& joint : model.joints) {
+    json.StartObject();
+    json.Member("name", joint.name);
+    json.Member("body", joint.body);
+    json.Member("type", joint.type);
+    json.Member("axis", joint.axis);
+    if (joint.limited) json.Member("range", joint.range);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Member("ngeom", static_cast<std::size_t>(model.geoms));
+  json.Member("nsite", static_cast<std::size_t>(model.sites));
+  Totals(json, model.mass_properties, model.aabb);
+  json.EndObject();
+  return json.Line();
+}
+
+}  // namespace mjforge::app

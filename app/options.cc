@@ -1,0 +1,93 @@
+#include "options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::app {
+namespace {
+
+// CLI11 would read "010" as eight.
+std::optional<std::uint64_t> ParseWhole(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+std::string CheckSetting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos && equals > 0) return {};
+  return fmt::format("'{}' is not of the form name=value", text);
+}
+
+}  // namespace
+
+void AddSpecOptions(CLI::App& command, SpecOptions& options) {
+  command.add_option("--set", options.settings, "Set a parameter, in any form a spec allows")
+      ->option_text("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->check(CheckSetting);
+  command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
+      ->option_text("FILE")
+      ->allow_extra_args(false);
+}
+
+spec::LoadOptions MakeLoadOptions(const SpecOptions& options) {
+  spec::LoadOptions load;
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    load.settings.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+  }
+  load.parameter_files.assign(options.parameter_files.begin(), options.parameter_files.end());
+  load.search_path = forge::SearchPath();
+  return load;
+}
+
+void AddReportOptions(CLI::App& command, ReportOptions& options) {
+  AddWord(command, "--findings", options.findings, {"text", "json"}, "Form of errors");
+  AddWord(command, "--color", options.color, {"auto", "always", "never"}, "Color of errors");
+  command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
+}
+
+void AddVerboseOption(CLI::App& command, ReportOptions& options) {
+  command.add_flag("-v,--verbose", options.verbose, "Say a line about each variant");
+}
+
+CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
+                            const std::string& doc, std::uint64_t least) {
+  const auto assign = [&value](const std::string& text) { value = *ParseWhole(text); };
+  const auto check = [least](const std::string& text) {
+    const std::optional<std::uint64_t> number = ParseWhole(text);
+    if (number && *number >= least) return std::string();
+    return fmt::format("'{}' is not a whole number from {} up", text, least);
+  };
+  return command.add_option_function<std::string>(flags, assign, doc)
+      ->check(check)
+      ->option_text(fmt::format("N [{}]", value));
+}
+
+CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& value,
+                     const std::vector<std::string>& words, const std::string& doc) {
+  const auto check = [words](const std::string& text) {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+    const std::vector<std::string_view> candidates(words.begin(), words.end());
+    const std::string meant = diag::DidYouMean(text, candidates);
+    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(words, ", "),
+                       meant.empty() ? "" : "; ", meant);
+  };
+  return command.add_option(flags, value, fmt::format("{}: {}", doc, fmt::join(words, ", ")))
+      ->check(check)
+      ->option_text(fmt::format("WORD [{}]", value));
+}
+
+void AddExamples(CLI::App& command, const std::string& lines) {
+  command.footer("Examples:\n" + lines);
+}
+
+}  // namespace mjforge::app

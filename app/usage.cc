@@ -1,0 +1,81 @@
+#include "usage.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "console.h"
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::app {
+namespace {
+
+std::string WithSuggestion(std::string message, const std::string& word,
+                           const std::vector<std::string>& candidates) {
+  const std::vector<std::string_view> views(candidates.begin(), candidates.end());
+  const std::string meant = diag::DidYouMean(word, views);
+  if (!meant.empty()) message += "; " + meant;
+  return message;
+}
+
+std::vector<std::string> CommandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> OptionNames(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
+  for (const std::string& word : app.remaining(true)) {
+    if (word.size() < 2 || word[0] != '-') continue;
+    const std::string name = word.substr(0, word.find('='));
+    return WithSuggestion(fmt::format("there is no option '{}'", name), name, OptionNames(command));
+  }
+  const std::vector<std::string> words = app.remaining(true);
+  return fmt::format("'{}' is one word too many", words.empty() ? "" : words.front());
+}
+
+}  // namespace
+
+ExitStatus WrongUsage(std::string_view message, std::string_view command) {
+  ReportOptions report;
+  Console console(report);
+  console.Say(fmt::format("mjforge: error: {}", message));
+  console.Say(fmt::format("  hint: see 'mjforge{}{} --help'", command.empty() ? "" : " ", command));
+  return ExitStatus::kUsage;
+}
+
+ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
+                             std::string_view first_word) {
+  if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr) return Print(app.help());
+  if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return Print(VersionText());
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (parsed.empty() && !first_word.empty() && first_word[0] != '-') {
+    const std::string word(first_word);
+    return WrongUsage(WithSuggestion(fmt::format("there is no command '{}'", word), word,
+                                     CommandNames(app)),
+                      {});
+  }
+  const CLI::App& command = parsed.empty() ? app : *parsed.back();
+  const std::string name = parsed.empty() ? std::string() : command.get_name();
+  if (!app.remaining(true).empty()) return WrongUsage(UnexpectedWord(app, command), name);
+  if (parsed.empty()) return WrongUsage("a command is missing", {});
+  return WrongUsage(error.what(), name);
+}
+
+std::string VersionText() {
+  std::string text = fmt::format("mjforge {}\n", forge::Version());
+  for (const forge::Library& library : forge::Libraries()) {
+    text += fmt::format("{} {}\n", library.name, library.version);
+  }
+  return text;
+}
+
+}  // namespace mjforge::app

@@ -1,0 +1,27 @@
+#ifndef MJFORGE_APP_USAGE_H_
+#define MJFORGE_APP_USAGE_H_
+
+#include <string_view>
+
+#include "exit_status.h"
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace mjforge::app {
+
+/// "mjforge: error: MESSAGE" and where help is; kUsage.
+ExitStatus WrongUsage(std::string_view message, std::string_view command);
+
+/// Help and version asked for, and everything that was not understood.
+ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
+                             std::string_view first_word);
+
+/// The text of --version.
+std::string VersionText();
+
+}  // namespace mjforge::app
+
+#endif  // MJFORGE_APP_USAGE_H_

@@ -1,0 +1,53 @@
+#include "ratios.h"
+
+#include <fmt/format.h>
+
+namespace mjforge::bench {
+namespace {
+
+struct Ratio {
+  const char* what;
+  const char* numerator;
+  const char* denominator;  // null: the time itself, in us
+  double goal;              // at most
+};
+
+constexpr Ratio kRatios[] = {
+    {"a hammer sampled, assembled and written, us", "BM_SampleAssembleWrite", nullptr, 20},
+    {"a hammer with its manifest record, us", "BM_GenerateRecord", nullptr, 40},
+    {"validated / bare load with tight sizes", "BM_GenerateValidated", "BM_LoadTight", 1.3},
+    {"validated / bare load with default sizes", "BM_GenerateValidated", "BM_LoadDefault", 0.8},
+    {"10,000 parts / 1,000 parts", "BM_Parts/10000", "BM_Parts/1000", 12},
+};
+
+}  // namespace
+
+void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
+  benchmark::ConsoleReporter::ReportRuns(runs);
+  for (const Run& run : runs) {
+    const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
+    const bool single = run.run_type == Run::RT_Iteration && run.repetitions <= 1;
+    if (!median && !single) continue;
+    medians_[run.run_name.function_name + (run.run_name.args.empty() ? "" : "/" + run.run_name.args)] =
+        run.GetAdjustedCPUTime() * benchmark::GetTimeUnitMultiplier(benchmark::kMicrosecond) /
+        benchmark::GetTimeUnitMultiplier(run.time_unit);
+  }
+}
+
+void RatioReporter::Finalize() {
+  benchmark::ConsoleReporter::Finalize();
+  fmt::print("\n{:<48}{:>10}{:>10}\n", "medians of this run", "measured", "goal");
+  for (const Ratio& ratio : kRatios) {
+    const auto numerator = medians_.find(ratio.numerator);
+    if (numerator == medians_.end()) continue;
+    double value = numerator->second;
+    if (ratio.denominator != nullptr) {
+      const auto denominator = medians_.find(ratio.denominator);
+      if (denominator == medians_.end()) continue;
+      value /= denominator->second;
+    }
+    fmt::print("{:<48}{:>10.2f}{:>10}\n", ratio.what, value, fmt::format("<= {}", ratio.goal));
+  }
+}
+
+}  // namespace mjforge::bench

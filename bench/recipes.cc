@@ -1,0 +1,63 @@
+#include "recipes.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace mjforge::bench {
+namespace {
+
+[[noreturn]] void Quit(const diag::Findings& findings, const diag::Sources& sources) {
+  for (const diag::Finding& finding : findings) {
+    fmt::print(stderr, "{}", diag::RenderText(finding, sources, false));
+  }
+  std::exit(1);
+}
+
+}  // namespace
+
+const LoadedRecipe& Hammer() {
+  static const LoadedRecipe* const kHammer = [] {
+    auto* loaded = new LoadedRecipe;
+    diag::Findings findings;
+    auto recipe = forge::LoadRecipe("tools/hammer", {.settings = {}, .parameter_files = {},
+                                                     .search_path = forge::SearchPath()},
+                                    loaded->sources, findings);
+    if (!recipe) Quit(findings, loaded->sources);
+    loaded->recipe = std::move(*recipe);
+    return loaded;
+  }();
+  return *kHammer;
+}
+
+LoadedRecipe Row(int parts) {
+  const std::string yaml = fmt::format(
+      "mjforge: 1\n"
+      "name: row\n"
+      "params: {{n: {}, step: 2cm .. 3cm}}\n"
+      "parts:\n"
+      "  - name: box_${{i}}\n"
+      "    for: {{i: n}}\n"
+      "    type: box\n"
+      "    size: [1cm .. 2cm, 0.4 * step, 1cm]\n"
+      "    pos: [i * step, 0, 0]\n"
+      "    density: 500\n",
+      parts);
+  LoadedRecipe loaded;
+  diag::Findings findings;
+  loaded.recipe.spec = spec::LoadSpecText("row.yaml", yaml, ".", {}, loaded.sources, findings);
+  if (loaded.recipe.spec == nullptr) Quit(findings, loaded.sources);
+  loaded.recipe.reference = "row";
+  return loaded;
+}
+
+void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
+              mjcf::MjcfDocument& document) {
+  diag::Findings findings;
+  auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index}, sample::kRootStream, {},
+                               findings);
+  const auto object = assembler.Assemble(*values, {}, findings);
+  mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {.seed = 7, .index = index}, document);
+}
+
+}  // namespace mjforge::bench

@@ -1,0 +1,28 @@
+#ifndef MJFORGE_BENCH_RECIPES_H_
+#define MJFORGE_BENCH_RECIPES_H_
+
+#include <string>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::bench {
+
+/// A spec ready to make variants. Ends the program if it does not load.
+struct LoadedRecipe {
+  diag::Sources sources;
+  forge::Recipe recipe;
+};
+
+/// The bundled hammer.
+const LoadedRecipe& Hammer();
+
+/// An object of `parts` boxes in a row, sizes drawn, from one `for` entry.
+LoadedRecipe Row(int parts);
+
+/// One variant of a recipe through sample, model and mjcf, into `document`.
+void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
+              mjcf::MjcfDocument& document);
+
+}  // namespace mjforge::bench
+
+#endif  // MJFORGE_BENCH_RECIPES_H_

@@ -1,0 +1,67 @@
+// What one hammer costs, stage by stage: sampled, assembled, written.
+
+#include <benchmark/benchmark.h>
+
+#include "recipes.h"
+
+namespace mjforge::bench {
+namespace {
+
+void BM_Sample(benchmark::State& state) {
+  const forge::Recipe& recipe = Hammer().recipe;
+  std::uint64_t index = 0;
+  for (auto _ : state) {
+    diag::Findings findings;
+    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream, {},
+                                 findings);
+    benchmark::DoNotOptimize(values);
+  }
+}
+BENCHMARK(BM_Sample)->Unit(benchmark::kMicrosecond);
+
+void BM_SampleAssemble(benchmark::State& state) {
+  const forge::Recipe& recipe = Hammer().recipe;
+  model::Assembler assembler;
+  std::uint64_t index = 0;
+  for (auto _ : state) {
+    diag::Findings findings;
+    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream, {},
+                                 findings);
+    auto object = assembler.Assemble(*values, {}, findings);
+    benchmark::DoNotOptimize(object);
+  }
+}
+BENCHMARK(BM_SampleAssemble)->Unit(benchmark::kMicrosecond);
+
+void BM_SampleAssembleWrite(benchmark::State& state) {
+  const forge::Recipe& recipe = Hammer().recipe;
+  model::Assembler assembler;
+  mjcf::MjcfDocument document;
+  std::uint64_t index = 0;
+  std::uint64_t bytes = 0;
+  for (auto _ : state) {
+    MakeText(recipe, assembler, index++, document);
+    bytes += document.text.size();
+  }
+  state.counters["bytes"] = static_cast<double>(bytes) / static_cast<double>(index);
+}
+BENCHMARK(BM_SampleAssembleWrite)->Unit(benchmark::kMicrosecond);
+
+void BM_GenerateRecord(benchmark::State& state) {
+  const LoadedRecipe& hammer = Hammer();
+  forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}},
+                             nullptr);
+  forge::Variant variant;
+  std::string manifest;
+  std::uint64_t index = 0;
+  for (auto _ : state) {
+    generator.Make(index++, variant);
+    manifest.clear();
+    output::AppendRecord(manifest, variant.record);
+    benchmark::DoNotOptimize(manifest.data());
+  }
+}
+BENCHMARK(BM_GenerateRecord)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace mjforge::bench

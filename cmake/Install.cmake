@@ -1,0 +1,27 @@
+# What `cmake --install` puts where. Rooms install their own libraries and headers.
+include(CMakePackageConfigHelpers)
+
+set(mjforge_data_dir ${CMAKE_INSTALL_DATADIR}/mjforge)
+set(mjforge_specs_dir ${mjforge_data_dir}/specs)
+set(mjforge_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mjforge)
+
+install(DIRECTORY specs schemas DESTINATION ${mjforge_data_dir})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# mjforge::mjforge stands for all rooms, through the last one.
+add_library(mjforge_library INTERFACE)
+add_library(mjforge::mjforge ALIAS mjforge_library)
+set_target_properties(mjforge_library PROPERTIES EXPORT_NAME mjforge)
+target_link_libraries(mjforge_library INTERFACE mjforge::forge)
+
+install(TARGETS mjforge_library EXPORT mjforge_targets)
+install(EXPORT mjforge_targets NAMESPACE mjforge:: FILE mjforgeTargets.cmake
+        DESTINATION ${mjforge_package_dir})
+configure_package_config_file(cmake/mjforgeConfig.cmake.in mjforgeConfig.cmake
+  INSTALL_DESTINATION ${mjforge_package_dir} PATH_VARS mjforge_specs_dir)
+write_basic_package_version_file(mjforgeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/mjforgeConfig.cmake
+              ${PROJECT_BINARY_DIR}/mjforgeConfigVersion.cmake cmake/Dependencies.cmake
+        DESTINATION ${mjforge_package_dir})
+install(DIRECTORY cmake/find DESTINATION ${mjforge_package_dir})

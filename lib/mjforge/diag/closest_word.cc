@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::diag {
+namespace {
+
+// Longer words are not slips of a name, and their distance costs length squared.
+constexpr std::size_t kLongestWord = 128;
+
+std::string Lower(std::string_view word) {
+  std::string lower(word);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+// Damerau-Levenshtein distance in its optimal string alignment form: no piece
+// is edited twice.
+std::size_t Distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, replace});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+    std::swap(before, last);
+    std::swap(last, row);
+  }
+  return last[b.size()];
+}
+
+// One slip in three letters is a typing error, more is another word. Of two
+// letters one must be right in its place, and one letter says nothing.
+bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
+  if (distance == 0) return true;
+  if (word.size() <= 2) {
+    return word.size() == 2 && candidate.size() == 2 && distance == 1;
+  }
+  return distance <= std::max<std::size_t>(1, word.size() / 3) && distance < candidate.size();
+}
+
+}  // namespace
+
+std::optional<std::string_view> ClosestWord(std::string_view word,
+                                            std::span<const std::string_view> candidates) {
+  if (word.empty() || word.size() > kLongestWord) return std::nullopt;
+  const std::string lower = Lower(word);
+  std::optional<std::string_view> best;
+  std::size_t best_distance = word.size() + 1;
+  for (const std::string_view candidate : candidates) {
+    if (candidate.empty() || candidate.size() > 2 * word.size()) continue;
+    const std::size_t distance = Distance(lower, Lower(candidate));
+    if (distance < best_distance && IsSlip(word, candidate, distance)) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::optional<std::string_view> closest = ClosestWord(word, candidates);
+  return closest ? "did you mean '" + std::string(*closest) + "'?" : std::string();
+}
+
+}  // namespace mjforge::diag

@@ -1,0 +1,93 @@
+#ifndef MJFORGE_DIAG_CODES_H_
+#define MJFORGE_DIAG_CODES_H_
+
+#include <span>
+#include <string_view>
+
+namespace mjforge::diag {
+
+/// Every kind of finding there is. The name's first part is the stage that
+/// notices it. docs/errors.md has a chapter for each; a test compares the two.
+enum class Code {
+  // Reading a file as YAML.
+  kYamlCannotRead,
+  kYamlEmpty,
+  kYamlNotText,
+  kYamlTooLarge,
+  kYamlSyntax,
+  kYamlTooDeep,
+  kYamlDuplicateKey,
+  kYamlAlias,
+  kYamlTag,
+  // Expressions.
+  kExprSyntax,
+  kExprUnknownName,
+  kExprUnknownUnit,
+  kExprType,
+  kExprNotFinite,
+  // The language, checked before any draw.
+  kSpecVersion,
+  kSpecUnknownKey,
+  kSpecMissingKey,
+  kSpecWrongType,
+  kSpecWrongLength,
+  kSpecBadValue,
+  kSpecBadName,
+  kSpecConflict,
+  kSpecDuplicateName,
+  kSpecUnknownMaterial,
+  kSpecUnknownParameter,
+  kSpecDistribution,
+  kSpecEmptyRange,
+  kSpecCycle,
+  kSpecNotFound,
+  kSpecImportCycle,
+  kSpecUnnamedDraw,
+  // Drawing one variant's values.
+  kSampleEmptyRange,
+  kSampleBadArgument,
+  kSampleRejected,
+  // Building one variant.
+  kModelBadValue,
+  kModelBadRotation,
+  kModelBadCount,
+  kModelTooManyParts,
+  kModelBadName,
+  kModelDuplicateName,
+  kModelNoParts,
+  kModelNoMass,
+  kModelBadPolygon,
+  kModelBadMesh,
+  kModelFileNotFound,
+  kModelBadTexture,
+  // MuJoCo's verdict.
+  kMujocoNotMjcf,
+  kMujocoError,
+  kMujocoWarning,
+  kMujocoMismatch,
+  // Files written and read back.
+  kOutputExists,
+  kOutputCannotWrite,
+  kOutputBadName,
+  kOutputBadManifest,
+  kOutputDiffers,
+};
+
+struct CodeInfo {
+  Code code;
+  std::string_view name;     // "spec/unknown-key"
+  std::string_view meaning;  // one line, for the catalogue
+};
+
+/// All codes, in the order of the enumeration.
+std::span<const CodeInfo> AllCodes();
+
+std::string_view CodeName(Code code);
+
+/// True for codes that mean "input or output failed" (exit status 3) rather
+/// than "the input is wrong" (exit status 1).
+bool IsInputOutput(Code code);
+
+}  // namespace mjforge::diag
+
+#endif  // MJFORGE_DIAG_CODES_H_

@@ -1,0 +1,73 @@
+#include "mjforge/diag/diag.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace mjforge::diag {
+
+std::uint32_t Sources::Add(std::string name, std::string text) {
+  files_.push_back({std::move(name), std::move(text)});
+  return size();
+}
+
+std::string_view Sources::Line(SourceMark mark) const {
+  if (mark.file == 0 || mark.file > files_.size() || mark.line == 0) return {};
+  std::string_view rest = files_[mark.file - 1].text;
+  for (std::uint32_t line = 1; line < mark.line; ++line) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) return {};
+    rest.remove_prefix(end + 1);
+  }
+  rest = rest.substr(0, rest.find('\n'));
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  return rest;
+}
+
+Finding& Findings::Add(Code code, SourceMark mark, std::string message, std::string hint) {
+  Finding& finding = list_.emplace_back();
+  finding.code = code;
+  finding.mark = mark;
+  finding.message = std::move(message);
+  finding.hint = std::move(hint);
+  return finding;
+}
+
+Finding& Findings::Warn(Code code, SourceMark mark, std::string message, std::string hint) {
+  Finding& finding = Add(code, mark, std::move(message), std::move(hint));
+  finding.severity = Severity::kWarning;
+  return finding;
+}
+
+void Findings::Append(Findings other) {
+  list_.insert(list_.end(), std::make_move_iterator(other.list_.begin()),
+               std::make_move_iterator(other.list_.end()));
+}
+
+bool Findings::HasErrors() const {
+  return std::any_of(list_.begin(), list_.end(),
+                     [](const Finding& finding) { return finding.severity == Severity::kError; });
+}
+
+void Findings::SetVariant(std::uint64_t seed, std::uint64_t index) {
+  for (Finding& finding : list_) {
+    if (finding.seed || finding.index) continue;
+    finding.seed = seed;
+    finding.index = index;
+  }
+}
+
+void Findings::Sort() {
+  std::stable_sort(list_.begin(), list_.end(),
+                   [](const Finding& a, const Finding& b) { return a.mark < b.mark; });
+}
+
+void Findings::Unique() {
+  std::set<std::tuple<Code, SourceMark, std::string>> seen;
+  std::erase_if(list_, [&seen](const Finding& finding) {
+    return !seen.emplace(finding.code, finding.mark, finding.message).second;
+  });
+}
+
+}  // namespace mjforge::diag

@@ -1,0 +1,112 @@
+#ifndef MJFORGE_DIAG_DIAG_H_
+#define MJFORGE_DIAG_DIAG_H_
+
+// Findings: what is wrong, where the user can mend it, what was probably meant.
+// Stages add findings to a list and go on; nothing here prints or exits.
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/diag/codes.h"
+
+namespace mjforge::diag {
+
+/// A place in a text of a `Sources`. Line and column count from 1, columns in
+/// bytes. A default mark means "no place".
+struct SourceMark {
+  std::uint32_t file = 0;  // 1-based number in Sources
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+
+  explicit operator bool() const { return file != 0; }
+  auto operator<=>(const SourceMark&) const = default;
+};
+
+/// The texts read in a run: marks point into them, findings quote them.
+class Sources {
+ public:
+  /// `name` is shown to the user as it stands. Returns the number for marks.
+  std::uint32_t Add(std::string name, std::string text);
+
+  const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }
+  const std::string& Text(std::uint32_t file) const { return files_[file - 1].text; }
+  /// The line a mark points into, without its end; empty for "no place".
+  std::string_view Line(SourceMark mark) const;
+  std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
+
+ private:
+  struct File {
+    std::string name;
+    std::string text;
+  };
+  std::vector<File> files_;
+};
+
+enum class Severity { kError, kWarning };
+
+struct Note {
+  SourceMark mark;
+  std::string message;
+};
+
+struct Finding {
+  Severity severity = Severity::kError;
+  Code code = Code::kYamlSyntax;
+  SourceMark mark;
+  std::string message;                 // one line, no final stop
+  std::string hint;                    // what to do about it; may be empty
+  std::vector<Note> notes;             // further places
+  std::optional<std::uint64_t> seed;   // from sampling on
+  std::optional<std::uint64_t> index;  // from sampling on
+};
+
+class Findings {
+ public:
+  /// The reference is good until the next Add.
+  Finding& Add(Code code, SourceMark mark, std::string message, std::string hint = {});
+  Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
+  void Append(Findings other);
+
+  bool HasErrors() const;
+  bool empty() const { return list_.empty(); }
+  std::size_t size() const { return list_.size(); }
+  auto begin() const { return list_.begin(); }
+  auto end() const { return list_.end(); }
+  const Finding& operator[](std::size_t i) const { return list_[i]; }
+
+  /// Stamps every finding that has none yet with the variant it is about.
+  void SetVariant(std::uint64_t seed, std::uint64_t index);
+  /// By file, line, column; findings of one place keep their order.
+  void Sort();
+  /// Drops repeats (same code, place and message), keeping the first.
+  void Unique();
+  void clear() { list_.clear(); }
+
+ private:
+  std::vector<Finding> list_;
+};
+
+/// `file:line:col: error: message [code]`, the line, a caret, hint and notes,
+/// each line ended. With color, ANSI sequences.
+std::string RenderText(const Finding& finding, const Sources& sources, bool color);
+
+/// One JSON object without a line end: severity code file line column message
+/// hint seed index notes[].
+std::string RenderJson(const Finding& finding, const Sources& sources);
+
+/// The candidate nearest to `word` by edit distance (insert, delete, replace,
+/// swap of neighbours), if it is near enough to be a slip; ties go to the first.
+std::optional<std::string_view> ClosestWord(std::string_view word,
+                                            std::span<const std::string_view> candidates);
+
+/// "did you mean 'x'?" or nothing.
+std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
+
+}  // namespace mjforge::diag
+
+#endif  // MJFORGE_DIAG_DIAG_H_

@@ -1,0 +1,113 @@
+#include "mjforge/diag/utf8.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mjforge::diag {
+namespace {
+
+struct Range {
+  char32_t first;
+  char32_t last;
+};
+
+template <std::size_t N>
+bool Within(char32_t value, const std::array<Range, N>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [value](Range r) { return value >= r.first && value <= r.last; });
+}
+
+// Controls (C0, DEL, C1), line separators and bidirectional controls.
+constexpr std::array kUnsafe = {Range{0x00, 0x1f},     Range{0x7f, 0x9f},
+                                Range{0x61c, 0x61c},   Range{0x200e, 0x200f},
+                                Range{0x2028, 0x202e}, Range{0x2066, 0x2069}};
+
+// Combining marks, zero-width joiners, variation selectors, byte-order mark.
+constexpr std::array kNoWidth = {Range{0x300, 0x36f}, Range{0x200b, 0x200d}, Range{0x20d0, 0x20ff},
+                                 Range{0xfe00, 0xfe0f}, Range{0xfeff, 0xfeff}};
+
+// The blocks that Unicode's East Asian Width calls wide, coarsely.
+constexpr std::array kWide = {
+    Range{0x1100, 0x115f},   Range{0x2e80, 0x303e},   Range{0x3040, 0xa4cf},  Range{0xac00, 0xd7a3},
+    Range{0xf900, 0xfaff},   Range{0xfe30, 0xfe6f},   Range{0xff00, 0xff60},  Range{0xffe0, 0xffe6},
+    Range{0x1f300, 0x1f64f}, Range{0x1f900, 0x1f9ff}, Range{0x20000, 0x3fffd}};
+
+int Width(char32_t value) {
+  if (value < 0x300) return 1;
+  if (Within(value, kNoWidth)) return 0;
+  return Within(value, kWide) ? 2 : 1;
+}
+
+std::string Escape(char32_t value) {
+  switch (value) {
+    case '\n':
+      return "\\n";
+    case '\r':
+      return "\\r";
+    case '\t':
+      return "\\t";
+    default:
+      return value < 0x80 ? fmt::format("\\x{:02x}", static_cast<unsigned>(value))
+                          : fmt::format("\\u{:04x}", static_cast<unsigned>(value));
+  }
+}
+
+}  // namespace
+
+Utf8Char DecodeUtf8(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1, true};
+  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return {};
+  char32_t value = lead & (0x7fu >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {};
+    value = (value << 6) | (byte(i) & 0x3fu);
+  }
+  // Overlong forms, surrogates, and what is past the last plane.
+  constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  if (value < kLeast[length] || (value >= 0xd800 && value <= 0xdfff) || value > 0x10ffff) return {};
+  return {value, length, true};
+}
+
+Cell SafeCell(std::string_view text, Utf8Char character) {
+  std::string shown;
+  if (!character.valid) {
+    shown = fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+  } else if (Within(character.value, kUnsafe)) {
+    shown = Escape(character.value);
+  } else {
+    return {std::string(text.substr(0, character.length)), Width(character.value)};
+  }
+  const int width = static_cast<int>(shown.size());
+  return {std::move(shown), width};
+}
+
+std::string SafeText(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const Utf8Char character = DecodeUtf8(text);
+    out += SafeCell(text, character).text;
+    text.remove_prefix(character.length);
+  }
+  return out;
+}
+
+std::string ValidUtf8(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const Utf8Char character = DecodeUtf8(text);
+    if (character.valid) {
+      out += text.substr(0, character.length);
+    } else {
+      out += "\xef\xbf\xbd";
+    }
+    text.remove_prefix(character.length);
+  }
+  return out;
+}
+
+}  // namespace mjforge::diag

@@ -1,0 +1,38 @@
+#ifndef MJFORGE_DIAG_UTF8_H_
+#define MJFORGE_DIAG_UTF8_H_
+
+// Private to the room: text of unknown origin, made fit to be shown.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace mjforge::diag {
+
+/// The character at the start of a text.
+struct Utf8Char {
+  char32_t value = 0;
+  std::size_t length = 1;  // in bytes
+  bool valid = false;      // false: one byte that is no UTF-8
+};
+
+/// `text` must not be empty.
+Utf8Char DecodeUtf8(std::string_view text);
+
+/// What a terminal may be sent for a character, and how many columns it takes.
+struct Cell {
+  std::string text;
+  int width = 1;
+};
+
+/// Control characters, invalid bytes and the marks that turn the direction of
+/// writing are spelled out ("\x1b"): a spec must not be able to steer a terminal.
+Cell SafeCell(std::string_view text, Utf8Char character);
+std::string SafeText(std::string_view text);
+
+/// `text` with every invalid byte replaced by U+FFFD.
+std::string ValidUtf8(std::string_view text);
+
+}  // namespace mjforge::diag
+
+#endif  // MJFORGE_DIAG_UTF8_H_

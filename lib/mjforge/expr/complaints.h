@@ -1,0 +1,35 @@
+#ifndef MJFORGE_EXPR_COMPLAINTS_H_
+#define MJFORGE_EXPR_COMPLAINTS_H_
+
+// Private to the room: what is said about words that do not fit.
+
+#include <span>
+#include <string_view>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/expr/words.h"
+
+namespace mjforge::expr {
+
+/// A word where an operand should be.
+Error MissingValue(std::span<const Word> words, std::size_t at);
+/// A word that cannot follow what came before it.
+Error Unexpected(std::span<const Word> words, std::size_t at, const Names& names);
+/// A name that means nothing, or a function's without its parentheses.
+/// `beside_text`: it is compared with a text.
+Error UnknownName(const Word& word, const Names& names, bool beside_text);
+/// A name with parentheses that is no function.
+Error NotAFunction(const Word& word, const Names& names);
+Error UnknownUnit(const Word& word, const Names& names);
+/// A component a variable does not have (`component` empty: a vector used whole).
+Error WrongComponent(const Word& word, const Names::Variable& variable, std::string_view component);
+
+/// A text anywhere but beside == or !=.
+Error MisusedText(const Word& word);
+/// A function with `count` arguments where it takes `arity`, 0 for one or more.
+Error WrongCount(const Word& function, int arity, int count);
+Error TooDeep(const Word& word, int limit);
+
+}  // namespace mjforge::expr
+
+#endif  // MJFORGE_EXPR_COMPLAINTS_H_

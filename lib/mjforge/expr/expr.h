@@ -1,0 +1,138 @@
+#ifndef MJFORGE_EXPR_EXPR_H_
+#define MJFORGE_EXPR_EXPR_H_
+
+// The little language of numbers: how they are read, written and computed.
+// Nothing here depends on the locale.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::expr {
+
+/// Appends `value` (finite) with at most 10 significant digits, correctly
+/// rounded, as short as possible: "0.015", "1e-08", "-3". Never "-0".
+void AppendNumber(std::string& out, double value);
+std::string NumberText(double value);
+
+/// The shortest text that reads back as `value` (finite); for records that
+/// must reproduce a value to the last bit.
+void AppendExactNumber(std::string& out, double value);
+std::string ExactNumberText(double value);
+
+/// A plain YAML 1.2 number (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`), the
+/// whole text. `.inf` and `.nan` are not numbers here.
+std::optional<double> ParseNumber(std::string_view text);
+
+enum class Type { kNumber, kBoolean, kText };
+std::string_view TypeName(Type type);  // "number", "boolean", "text"
+
+/// The number that stands for a text among an expression's variables: 52 bits
+/// of the text's XXH64, so that equal texts, and for practice only they, are equal.
+double TextKey(std::string_view text);
+
+/// The names an expression may use, and the slot of each in the array of
+/// variables that Evaluate() takes. A vector `v` of n components fills n slots,
+/// read as `v.x v.y v.z v.w`; booleans are 0 and 1; texts are TextKey()s.
+/// Slots are never reused: forgetting a name leaves a hole.
+class Names {
+ public:
+  struct Variable {
+    std::string name;
+    Type type = Type::kNumber;
+    int slot = 0;
+    int components = 1;
+  };
+
+  /// Returns the first slot. The name must not be declared already.
+  int Declare(std::string name, Type type, int components = 1);
+  /// Ends a name's scope (a loop's variable).
+  void Forget(std::string_view name);
+  const Variable* Find(std::string_view name) const;
+  std::span<const Variable> variables() const { return variables_; }
+  int slot_count() const { return slot_count_; }
+
+ private:
+  std::vector<Variable> variables_;
+  int slot_count_ = 0;
+};
+
+struct Error {
+  diag::Code code = diag::Code::kExprSyntax;
+  std::size_t offset = 0;  // byte in the expression's text
+  std::string message;
+  std::string hint;
+};
+
+/// One compiled expression. Evaluating it uses memory of its own, so one
+/// Expression must not be evaluated by two threads at the same time.
+class Expression {
+ public:
+  struct Input {
+    std::string name;  // as written: "r", "size.x"
+    int slot = 0;
+    Type type = Type::kNumber;
+  };
+
+  Expression();
+  ~Expression();
+  Expression(Expression&&) noexcept;
+  Expression& operator=(Expression&&) noexcept;
+
+  const std::string& text() const { return text_; }
+  Type type() const { return type_; }  // of the result: number or boolean
+  std::span<const Input> inputs() const { return inputs_; }
+  /// The value if there are no inputs.
+  std::optional<double> constant() const { return constant_; }
+
+  /// Variables by the slots of the Names it was compiled with. The result may
+  /// be NaN or infinite: the caller reports it with the inputs' values.
+  double Evaluate(std::span<const double> variables) const {
+    return constant_ ? *constant_ : EvaluateParsed(variables);
+  }
+
+  /// Compiles `text`. On failure returns nothing and fills `error`.
+  /// Operators, functions and units: docs/manual.md, "Expressions".
+  static std::optional<Expression> Compile(std::string_view text, const Names& names, Error& error);
+
+ private:
+  struct Parsed;
+  double EvaluateParsed(std::span<const double> variables) const;
+
+  std::string text_;
+  Type type_ = Type::kNumber;
+  std::vector<Input> inputs_;
+  std::optional<double> constant_;
+  std::unique_ptr<Parsed> parsed_;
+};
+
+/// The names in `text` that are neither functions nor constants, in order of
+/// first use, vectors without their component; nothing if it cannot be split
+/// into words. For the graph of parameters, before anything is declared.
+std::vector<std::string> NamesUsedIn(std::string_view text);
+
+/// The functions and constants an expression may use, sorted; each with one
+/// line of explanation, for messages and the manual.
+struct Function {
+  std::string_view name;
+  std::string_view usage;  // "clamp(x, lo, hi)"
+  std::string_view doc;
+};
+std::span<const Function> Functions();
+
+/// Units a number may carry ("mm", "deg"), with what one of them is in SI.
+struct Unit {
+  std::string_view name;
+  std::string_view doc;
+};
+std::span<const Unit> Units();
+
+}  // namespace mjforge::expr
+
+#endif  // MJFORGE_EXPR_EXPR_H_

@@ -1,0 +1,38 @@
+#ifndef MJFORGE_EXPR_FORMULA_H_
+#define MJFORGE_EXPR_FORMULA_H_
+
+// Private to the room: an expression put into words for muParser.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/expr/functions.h"
+
+namespace mjforge::expr {
+
+/// `text` names nothing but inputs (i0, i1, ...), constants (c0, ...) and
+/// functions (f0, ...), so that nothing in it depends on muParser's own idea of
+/// names, numbers or the locale. Its operators are muParser's with the same
+/// precedence; `%` is Remainder().
+struct Formula {
+  std::string text;
+  Type type = Type::kNumber;
+  std::vector<Expression::Input> inputs;
+  std::vector<double> constants;
+  std::vector<const Callee*> callees;
+
+  void Write(std::string_view words) { text += words; }
+  void WriteConstant(double value);
+  void WriteInput(std::string_view name, int slot, Type input_type);
+  /// Up to and with the opening parenthesis.
+  void WriteCall(const Callee& callee);
+
+  /// True if it is just a constant or an input.
+  bool IsLoneOperand() const { return text == "c0" || text == "i0"; }
+};
+
+}  // namespace mjforge::expr
+
+#endif  // MJFORGE_EXPR_FORMULA_H_

@@ -1,0 +1,121 @@
+#include "mjforge/expr/functions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::expr {
+namespace {
+
+constexpr std::array kFunctions = {
+    Function{"abs", "abs(x)", "the value without its sign"},
+    Function{"acos", "acos(x)", "arc cosine, in rad"},
+    Function{"asin", "asin(x)", "arc sine, in rad"},
+    Function{"atan", "atan(x)", "arc tangent, in rad"},
+    Function{"atan2", "atan2(y, x)", "angle of the point (x, y), in rad"},
+    Function{"ceil", "ceil(x)", "the next whole number from x up"},
+    Function{"clamp", "clamp(x, lo, hi)", "x, but at least lo and at most hi"},
+    Function{"cos", "cos(x)", "cosine of an angle in rad"},
+    Function{"exp", "exp(x)", "e to the power of x"},
+    Function{"false", "false", "the boolean false"},
+    Function{"floor", "floor(x)", "the next whole number from x down"},
+    Function{"lerp", "lerp(a, b, t)", "from a at t = 0 to b at t = 1"},
+    Function{"log", "log(x)", "natural logarithm"},
+    Function{"max", "max(x, ...)", "the largest of its arguments"},
+    Function{"min", "min(x, ...)", "the smallest of its arguments"},
+    Function{"pi", "pi", "3.14159..., half a turn in rad"},
+    Function{"round", "round(x)", "the nearest whole number, halves away from 0"},
+    Function{"sign", "sign(x)", "-1, 0 or 1"},
+    Function{"sin", "sin(x)", "sine of an angle in rad"},
+    Function{"sqrt", "sqrt(x)", "square root"},
+    Function{"tan", "tan(x)", "tangent of an angle in rad"},
+    Function{"true", "true", "the boolean true"},
+};
+
+constexpr std::array kConstants = {
+    Constant{"false", 0, true},
+    Constant{"pi", std::numbers::pi, false},
+    Constant{"true", 1, true},
+};
+
+// A NaN among the arguments is the result: it must not be lost on the way to
+// the place where it is reported.
+template <typename Better>
+double Best(const double* values, int count, Better better) {
+  double best = values[0];
+  for (const double value : std::span(values, static_cast<std::size_t>(count)).subspan(1)) {
+    if (better(value, best) || std::isnan(value)) best = value;
+    if (std::isnan(best)) return best;
+  }
+  return best;
+}
+
+double Least(const double* values, int count) {
+  return Best(values, count, [](double a, double b) { return a < b; });
+}
+
+double Most(const double* values, int count) {
+  return Best(values, count, [](double a, double b) { return a > b; });
+}
+
+double Clamp(double x, double lo, double hi) { return x < lo ? lo : x > hi ? hi : x; }
+
+// Exact at both ends, which a + t * (b - a) is not.
+double Lerp(double a, double b, double t) { return std::lerp(a, b, t); }
+
+double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
+
+using One = double (*)(double);
+using Two = double (*)(double, double);
+
+const std::array kCallees = {
+    Callee{"!", One([](double x) { return x == 0 ? 1.0 : 0.0; })},
+    Callee{"-", One([](double x) { return -x; })},
+    Callee{"abs", One(std::fabs)},
+    Callee{"acos", One(std::acos)},
+    Callee{"asin", One(std::asin)},
+    Callee{"atan", One(std::atan)},
+    Callee{"atan2", Two(std::atan2)},
+    Callee{"ceil", One(std::ceil)},
+    Callee{"clamp", Clamp},
+    Callee{"cos", One(std::cos)},
+    Callee{"exp", One(std::exp)},
+    Callee{"floor", One(std::floor)},
+    Callee{"lerp", Lerp},
+    Callee{"log", One(std::log)},
+    Callee{"max", Most},
+    Callee{"min", Least},
+    Callee{"round", One(std::round)},
+    Callee{"sign", Sign},
+    Callee{"sin", One(std::sin)},
+    Callee{"sqrt", One(std::sqrt)},
+    Callee{"tan", One(std::tan)},
+};
+
+template <typename Table>
+auto FindIn(const Table& table, std::string_view name) -> decltype(table.data()) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [name](const auto& e) { return e.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::span<const Function> Functions() { return kFunctions; }
+
+const Callee* FindCallee(std::string_view name) { return FindIn(kCallees, name); }
+
+const Constant* FindConstant(std::string_view name) { return FindIn(kConstants, name); }
+
+double Remainder(double a, double b) { return std::fmod(a, b); }
+
+std::string_view UsageOf(std::string_view function) {
+  const Function* found = FindIn(kFunctions, function);
+  return found ? found->usage : std::string_view();
+}
+
+}  // namespace mjforge::expr

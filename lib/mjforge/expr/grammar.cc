@@ -1,0 +1,404 @@
+#include "mjforge/expr/grammar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "mjforge/expr/complaints.h"
+#include "mjforge/expr/units.h"
+#include "mjforge/expr/words.h"
+
+namespace mjforge::expr {
+namespace {
+
+using diag::Code;
+
+// Far above what anybody writes, and far below what would exhaust the stack.
+constexpr std::size_t kMaxBytes = 10'000;
+constexpr int kMaxDepth = 200;
+
+// What has been read so far of an expression.
+struct Operand {
+  Type type = Type::kNumber;
+  std::size_t word = 0;  // a text: where it stands
+  bool literal = false;  // the last constant and nothing else
+};
+
+using Result = std::optional<Operand>;
+
+// Recursive descent, loosest operator first; one function a level:
+//   choice:     any ? choice : choice
+//   any:        all (or all)*
+//   all:        negation (and negation)*
+//   negation:   not negation | comparison
+//   comparison: sum (< <= > >= == != sum)?
+//   sum, term:  left to right
+//   signed:     - signed | + signed | ! signed | power
+//   power:      primary (^ signed)?
+// The text for muParser is written on the way.
+class Grammar {
+ public:
+  Grammar(std::string_view text, std::vector<Word> words, const Names& names, Formula& formula,
+          Error& error)
+      : text_(text), words_(std::move(words)), names_(names), formula_(formula), error_(error) {}
+
+  bool Run() {
+    const Result result = Choice();
+    if (!result) return false;
+    if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_)).has_value();
+    if (result->type == Type::kText) return FailText(*result).has_value();
+    formula_.type = result->type;
+    return true;
+  }
+
+ private:
+  // Counts the nesting while a function runs.
+  class Level {
+   public:
+    explicit Level(Grammar& grammar) : depth_(grammar.depth_) { ++depth_; }
+    ~Level() { --depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    bool too_deep() const { return depth_ > kMaxDepth; }
+
+   private:
+    int& depth_;
+  };
+
+  const Word& Now() const { return words_[at_]; }
+
+  bool Take(std::string_view sign) {
+    if (!Now().IsSign(sign)) return false;
+    ++at_;
+    return true;
+  }
+
+  Result Fail(Error error) {
+    error_ = std::move(error);
+    return std::nullopt;
+  }
+
+  Result FailText(const Operand& operand) { return Fail(MisusedText(words_[operand.word])); }
+
+  Result FailDepth() { return Fail(TooDeep(Now(), kMaxDepth)); }
+
+  Result Literal(double value, Type type) {
+    formula_.WriteConstant(value);
+    return Operand{type, at_ - 1, true};
+  }
+
+  Result Choice() {
+    const Level level(*this);
+    if (level.too_deep()) return FailDepth();
+    Result condition = Any();
+    if (!condition || !Now().IsSign("?")) return condition;
+    if (condition->type == Type::kText) return FailText(*condition);
+    const std::size_t question = Now().offset;
+    ++at_;
+    formula_.Write("?(");
+    const Result yes = Choice();
+    if (!yes) return yes;
+    if (!Take(":")) {
+      if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_));
+      return Fail({Code::kExprSyntax, question, "'?' has no ':'", "write condition ? a : b"});
+    }
+    formula_.Write("):(");
+    const Result no = Choice();
+    if (!no) return no;
+    formula_.Write(")");
+    if (yes->type == Type::kText) return FailText(*yes);
+    if (no->type == Type::kText) return FailText(*no);
+    const bool boolean = yes->type == Type::kBoolean && no->type == Type::kBoolean;
+    return Operand{boolean ? Type::kBoolean : Type::kNumber};
+  }
+
+  using Rule = Result (Grammar::*)();
+
+  // rule (sign rule)*, where `signs` are signs or names and all but texts fit.
+  template <std::size_t N>
+  Result Chain(Rule rule, const std::array<std::pair<std::string_view, std::string_view>, N>& signs,
+               Type type) {
+    Result left = (this->*rule)();
+    while (left) {
+      const auto sign = std::find_if(signs.begin(), signs.end(), [this](const auto& each) {
+        return Now().IsSign(each.first) || Now().IsName(each.first);
+      });
+      if (sign == signs.end()) break;
+      if (left->type == Type::kText) return FailText(*left);
+      ++at_;
+      formula_.Write(sign->second);
+      const Result right = (this->*rule)();
+      if (!right) return right;
+      if (right->type == Type::kText) return FailText(*right);
+      left = Operand{type};
+    }
+    return left;
+  }
+
+  Result Any() {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSigns = {
+        {{"||", "||"}, {"or", "||"}}};
+    return Chain(&Grammar::All, kSigns, Type::kBoolean);
+  }
+
+  Result All() {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSigns = {
+        {{"&&", "&&"}, {"and", "&&"}}};
+    return Chain(&Grammar::Negation, kSigns, Type::kBoolean);
+  }
+
+  Result Negation() {
+    if (!Now().IsName("not")) return Comparison();
+    const Level level(*this);
+    if (level.too_deep()) return FailDepth();
+    ++at_;
+    return Applied("!", &Grammar::Negation, Type::kBoolean);
+  }
+
+  // A unary operator, already taken, and its operand.
+  Result Applied(std::string_view sign, Rule rule, Type type) {
+    formula_.WriteCall(*FindCallee(sign));
+    const Result operand = (this->*rule)();
+    if (!operand) return operand;
+    if (operand->type == Type::kText) return FailText(*operand);
+    formula_.Write(")");
+    return Operand{type};
+  }
+
+  bool AtComparison() const {
+    static constexpr std::array<std::string_view, 6> kSigns = {"<", "<=", ">", ">=", "==", "!="};
+    return Now().kind == Word::Kind::kSign &&
+           std::find(kSigns.begin(), kSigns.end(), Now().text) != kSigns.end();
+  }
+
+  Result Comparison() {
+    const std::size_t first = at_;
+    const Result left = Sum();
+    if (!left || !AtComparison()) return left;
+    const std::size_t sign = at_++;
+    const bool equality = words_[sign].text == "==" || words_[sign].text == "!=";
+    if (left->type == Type::kText && !equality) return FailText(*left);
+    formula_.Write(words_[sign].text);
+    beside_text_ = left->type == Type::kText;
+    const Result right = Sum();
+    beside_text_ = false;
+    if (!right) return right;
+    if (right->type == Type::kText && !equality) return FailText(*right);
+    if ((left->type == Type::kText) != (right->type == Type::kText)) {
+      const Word& text = words_[left->type == Type::kText ? left->word : right->word];
+      return Fail({Code::kExprType,
+                   text.offset,
+                   fmt::format("'{}' is text; it can only be compared with text", text.text),
+                   {}});
+    }
+    if (AtComparison()) return FailChained(first, sign);
+    return Operand{Type::kBoolean};
+  }
+
+  Result FailChained(std::size_t first, std::size_t sign) {
+    const std::string_view left = Source(first, at_);
+    const std::string_view middle = Source(sign + 1, at_);
+    return Fail({Code::kExprSyntax, Now().offset, "comparisons cannot be chained",
+                 fmt::format("write {} and {} {} ...", left, middle, Now().text)});
+  }
+
+  // What is written from one word up to another.
+  std::string_view Source(std::size_t begin, std::size_t end) const {
+    const std::size_t from = words_[begin].offset;
+    std::string_view source = text_.substr(from, words_[end].offset - from);
+    while (source.ends_with(' ') || source.ends_with('\n')) source.remove_suffix(1);
+    return source;
+  }
+
+  Result Sum() {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSigns = {
+        {{"+", "+"}, {"-", "-"}}};
+    return Chain(&Grammar::Term, kSigns, Type::kNumber);
+  }
+
+  Result Term() {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSigns = {
+        {{"*", "*"}, {"/", "/"}, {"%", "%"}}};
+    return Chain(&Grammar::Signed, kSigns, Type::kNumber);
+  }
+
+  Result Signed() {
+    if (!Now().IsSign("-") && !Now().IsSign("+") && !Now().IsSign("!")) return Power();
+    const Level level(*this);
+    if (level.too_deep()) return FailDepth();
+    if (Take("-")) return Negative();
+    if (Take("!")) return Applied("!", &Grammar::Signed, Type::kBoolean);
+    ++at_;
+    const Result operand = Signed();
+    if (!operand) return operand;
+    if (operand->type == Type::kText) return FailText(*operand);
+    return Operand{Type::kNumber, operand->word, operand->literal};
+  }
+
+  Result Negative() {
+    const std::size_t begin = formula_.text.size();
+    const std::size_t callees = formula_.callees.size();
+    formula_.WriteCall(*FindCallee("-"));
+    const std::size_t end = formula_.text.size();
+    const Result operand = Signed();
+    if (!operand) return operand;
+    if (operand->type == Type::kText) return FailText(*operand);
+    if (operand->literal) {  // -3 is a number, not an operation
+      formula_.text.erase(begin, end - begin);
+      formula_.callees.resize(callees);
+      formula_.constants.back() = -formula_.constants.back();
+      return Operand{Type::kNumber, operand->word, true};
+    }
+    formula_.Write(")");
+    return Operand{Type::kNumber};
+  }
+
+  Result Power() {
+    const Result base = Primary();
+    if (!base || !Now().IsSign("^")) return base;
+    if (base->type == Type::kText) return FailText(*base);
+    const Level level(*this);
+    if (level.too_deep()) return FailDepth();
+    ++at_;
+    formula_.Write("^(");
+    const Result exponent = Signed();
+    if (!exponent) return exponent;
+    if (exponent->type == Type::kText) return FailText(*exponent);
+    formula_.Write(")");
+    return Operand{Type::kNumber};
+  }
+
+  Result Primary() {
+    const Word& word = Now();
+    switch (word.kind) {
+      case Word::Kind::kNumber:
+        return Number();
+      case Word::Kind::kText:
+        ++at_;
+        return Literal(TextKey(word.text), Type::kText);
+      case Word::Kind::kName:
+        if (word.text == "and" || word.text == "or" || word.text == "not") break;
+        return Name();
+      case Word::Kind::kSign:
+        if (word.text == "(") return Group();
+        break;
+      case Word::Kind::kEnd:
+        break;
+    }
+    return Fail(MissingValue(words_, at_));
+  }
+
+  Result Number() {
+    const Word& word = Now();
+    if (word.unit.empty()) return ++at_, Literal(word.number, Type::kNumber);
+    const std::optional<double> value = InSi(word.number, word.unit);
+    if (!value) return Fail(UnknownUnit(word, names_));
+    ++at_;
+    return Literal(*value, Type::kNumber);
+  }
+
+  Result Group() {
+    const std::size_t open = Now().offset;
+    ++at_;
+    formula_.Write("(");
+    Result inner = Choice();
+    if (!inner) return inner;
+    if (!Take(")")) return FailOpen(open);
+    formula_.Write(")");
+    inner->literal = false;
+    return inner;
+  }
+
+  Result FailOpen(std::size_t open) {
+    if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_));
+    return Fail({Code::kExprSyntax, open, "'(' is not closed", {}});
+  }
+
+  Result Name() {
+    const Word& word = Now();
+    if (words_[at_ + 1].IsSign("(")) {
+      const Callee* callee = FindCallee(word.text);
+      return callee ? Call(*callee) : Fail(NotAFunction(word, names_));
+    }
+    ++at_;
+    if (const Names::Variable* variable = names_.Find(word.text)) {
+      if (variable->components > 1) return Fail(WrongComponent(word, *variable, {}));
+      return Input(word, *variable, 0);
+    }
+    if (const Constant* constant = FindConstant(word.text)) {
+      return Literal(constant->value, constant->is_boolean ? Type::kBoolean : Type::kNumber);
+    }
+    const std::size_t dot = word.text.rfind('.');
+    if (dot != std::string_view::npos) {
+      if (const Names::Variable* vector = names_.Find(word.text.substr(0, dot))) {
+        return Component(word, *vector, word.text.substr(dot + 1));
+      }
+    }
+    return Fail(UnknownName(word, names_, beside_text_));
+  }
+
+  Result Component(const Word& word, const Names::Variable& vector, std::string_view component) {
+    const std::size_t index = std::string_view("xyzw").find(component);
+    if (component.size() != 1 || index == std::string_view::npos || vector.components == 1 ||
+        static_cast<int>(index) >= vector.components) {
+      return Fail(WrongComponent(word, vector, component));
+    }
+    return Input(word, vector, static_cast<int>(index));
+  }
+
+  Result Input(const Word& word, const Names::Variable& variable, int component) {
+    formula_.WriteInput(word.text, variable.slot + component, variable.type);
+    return Operand{variable.type, at_ - 1};
+  }
+
+  Result Call(const Callee& callee) {
+    const Word& name = Now();
+    const std::size_t open = words_[at_ + 1].offset;
+    at_ += 2;
+    formula_.WriteCall(callee);
+    int count = 0;
+    if (!Now().IsSign(")")) {
+      do {
+        formula_.Write(count++ == 0 ? "(" : ",(");
+        const Result argument = Choice();
+        if (!argument) return argument;
+        if (argument->type == Type::kText) return FailText(*argument);
+        formula_.Write(")");
+      } while (Take(","));
+    }
+    if (!Take(")")) return FailOpen(open);
+    formula_.Write(")");
+    const int arity = callee.arity();
+    if (arity == 0 ? count == 0 : count != arity) {
+      return Fail(WrongCount(name, arity, count));
+    }
+    return Operand{Type::kNumber};
+  }
+
+  std::string_view text_;
+  std::vector<Word> words_;
+  const Names& names_;
+  Formula& formula_;
+  Error& error_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  bool beside_text_ = false;  // the other side of a comparison, already read, is text
+};
+
+}  // namespace
+
+bool ParseFormula(std::string_view text, const Names& names, Formula& formula, Error& error) {
+  if (text.size() > kMaxBytes) {
+    error = {Code::kExprSyntax, 0,
+             fmt::format("the expression has {} bytes; the limit is {}", text.size(), kMaxBytes),
+             "give a part of it a name: a parameter may be an expression"};
+    return false;
+  }
+  std::vector<Word> words;
+  if (!SplitWords(text, words, error)) return false;
+  return Grammar(text, std::move(words), names, formula, error).Run();
+}
+
+}  // namespace mjforge::expr

@@ -1,0 +1,177 @@
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::expr {
+namespace {
+
+// What MJCF files carry: a tenth of a nanometre in a metre.
+constexpr int kDigits = 10;
+
+// Powers of ten that a double holds exactly; the last is 10^22.
+constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kLargestPower = static_cast<int>(kPowers.size()) - 1;
+
+// A value as d.ddddddddd * 10^exponent; `digits` holds ten decimal digits.
+struct Decimal {
+  std::uint64_t digits = 0;
+  int exponent = 0;
+};
+
+// The value times 10^(9 - exponent): ten digits before the point. Both factors
+// are exact, so the product is wrong by at most half a unit in its last place,
+// about 1e-6 for a number below 1e10.
+std::optional<double> Scaled(double magnitude, int exponent) {
+  const int shift = kDigits - 1 - exponent;
+  if (shift >= 0 && shift <= kLargestPower) return magnitude * kPowers[static_cast<size_t>(shift)];
+  if (shift < 0 && -shift <= kLargestPower) return magnitude / kPowers[static_cast<size_t>(-shift)];
+  return std::nullopt;
+}
+
+// Correctly rounded, or nothing if that is not certain: the value is outside
+// the exact powers or its rest is too near to one half.
+std::optional<Decimal> Rounded(double magnitude) {
+  const int binary =
+      static_cast<int>((std::bit_cast<std::uint64_t>(magnitude) >> 52) & 0x7ff) - 1023;
+  // floor(binary * log10(2)), which is the decimal exponent or one below it.
+  int exponent = (binary * 78913) >> 18;
+  std::optional<double> scaled = Scaled(magnitude, exponent);
+  if (scaled && *scaled >= kPowers[kDigits]) scaled = Scaled(magnitude, ++exponent);
+  if (!scaled) return std::nullopt;
+  const double whole = std::floor(*scaled);
+  const double rest = *scaled - whole;
+  constexpr double kDoubt = 1e-5;  // ten times the error of Scaled()
+  if (std::abs(rest - 0.5) < kDoubt) return std::nullopt;
+  Decimal decimal{static_cast<std::uint64_t>(whole) + (rest > 0.5 ? 1u : 0u), exponent};
+  if (decimal.digits == 10'000'000'000u) decimal = {1'000'000'000u, exponent + 1};
+  return decimal;
+}
+
+void AppendExponent(std::string& out, int exponent) {
+  out += 'e';
+  out += exponent < 0 ? '-' : '+';
+  const int size = std::abs(exponent);
+  if (size >= 100) out += static_cast<char>('0' + size / 100);
+  out += static_cast<char>('0' + size / 10 % 10);
+  out += static_cast<char>('0' + size % 10);
+}
+
+void AppendDecimal(std::string& out, Decimal decimal) {
+  std::array<char, kDigits> digits;
+  for (int i = kDigits; i-- > 0; decimal.digits /= 10) {
+    digits[static_cast<size_t>(i)] = static_cast<char>('0' + decimal.digits % 10);
+  }
+  std::size_t count = digits.size();
+  while (count > 1 && digits[count - 1] == '0') --count;
+  if (decimal.exponent < -4 || decimal.exponent >= kDigits) {
+    out += digits[0];
+    if (count > 1) out.append(".").append(&digits[1], count - 1);
+    AppendExponent(out, decimal.exponent);
+  } else if (decimal.exponent < 0) {
+    out.append("0.").append(static_cast<std::size_t>(-decimal.exponent - 1), '0');
+    out.append(digits.data(), count);
+  } else {
+    const std::size_t before = static_cast<std::size_t>(decimal.exponent) + 1;
+    out.append(digits.data(), before);
+    if (count > before) out.append(".").append(&digits[before], count - before);
+  }
+}
+
+template <typename... Args>
+void AppendChars(std::string& out, Args... args) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), args...).ptr;
+  out.append(buffer.data(), end);
+}
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+// The length of the decimal number without sign at the start of `text`, 0 if none.
+std::size_t DecimalLength(std::string_view text) {
+  const auto digits = [text](std::size_t i) {
+    while (i < text.size() && IsDigit(text[i])) ++i;
+    return i;
+  };
+  std::size_t end = digits(0);
+  std::size_t count = end;
+  if (end < text.size() && text[end] == '.') {
+    const std::size_t after = digits(end + 1);
+    count += after - end - 1;
+    end = after;
+  }
+  if (count == 0) return 0;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    std::size_t first = end + 1;
+    if (first < text.size() && (text[first] == '+' || text[first] == '-')) ++first;
+    const std::size_t last = digits(first);
+    if (last > first) end = last;
+  }
+  return end;
+}
+
+std::optional<double> ParseInteger(std::string_view digits, int base) {
+  std::uint64_t value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, value, base);
+  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return static_cast<double>(value);
+}
+
+}  // namespace
+
+// Written as printf("%.10g") would in the C locale: positional for
+// 1e-4 <= |value| < 1e10, else with an exponent of at least two digits. That is
+// what MuJoCo's own files look like, and every reader of C numbers takes it.
+// Most values of a model need no rounding in doubt, which saves to_chars' search.
+void AppendNumber(std::string& out, double value) {
+  const double magnitude = std::abs(value);
+  if (magnitude < kPowers[kDigits]) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (static_cast<double>(whole) == value) return AppendChars(out, whole);
+  }
+  if (const std::optional<Decimal> decimal = Rounded(magnitude)) {
+    if (value < 0) out += '-';
+    AppendDecimal(out, *decimal);
+  } else {
+    AppendChars(out, value, std::chars_format::general, kDigits);
+  }
+}
+
+std::string NumberText(double value) {
+  std::string text;
+  AppendNumber(text, value);
+  return text;
+}
+
+void AppendExactNumber(std::string& out, double value) { AppendChars(out, value); }
+
+std::string ExactNumberText(double value) {
+  std::string text;
+  AppendExactNumber(text, value);
+  return text;
+}
+
+// Numbers that no double holds (1e999, and 1e-999, which would silently be 0)
+// are not numbers here.
+std::optional<double> ParseNumber(std::string_view text) {
+  if (text.starts_with("0x")) return ParseInteger(text.substr(2), 16);
+  if (text.starts_with("0o")) return ParseInteger(text.substr(2), 8);
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.empty() || DecimalLength(text) != text.size()) return std::nullopt;
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return negative ? -value : value;
+}
+
+}  // namespace mjforge::expr

@@ -1,0 +1,15 @@
+#include <xxhash.h>
+
+#include <cstdint>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::expr {
+
+double TextKey(std::string_view text) {
+  // 52 bits: every value is a double of its own.
+  constexpr std::uint64_t kMask = (std::uint64_t{1} << 52) - 1;
+  return static_cast<double>(XXH64(text.data(), text.size(), 0) & kMask);
+}
+
+}  // namespace mjforge::expr

@@ -1,0 +1,16 @@
+#ifndef MJFORGE_EXPR_UNITS_H_
+#define MJFORGE_EXPR_UNITS_H_
+
+// Private to the room.
+
+#include <optional>
+#include <string_view>
+
+namespace mjforge::expr {
+
+/// `value` of `unit` in SI; nothing for a unit that does not exist.
+std::optional<double> InSi(double value, std::string_view unit);
+
+}  // namespace mjforge::expr
+
+#endif  // MJFORGE_EXPR_UNITS_H_

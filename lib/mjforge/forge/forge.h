@@ -1,0 +1,170 @@
+#ifndef MJFORGE_FORGE_FORGE_H_
+#define MJFORGE_FORGE_FORGE_H_
+
+// The rooms in order: spec -> values -> object -> MJCF -> MuJoCo -> files. The
+// only header that most callers need:
+//
+//   diag::Sources sources;
+//   diag::Findings findings;
+//   auto recipe = forge::LoadRecipe("hammer", {.search_path = forge::SearchPath()}, sources,
+//                                   findings);
+//   validate::Loader loader;
+//   forge::Generator generator(*recipe, sources, {.seed = 7}, &loader);
+//   forge::Variant variant;
+//   generator.Make(41, variant);  // variant.document.text is the MJCF
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+#include "mjforge/output/output.h"
+#include "mjforge/spec/spec.h"
+#include "mjforge/validate/validate.h"
+
+namespace mjforge::forge {
+
+/// "0.1.0".
+std::string_view Version();
+
+struct Library {
+  std::string name;
+  std::string version;
+};
+/// The libraries whose version may change an object or its verdict.
+std::vector<Library> Libraries();
+
+/// The folder with the bundled specs: beside the installed program, or in the
+/// source tree around a build.
+std::optional<std::filesystem::path> CatalogueFolder();
+
+/// Where specs are looked for by name: the folders of MJFORGE_PATH (separated
+/// by colons), then the bundled ones.
+std::vector<std::filesystem::path> SearchPath();
+
+/// A spec that is ready for making variants.
+struct Recipe {
+  std::unique_ptr<spec::ObjectSpec> spec;
+  /// How records and comments name the spec: its name in the search path
+  /// ("tools/hammer"), or its file's name. Says nothing about this machine, so
+  /// that the same spec gives the same bytes in every folder.
+  std::string reference;
+  /// Parameters set from outside, files first; each name once.
+  std::vector<std::pair<std::string, std::string>> settings;
+};
+
+/// As spec::LoadSpec.
+std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
+                                 diag::Sources& sources, diag::Findings& findings);
+
+/// The object's name for a variant: `text` with every ${index} replaced.
+std::string ExpandName(std::string_view text, std::uint64_t index);
+/// Whether names made from `text` are names: [A-Za-z][A-Za-z0-9_]*. Else a finding.
+bool CheckName(std::string_view text, diag::Findings& findings);
+
+/// One variant and all that is known of it.
+struct Variant {
+  output::Record record;               // status "ok" or "failed"
+  std::optional<model::Object> object; // nothing if it could not be built
+  mjcf::MjcfDocument document;         // means nothing without an object
+  diag::Findings findings;
+
+  bool ok() const { return record.status == "ok"; }
+};
+
+struct Options {
+  std::uint64_t seed = 0;
+  mjcf::Target target = mjcf::Target::kMujoco;
+  std::string name;            // checked by CheckName; empty: the spec's
+  std::uint64_t attempt = 0;   // draws before this one are not tried
+  /// A variant that fails is drawn again, up to kMaxResamples times.
+  bool resample = false;
+};
+inline constexpr int kMaxResamples = 100;
+
+/// Makes the members of one family. Keeps what they share and the memory they
+/// need; takes no more of it however many it makes.
+class Generator {
+ public:
+  /// The recipe, its sources and the loader must outlive the generator. Without
+  /// a loader MuJoCo is not asked.
+  Generator(const Recipe& recipe, const diag::Sources& sources, const Options& options,
+            validate::Loader* loader);
+
+  /// Replaces the content of `variant`. A pure function of the index.
+  void Make(std::uint64_t index, Variant& variant);
+
+  const Recipe& recipe() const { return recipe_; }
+
+ private:
+  enum class Outcome { kMade, kFailed, kHopeless };
+  Outcome Attempt(std::uint64_t attempt, Variant& variant);
+  void Describe(const model::Object& object, output::Record& record) const;
+
+  const Recipe& recipe_;
+  Options options_;
+  validate::Loader* loader_;
+  diag::Sources record_sources_;  // names as records show them
+  mjcf::Provenance provenance_;
+  model::Assembler assembler_;
+};
+
+enum class OnInvalid {
+  kFail,  // the variant is reported, the others are made
+  kSkip,  // the same, as a warning
+};
+
+struct Batch {
+  std::uint64_t first = 0;
+  std::uint64_t count = 1;
+  OnInvalid on_invalid = OnInvalid::kFail;
+  const std::atomic<bool>* stop = nullptr;  // looked at before each variant
+};
+
+struct Summary {
+  std::uint64_t ok = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t skipped = 0;
+  bool interrupted = false;
+  bool output_failed = false;
+  /// Of all variants. What is found at one place in many variants is here once,
+  /// with a note of how many; at most kMaxFindings.
+  diag::Findings findings;
+  std::uint64_t more_findings = 0;  // places that did not fit
+};
+inline constexpr std::size_t kMaxFindings = 50;
+
+/// Takes a finished variant; false, and a finding, ends the batch.
+using Sink = std::function<bool(const Variant&, diag::Findings&)>;
+
+/// Makes variants first .. first + count - 1 in order.
+Summary MakeBatch(Generator& generator, const Batch& batch, const Sink& sink);
+
+/// The same, into a folder with a manifest. If no variant could be made, nothing
+/// is written. `watch`, if any, sees each variant after it was written.
+Summary MakeFolder(Generator& generator, const Batch& batch, const std::filesystem::path& folder,
+                   bool force, const std::function<void(const Variant&)>& watch);
+
+/// What to make again and compare.
+struct ReplayRequest {
+  std::string what;  // "out/manifest.jsonl:42" or "out/hammer_000042.xml"
+  std::string spec;  // if not the one that the record names
+};
+
+/// Makes a variant again from its record or from the comment in its file and
+/// compares the bytes. Findings say what differs, or why the variant fails now
+/// as it did then; true if there are no errors.
+bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings& findings);
+
+}  // namespace mjforge::forge
+
+#endif  // MJFORGE_FORGE_FORGE_H_

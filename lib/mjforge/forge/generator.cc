@@ -1,0 +1,119 @@
+#include <algorithm>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::forge {
+namespace {
+
+std::string_view TargetName(mjcf::Target target) {
+  for (const mjcf::TargetInfo& info : mjcf::Targets()) {
+    if (info.target == target) return info.name;
+  }
+  return {};
+}
+
+bool HasCode(const diag::Findings& findings, diag::Code code) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const diag::Finding& finding) { return finding.code == code; });
+}
+
+int GeomCount(const model::Body& body) {
+  int count = 0;
+  for (const model::Part& part : body.parts) count += part.role == model::Role::kBoth ? 2 : 1;
+  return count;
+}
+
+void Clear(Variant& variant) {
+  variant.object.reset();
+  variant.findings.clear();
+  output::Record& record = variant.record;
+  record.file.clear();
+  record.sha256.clear();
+  record.params.clear();
+  record.findings.clear();
+  record.mass_properties = {};
+  record.bounds = {};
+  record.nbody = record.njnt = record.ngeom = 0;
+}
+
+}  // namespace
+
+Generator::Generator(const Recipe& recipe, const diag::Sources& sources, const Options& options,
+                     validate::Loader* loader)
+    : recipe_(recipe), options_(options), loader_(loader) {
+  for (std::uint32_t file = 1; file <= sources.size(); ++file) {
+    record_sources_.Add(std::filesystem::path(sources.Name(file)).filename().string(), {});
+  }
+  provenance_.version = Version();
+  provenance_.spec = recipe.reference;
+  provenance_.spec_sha256 = recipe.spec->sha256;
+  provenance_.settings = recipe.settings;
+  provenance_.seed = options.seed;
+  provenance_.target = TargetName(options.target);
+}
+
+void Generator::Make(std::uint64_t index, Variant& variant) {
+  output::Record& record = variant.record;
+  record.index = index;
+  record.seed = options_.seed;
+  record.spec = provenance_.spec;
+  record.spec_sha256 = provenance_.spec_sha256;
+  record.settings = provenance_.settings;
+  record.target = provenance_.target;
+  record.name = options_.name.empty() ? recipe_.spec->name : ExpandName(options_.name, index);
+  provenance_.index = index;
+  provenance_.name = record.name == recipe_.spec->name ? std::string() : record.name;
+
+  Outcome outcome = Attempt(options_.attempt, variant);
+  for (int i = 0; i < kMaxResamples && options_.resample && outcome == Outcome::kFailed; ++i) {
+    outcome = Attempt(record.attempt + 1, variant);
+  }
+  record.status = outcome == Outcome::kMade ? "ok" : "failed";
+  if (outcome == Outcome::kMade) {
+    record.file = output::VariantFileName(record.name, index);
+    record.sha256 = output::Sha256(variant.document.text);
+  }
+  variant.findings.SetVariant(options_.seed, index);
+  for (const diag::Finding& finding : variant.findings) {
+    record.findings.push_back(diag::RenderJson(finding, record_sources_));
+  }
+}
+
+Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
+  Clear(variant);
+  output::Record& record = variant.record;
+  record.attempt = attempt;
+  const spec::ObjectSpec& spec = *recipe_.spec;
+  std::optional<sample::Evaluator> values =
+      sample::Sample(spec, {options_.seed, record.index, attempt}, sample::kRootStream, {},
+                     variant.findings);
+  if (!values) {
+    // Where a thousand draws met no requirement, more of them will not either.
+    return HasCode(variant.findings, diag::Code::kSampleRejected) ? Outcome::kHopeless
+                                                                  : Outcome::kFailed;
+  }
+  record.attempt = values->key().attempt;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    record.params.emplace_back(spec.parameters[i].name, values->Parameter(i));
+  }
+  variant.object = assembler_.Assemble(*values, {.name = record.name}, variant.findings);
+  if (!variant.object) return Outcome::kFailed;
+  Describe(*variant.object, record);
+  mjcf::WriteMjcf(*variant.object, options_.target, provenance_, variant.document);
+  if (loader_ != nullptr) loader_->Validate(variant.document, *variant.object, variant.findings);
+  return variant.findings.HasErrors() ? Outcome::kFailed : Outcome::kMade;
+}
+
+void Generator::Describe(const model::Object& object, output::Record& record) const {
+  record.mass_properties = object.mass_properties;
+  record.bounds = object.bounds;
+  record.nbody = 1;  // the world
+  record.ngeom = options_.target == mjcf::Target::kScene ? 1 : 0;  // the floor
+  for (const model::Body& body : object.bodies) {
+    ++record.nbody;
+    record.njnt += static_cast<int>(body.joints.size());
+    record.ngeom += GeomCount(body);
+  }
+}
+
+}  // namespace mjforge::forge

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::forge {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// The file's name in a folder of the search path, without its ending; nothing
+// if it is not in that folder.
+std::optional<std::string> NameWithin(const std::filesystem::path& file,
+                                      const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto absolute = std::filesystem::weakly_canonical(file, error);
+  const auto root = std::filesystem::weakly_canonical(folder, error);
+  if (error) return std::nullopt;
+  std::filesystem::path relative = absolute.lexically_relative(root);
+  if (relative.empty() || *relative.begin() == "..") return std::nullopt;
+  return relative.replace_extension().generic_string();
+}
+
+std::string ReferenceOf(const spec::ObjectSpec& spec, const std::string& given,
+                        const std::vector<std::filesystem::path>& search_path) {
+  if (given == "-" || spec.files.empty()) return given;
+  const std::filesystem::path& file = spec.files.front();
+  for (const std::filesystem::path& folder : search_path) {
+    if (auto name = NameWithin(file, folder)) return *std::move(name);
+  }
+  return file.filename().string();
+}
+
+void Set(Settings& settings, const std::string& name, const std::string& text) {
+  const auto same = std::find_if(settings.begin(), settings.end(),
+                                 [&](const auto& setting) { return setting.first == name; });
+  if (same == settings.end()) {
+    settings.emplace_back(name, text);
+  } else {
+    same->second = text;
+  }
+}
+
+// What a --params file set is recorded like --set: the file may be gone when
+// the variant is made again.
+Settings SettingsOf(const spec::ObjectSpec& spec, const spec::LoadOptions& options,
+                    const diag::Sources& sources) {
+  Settings settings;
+  for (const spec::Parameter& parameter : spec.parameters) {
+    const diag::SourceMark mark = parameter.value.mark;
+    if (!mark || mark.file > sources.size()) continue;
+    const std::string& source = sources.Name(mark.file);
+    const bool from_file =
+        std::any_of(options.parameter_files.begin(), options.parameter_files.end(),
+                    [&](const std::filesystem::path& file) { return file.string() == source; });
+    if (from_file) Set(settings, parameter.name, parameter.source);
+  }
+  for (const spec::Setting& setting : options.settings) Set(settings, setting.name, setting.text);
+  return settings;
+}
+
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool IsNameCharacter(char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
+
+}  // namespace
+
+std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
+                                 diag::Sources& sources, diag::Findings& findings) {
+  Recipe recipe;
+  recipe.spec = spec::LoadSpec(reference, options, sources, findings);
+  if (recipe.spec == nullptr) return std::nullopt;
+  recipe.reference = ReferenceOf(*recipe.spec, reference, options.search_path);
+  recipe.settings = SettingsOf(*recipe.spec, options, sources);
+  return recipe;
+}
+
+std::string ExpandName(std::string_view text, std::uint64_t index) {
+  constexpr std::string_view kIndex = "${index}";
+  std::string name;
+  for (std::size_t at = text.find(kIndex); at != std::string_view::npos; at = text.find(kIndex)) {
+    name += fmt::format("{}{}", text.substr(0, at), index);
+    text.remove_prefix(at + kIndex.size());
+  }
+  return name.append(text);
+}
+
+bool CheckName(std::string_view text, diag::Findings& findings) {
+  const std::string name = ExpandName(text, 0);
+  if (!name.empty() && IsLetter(name[0]) &&
+      std::all_of(name.begin(), name.end(), IsNameCharacter)) {
+    return true;
+  }
+  findings.Add(diag::Code::kOutputBadName, {}, fmt::format("'{}' cannot be an object's name", text),
+               "use a letter, then letters, digits and _; ${index} stands for the variant's index");
+  return false;
+}
+
+}  // namespace mjforge::forge

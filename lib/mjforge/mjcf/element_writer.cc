@@ -1,0 +1,128 @@
+#include "mjforge/mjcf/element_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::mjcf {
+namespace {
+
+/// Rotating and adding leaves noise where zeros belong; below a femtometre (or
+/// that part of a turn) nothing is meant.
+double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
+
+bool NeedsEscape(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == '&' || c == '<' || c == '>' || c == '"' ||
+         c == 0x7f;
+}
+
+}  // namespace
+
+ElementWriter::ElementWriter(MjcfDocument& document)
+    : text_(document.text), origins_(document.origins) {}
+
+void ElementWriter::Line(std::string_view text) {
+  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_ += text;
+  Finish("\n");
+}
+
+void ElementWriter::Open(std::string_view tag, diag::SourceMark mark) {
+  if (mark) origins_.push_back({line_, mark});
+  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_ += '<';
+  text_ += tag;
+}
+
+void ElementWriter::Content() {
+  Finish(">\n");
+  ++depth_;
+}
+
+void ElementWriter::End(std::string_view tag) {
+  --depth_;
+  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_ += "</";
+  text_ += tag;
+  Finish(">\n");
+}
+
+void ElementWriter::Finish(std::string_view end) {
+  text_ += end;
+  ++line_;
+}
+
+void ElementWriter::Text(std::string_view name, std::string_view value) {
+  Text(name, value, {});
+}
+
+void ElementWriter::Text(std::string_view name, std::string_view value, std::string_view suffix) {
+  text_ += ' ';
+  text_ += name;
+  text_ += "=\"";
+  Escaped(value);
+  text_ += suffix;
+  text_ += '"';
+}
+
+void ElementWriter::Escaped(std::string_view value) {
+  if (std::ranges::none_of(value, NeedsEscape)) {
+    text_ += value;
+    return;
+  }
+  for (const char c : value) {
+    if (!NeedsEscape(c)) {
+      text_ += c;
+    } else if (c == '&') {
+      text_ += "&amp;";
+    } else if (c == '<') {
+      text_ += "&lt;";
+    } else if (c == '>') {
+      text_ += "&gt;";
+    } else if (c == '"') {
+      text_ += "&quot;";
+    } else {
+      text_ += fmt::format("&#{};", static_cast<int>(c));
+    }
+  }
+}
+
+void ElementWriter::Number(std::string_view name, double value) { Numbers(name, {&value, 1}); }
+
+void ElementWriter::Numbers(std::string_view name, std::span<const double> values) {
+  text_ += ' ';
+  text_ += name;
+  text_ += "=\"";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i != 0) text_ += ' ';
+    expr::AppendNumber(text_, values[i]);
+  }
+  text_ += '"';
+}
+
+void ElementWriter::Vector(std::string_view name, const Eigen::Vector3d& value) {
+  const double numbers[] = {WithoutNoise(value.x()), WithoutNoise(value.y()),
+                            WithoutNoise(value.z())};
+  Numbers(name, numbers);
+}
+
+void ElementWriter::Pose(const model::Pose& pose) {
+  Vector("pos", pose.p);
+  const double quat[] = {WithoutNoise(pose.q.w()), WithoutNoise(pose.q.x()),
+                         WithoutNoise(pose.q.y()), WithoutNoise(pose.q.z())};
+  if (quat[1] != 0 || quat[2] != 0 || quat[3] != 0) Numbers("quat", quat);
+}
+
+void ElementWriter::Attribute(const model::Attribute& attribute) {
+  if (attribute.numbers.empty()) {
+    Text(attribute.name, attribute.text);
+  } else {
+    Numbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()});
+  }
+}
+
+}  // namespace mjforge::mjcf

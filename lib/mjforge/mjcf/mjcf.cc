@@ -1,0 +1,49 @@
+#include "mjforge/mjcf/mjcf.h"
+
+#include <algorithm>
+
+#include "mjforge/mjcf/element_writer.h"
+#include "mjforge/mjcf/provenance.h"
+#include "mjforge/mjcf/sections.h"
+
+namespace mjforge::mjcf {
+
+diag::SourceMark MjcfDocument::Origin(int line) const {
+  const auto found = std::ranges::lower_bound(origins, line, {}, &LineOrigin::line);
+  return found != origins.end() && found->line == line ? found->mark : diag::SourceMark{};
+}
+
+void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,
+               MjcfDocument& document) {
+  const bool scene = target == Target::kScene;
+  document.text.clear();
+  document.origins.clear();
+  document.assets.clear();
+  document.lift = scene ? LiftOntoFloor(object) : 0;
+
+  AppendProvenance(provenance, document.text);
+  ElementWriter writer(document);
+  writer.Line("");
+  writer.Open("mujoco");
+  writer.Text("model", object.name);
+  writer.Content();
+  writer.Line("<compiler angle=\"radian\"/>");
+  document.size_position = scene ? std::string::npos : document.text.size();
+  if (scene) WriteSceneSize(object, writer);
+
+  if (scene || !object.textures.empty() || !object.materials.empty() || !object.meshes.empty()) {
+    writer.Open("asset");
+    writer.Content();
+    WriteAssets(object, writer, document);
+    if (scene) WriteSceneAssets(writer);
+    writer.End("asset");
+  }
+  writer.Open("worldbody");
+  writer.Content();
+  if (scene) WriteSceneWorld(object, writer);
+  WriteBodies(object, GroupsOf(target), document.lift, writer);
+  writer.End("worldbody");
+  writer.End("mujoco");
+}
+
+}  // namespace mjforge::mjcf

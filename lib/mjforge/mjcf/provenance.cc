@@ -1,0 +1,144 @@
+#include "mjforge/mjcf/provenance.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+
+#include <pugixml.hpp>
+
+namespace mjforge::mjcf {
+namespace {
+
+// The comment is `mjforge VERSION key=value ...`, one space apart. Bytes that
+// would end a value or the comment are written as %XX.
+constexpr std::string_view kOpening = " mjforge ";
+constexpr std::string_view kSetting = "set:";
+
+void AppendEncoded(std::string_view value, std::string& out) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte > 0x20 && byte < 0x7f && c != '%' && c != '=' && c != '<' && c != '>' &&
+                       !(c == '-' && out.ends_with('-'));
+    if (plain) {
+      out += c;
+    } else {
+      out += '%';
+      out += kDigits[byte >> 4];
+      out += kDigits[byte & 15];
+    }
+  }
+}
+
+void AppendPair(std::string_view key, std::string_view value, std::string& out) {
+  out += ' ';
+  out += key;
+  out += '=';
+  AppendEncoded(value, out);
+}
+
+template <typename Integer>
+bool ReadInteger(std::string_view text, int base, Integer& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+std::optional<std::string> Decoded(std::string_view text) {
+  std::string value;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      value += text[i];
+      continue;
+    }
+    unsigned byte = 0;
+    if (i + 2 >= text.size() || !ReadInteger(text.substr(i + 1, 2), 16, byte)) return std::nullopt;
+    value += static_cast<char>(byte);
+    i += 2;
+  }
+  return value;
+}
+
+std::string_view NextWord(std::string_view& rest) {
+  const std::size_t space = std::min(rest.find(' '), rest.size());
+  const std::string_view word = rest.substr(0, space);
+  rest.remove_prefix(std::min(space + 1, rest.size()));
+  return word;
+}
+
+/// Takes one `key=value` over; false if it is not one. Unknown keys are passed
+/// over: a later version may say more.
+bool ReadPair(std::string_view word, Provenance& provenance) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string_view::npos) return false;
+  const std::string_view key = word.substr(0, equals);
+  const std::optional<std::string> value = Decoded(word.substr(equals + 1));
+  if (!value) return false;
+  if (key == "seed") return ReadInteger(*value, 10, provenance.seed);
+  if (key == "index") return ReadInteger(*value, 10, provenance.index);
+  if (key == "spec") provenance.spec = *value;
+  if (key == "sha256") provenance.spec_sha256 = *value;
+  if (key == "name") provenance.name = *value;
+  if (key == "target") provenance.target = *value;
+  if (key.starts_with(kSetting)) {
+    const std::optional<std::string> name = Decoded(key.substr(kSetting.size()));
+    if (!name) return false;
+    provenance.settings.emplace_back(*name, *value);
+  }
+  return true;
+}
+
+std::optional<Provenance> ParseComment(std::string_view comment) {
+  comment.remove_prefix(kOpening.size());
+  if (comment.ends_with(' ')) comment.remove_suffix(1);
+  Provenance provenance;
+  const std::optional<std::string> version = Decoded(NextWord(comment));
+  if (!version) return std::nullopt;
+  provenance.version = *version;
+  bool has_seed = false;
+  bool has_index = false;
+  while (!comment.empty()) {
+    const std::string_view word = NextWord(comment);
+    if (!ReadPair(word, provenance)) return std::nullopt;
+    has_seed |= word.starts_with("seed=");
+    has_index |= word.starts_with("index=");
+  }
+  if (!has_seed || !has_index) return std::nullopt;
+  return provenance;
+}
+
+}  // namespace
+
+void AppendProvenance(const Provenance& provenance, std::string& out) {
+  out += "<!-- mjforge ";
+  AppendEncoded(provenance.version, out);
+  AppendPair("spec", provenance.spec, out);
+  AppendPair("sha256", provenance.spec_sha256, out);
+  AppendPair("seed", std::to_string(provenance.seed), out);
+  AppendPair("index", std::to_string(provenance.index), out);
+  if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
+  if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
+  for (const auto& [name, value] : provenance.settings) {
+    out += ' ';
+    out += kSetting;
+    AppendEncoded(name, out);
+    out += '=';
+    AppendEncoded(value, out);
+  }
+  out += " -->";
+}
+
+std::optional<Provenance> ReadProvenance(std::string_view mjcf) {
+  pugi::xml_document document;
+  // A broken file still has the comment: what was read before the error is kept.
+  document.load_buffer(mjcf.data(), mjcf.size(), pugi::parse_default | pugi::parse_comments);
+  for (const pugi::xml_node node : document.children()) {
+    if (node.type() != pugi::node_comment) continue;
+    const std::string_view comment = node.value();
+    if (comment.starts_with(kOpening)) return ParseComment(comment);
+  }
+  return std::nullopt;
+}
+
+}  // namespace mjforge::mjcf

@@ -1,0 +1,15 @@
+#ifndef MJFORGE_MJCF_PROVENANCE_H_
+#define MJFORGE_MJCF_PROVENANCE_H_
+
+#include <string>
+
+#include "mjforge/mjcf/mjcf.h"
+
+namespace mjforge::mjcf {
+
+/// Appends the opening comment, without a line end.
+void AppendProvenance(const Provenance& provenance, std::string& out);
+
+}  // namespace mjforge::mjcf
+
+#endif  // MJFORGE_MJCF_PROVENANCE_H_

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mjforge/mjcf/sections.h"
+
+namespace mjforge::mjcf {
+namespace {
+
+// Names of the scene's own elements have a hyphen, which an object's cannot have.
+
+/// MuJoCo's defaults take 100 contacts; a geom flat on the floor makes up to four.
+constexpr std::size_t kGeomsThatFit = 24;
+
+bool Finite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
+
+/// Looking from `eye` at `target`, upright: a camera looks along its -z, its y is up.
+Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+  Eigen::Matrix3d axes;
+  axes.col(2) = (eye - target).normalized();
+  axes.col(0) = Eigen::Vector3d::UnitZ().cross(axes.col(2)).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return Eigen::Quaterniond(axes);
+}
+
+}  // namespace
+
+double LiftOntoFloor(const model::Object& object) {
+  if (object.bodies.empty() || !std::isfinite(object.bounds.aabb.min.z())) return 0;
+  return -object.bounds.aabb.min.z() - object.bodies.front().X_PB.p.z();
+}
+
+void WriteSceneSize(const model::Object& object, ElementWriter& writer) {
+  std::size_t geoms = 0;
+  for (const model::Body& body : object.bodies) {
+    for (const model::Part& part : body.parts) geoms += part.role != model::Role::kVisual;
+  }
+  if (geoms <= kGeomsThatFit) return;
+  // Four contacts a geom, four pyramid edges a contact (condim 3). The stack, in
+  // numbers, is linear in them for the six degrees of freedom of one body.
+  const auto contacts = static_cast<double>(4 * geoms);
+  writer.Open("size");
+  writer.Number("njmax", 4 * contacts);
+  writer.Number("nconmax", contacts);
+  writer.Number("nstack", 400 * contacts + 1e6);
+  writer.Close();
+}
+
+void WriteSceneAssets(ElementWriter& writer) {
+  writer.Line(
+      "<texture name=\"scene-floor\" type=\"2d\" builtin=\"checker\" rgb1=\"0.8 0.8 0.8\" "
+      "rgb2=\"0.65 0.65 0.65\" width=\"300\" height=\"300\"/>");
+  writer.Line(
+      "<material name=\"scene-floor\" texture=\"scene-floor\" texuniform=\"true\" "
+      "texrepeat=\"10 10\"/>");
+}
+
+void WriteSceneWorld(const model::Object& object, ElementWriter& writer) {
+  model::Box3 box = object.bounds.aabb;
+  if (!Finite(box)) box = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  Eigen::Vector3d center = (box.min + box.max) / 2;
+  center.z() -= box.min.z();
+  const double radius = std::max((box.max - box.min).norm() / 2, 1e-3);  // m
+
+  writer.Open("light");
+  writer.Text("name", "scene-light");
+  writer.Vector("pos", center + radius * Eigen::Vector3d(1, -2, 6));
+  writer.Vector("dir", Eigen::Vector3d(-1, 2, -6).normalized());
+  writer.Close();
+
+  // MuJoCo's cameras see 45 degrees from top to bottom.
+  constexpr double kHalfView = 22.5 * std::numbers::pi / 180;
+  const Eigen::Vector3d eye =
+      center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized();
+  writer.Open("camera");
+  writer.Text("name", "scene-camera");
+  writer.Pose({eye, LookAt(eye, center)});
+  writer.Close();
+
+  writer.Line(
+      "<geom name=\"scene-floor\" type=\"plane\" size=\"0 0 1\" pos=\"0 0 0\" "
+      "material=\"scene-floor\"/>");
+}
+
+}  // namespace mjforge::mjcf

@@ -1,0 +1,40 @@
+#ifndef MJFORGE_MJCF_SECTIONS_H_
+#define MJFORGE_MJCF_SECTIONS_H_
+
+// The pieces of a file, in the order WriteMjcf puts them together.
+
+#include <string_view>
+
+#include "mjforge/mjcf/element_writer.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::mjcf {
+
+/// The groups geoms are shown and filtered by, as attributes.
+struct GeomGroups {
+  std::string_view collision;
+  std::string_view visual;
+};
+const GeomGroups& GroupsOf(Target target);
+
+/// Textures, materials and meshes, without the element around them; adds the
+/// files they name to the document's.
+void WriteAssets(const model::Object& object, ElementWriter& writer, MjcfDocument& document);
+
+/// The tree of bodies. `lift`, m, is added to the height of root bodies.
+void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
+                 ElementWriter& writer);
+
+/// How far a scene lifts the object so that it rests on the floor at z = 0, m.
+double LiftOntoFloor(const model::Object& object);
+/// Room for the contacts of an object of many geoms with the floor, if
+/// MuJoCo's own sizes might not do.
+void WriteSceneSize(const model::Object& object, ElementWriter& writer);
+void WriteSceneAssets(ElementWriter& writer);
+/// Floor, light and camera.
+void WriteSceneWorld(const model::Object& object, ElementWriter& writer);
+
+}  // namespace mjforge::mjcf
+
+#endif  // MJFORGE_MJCF_SECTIONS_H_

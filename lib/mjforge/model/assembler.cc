@@ -1,0 +1,45 @@
+#include <array>
+#include <fstream>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/mesh_files.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
+                                          diag::Findings& findings) {
+  return Assembly(*this, findings).Run(values, options);
+}
+
+const Assembler::CachedMesh& Assembler::ReadFile(const std::filesystem::path& file) {
+  const auto [found, is_new] = files_.try_emplace(file);
+  CachedMesh& cached = found->second;
+  if (!is_new) return cached;
+  std::error_code error;
+  cached.exists = std::filesystem::exists(file, error);
+  if (!cached.exists) return cached;
+  std::optional<MeshFile> read = ReadMeshFile(file, cached.why_not);
+  if (!read) return cached;
+  cached.fit_for_mujoco = read->fit_for_mujoco;
+  cached.mesh = std::move(read->mesh);
+  cached.why_not_solid = WhyNotSolid(*cached.mesh);
+  return cached;
+}
+
+const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::path& file) {
+  const auto [found, is_new] = textures_.try_emplace(file);
+  CachedTexture& cached = found->second;
+  if (!is_new) return cached;
+  std::error_code error;
+  cached.exists = std::filesystem::exists(file, error);
+  if (!std::filesystem::is_regular_file(file, error)) return cached;
+  // The first 8 bytes of every PNG file (ISO/IEC 15948, 5.2).
+  constexpr std::array<char, 8> kSignature = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
+  std::array<char, 8> start{};
+  std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+  cached.is_png = start == kSignature;
+  return cached;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,170 @@
+#include "mjforge/model/assembly.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/names.h"
+#include "mjforge/model/pose_reader.h"
+
+namespace mjforge::model {
+
+using diag::Code;
+using spec::Key;
+
+Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, const Pose& X_BodyS)
+    : values(evaluator),
+      prefix(std::move(name_prefix)),
+      X_BS(X_BodyS),
+      parts(sample::Child(evaluator.root(), "parts")),
+      materials(evaluator.spec().materials.size()) {}
+
+std::optional<Object> Assembly::Run(sample::Evaluator& values,
+                                    const Assembler::Options& options) {
+  const std::size_t before = findings_.size();
+  object_.name = options.name.empty() ? values.spec().name : options.name;
+  if (!IsName(object_.name)) {
+    findings_.Add(Code::kModelBadName, {},
+                  fmt::format("object name {} is not a name", Quoted(object_.name)),
+                  std::string(kNameRule));
+  }
+  object_.bodies.emplace_back().name = object_.name;
+  Scope scope(values, options.prefix ? object_.name + "_" : std::string(), Pose());
+  const std::vector<spec::Entry>& parts = values.spec().parts;
+  if (!parts.empty()) body().mark = parts.front().mark;
+  body().parts.reserve(parts.size());
+  AddSpec(scope);
+  AddRootJoints(scope);
+  if (!HasErrorsSince(before)) Finish(scope);
+  if (HasErrorsSince(before) || values.failed()) return std::nullopt;
+  return std::move(object_);
+}
+
+bool Assembly::HasErrorsSince(std::size_t first) const {
+  return std::any_of(findings_.begin() + static_cast<std::ptrdiff_t>(first), findings_.end(),
+                     [](const diag::Finding& finding) {
+                       return finding.severity == diag::Severity::kError;
+                     });
+}
+
+std::optional<std::string> Assembly::ReadName(Scope& scope, const spec::Entry& entry,
+                                              sample::StreamId list) {
+  const std::size_t before = findings_.size();
+  std::string name = scope.values.Text(entry.name, list);
+  if (findings_.size() != before) return std::nullopt;
+  if (IsName(name)) return name;
+  findings_.Add(Code::kModelBadName, entry.name.mark,
+                fmt::format("{} name {} is not a name", entry.element->name, Quoted(name)),
+                std::string(kNameRule));
+  return std::nullopt;
+}
+
+void Assembly::AddSpec(Scope& scope) {
+  const std::size_t first_part = body().parts.size();
+  ReadTotalSize(scope);
+  AddParts(scope, scope.values.spec().parts, Pose());
+  AddSites(scope);
+  ScaleMass(scope, first_part);
+}
+
+void Assembly::ReadTotalSize(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (!spec.total_size) return;
+  FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
+  scope.total_size = reader.Vector<3>(*spec.total_size);
+}
+
+void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF) {
+  const std::vector<spec::Field>& defaults = scope.values.spec().defaults.part;
+  for (const spec::Entry& entry : entries) {
+    const bool is_plain = !entry.is_frame && entry.nested == nullptr;
+    const FieldSet fields(entry.fields,
+                          is_plain ? defaults : std::span<const spec::Field>());
+    repetition_.ForEach(entry, scope.values, body().parts.size(), [&] {
+      if (entry.is_frame) {
+        AddFrame(scope, entry, fields, X_SF);
+      } else if (entry.nested != nullptr) {
+        AddWeld(scope, entry, fields, X_SF);
+      } else {
+        AddPart(scope, entry, fields, X_SF);
+      }
+    });
+  }
+}
+
+// A frame needs no name, unless its pose is drawn.
+void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
+                        const Pose& X_SF) {
+  const sample::StreamId frames = sample::Child(scope.values.root(), "frames");
+  const std::string name = scope.values.Text(entry.name, frames);
+  FieldReader reader(scope.values, findings_, "frame", name,
+                     sample::Child(frames, std::string_view(name)));
+  const std::optional<Pose> X_FChild = ReadPose(reader, fields);
+  // Parts of a frame without a pose can still be checked for other errors.
+  AddParts(scope, entry.children, X_SF * X_FChild.value_or(Pose()));
+}
+
+void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
+                       const Pose& X_SF) {
+  const std::optional<std::string> name = ReadName(scope, entry, scope.parts);
+  if (!name) return;
+  const sample::StreamId path = sample::Child(scope.parts, std::string_view(*name));
+  FieldReader reader(scope.values, findings_, "part", *name, path);
+  const std::optional<Pose> X_FW = ReadPose(reader, fields);
+
+  const std::size_t before = findings_.size();
+  const sample::StreamId params = sample::Child(path, "params");
+  std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
+  overrides.reserve(entry.overrides.size());
+  for (const auto& [parameter, value] : entry.overrides) {
+    overrides.emplace_back(parameter,
+                           scope.values.Any(value, sample::Child(params, parameter)));
+  }
+  if (findings_.size() != before || !X_FW) return;
+  sample::DrawKey key = scope.values.key();
+  key.attempt = 0;  // its own requirements are retried on their own
+  std::optional<sample::Evaluator> nested =
+      sample::Sample(*entry.nested, key, path, overrides, findings_);
+  if (!nested) return;
+
+  const Pose X_SW = X_SF * *X_FW;
+  const bool corner =
+      scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
+  Scope inner(*nested, scope.prefix + *name + "_", corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
+  const std::size_t first_part = body().parts.size();
+  const std::size_t first_site = body().sites.size();
+  AddSpec(inner);
+  if (!corner) return;
+  // Placed by its own lower corner, which is known only now.
+  const Box3 box = BoundsOf(body().parts, first_part).aabb;
+  if (box.empty()) return;
+  const Pose X_BC = scope.X_BS * Pose{.p = X_SW.p - *scope.total_size - box.min};
+  for (std::size_t i = first_part; i < body().parts.size(); ++i) {
+    body().parts[i].X_BG = X_BC * body().parts[i].X_BG;
+  }
+  for (std::size_t i = first_site; i < body().sites.size(); ++i) {
+    body().sites[i].X_BS = X_BC * body().sites[i].X_BS;
+  }
+}
+
+void Assembly::ScaleMass(Scope& scope, std::size_t first_part) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (!spec.mass) return;
+  FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
+  const std::optional<double> mass = reader.Number(*spec.mass);
+  if (!mass) return;
+  double sum = 0;
+  for (std::size_t i = first_part; i < body().parts.size(); ++i) sum += body().parts[i].mass;
+  if (!(sum > 0)) {
+    if (body().parts.size() == first_part) return;  // reported as such
+    reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
+    return;
+  }
+  for (std::size_t i = first_part; i < body().parts.size(); ++i) {
+    body().parts[i].mass *= *mass / sum;
+    body().parts[i].density = 0;  // no longer the number that says it
+  }
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,68 @@
+#ifndef MJFORGE_MODEL_ASSETS_H_
+#define MJFORGE_MODEL_ASSETS_H_
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+
+#include "mjforge/model/field_reader.h"
+#include "mjforge/model/field_set.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+/// The stream of a material's fields.
+inline sample::StreamId MaterialPath(const sample::Evaluator& values,
+                                     const spec::Material& material) {
+  return sample::Child(sample::Child(values.root(), "materials"), material.name);
+}
+
+/// The meshes and textures of one object, equal ones shared.
+class Assets {
+ public:
+  Assets(Assembler& assembler, Object& object, diag::Findings& findings)
+      : assembler_(assembler), object_(object), findings_(findings) {}
+
+  /// Sets the part's mesh and shape from polygon, height and scale.
+  bool ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part);
+  /// The same from file and scale; `folder` is where files resolve.
+  bool ReadMesh(FieldReader& reader, const FieldSet& fields, const std::filesystem::path& folder,
+                Part& part);
+  /// The solid's mass properties at density 1, in its own frame; nothing for a
+  /// mesh whose surface is open.
+  std::optional<MassProperties> UnitMassOf(const Shape& shape, int mesh);
+  /// Adds a material's texture. Returns its index, or nothing after a finding.
+  std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
+                                const std::string& name);
+
+ private:
+  struct Source {  // of a mesh read from a file
+    std::filesystem::path file;
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+    bool is_solid = true;
+    std::optional<MassProperties> unit_mass = {};  // once asked for
+  };
+
+  void AddPrism(TriangleMesh mesh, Part& part);
+  void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+               const Assembler::CachedMesh& content, Part& part);
+  void Share(int index, Part& part);
+  /// The name of the file's copy: its own, or with _2, _3, ... where that is taken.
+  std::string OutputName(const std::filesystem::path& file);
+  bool ReadPicture(FieldReader& reader, const spec::Field& field,
+                   const std::filesystem::path& folder, Texture& texture);
+
+  Assembler& assembler_;
+  Object& object_;
+  diag::Findings& findings_;
+  std::vector<Source> sources_;  // as Object::meshes
+  std::unordered_multimap<std::size_t, int> by_hash_;
+  std::map<std::filesystem::path, std::string> output_names_;
+  std::set<std::string> taken_names_;
+};
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_ASSETS_H_

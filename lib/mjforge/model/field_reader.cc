@@ -1,0 +1,177 @@
+#include "mjforge/model/field_reader.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+
+// What a number must be and is not, or nothing.
+std::string Broken(const spec::FieldInfo& info, double number) {
+  if (info.above && !(number > info.lower)) {
+    return fmt::format("must be greater than {}", expr::NumberText(info.lower));
+  }
+  if (!(number >= info.lower)) {
+    return fmt::format("must be at least {}", expr::NumberText(info.lower));
+  }
+  if (!(number <= info.upper)) {
+    return fmt::format("must be at most {}", expr::NumberText(info.upper));
+  }
+  if (info.slot == spec::Slot::kInteger && number != std::floor(number)) {
+    return "must be a whole number";
+  }
+  if (info.key == "condim" && (number == 2 || number == 5)) return "must be 1, 3, 4 or 6";
+  return {};
+}
+
+// The value of one component, where it stands apart.
+const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
+  const auto* list = std::get_if<spec::List>(&value.form);
+  return list != nullptr && position < list->items.size() ? list->items[position] : value;
+}
+
+std::vector<std::string_view> Split(std::string_view words) {
+  std::vector<std::string_view> list;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    list.push_back(words.substr(0, end));
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string FieldReader::Owner() const { return fmt::format("{} {}", element_, Quoted(name_)); }
+
+void FieldReader::Report(Code code, const spec::Field& field, std::string_view what,
+                         std::string hint) {
+  findings_.Add(code, field.value.mark,
+                fmt::format("{} of {} {}", field.info->key, Owner(), what), std::move(hint));
+}
+
+void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_view what,
+                                std::string hint) {
+  findings_.Add(code, mark, fmt::format("{} {}", Owner(), what), std::move(hint));
+}
+
+// A number that is not finite has been reported where it was computed.
+bool FieldReader::IsGood(const spec::Field& field, double number, std::size_t position,
+                         std::size_t count) {
+  if (!std::isfinite(number)) return false;
+  const std::string broken = Broken(*field.info, number);
+  if (broken.empty()) return true;
+  const spec::Value& item = ItemOf(field.value, position);
+  std::string hint;
+  if (const auto* expression = std::get_if<expr::Expression>(&item.form)) {
+    hint = fmt::format("it is the value of '{}'", expression->text());
+  }
+  const std::string which = count > 1 ? fmt::format(" {}", position + 1) : std::string();
+  findings_.Add(Code::kModelBadValue, item.mark,
+                fmt::format("{}{} of {} is {}; it {}", field.info->key, which, Owner(),
+                            expr::NumberText(number), broken),
+                std::move(hint));
+  return false;
+}
+
+std::optional<double> FieldReader::Number(const spec::Field& field) {
+  const double number = values_.Number(field.value, PathOf(field));
+  if (!IsGood(field, number, 0, 1)) return std::nullopt;
+  return number;
+}
+
+bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
+  values_.Vector(field.value, PathOf(field), out);
+  bool good = true;
+  for (std::size_t i = 0; i < out.size(); ++i) good &= IsGood(field, out[i], i, out.size());
+  const auto& [lo, hi] = std::pair(field.info->min_count, field.info->max_count);
+  const int count = static_cast<int>(out.size());
+  if (good && (count < lo || count > hi)) {
+    const std::string wanted =
+        lo == hi ? fmt::format("{}", lo) : fmt::format("{} to {}", lo, hi);
+    Report(Code::kModelBadValue, field,
+           fmt::format("has {} number{}; it must have {}", count, count == 1 ? "" : "s", wanted));
+    return false;
+  }
+  return good;
+}
+
+bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numbers,
+                           std::size_t count) {
+  if (numbers.size() == count) return true;
+  Report(Code::kModelBadValue, field,
+         fmt::format("has {} number{}; it must have {}", numbers.size(),
+                     numbers.size() == 1 ? "" : "s", count));
+  return false;
+}
+
+std::optional<std::vector<double>> FieldReader::Points(const spec::Field& field) {
+  const std::size_t before = findings_.size();
+  std::vector<double> points = values_.Points(field.value, PathOf(field));
+  if (findings_.size() != before) return std::nullopt;
+  for (const double number : points) {
+    if (!std::isfinite(number)) return std::nullopt;
+  }
+  return points;
+}
+
+std::optional<std::string> FieldReader::Text(const spec::Field& field) {
+  const std::size_t before = findings_.size();
+  std::string text = values_.Text(field.value, PathOf(field));
+  if (findings_.size() != before) return std::nullopt;
+  return text;
+}
+
+std::optional<std::string> FieldReader::Word(const spec::Field& field) {
+  std::optional<std::string> word = Text(field);
+  if (!word) return std::nullopt;
+  std::string_view words = field.info->words;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    if (words.substr(0, end) == *word) return word;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  const std::vector<std::string_view> known = Split(field.info->words);
+  Report(Code::kModelBadValue, field,
+         fmt::format("is {}; it must be one of {}", Quoted(*word), fmt::join(known, ", ")),
+         diag::DidYouMean(*word, known));
+  return std::nullopt;
+}
+
+std::optional<bool> FieldReader::Boolean(const spec::Field& field) {
+  const std::size_t before = findings_.size();
+  const bool value = values_.Boolean(field.value, PathOf(field));
+  if (findings_.size() != before) return std::nullopt;
+  return value;
+}
+
+bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
+  out.name = field.info->key;
+  out.applies = field.info->applies;
+  switch (field.info->slot) {
+    case spec::Slot::kNumber:
+    case spec::Slot::kInteger: {
+      const std::optional<double> number = Number(field);
+      if (number) out.numbers.push_back(*number);
+      return number.has_value();
+    }
+    case spec::Slot::kNumbers: return Numbers(field, out.numbers);
+    case spec::Slot::kBoolean: {
+      const std::optional<bool> value = Boolean(field);
+      if (value) out.text = *value ? "true" : "false";
+      return value.has_value();
+    }
+    default: {
+      std::optional<std::string> text = field.info->words.empty() ? Text(field) : Word(field);
+      if (text) out.text = std::move(*text);
+      return text.has_value();
+    }
+  }
+}
+
+}  // namespace mjforge::model

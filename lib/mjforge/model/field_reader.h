@@ -1,0 +1,63 @@
+#ifndef MJFORGE_MODEL_FIELD_READER_H_
+#define MJFORGE_MODEL_FIELD_READER_H_
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+/// Evaluates the fields of one element and checks them against the field table.
+/// What returns nothing has been reported.
+class FieldReader {
+ public:
+  /// `path` is the stream of the element; a field's is its child by the key.
+  FieldReader(sample::Evaluator& values, diag::Findings& findings, std::string_view element,
+              std::string_view name, sample::StreamId path)
+      : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
+
+  std::optional<double> Number(const spec::Field& field);
+  bool Numbers(const spec::Field& field, sample::Numbers& out);
+  /// As Numbers, where exactly N are wanted.
+  template <int N>
+  std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
+    sample::Numbers numbers;
+    if (!Numbers(field, numbers) || !HasCount(field, numbers, N)) return std::nullopt;
+    return Eigen::Matrix<double, N, 1>(numbers.data());
+  }
+  bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
+  std::optional<std::vector<double>> Points(const spec::Field& field);
+  std::optional<std::string> Text(const spec::Field& field);
+  /// One of the words of the field table.
+  std::optional<std::string> Word(const spec::Field& field);
+  std::optional<bool> Boolean(const spec::Field& field);
+  bool ReadAttribute(const spec::Field& field, Attribute& out);
+
+  /// "part 'head'"
+  std::string Owner() const;
+  /// Adds the finding "KEY of OWNER <what>".
+  void Report(diag::Code code, const spec::Field& field, std::string_view what,
+              std::string hint = {});
+  /// Adds the finding "OWNER <what>".
+  void ReportElement(diag::Code code, diag::SourceMark mark, std::string_view what,
+                     std::string hint = {});
+  diag::Findings& findings() { return findings_; }
+
+ private:
+  sample::StreamId PathOf(const spec::Field& field) const {
+    return sample::Child(path_, field.info->key);
+  }
+  bool IsGood(const spec::Field& field, double number, std::size_t position, std::size_t count);
+
+  sample::Evaluator& values_;
+  diag::Findings& findings_;
+  std::string_view element_;
+  std::string_view name_;
+  sample::StreamId path_;
+};
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_FIELD_READER_H_

@@ -1,0 +1,50 @@
+#ifndef MJFORGE_MODEL_FIELD_SET_H_
+#define MJFORGE_MODEL_FIELD_SET_H_
+
+#include <array>
+#include <span>
+
+#include <boost/container/small_vector.hpp>
+
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::model {
+
+/// The fields of one entry by key, and the defaults for those it leaves out. A
+/// default that says the same thing in another way (mass and density; pos,
+/// orientations and fromto) counts as left out, too.
+class FieldSet {
+ public:
+  using Attributes = boost::container::small_vector<const spec::Field*, 8>;
+
+  FieldSet(std::span<const spec::Field> own, std::span<const spec::Field> defaults);
+
+  /// The entry's own field.
+  const spec::Field* Own(spec::Key id) const { return own_[Position(id)]; }
+  /// The default, where it counts.
+  const spec::Field* Default(spec::Key id) const { return defaults_[Position(id)]; }
+  const spec::Field* operator[](spec::Key id) const { return Own(id) ? Own(id) : Default(id); }
+
+  /// Fields that are written as they are.
+  const Attributes& own_attributes() const { return own_attributes_; }
+  const Attributes& default_attributes() const { return default_attributes_; }
+  /// Does the entry itself say what this default says?
+  bool OwnsAttribute(const spec::Field& default_attribute) const;
+
+ private:
+  static std::size_t Position(spec::Key id) { return static_cast<std::size_t>(id); }
+  // kJoint is the last one.
+  static constexpr std::size_t kKeys = static_cast<std::size_t>(spec::Key::kJoint) + 1;
+  using ById = std::array<const spec::Field*, kKeys>;
+
+  static void Sort(std::span<const spec::Field> fields, ById& by_id, Attributes& attributes);
+
+  ById own_{};
+  ById defaults_{};
+  Attributes own_attributes_;
+  Attributes default_attributes_;
+};
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_FIELD_SET_H_

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/model/model.h"
+#include "mjforge/model/shapes.h"
+
+namespace mjforge::model {
+namespace {
+
+// Points of the surface are inside, but a point computed to be on it may miss it
+// by rounding: a few units in the last place of the numbers that went in.
+constexpr double kRounding = 1e-14;
+
+double SegmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                       const Eigen::Vector3d& b) {
+  const Eigen::Vector3d ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0;
+  return (p - a - t * ab).norm();
+}
+
+double TriangleDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                        const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const bool above = normal.dot((b - a).cross(p - a)) >= 0 &&
+                     normal.dot((c - b).cross(p - b)) >= 0 &&
+                     normal.dot((a - c).cross(p - c)) >= 0;
+  if (above && normal.norm() > 0) return std::abs(normal.dot(p - a)) / normal.norm();
+  return std::min({SegmentDistance(p, a, b), SegmentDistance(p, b, c), SegmentDistance(p, c, a)});
+}
+
+// The signed solid angle of a triangle seen from the origin. Source: Van
+// Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
+double SolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double la = a.norm();
+  const double lb = b.norm();
+  const double lc = c.norm();
+  const double below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  return 2 * std::atan2(a.dot(b.cross(c)), below);
+}
+
+// On the surface, or wound round by it: the solid angles add up to 4 pi inside
+// and to 0 outside. This is the solid itself, not its convex hull.
+bool MeshContains(const TriangleMesh& mesh, const Eigen::Vector3d& p, double guard) {
+  double angle = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.vertices[static_cast<std::size_t>(triangle[0])];
+    const Eigen::Vector3d& b = mesh.vertices[static_cast<std::size_t>(triangle[1])];
+    const Eigen::Vector3d& c = mesh.vertices[static_cast<std::size_t>(triangle[2])];
+    if (TriangleDistance(p, a, b, c) <= guard) return true;
+    angle += SolidAngle(a - p, b - p, c - p);
+  }
+  return angle > 2 * M_PI;
+}
+
+double LargestSize(const Shape& shape) {
+  if (shape.type != GeomType::kMesh) return shape.size.cwiseAbs().maxCoeff();
+  double largest = 0;
+  for (const Eigen::Vector3d& vertex : shape.mesh->vertices) {
+    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+}  // namespace
+
+bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) {
+  const Eigen::Vector3d p = X_AG.q.conjugate() * (p_A - X_AG.p);
+  const double guard = kRounding * (LargestSize(shape) + X_AG.p.norm() + p_A.norm());
+  const Eigen::Vector3d& s = shape.size;
+  switch (shape.type) {
+    case GeomType::kSphere: return p.norm() <= s.x() + guard;
+    case GeomType::kCapsule: {
+      const double beyond = std::max(std::abs(p.z()) - s.y(), 0.0);
+      return std::hypot(p.x(), p.y(), beyond) <= s.x() + guard;
+    }
+    case GeomType::kEllipsoid: return p.cwiseQuotient(s).norm() <= 1 + guard / s.minCoeff();
+    case GeomType::kCylinder:
+      return std::abs(p.z()) <= s.y() + guard && std::hypot(p.x(), p.y()) <= s.x() + guard;
+    case GeomType::kBox: return (p.cwiseAbs() - s).maxCoeff() <= guard;
+    case GeomType::kMesh: return MeshContains(*shape.mesh, p, guard);
+  }
+  return false;
+}
+
+bool Contains(const Object& object, const Eigen::Vector3d& p_Root) {
+  std::vector<Pose> X_RootB(object.bodies.size());
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const Body& body = object.bodies[i];
+    // The root's own pose in the world does not count: points are in its frame.
+    if (body.parent >= 0) X_RootB[i] = X_RootB[static_cast<std::size_t>(body.parent)] * body.X_PB;
+    const Eigen::Vector3d p_B = X_RootB[i].Inverse() * p_Root;
+    for (const Part& part : body.parts) {
+      if (part.role != Role::kVisual && Contains(part.shape, part.X_BG, p_B)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace mjforge::model

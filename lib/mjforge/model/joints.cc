@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/pose_reader.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+bool ReadType(FieldReader& reader, const FieldSet& fields, Joint& joint) {
+  joint.type = "hinge";
+  const spec::Field* field = fields[Key::kType];
+  if (field == nullptr) return true;
+  const std::optional<std::string> word = reader.Word(*field);
+  if (!word) return false;
+  constexpr std::array<std::string_view, 4> kTypes = {"free", "ball", "slide", "hinge"};
+  joint.type = *std::ranges::find(kTypes, *word);
+  return true;
+}
+
+// What MuJoCo asks of the limits of a joint of this type, or nothing.
+std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range) {
+  if (type == "free") return "has no meaning for a free joint";
+  if (type == "ball") {
+    if (range(0) != 0) return "must begin with 0 for a ball joint";
+    return range(1) > 0 ? "" : "must end above 0";
+  }
+  return range(0) < range(1) ? "" : "must go from a smaller to a larger number";
+}
+
+// A range holds where it is given, unless `limited: false`.
+bool ReadRange(FieldReader& reader, const FieldSet& fields, Joint& joint) {
+  const spec::Field* range_field = fields[Key::kRange];
+  const spec::Field* limited_field = fields[Key::kLimited];
+  std::optional<Eigen::Vector2d> range;
+  if (range_field != nullptr) {
+    range = reader.Vector<2>(*range_field);
+    if (!range) return false;
+  }
+  if (limited_field != nullptr) {
+    const std::optional<bool> limited = reader.Boolean(*limited_field);
+    if (!limited) return false;
+    if (!*limited) return true;
+    if (!range) {
+      reader.Report(Code::kModelBadValue, *limited_field, "is true, but it has no range");
+      return false;
+    }
+  }
+  if (!range) return true;
+  const std::string_view broken = BrokenRange(joint.type, *range);
+  if (!broken.empty()) {
+    reader.Report(Code::kModelBadValue, *range_field,
+                  fmt::format("is {} .. {}; it {}", expr::NumberText((*range)(0)),
+                              expr::NumberText((*range)(1)), broken));
+    return false;
+  }
+  joint.range = range;
+  return true;
+}
+
+}  // namespace
+
+void Assembly::AddRootJoints(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (spec.root_joints == spec::RootJoints::kFree) {
+    Joint& joint = body().joints.emplace_back();
+    joint.name = scope.prefix + "joint0";
+  }
+  if (spec.root_joints != spec::RootJoints::kList) return;
+  const sample::StreamId joints = sample::Child(scope.values.root(), "joints");
+  for (const spec::Entry& entry : spec.joints) {
+    const FieldSet fields(entry.fields, spec.defaults.joint);
+    repetition_.ForEach(entry, scope.values, body().joints.size(),
+                        [&] { AddJoint(scope, entry, fields, joints); });
+  }
+  if (body().joints.size() < 2) return;
+  for (const Joint& joint : body().joints) {
+    if (joint.type != "free") continue;
+    findings_.Add(Code::kModelBadValue, joint.mark,
+                  fmt::format("free joint '{}' is not the only joint of its body", joint.name),
+                  "a free joint lets everything move already");
+    return;
+  }
+}
+
+void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
+                        sample::StreamId joints) {
+  const std::optional<std::string> name = ReadName(scope, entry, joints);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, "joint", *name,
+                     sample::Child(joints, std::string_view(*name)));
+  Joint joint;
+  joint.name = scope.prefix + *name;
+  joint.mark = entry.mark;
+  bool good = ReadType(reader, fields, joint);
+  if (const spec::Field* field = fields[Key::kPos]) {
+    const auto pos = reader.Vector<3>(*field);
+    if (pos) joint.pos = *pos;
+    good &= pos.has_value();
+  }
+  if (const spec::Field* field = fields[Key::kAxis]) {
+    const auto axis = ReadDirection(reader, *field);
+    if (axis) joint.axis = *axis;
+    good &= axis.has_value();
+  }
+  good &= ReadRange(reader, fields, joint);
+  good &= ReadAttributes(reader, fields.own_attributes(), joint.attributes);
+  for (const spec::Field* field : fields.default_attributes()) {
+    if (fields.OwnsAttribute(*field)) continue;
+    good &= reader.ReadAttribute(*field, joint.attributes.emplace_back());
+  }
+  if (good) body().joints.push_back(std::move(joint));
+}
+
+}  // namespace mjforge::model

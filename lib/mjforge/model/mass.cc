@@ -1,0 +1,135 @@
+#include <cmath>
+
+#include "mjforge/model/shapes.h"
+
+namespace mjforge::model {
+namespace {
+
+// Inertia matrices of solids of mass 1 about their centres. Source: Goldstein,
+// "Classical Mechanics", 3rd ed., ch. 5; the capsule is a cylinder and two
+// hemispheres, each moved by the distance of its centroid, 3/8 r, from its face.
+Eigen::Vector3d CapsuleInertia(double radius, double half_length) {
+  const double height = 2 * half_length;
+  const double spheres = 4 * radius / (4 * radius + 3 * height);  // share of the mass
+  const double cylinder = 1 - spheres;
+  const double r2 = radius * radius;
+  const double across = cylinder * (3 * r2 + height * height) / 12 +
+                        spheres * (2 * r2 / 5 + height * (3 * radius + 2 * height) / 8);
+  return {across, across, cylinder * r2 / 2 + spheres * 2 * r2 / 5};
+}
+
+Eigen::Vector3d UnitInertia(const Shape& shape) {
+  const Eigen::Vector3d& s = shape.size;
+  const Eigen::Vector3d s2 = s.cwiseProduct(s);
+  switch (shape.type) {
+    case GeomType::kSphere: return Eigen::Vector3d::Constant(0.4 * s2.x());
+    case GeomType::kCapsule: return CapsuleInertia(s.x(), s.y());
+    case GeomType::kEllipsoid:
+      return Eigen::Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 5;
+    case GeomType::kCylinder: {
+      const double across = (3 * s2.x() + 4 * s2.y()) / 12;
+      return {across, across, s2.x() / 2};
+    }
+    case GeomType::kBox:
+      return Eigen::Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 3;
+    case GeomType::kMesh: break;
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+// A point near the mesh: tetrahedra from there cancel less than from a far origin.
+Eigen::Vector3d Middle(const TriangleMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
+  return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
+}
+
+// Sums over the tetrahedra between a point M and each triangle (a, b, c). With
+// d = det(a b c): volume d / 6, first moment d / 24 (a + b + c), second moments
+// d / 120 (aa' + bb' + cc' + ss'), s = a + b + c. Source: Tonon, "Explicit exact
+// formulas for the 3-D tetrahedron inertia tensor", 2004.
+MassProperties MeshMass(const TriangleMesh& mesh, double density) {
+  const Eigen::Vector3d p_GM = Middle(mesh);
+  double volume6 = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices[static_cast<std::size_t>(triangle[0])] - p_GM;
+    const Eigen::Vector3d b = mesh.vertices[static_cast<std::size_t>(triangle[1])] - p_GM;
+    const Eigen::Vector3d c = mesh.vertices[static_cast<std::size_t>(triangle[2])] - p_GM;
+    const double d = a.dot(b.cross(c));
+    const Eigen::Vector3d s = a + b + c;
+    volume6 += d;
+    first += d * s;
+    second += d * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+  }
+  MassProperties result;
+  if (volume6 == 0) return result;
+  const Eigen::Vector3d p_MCm = first / (4 * volume6);
+  const Eigen::Matrix3d about_Cm =
+      density * (second / 120 - volume6 / 6 * p_MCm * p_MCm.transpose());
+  result.mass = density * volume6 / 6;
+  result.p_FCm = p_GM + p_MCm;
+  result.I_Cm_F = about_Cm.trace() * Eigen::Matrix3d::Identity() - about_Cm;
+  return result;
+}
+
+// What a point mass at `r` from the point adds to the inertia about it.
+Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& r) {
+  return mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+}
+
+double MeshVolume(const TriangleMesh& mesh) {
+  const Eigen::Vector3d p_GM = Middle(mesh);
+  double volume6 = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices[static_cast<std::size_t>(triangle[0])] - p_GM;
+    const Eigen::Vector3d b = mesh.vertices[static_cast<std::size_t>(triangle[1])] - p_GM;
+    const Eigen::Vector3d c = mesh.vertices[static_cast<std::size_t>(triangle[2])] - p_GM;
+    volume6 += a.dot(b.cross(c));
+  }
+  return volume6 / 6;
+}
+
+}  // namespace
+
+double Volume(const Shape& shape) {
+  const Eigen::Vector3d& s = shape.size;
+  switch (shape.type) {
+    case GeomType::kSphere: return 4 * M_PI / 3 * s.x() * s.x() * s.x();
+    case GeomType::kCapsule: return M_PI * s.x() * s.x() * (2 * s.y() + 4 * s.x() / 3);
+    case GeomType::kEllipsoid: return 4 * M_PI / 3 * s.prod();
+    case GeomType::kCylinder: return 2 * M_PI * s.x() * s.x() * s.y();
+    case GeomType::kBox: return 8 * s.prod();
+    case GeomType::kMesh: return MeshVolume(*shape.mesh);
+  }
+  return 0;
+}
+
+MassProperties MassOf(const Shape& shape, double density) {
+  if (shape.type == GeomType::kMesh) return MeshMass(*shape.mesh, density);
+  MassProperties result;
+  result.mass = density * Volume(shape);
+  result.I_Cm_F.diagonal() = result.mass * UnitInertia(shape);
+  return result;
+}
+
+MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F) {
+  const Eigen::Matrix3d R_AF = X_AF.q.toRotationMatrix();
+  return {.mass = properties_F.mass,
+          .p_FCm = X_AF * properties_F.p_FCm,
+          .I_Cm_F = R_AF * properties_F.I_Cm_F * R_AF.transpose()};
+}
+
+MassProperties Combine(const MassProperties& a, const MassProperties& b) {
+  const double mass = a.mass + b.mass;
+  if (mass == 0) return {};
+  MassProperties result;
+  result.mass = mass;
+  result.p_FCm = (a.mass * a.p_FCm + b.mass * b.p_FCm) / mass;
+  result.I_Cm_F = a.I_Cm_F + PointInertia(a.mass, a.p_FCm - result.p_FCm) + b.I_Cm_F +
+                  PointInertia(b.mass, b.p_FCm - result.p_FCm);
+  return result;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+
+using diag::Code;
+using spec::Key;
+
+const MaterialState* Assembly::UseMaterial(Scope& scope, FieldReader& reader,
+                                           const spec::Field& field) {
+  const std::optional<std::string> name = reader.Text(field);
+  if (!name) return nullptr;
+  const std::vector<spec::Material>& materials = scope.values.spec().materials;
+  const auto found = std::ranges::find(materials, *name, &spec::Material::name);
+  if (found == materials.end()) {
+    std::vector<std::string_view> names;
+    for (const spec::Material& material : materials) names.push_back(material.name);
+    findings_.Add(Code::kSpecUnknownMaterial, field.value.mark,
+                  fmt::format("no material {}", Quoted(*name)), diag::DidYouMean(*name, names));
+    return nullptr;
+  }
+  MaterialState& state = scope.materials[static_cast<std::size_t>(found - materials.begin())];
+  if (!state.ready) EvaluateMaterial(scope, *found, state);
+  return &state;
+}
+
+// Once an object: all parts of a material share what is drawn in it.
+void Assembly::EvaluateMaterial(Scope& scope, const spec::Material& material,
+                                MaterialState& state) {
+  state.ready = true;
+  FieldReader reader(scope.values, findings_, "material", material.name,
+                     MaterialPath(scope.values, material));
+  Material look;
+  look.name = scope.prefix + material.name;
+  look.mark = material.mark;
+  for (const spec::Field& field : material.fields) {
+    if (field.info->id == Key::kDensity) {
+      state.density = reader.Number(field);
+      state.density_field = &field;
+    } else if (field.info->id == Key::kAttribute || field.info->id == Key::kRgba) {
+      const bool is_contact = field.info->applies == spec::Applies::kCollision;
+      std::vector<Attribute>& attributes = is_contact ? state.contact : look.attributes;
+      reader.ReadAttribute(field, attributes.emplace_back());
+    }
+  }
+  if (!material.texture.empty()) {
+    look.texture = assets_.AddTexture(scope.values, material, look.name).value_or(-1);
+  }
+  if (look.attributes.empty() && look.texture < 0) return;
+  state.index = static_cast<int>(object_.materials.size());
+  object_.materials.push_back(std::move(look));
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,182 @@
+#include <cstring>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assets.h"
+#include "mjforge/model/mesh_files.h"
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+std::size_t HashOf(const TriangleMesh& mesh) {
+  const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
+                               mesh.vertices.size() * sizeof(Eigen::Vector3d));
+  return std::hash<std::string_view>()(bytes);
+}
+
+std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
+  const std::string_view bytes(reinterpret_cast<const char*>(scale.data()), sizeof(scale));
+  return std::hash<std::string_view>()(file.native()) ^ std::hash<std::string_view>()(bytes);
+}
+
+// One number counts for all axes.
+template <int N>
+std::optional<Eigen::Matrix<double, N, 1>> ReadScale(FieldReader& reader, const FieldSet& fields) {
+  using Scale = Eigen::Matrix<double, N, 1>;
+  const spec::Field* field = fields[Key::kScale];
+  if (field == nullptr) return Scale(Scale::Ones());
+  sample::Numbers numbers;
+  if (!reader.Numbers(*field, numbers)) return std::nullopt;
+  for (const double number : numbers) {
+    if (number != 0) continue;
+    reader.Report(Code::kModelBadValue, *field, "is zero");
+    return std::nullopt;
+  }
+  if (numbers.size() == 1) return Scale(Scale::Constant(numbers[0]));
+  if (!reader.HasCount(*field, numbers, N)) return std::nullopt;
+  return Scale(numbers.data());
+}
+
+const spec::Field* Required(FieldReader& reader, const FieldSet& fields, Key id,
+                            std::string_view key, diag::SourceMark mark) {
+  const spec::Field* field = fields[id];
+  if (field == nullptr) {
+    reader.ReportElement(Code::kSpecMissingKey, mark, fmt::format("has no '{}'", key));
+  }
+  return field;
+}
+
+}  // namespace
+
+void Assets::Share(int index, Part& part) {
+  part.mesh = index;
+  part.shape = {.type = GeomType::kMesh,
+                .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
+}
+
+bool Assets::ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part) {
+  const spec::Field* polygon = Required(reader, fields, Key::kPolygon, "polygon", part.mark);
+  const spec::Field* height = Required(reader, fields, Key::kHeight, "height", part.mark);
+  if (polygon == nullptr || height == nullptr) return false;
+  std::optional<std::vector<double>> points = reader.Points(*polygon);
+  const std::optional<double> z = reader.Number(*height);
+  const std::optional<Eigen::Vector2d> scale = ReadScale<2>(reader, fields);
+  if (!points || !z || !scale) return false;
+  for (std::size_t i = 0; i < points->size(); ++i) {
+    (*points)[i] *= (*scale)(static_cast<Eigen::Index>(i % 2));
+  }
+  std::string why_not;
+  std::optional<TriangleMesh> mesh = MakePrism(*points, *z, why_not);
+  if (!mesh) {
+    reader.ReportElement(Code::kModelBadPolygon, polygon->value.mark, "has a " + why_not,
+                         why_not.find("convex") == std::string::npos
+                             ? std::string()
+                             : "make it of several convex prisms");
+    return false;
+  }
+  AddPrism(std::move(*mesh), part);
+  return true;
+}
+
+void Assets::AddPrism(TriangleMesh mesh, Part& part) {
+  const std::size_t hash = HashOf(mesh);
+  const auto [begin, end] = by_hash_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const auto index = static_cast<std::size_t>(it->second);
+    const TriangleMesh& other = object_.meshes[index]->mesh;
+    if (!sources_[index].file.empty() || other.vertices != mesh.vertices) continue;
+    if (other.triangles == mesh.triangles) return Share(it->second, part);
+  }
+  auto asset = std::make_unique<MeshAsset>();
+  asset->name = part.name;
+  asset->mesh = std::move(mesh);
+  asset->mark = part.mark;
+  const int index = static_cast<int>(object_.meshes.size());
+  object_.meshes.push_back(std::move(asset));
+  sources_.emplace_back();
+  by_hash_.emplace(hash, index);
+  Share(index, part);
+}
+
+bool Assets::ReadMesh(FieldReader& reader, const FieldSet& fields,
+                      const std::filesystem::path& folder, Part& part) {
+  const spec::Field* field = Required(reader, fields, Key::kFile, "file", part.mark);
+  if (field == nullptr) return false;
+  const std::optional<std::string> name = reader.Text(*field);
+  const std::optional<Eigen::Vector3d> scale = ReadScale<3>(reader, fields);
+  if (!name || !scale) return false;
+  const std::filesystem::path file = (folder / *name).lexically_normal();
+  const Assembler::CachedMesh& content = assembler_.ReadFile(file);
+  if (!content.exists) {
+    findings_.Add(Code::kModelFileNotFound, field->value.mark,
+                  fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+                  "files are looked for from the folder of the spec");
+    return false;
+  }
+  if (!content.mesh) {
+    findings_.Add(Code::kModelBadMesh, field->value.mark,
+                  fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
+    return false;
+  }
+  if (content.why_not_solid && part.role != Role::kVisual) {
+    findings_.Add(Code::kModelBadMesh, field->value.mark,
+                  fmt::format("mesh {} is not a closed surface: {}", Quoted(*name),
+                              *content.why_not_solid),
+                  "mend the file, or give the part `role: visual`");
+    return false;
+  }
+  AddFile(file, *scale, content, part);
+  return true;
+}
+
+void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+                     const Assembler::CachedMesh& content, Part& part) {
+  const std::size_t hash = HashOf(file, scale);
+  const auto [begin, end] = by_hash_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const Source& source = sources_[static_cast<std::size_t>(it->second)];
+    if (source.file == file && source.scale == scale) return Share(it->second, part);
+  }
+  auto asset = std::make_unique<MeshAsset>();
+  asset->name = part.name;
+  asset->mesh = Scaled(*content.mesh, scale);
+  asset->scale = scale;
+  asset->mark = part.mark;
+  if (content.fit_for_mujoco) {
+    asset->file = file;
+    asset->output_file = OutputName(file);
+  }
+  const int index = static_cast<int>(object_.meshes.size());
+  object_.meshes.push_back(std::move(asset));
+  sources_.push_back({.file = file, .scale = scale, .is_solid = !content.why_not_solid});
+  by_hash_.emplace(hash, index);
+  Share(index, part);
+}
+
+std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
+  if (shape.type != GeomType::kMesh) return MassOf(shape, 1);
+  Source& source = sources_[static_cast<std::size_t>(mesh)];
+  if (!source.is_solid) return std::nullopt;
+  if (!source.unit_mass) source.unit_mass = MassOf(shape, 1);
+  return source.unit_mass;
+}
+
+std::string Assets::OutputName(const std::filesystem::path& file) {
+  const auto [found, is_new] = output_names_.try_emplace(file);
+  if (!is_new) return found->second;
+  std::string name = file.filename().string();
+  for (int i = 2; !taken_names_.insert(name).second; ++i) {
+    name = fmt::format("{}_{}{}", file.stem().string(), i, file.extension().string());
+  }
+  found->second = name;
+  return name;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,235 @@
+#include "mjforge/model/mesh_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+#include <assimp/Importer.hpp>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+namespace mjforge::model {
+namespace {
+
+// A file of this size has millions of triangles, where MuJoCo allows 200,000.
+constexpr std::uintmax_t kMaxFileSize = 256u << 20;
+
+struct VertexHash {
+  std::size_t operator()(const Eigen::Vector3d& v) const {
+    std::size_t hash = 0;
+    for (const double x : v) hash = hash * 0x9E3779B97F4A7C15u + std::hash<double>()(x);
+    return hash;
+  }
+};
+
+// Collects triangles by their corners; equal corners become one vertex, and
+// triangles that thereby have no area are left out.
+class MeshBuilder {
+ public:
+  void Add(const std::array<Eigen::Vector3d, 3>& corners) {
+    std::array<int, 3> triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+      finite_ = finite_ && corners[i].allFinite();
+      const auto [found, is_new] =
+          numbers_.try_emplace(corners[i], static_cast<int>(mesh_.vertices.size()));
+      if (is_new) mesh_.vertices.push_back(corners[i]);
+      triangle[i] = found->second;
+    }
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
+      return;
+    }
+    mesh_.triangles.push_back(triangle);
+  }
+
+  std::optional<TriangleMesh> Finish(std::string& why_not) && {
+    if (!finite_) {
+      why_not = "a coordinate is not a finite number";
+    } else if (mesh_.triangles.empty()) {
+      why_not = "no triangles";
+    } else {
+      return std::move(mesh_);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  TriangleMesh mesh_;
+  std::unordered_map<Eigen::Vector3d, int, VertexHash> numbers_;
+  bool finite_ = true;
+};
+
+std::optional<std::string> ReadContent(const std::filesystem::path& file, std::string& why_not) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || !std::filesystem::is_regular_file(file, error)) {
+    why_not = "not a readable file";
+    return std::nullopt;
+  }
+  if (size > kMaxFileSize) {
+    why_not = fmt::format("file of {} MB, the limit is {} MB", size >> 20, kMaxFileSize >> 20);
+    return std::nullopt;
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string content(size, '\0');
+  if (!stream.read(content.data(), static_cast<std::streamsize>(size))) {
+    why_not = "not a readable file";
+    return std::nullopt;
+  }
+  return content;
+}
+
+// The loader's words on one line, without their end.
+std::string FirstLine(std::string_view text) {
+  return std::string(text.substr(0, text.find_first_of("\r\n")));
+}
+
+std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, bool has_polygons,
+                                 std::string& why_not) {
+  const std::vector<tinyobj::real_t>& numbers = reader.GetAttrib().vertices;
+  const std::size_t vertex_count = numbers.size() / 3;
+  MeshBuilder builder;
+  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+    const std::vector<tinyobj::index_t>& indices = shape.mesh.indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+      std::array<Eigen::Vector3d, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto vertex = static_cast<std::size_t>(indices[i + k].vertex_index);
+        if (indices[i + k].vertex_index < 0 || vertex >= vertex_count) {
+          why_not = fmt::format("a face uses vertex {} of {}",
+                                std::ptrdiff_t{indices[i + k].vertex_index} + 1, vertex_count);
+          return std::nullopt;
+        }
+        corners[k] = {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
+      }
+      builder.Add(corners);
+    }
+  }
+  std::optional<TriangleMesh> mesh = std::move(builder).Finish(why_not);
+  if (!mesh) return std::nullopt;
+  return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && !has_polygons};
+}
+
+// Does some face line have more than four corners?
+bool HasPolygons(std::string_view content) {
+  while (!content.empty()) {
+    const std::string_view line = content.substr(0, content.find('\n'));
+    content.remove_prefix(std::min(content.size(), line.size() + 1));
+    if (!line.starts_with("f ") && !line.starts_with("f\t")) continue;
+    int corners = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const bool blank = std::isspace(static_cast<unsigned char>(line[i])) != 0;
+      const bool after_blank = std::isspace(static_cast<unsigned char>(line[i - 1])) != 0;
+      if (!blank && after_blank) ++corners;
+    }
+    if (corners > 4) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not) {
+  if (content.find('\0') != std::string_view::npos) {
+    why_not = "not a text file";
+    return std::nullopt;
+  }
+  try {
+    tinyobj::ObjReader reader;
+    tinyobj::ObjReaderConfig config;
+    config.triangulate = true;
+    config.vertex_color = false;
+    if (!reader.ParseFromString(std::string(content), std::string(), config)) {
+      why_not = reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error());
+      return std::nullopt;
+    }
+    return BuildObj(reader, HasPolygons(content), why_not);
+  } catch (const std::exception& error) {
+    why_not = FirstLine(error.what());
+    return std::nullopt;
+  }
+}
+
+// Through Assimp. ADMesh, the lighter choice, is not fit for a library: it
+// prints to standard output and error, exits, and reads text with fscanf, that
+// is in the locale of the host program.
+std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not) {
+  try {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, "stl");
+    if (scene == nullptr) {
+      why_not = FirstLine(importer.GetErrorString());
+      return std::nullopt;
+    }
+    MeshBuilder builder;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+      const aiMesh& solid = *scene->mMeshes[i];
+      for (unsigned j = 0; j < solid.mNumFaces; ++j) {
+        const aiFace& face = solid.mFaces[j];
+        if (face.mNumIndices != 3) continue;
+        std::array<Eigen::Vector3d, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const aiVector3D& v = solid.mVertices[face.mIndices[k]];
+          corners[k] = {v.x, v.y, v.z};
+        }
+        builder.Add(corners);
+      }
+    }
+    std::optional<TriangleMesh> mesh = std::move(builder).Finish(why_not);
+    if (!mesh) return std::nullopt;
+    // A binary file is 84 bytes and 50 for each triangle; a text never has a
+    // zero byte, which the header's padding or the counter always has.
+    const bool is_binary = content.size() > 84 && (content.size() - 84) % 50 == 0 &&
+                           content.find('\0') != std::string_view::npos;
+    return MeshFile{std::move(*mesh), is_binary};
+  } catch (const std::exception& error) {
+    why_not = FirstLine(error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  if (ending != ".obj" && ending != ".stl") {
+    why_not = fmt::format("ending '{}' is neither .obj nor .stl", ending);
+    return std::nullopt;
+  }
+  const std::optional<std::string> content = ReadContent(file, why_not);
+  if (!content) return std::nullopt;
+  if (content->empty()) {
+    why_not = "empty file";
+    return std::nullopt;
+  }
+  return ending == ".obj" ? ParseObj(*content, why_not) : ParseStl(*content, why_not);
+}
+
+TriangleMesh Scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
+  TriangleMesh scaled = mesh;
+  for (Eigen::Vector3d& vertex : scaled.vertices) vertex = vertex.cwiseProduct(scale);
+  if (scale.prod() < 0) {
+    for (auto& triangle : scaled.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return scaled;
+}
+
+std::optional<TriangleMesh> ReadMesh(const std::filesystem::path& file,
+                                     const Eigen::Vector3d& scale, std::string& why_not) {
+  if (!scale.allFinite() || scale.x() == 0 || scale.y() == 0 || scale.z() == 0) {
+    why_not = "a scale is zero or not finite";
+    return std::nullopt;
+  }
+  std::optional<MeshFile> read = ReadMeshFile(file, why_not);
+  if (!read) return std::nullopt;
+  return Scaled(read->mesh, scale);
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,34 @@
+#ifndef MJFORGE_MODEL_MESH_FILES_H_
+#define MJFORGE_MODEL_MESH_FILES_H_
+
+// Mesh files as they stand, unscaled.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/model/meshes.h"
+
+namespace mjforge::model {
+
+struct MeshFile {
+  TriangleMesh mesh;
+  /// MuJoCo 2.2 reads the same surface from the file: it takes no text STL and,
+  /// of an OBJ, only the first shape, with faces of three or four corners.
+  bool fit_for_mujoco = true;
+};
+
+/// On failure returns nothing and says why.
+std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not);
+
+/// The parsers, for texts in memory.
+std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not);
+std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not);
+
+/// A copy with each coordinate times `scale` (no component zero).
+TriangleMesh Scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_MESH_FILES_H_

@@ -1,0 +1,26 @@
+#ifndef MJFORGE_MODEL_NAMES_H_
+#define MJFORGE_MODEL_NAMES_H_
+
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+/// A letter, then letters, digits and underscores.
+bool IsName(std::string_view text);
+inline constexpr std::string_view kNameRule =
+    "a name is a letter, then letters, digits and underscores";
+
+/// 'text' on one line: control characters as \n or \x07, cut when very long.
+std::string Quoted(std::string_view text);
+
+/// Reports names that occur twice among the elements of one kind, those of the
+/// parts' visual twins (NAME_vis) included.
+void CheckUniqueNames(const Object& object, diag::Findings& findings);
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_NAMES_H_

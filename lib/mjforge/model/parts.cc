@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+#include "mjforge/model/shape_reader.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+bool ReadRole(FieldReader& reader, const FieldSet& fields, Part& part) {
+  const spec::Field* field = fields[Key::kRole];
+  if (field == nullptr) return true;
+  const std::optional<std::string> word = reader.Word(*field);
+  if (!word) return false;
+  part.role = *word == "both"        ? Role::kBoth
+              : *word == "collision" ? Role::kCollision
+                                     : Role::kVisual;
+  return true;
+}
+
+bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
+  return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
+}
+
+// The part's own attributes, then its material's, then the defaults.
+bool ReadPartAttributes(FieldReader& reader, const FieldSet& fields,
+                        const MaterialState* material, std::vector<Attribute>& out) {
+  bool good = ReadAttributes(reader, fields.own_attributes(), out);
+  if (material != nullptr) {
+    for (const Attribute& attribute : material->contact) {
+      if (!Has(out, attribute.name)) out.push_back(attribute);
+    }
+  }
+  for (const spec::Field* field : fields.default_attributes()) {
+    if (!Has(out, field->info->key)) good &= reader.ReadAttribute(*field, out.emplace_back());
+  }
+  return good;
+}
+
+// placement: corner. `pos` is the place of the part's lower corner, counted
+// from the lower corner of the declared box.
+Eigen::Vector3d FromCorner(const Pose& X_SG, const Shape& shape,
+                           const Eigen::Vector3d& total_size) {
+  const Box3 box = BoundsOf(shape, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
+  return X_SG.p - total_size - box.min;
+}
+
+}  // namespace
+
+bool ReadAttributes(FieldReader& reader, const FieldSet::Attributes& fields,
+                    std::vector<Attribute>& out) {
+  bool good = true;
+  out.reserve(out.size() + fields.size());
+  for (const spec::Field* field : fields) {
+    good &= reader.ReadAttribute(*field, out.emplace_back());
+  }
+  return good;
+}
+
+void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
+                       const Pose& X_SF) {
+  if (body().parts.size() >= static_cast<std::size_t>(kMaxParts)) {
+    findings_.Add(Code::kModelTooManyParts, entry.mark,
+                  fmt::format("the object has more than {} parts", kMaxParts));
+    return;
+  }
+  const std::optional<std::string> name = ReadName(scope, entry, scope.parts);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, "part", *name,
+                     sample::Child(scope.parts, std::string_view(*name)));
+  Part part;
+  part.name = scope.prefix + *name;
+  part.mark = entry.mark;
+  bool good = ReadRole(reader, fields, part);
+  Pose X_FG;
+  const bool shaped =
+      good && ReadShape(reader, fields, scope.values.spec().folder, assets_, part, X_FG);
+  good = shaped && good;
+  const MaterialState* material = nullptr;
+  good &= ReadMaterial(scope, reader, fields, part, material);
+  if (shaped) good &= ReadMass(reader, fields, material, part);
+  good &= ReadPartAttributes(reader, fields, material, part.attributes);
+  if (!good) return;
+  Pose X_SG = X_SF * X_FG;
+  if (scope.total_size && scope.values.spec().placement == spec::Placement::kCorner) {
+    X_SG.p = FromCorner(X_SG, part.shape, *scope.total_size);
+  }
+  part.X_BG = scope.X_BS * X_SG;
+  body().parts.push_back(std::move(part));
+}
+
+bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const FieldSet& fields, Part& part,
+                            const MaterialState*& material) {
+  const spec::Field* field = fields[Key::kMaterial];
+  if (field == nullptr) return true;
+  material = UseMaterial(scope, reader, *field);
+  if (material == nullptr) return false;
+  part.material = material->index;
+  return true;
+}
+
+bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double density,
+                          Part& part) {
+  const bool may_be_zero = part.role == Role::kVisual;
+  if (density == 0 && !may_be_zero) {
+    reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
+                  "for a part without mass use `role: visual`");
+    return false;
+  }
+  part.density = density;
+  return true;
+}
+
+// The part's own mass or density, its material's density, the defaults'
+// mass or density, water. A visual part has mass only by its own word.
+bool Assembly::ReadMass(FieldReader& reader, const FieldSet& fields,
+                        const MaterialState* material, Part& part) {
+  const spec::Field* mass = fields.Own(Key::kMass);
+  const spec::Field* density = fields.Own(Key::kDensity);
+  if (mass == nullptr && density == nullptr) {
+    if (part.role == Role::kVisual) return true;
+    if (material != nullptr && material->density) {
+      if (!SetDensity(reader, *material->density_field, *material->density, part)) return false;
+      return SetMass(reader, std::nullopt, part);
+    }
+    mass = fields.Default(Key::kMass);
+    density = fields.Default(Key::kDensity);
+  }
+  if (const spec::Field* field = mass != nullptr ? mass : density) {
+    const std::optional<double> number = reader.Number(*field);
+    if (!number || !SetDensity(reader, *field, *number, part)) return false;
+    return SetMass(reader, mass != nullptr ? number : std::nullopt, part);
+  }
+  part.density = 1000;  // MuJoCo's
+  return SetMass(reader, std::nullopt, part);
+}
+
+// The mass given, or that of the part's density.
+bool Assembly::SetMass(FieldReader& reader, std::optional<double> mass, Part& part) {
+  const std::optional<MassProperties> unit = assets_.UnitMassOf(part.shape, part.mesh);
+  if (!unit) {
+    reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",
+                         "leave `mass` and `density` out");
+    return false;
+  }
+  if (mass) part.density = 0;
+  part.mass = mass ? *mass : part.density * unit->mass;
+  return true;
+}
+
+}  // namespace mjforge::model

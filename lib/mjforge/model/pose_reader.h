@@ -1,0 +1,26 @@
+#ifndef MJFORGE_MODEL_POSE_READER_H_
+#define MJFORGE_MODEL_POSE_READER_H_
+
+#include <optional>
+
+#include "mjforge/model/field_reader.h"
+#include "mjforge/model/field_set.h"
+
+namespace mjforge::model {
+
+/// pos and whichever orientation there is; nothing after a finding.
+std::optional<Pose> ReadPose(FieldReader& reader, const FieldSet& fields);
+
+/// The pose and half length that `fromto` stands for.
+struct Span {
+  Pose pose;
+  double half_length = 0;
+};
+std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field);
+
+/// The unit vector along a field's three numbers.
+std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_POSE_READER_H_

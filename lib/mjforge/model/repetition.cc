@@ -1,0 +1,84 @@
+#include "mjforge/model/repetition.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+
+// Instances that `if` takes out cost time, too: they may be some times as many
+// as the parts (a ball of cells out of a cube of cells), but not without end.
+constexpr long kMaxSteps = 10L * kMaxParts;
+
+}  // namespace
+
+long Repetition::CountOf(const spec::Loop& loop, sample::Evaluator& values) {
+  const double count =
+      values.Number(loop.count, sample::Child(values.root(), std::string_view(loop.variable)));
+  if (!std::isfinite(count)) return -1;  // reported where it was computed
+  if (count < 0 || count != std::floor(count)) {
+    findings_.Add(Code::kModelBadCount, loop.count.mark,
+                  fmt::format("count of loop '{}' is {}; it must be a whole number, 0 or more",
+                              loop.variable, expr::NumberText(count)));
+    return -1;
+  }
+  return static_cast<long>(std::min(count, 1e15));
+}
+
+long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
+                                sample::Evaluator& values, long limit) {
+  const spec::Loop& loop = entry.loops[depth];
+  const long count = CountOf(loop, values);
+  if (count < 0 || depth + 1 == entry.loops.size()) return count;
+  long sum = 0;
+  for (long i = 0; i < count && sum <= limit; ++i) {
+    // Loops that run over nothing cost time, too.
+    if (i > kMaxSteps) return limit + 1;
+    values.SetVariable(loop.slot, static_cast<double>(i));
+    const long inner = CountInstances(entry, depth + 1, values, limit - sum);
+    if (inner < 0) return -1;
+    sum += inner;
+  }
+  return sum;
+}
+
+void Repetition::ForEach(const spec::Entry& entry, sample::Evaluator& values,
+                         std::size_t existing, const std::function<void()>& visit) {
+  if (!entry.loops.empty()) {
+    const bool some_missing = entry.condition.has_value() || entry.is_frame;
+    const long limit =
+        some_missing ? kMaxSteps - steps_ : kMaxParts - static_cast<long>(existing);
+    const long count = CountInstances(entry, 0, values, limit);
+    if (count < 0) return;
+    steps_ += count;
+    if (count > limit || steps_ > kMaxSteps) {
+      findings_.Add(Code::kModelTooManyParts, entry.loops.front().count.mark,
+                    fmt::format("'for' makes more instances than the {} parts an object may have",
+                                kMaxParts));
+      return;
+    }
+  }
+  Walk(entry, 0, values, visit);
+}
+
+bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
+                      const std::function<void()>& visit) {
+  const std::size_t before = findings_.size();
+  if (depth == entry.loops.size()) {
+    const bool exists = !entry.condition || values.Condition(*entry.condition, entry.mark);
+    if (exists && findings_.size() == before) visit();
+    return findings_.size() == before;
+  }
+  const spec::Loop& loop = entry.loops[depth];
+  const long count = CountOf(loop, values);
+  for (long i = 0; i < count; ++i) {
+    values.SetVariable(loop.slot, static_cast<double>(i));
+    if (!Walk(entry, depth + 1, values, visit)) return false;
+  }
+  return true;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,37 @@
+#ifndef MJFORGE_MODEL_REPETITION_H_
+#define MJFORGE_MODEL_REPETITION_H_
+
+#include <functional>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+/// Walks the instances of entries: `for` as an odometer, the first variable
+/// outermost, and `if` anew for each.
+class Repetition {
+ public:
+  explicit Repetition(diag::Findings& findings) : findings_(findings) {}
+
+  /// Calls `visit` for each instance that exists, with the variables set. Stops
+  /// at the first instance with a finding, since the others fail alike.
+  /// `existing` is how many parts there are already.
+  void ForEach(const spec::Entry& entry, sample::Evaluator& values, std::size_t existing,
+               const std::function<void()>& visit);
+
+ private:
+  /// The count of a loop, or -1 after a finding.
+  long CountOf(const spec::Loop& loop, sample::Evaluator& values);
+  /// Instances of the loops from `depth` on, conditions aside; -1 after a finding.
+  long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
+                      long limit);
+  bool Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
+            const std::function<void()>& visit);
+
+  diag::Findings& findings_;
+  long steps_ = 0;  // instances walked, existing or not
+};
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_REPETITION_H_

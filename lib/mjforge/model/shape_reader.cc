@@ -1,0 +1,97 @@
+#include "mjforge/model/shape_reader.h"
+
+#include <fmt/format.h>
+
+#include "mjforge/model/names.h"
+#include "mjforge/model/pose_reader.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+bool HasEnds(std::string_view type) {
+  return type == "box" || type == "cylinder" || type == "capsule" || type == "ellipsoid";
+}
+
+// Keys of other shapes, for types that are known only now.
+bool HasStrayKeys(FieldReader& reader, const FieldSet& fields, std::string_view type) {
+  const bool is_prism = type == "prism";
+  const bool is_mesh = type == "mesh";
+  const std::pair<Key, bool> kKnown[] = {
+      {Key::kSize, !is_prism && !is_mesh},   {Key::kFromTo, HasEnds(type)}, {Key::kPolygon, is_prism},
+      {Key::kHeight, is_prism},              {Key::kFile, is_mesh},
+      {Key::kScale, is_prism || is_mesh},
+  };
+  bool stray = false;
+  for (const auto& [key, is_known] : kKnown) {
+    const spec::Field* field = fields.Own(key);
+    if (field == nullptr || is_known) continue;
+    reader.Report(Code::kModelBadValue, *field, fmt::format("has no meaning for a {}", type));
+    stray = true;
+  }
+  return stray;
+}
+
+bool ReadSize(FieldReader& reader, const FieldSet& fields, std::string_view type,
+              std::optional<double> half_length, Part& part) {
+  const spec::Field* field = fields[Key::kSize];
+  if (field == nullptr) {
+    reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
+    return false;
+  }
+  sample::Numbers numbers;
+  if (!reader.Numbers(*field, numbers)) return false;
+  const int all = SizeCount(part.shape.type);
+  const int wanted = half_length ? all - 1 : all;
+  if (static_cast<int>(numbers.size()) != wanted) {
+    reader.Report(Code::kModelBadValue, *field,
+                  fmt::format("has {} number{}; a {}{} takes {}", numbers.size(),
+                              numbers.size() == 1 ? "" : "s", type,
+                              half_length ? " with 'fromto'" : "", wanted));
+    return false;
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    part.shape.size(static_cast<Eigen::Index>(i)) = numbers[i];
+  }
+  if (half_length) part.shape.size(all - 1) = *half_length;
+  return true;
+}
+
+}  // namespace
+
+GeomType TypeOf(std::string_view word) {
+  if (word == "box") return GeomType::kBox;
+  if (word == "sphere") return GeomType::kSphere;
+  if (word == "cylinder") return GeomType::kCylinder;
+  if (word == "capsule") return GeomType::kCapsule;
+  if (word == "ellipsoid") return GeomType::kEllipsoid;
+  return GeomType::kMesh;
+}
+
+bool ReadShape(FieldReader& reader, const FieldSet& fields, const std::filesystem::path& folder,
+               Assets& assets, Part& part, Pose& X_FG) {
+  const spec::Field* type = fields[Key::kType];
+  if (type == nullptr) {
+    reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'type'");
+    return false;
+  }
+  const std::optional<std::string> word = reader.Word(*type);
+  if (!word || HasStrayKeys(reader, fields, *word)) return false;
+  part.shape.type = TypeOf(*word);
+  if (const spec::Field* fromto = fields[Key::kFromTo]; fromto && HasEnds(*word)) {
+    const std::optional<Span> span = ReadFromTo(reader, *fromto);
+    if (!span) return false;
+    X_FG = span->pose;
+    return ReadSize(reader, fields, *word, span->half_length, part);
+  }
+  const std::optional<Pose> pose = ReadPose(reader, fields);
+  if (pose) X_FG = *pose;
+  const bool good = *word == "prism"  ? assets.ReadPrism(reader, fields, part)
+                    : *word == "mesh" ? assets.ReadMesh(reader, fields, folder, part)
+                                      : ReadSize(reader, fields, *word, std::nullopt, part);
+  return good && pose.has_value();
+}
+
+}  // namespace mjforge::model

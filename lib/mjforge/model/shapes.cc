@@ -1,0 +1,76 @@
+#include "mjforge/model/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mjforge::model {
+namespace {
+
+double MeshSupport(const TriangleMesh& mesh, const Eigen::Vector3d& direction) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    largest = std::max(largest, direction.dot(vertex));
+  }
+  return largest;
+}
+
+Box3 MeshBounds(const TriangleMesh& mesh, const Pose& X_AG) {
+  const Eigen::Matrix3d R_AG = X_AG.q.toRotationMatrix();
+  Box3 box;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    const Eigen::Vector3d p_A = R_AG * vertex;
+    box.min = box.min.cwiseMin(p_A);
+    box.max = box.max.cwiseMax(p_A);
+  }
+  box.min += X_AG.p;
+  box.max += X_AG.p;
+  return box;
+}
+
+}  // namespace
+
+std::string_view GeomTypeName(GeomType type) {
+  constexpr std::array<std::string_view, 6> kNames = {"sphere",   "capsule", "ellipsoid",
+                                                      "cylinder", "box",     "mesh"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+int SizeCount(GeomType type) {
+  switch (type) {
+    case GeomType::kSphere: return 1;
+    case GeomType::kCapsule:
+    case GeomType::kCylinder: return 2;
+    case GeomType::kEllipsoid:
+    case GeomType::kBox: return 3;
+    case GeomType::kMesh: return 0;
+  }
+  return 0;
+}
+
+// Support functions of convex bodies: Ericson, "Real-Time Collision Detection", 2005, 9.5.
+double Support(const Shape& shape, const Eigen::Vector3d& direction_G) {
+  const Eigen::Vector3d& d = direction_G;
+  const Eigen::Vector3d& s = shape.size;
+  switch (shape.type) {
+    case GeomType::kSphere: return s.x() * d.norm();
+    case GeomType::kCapsule: return s.x() * d.norm() + s.y() * std::abs(d.z());
+    case GeomType::kEllipsoid: return s.cwiseProduct(d).norm();
+    case GeomType::kCylinder: return s.x() * std::hypot(d.x(), d.y()) + s.y() * std::abs(d.z());
+    case GeomType::kBox: return s.dot(d.cwiseAbs());
+    case GeomType::kMesh: return MeshSupport(*shape.mesh, d);
+  }
+  return 0;
+}
+
+// Every shape but the mesh is symmetric about its centre, so that one support
+// value an axis gives both sides of the box.
+Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {
+  if (shape.type == GeomType::kMesh) return MeshBounds(*shape.mesh, X_AG);
+  const Eigen::Matrix3d R_AG = X_AG.q.toRotationMatrix();
+  Eigen::Vector3d half;
+  for (Eigen::Index i = 0; i < 3; ++i) half(i) = Support(shape, R_AG.row(i).transpose());
+  return {.min = X_AG.p - half, .max = X_AG.p + half};
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,60 @@
+#include <utility>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/pose_reader.h"
+#include "mjforge/model/shape_reader.h"
+
+namespace mjforge::model {
+
+using spec::Key;
+
+void Assembly::AddSites(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const sample::StreamId sites = sample::Child(scope.values.root(), "sites");
+  for (const spec::Entry& entry : spec.sites) {
+    const FieldSet fields(entry.fields, spec.defaults.site);
+    repetition_.ForEach(entry, scope.values, body().sites.size(),
+                        [&] { AddSite(scope, entry, fields, sites); });
+  }
+}
+
+void Assembly::AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
+                       sample::StreamId sites) {
+  const std::optional<std::string> name = ReadName(scope, entry, sites);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, "site", *name,
+                     sample::Child(sites, std::string_view(*name)));
+  Site site;
+  site.name = scope.prefix + *name;
+  site.mark = entry.mark;
+  bool good = true;
+  if (const spec::Field* type = fields[Key::kType]) {
+    const std::optional<std::string> word = reader.Word(*type);
+    if (word) site.type = TypeOf(*word);
+    good &= word.has_value();
+  }
+  if (const spec::Field* size = fields[Key::kSize]) {
+    sample::Numbers numbers;
+    good &= reader.Numbers(*size, numbers);
+    // MuJoCo lets its default, 0.005, stand for those left out.
+    for (std::size_t i = 0; i < numbers.size() && i < 3; ++i) {
+      site.size(static_cast<Eigen::Index>(i)) = numbers[i];
+    }
+  }
+  const std::optional<Pose> pose = ReadPose(reader, fields);
+  if (pose) site.X_BS = scope.X_BS * *pose;
+  good &= pose.has_value();
+  if (const spec::Field* field = fields[Key::kMaterial]) {
+    const MaterialState* material = UseMaterial(scope, reader, *field);
+    if (material != nullptr) site.material = material->index;
+    good &= material != nullptr;
+  }
+  good &= ReadAttributes(reader, fields.own_attributes(), site.attributes);
+  for (const spec::Field* field : fields.default_attributes()) {
+    if (fields.OwnsAttribute(*field)) continue;
+    good &= reader.ReadAttribute(*field, site.attributes.emplace_back());
+  }
+  if (good) body().sites.push_back(std::move(site));
+}
+
+}  // namespace mjforge::model

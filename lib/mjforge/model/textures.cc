@@ -1,0 +1,82 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assets.h"
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// MuJoCo has no default for the pixels of a generated texture.
+constexpr double kPixels = 64;
+
+Attribute* Find(std::vector<Attribute>& attributes, std::string_view name) {
+  for (Attribute& attribute : attributes) {
+    if (attribute.name == name) return &attribute;
+  }
+  return nullptr;
+}
+
+void FillInPixels(std::vector<Attribute>& attributes) {
+  const Attribute* width = Find(attributes, "width");
+  const double pixels = width != nullptr ? width->numbers[0] : kPixels;
+  for (const std::string_view name : {"width", "height"}) {
+    if (Find(attributes, name) != nullptr) continue;
+    Attribute& attribute = attributes.emplace_back();
+    attribute.name = name;
+    attribute.numbers.push_back(pixels);
+  }
+}
+
+}  // namespace
+
+bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
+                         const std::filesystem::path& folder, Texture& texture) {
+  const std::optional<std::string> name = reader.Text(field);
+  if (!name) return false;
+  texture.file = (folder / *name).lexically_normal();
+  const Assembler::CachedTexture& content = assembler_.ReadTexture(texture.file);
+  if (!content.exists) {
+    findings_.Add(Code::kModelFileNotFound, field.value.mark,
+                  fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+                  "files are looked for from the folder of the file that names them");
+    return false;
+  }
+  if (!content.is_png) {
+    findings_.Add(Code::kModelBadTexture, field.value.mark,
+                  fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name)));
+    return false;
+  }
+  texture.output_file = OutputName(texture.file);
+  return true;
+}
+
+std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Material& material,
+                                      const std::string& name) {
+  const sample::StreamId path =
+      sample::Child(MaterialPath(values, material), "texture");
+  FieldReader reader(values, findings_, "texture of material", material.name, path);
+  Texture texture;
+  texture.name = name;
+  texture.mark = material.texture.front().mark;
+  bool good = true;
+  bool generated = false;
+  for (const spec::Field& field : material.texture) {
+    if (field.info->id == Key::kFile) {
+      good &= ReadPicture(reader, field, material.folder, texture);
+      continue;
+    }
+    generated |= field.info->id == Key::kBuiltin;
+    good &= reader.ReadAttribute(field, texture.attributes.emplace_back());
+  }
+  if (!good) return std::nullopt;
+  if (generated) FillInPixels(texture.attributes);
+  object_.textures.push_back(std::move(texture));
+  return static_cast<int>(object_.textures.size()) - 1;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,98 @@
+#include "mjforge/output/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+namespace mjforge::output {
+namespace {
+
+// Names of one process never meet; a leftover of a killed one with the same
+// number might be in the way, so a few names are tried.
+constexpr int kTriedNames = 100;
+
+std::string TemporaryName(const std::filesystem::path& file, int attempt) {
+  const std::string name =
+      fmt::format(".{}.tmp{}-{}", file.filename().string(), ::getpid(), attempt);
+  return (file.parent_path() / name).string();
+}
+
+}  // namespace
+
+void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings) {
+  findings.Add(diag::Code::kOutputCannotWrite, {},
+               fmt::format("cannot write '{}': {}", file.string(),
+                           std::generic_category().message(error)));
+}
+
+AtomicFile::AtomicFile(std::filesystem::path file, std::string temporary, int descriptor)
+    : file_(std::move(file)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : file_(std::move(other.file_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(temporary_, other.temporary_);
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+AtomicFile::~AtomicFile() { Drop(); }
+
+void AtomicFile::Drop() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+std::optional<AtomicFile> AtomicFile::Create(const std::filesystem::path& file,
+                                             diag::Findings& findings) {
+  for (int attempt = 0; attempt < kTriedNames; ++attempt) {
+    std::string temporary = TemporaryName(file, attempt);
+    const int descriptor =
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) return AtomicFile(file, std::move(temporary), descriptor);
+    if (errno != EEXIST) break;
+  }
+  AddCannotWrite(file, errno, findings);
+  return std::nullopt;
+}
+
+bool AtomicFile::Append(std::string_view bytes, diag::Findings& findings) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      AddCannotWrite(file_, errno, findings);
+      Drop();
+      return false;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// No fsync: it would cost more than making the object does, and what it guards
+// against is a crash of the whole machine, after which the same command makes
+// the same bytes again.
+bool AtomicFile::Commit(diag::Findings& findings) {
+  // On a network disk or at a quota, only close() says that writing failed.
+  if (::close(std::exchange(descriptor_, -1)) != 0 ||
+      std::rename(temporary_.c_str(), file_.c_str()) != 0) {
+    AddCannotWrite(file_, errno, findings);
+    Drop();
+    return false;
+  }
+  temporary_.clear();
+  return true;
+}
+
+}  // namespace mjforge::output

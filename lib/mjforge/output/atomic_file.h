@@ -1,0 +1,41 @@
+#ifndef MJFORGE_OUTPUT_ATOMIC_FILE_H_
+#define MJFORGE_OUTPUT_ATOMIC_FILE_H_
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::output {
+
+/// A file under construction: it has a hidden name in the same folder until
+/// Commit() gives it its own. Dropped without Commit(), it leaves nothing.
+class AtomicFile {
+ public:
+  static std::optional<AtomicFile> Create(const std::filesystem::path& file,
+                                          diag::Findings& findings);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  ~AtomicFile();
+
+  bool Append(std::string_view bytes, diag::Findings& findings);
+  bool Commit(diag::Findings& findings);
+
+ private:
+  AtomicFile(std::filesystem::path file, std::string temporary, int descriptor);
+  void Drop();
+
+  std::filesystem::path file_;
+  std::string temporary_;  // empty: committed or dropped
+  int descriptor_ = -1;    // -1: closed
+};
+
+/// Adds "cannot write 'FILE': WORDS" with the words of an errno.
+void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
+
+}  // namespace mjforge::output
+
+#endif  // MJFORGE_OUTPUT_ATOMIC_FILE_H_

@@ -1,0 +1,76 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "mjforge/output/atomic_file.h"
+#include "mjforge/output/output.h"
+#include "mjforge/output/reading.h"
+
+namespace mjforge::output {
+namespace {
+
+// The comment that opens an object is shorter than this, settings and all.
+constexpr std::size_t kCommentBytes = 64 * 1024;
+
+bool Exists(const std::filesystem::path& file) {
+  struct stat status;
+  return ::lstat(file.c_str(), &status) == 0;
+}
+
+}  // namespace
+
+std::optional<std::string> ReadStart(const std::filesystem::path& file, std::size_t limit) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return std::nullopt;
+  std::string bytes;
+  std::array<char, 64 * 1024> buffer;
+  ssize_t count = 0;
+  while (bytes.size() < limit) {
+    count = ::read(descriptor, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  const int error = errno;
+  ::close(descriptor);
+  errno = error;
+  if (count < 0) return std::nullopt;
+  return bytes;
+}
+
+bool WriteFile(const std::filesystem::path& file, std::string_view bytes,
+               diag::Findings& findings) {
+  std::optional<AtomicFile> target = AtomicFile::Create(file, findings);
+  return target && target->Append(bytes, findings) && target->Commit(findings);
+}
+
+std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Findings& findings) {
+  std::optional<std::string> bytes = ReadStart(file, std::string::npos);
+  if (!bytes) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", file.string(),
+                             std::generic_category().message(errno)));
+  }
+  return bytes;
+}
+
+bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
+  if (force || !Exists(file)) return true;
+  const std::optional<std::string> opening = ReadStart(file, kCommentBytes);
+  if (opening && mjcf::ReadProvenance(*opening)) return true;
+  findings.Add(diag::Code::kOutputExists, {},
+               fmt::format("'{}' exists and was not made by mjforge", file.string()),
+               "choose another place, or overwrite it with --force");
+  return false;
+}
+
+std::string VariantFileName(std::string_view name, std::uint64_t index) {
+  return fmt::format("{}_{:06}.xml", name, index);
+}
+
+}  // namespace mjforge::output

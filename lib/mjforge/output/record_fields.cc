@@ -1,0 +1,207 @@
+#include "mjforge/output/record_fields.h"
+
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::output {
+namespace {
+
+void Text(JsonWriter& json, std::string_view text) {
+  json.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+}
+
+void TextOrNull(JsonWriter& json, std::string_view text) {
+  if (text.empty()) {
+    json.Null();
+  } else {
+    Text(json, text);
+  }
+}
+
+// To the last bit, so that a record says exactly what was used.
+void Number(JsonWriter& json, double value) {
+  if (!std::isfinite(value)) {
+    json.Null();  // JSON has no other word for it
+    return;
+  }
+  const std::string text = expr::ExactNumberText(value);
+  json.RawValue(text.data(), text.size(), rapidjson::kNumberType);
+}
+
+void Numbers(JsonWriter& json, std::span<const double> values) {
+  json.StartArray();
+  for (const double value : values) Number(json, value);
+  json.EndArray();
+}
+
+void Vector(JsonWriter& json, const Eigen::Vector3d& vector) {
+  Numbers(json, std::span(vector.data(), 3));
+}
+
+bool HasObject(const Record& record) { return record.nbody > 0; }
+
+// A number that only exists where an object was made.
+template <typename Value>
+void OfObject(JsonWriter& json, const Record& record, Value value) {
+  if (!HasObject(record)) {
+    json.Null();
+  } else if constexpr (std::is_same_v<Value, int>) {
+    json.Int(value);
+  } else {
+    Number(json, value);
+  }
+}
+
+void Parameter(JsonWriter& json, const sample::ParameterValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    Number(json, *number);
+  } else if (const auto* flag = std::get_if<bool>(&value)) {
+    json.Bool(*flag);
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    Text(json, *text);
+  } else {
+    Numbers(json, std::get<std::vector<double>>(value));
+  }
+}
+
+void Settings(JsonWriter& json, const Record& record) {
+  json.StartObject();
+  for (const auto& [name, text] : record.settings) {
+    json.Key(name.c_str());
+    Text(json, text);
+  }
+  json.EndObject();
+}
+
+void Parameters(JsonWriter& json, const Record& record) {
+  json.StartObject();
+  for (const auto& [name, value] : record.params) {
+    json.Key(name.c_str());
+    Parameter(json, value);
+  }
+  json.EndObject();
+}
+
+void CentreOfMass(JsonWriter& json, const Record& record) {
+  if (!HasObject(record)) {
+    json.Null();
+  } else {
+    Vector(json, record.mass_properties.p_FCm);
+  }
+}
+
+// In the order of MJCF's fullinertia.
+void Inertia(JsonWriter& json, const Record& record) {
+  if (!HasObject(record)) {
+    json.Null();
+    return;
+  }
+  const Eigen::Matrix3d& I = record.mass_properties.I_Cm_F;
+  Numbers(json, std::array{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
+}
+
+void Box(JsonWriter& json, const Record& record) {
+  if (!HasObject(record)) {
+    json.Null();
+    return;
+  }
+  json.StartObject();
+  json.Key("min");
+  Vector(json, record.bounds.aabb.min);
+  json.Key("max");
+  Vector(json, record.bounds.aabb.max);
+  json.EndObject();
+}
+
+void FindingList(JsonWriter& json, const Record& record) {
+  json.StartArray();
+  for (const std::string& finding : record.findings) {
+    json.RawValue(finding.data(), finding.size(), rapidjson::kObjectType);
+  }
+  json.EndArray();
+}
+
+using J = JsonWriter;
+using R = Record;
+
+constexpr std::string_view kWhole = R"("type": "integer", "minimum": 0)";
+constexpr std::string_view kCount = R"("type": ["integer", "null"], "minimum": 0)";
+constexpr std::string_view kNumber = R"("type": ["number", "null"])";
+constexpr std::string_view kText = R"("type": "string")";
+constexpr std::string_view kHash = R"("type": "string", "pattern": "^[0-9a-f]{64}$")";
+
+const std::array kFields = {
+    RecordField{"file", R"("type": ["string", "null"])",
+                "The object's file, relative to the manifest; null if none was written.",
+                [](J& j, const R& r) { TextOrNull(j, r.file); }},
+    RecordField{"name", kText, "The object's name and the prefix of all names in it.",
+                [](J& j, const R& r) { Text(j, r.name); }},
+    RecordField{"index", kWhole, "The variant's number in the family.",
+                [](J& j, const R& r) { j.Uint64(r.index); }},
+    RecordField{"seed", kWhole, "The seed of all draws.",
+                [](J& j, const R& r) { j.Uint64(r.seed); }},
+    RecordField{"attempt", kWhole, "How many draws were rejected before this one.",
+                [](J& j, const R& r) { j.Uint64(r.attempt); }},
+    RecordField{"spec", kText, "The spec: its name in the catalogue, or its file's name.",
+                [](J& j, const R& r) { Text(j, r.spec); }},
+    RecordField{"spec_sha256", kHash, "SHA-256 of the texts of all files the spec was read from.",
+                [](J& j, const R& r) { Text(j, r.spec_sha256); }},
+    RecordField{"set", R"("type": "object", "additionalProperties": {"type": "string"})",
+                "Parameters that were set in place of the spec's own values, as YAML.", Settings,
+                true},
+    RecordField{"params",
+                R"("type": "object", "additionalProperties": {"type": ["number", "boolean", )"
+                R"("string", "array"], "items": {"type": "number"}})",
+                "The value of each parameter.", Parameters},
+    RecordField{"mass", kNumber, "kg; null, here and below, if no object was made.",
+                [](J& j, const R& r) { OfObject(j, r, r.mass_properties.mass); }},
+    RecordField{"com",
+                R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 3, )"
+                R"("maxItems": 3)",
+                "Centre of mass in the root body's frame, m.", CentreOfMass},
+    RecordField{"inertia",
+                R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 6, )"
+                R"("maxItems": 6)",
+                "Inertia about the centre of mass, along the root body's axes, kg m^2: "
+                "xx yy zz xy xz yz.",
+                Inertia},
+    RecordField{"aabb",
+                R"("type": ["object", "null"], "required": ["min", "max"], "properties": )"
+                R"({"min": {"type": "array", "items": {"type": "number"}}, )"
+                R"("max": {"type": "array", "items": {"type": "number"}}})",
+                "Bounds of the collision parts in the root body's frame, m.", Box},
+    RecordField{"top_offset", kNumber, "z of the highest point of a collision part, m.",
+                [](J& j, const R& r) { OfObject(j, r, r.bounds.top_offset); }},
+    RecordField{"bottom_offset", kNumber, "z of the lowest point of a collision part, m.",
+                [](J& j, const R& r) { OfObject(j, r, r.bounds.bottom_offset); }},
+    RecordField{"horizontal_radius", kNumber,
+                "Largest distance of a collision part from the z axis, m.",
+                [](J& j, const R& r) { OfObject(j, r, r.bounds.horizontal_radius); }},
+    RecordField{"nbody", kCount, "Bodies in the file as MuJoCo counts them, the world included.",
+                [](J& j, const R& r) { OfObject(j, r, r.nbody); }},
+    RecordField{"njnt", kCount, "Joints in the file, free ones included.",
+                [](J& j, const R& r) { OfObject(j, r, r.njnt); }},
+    RecordField{"ngeom", kCount, "Geoms in the file.",
+                [](J& j, const R& r) { OfObject(j, r, r.ngeom); }},
+    RecordField{"target", kText, "Who the file is written for.",
+                [](J& j, const R& r) { Text(j, r.target); }},
+    RecordField{"status", R"("enum": ["ok", "failed", "skipped"])",
+                "Failed and skipped variants have errors among their findings and no file.",
+                [](J& j, const R& r) { Text(j, r.status); }},
+    RecordField{"findings",
+                R"("type": "array", "items": {"type": "object", "required": ["severity", )"
+                R"("code", "message"]})",
+                "Errors and warnings about this variant.", FindingList},
+    RecordField{"sha256", R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
+                "SHA-256 of the file's bytes.",
+                [](J& j, const R& r) { TextOrNull(j, r.sha256); }},
+};
+
+}  // namespace
+
+std::span<const RecordField> RecordFields() { return kFields; }
+
+}  // namespace mjforge::output

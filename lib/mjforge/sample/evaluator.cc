@@ -1,0 +1,170 @@
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "mjforge/sample/distributions.h"
+#include "mjforge/sample/sample.h"
+
+namespace mjforge::sample {
+namespace {
+
+using diag::Code;
+using diag::SourceMark;
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+// Picks one of several values of any kind rather than a number.
+bool IsPick(const spec::Draw& draw) {
+  return draw.distribution == spec::Distribution::kChoice ||
+         draw.distribution == spec::Distribution::kCycle;
+}
+
+}  // namespace
+
+double Evaluator::Fail(Code code, SourceMark mark, std::string message, std::string hint) {
+  diag::Finding& finding = findings_.Add(code, mark, std::move(message), std::move(hint));
+  finding.seed = key_.seed;
+  finding.index = key_.index;
+  failed_ = true;
+  return kNoNumber;
+}
+
+std::string Evaluator::InputsText(const expr::Expression& expression) const {
+  std::string text;
+  for (const expr::Expression::Input& input : expression.inputs()) {
+    if (input.type == expr::Type::kText) continue;
+    if (!text.empty()) text += ", ";
+    const double value = variables_[static_cast<std::size_t>(input.slot)];
+    text += input.name + " = ";
+    if (input.type == expr::Type::kBoolean) {
+      text += value != 0 ? "true" : "false";
+    } else {
+      expr::AppendNumber(text, value);
+    }
+  }
+  return text;
+}
+
+double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceMark mark) {
+  const double result = expression.Evaluate(variables_);
+  if (std::isfinite(result)) return result;
+  for (const expr::Expression::Input& input : expression.inputs()) {
+    // The failure of the input is the cause; it has its finding already.
+    if (std::isnan(variables_[static_cast<std::size_t>(input.slot)])) return kNoNumber;
+  }
+  const std::string inputs = InputsText(expression);
+  return Fail(Code::kExprNotFinite, mark,
+              fmt::format("expression '{}' is {}{}{}", expression.text(),
+                          std::isnan(result) ? "not a number" : "infinite",
+                          inputs.empty() ? "" : ": ", inputs));
+}
+
+StreamId Evaluator::ItemStream(const spec::Value& item, StreamId path, std::size_t i) {
+  return std::holds_alternative<spec::Draw>(item.form) ? Child(path, i) : path;
+}
+
+double Evaluator::Number(const spec::Value& value, StreamId path) {
+  if (const auto* number = std::get_if<double>(&value.form)) return *number;
+  if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
+    return EvaluateExpression(*expression, value.mark);
+  }
+  if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
+    return variables_[static_cast<std::size_t>(variable->slot)];
+  }
+  if (const auto* boolean = std::get_if<bool>(&value.form)) return *boolean ? 1 : 0;
+  if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
+    if (!IsPick(*draw)) return DrawNumber(*draw, value.mark, path);
+    const spec::Value& chosen = Chosen(*draw, value.mark, path);
+    return Number(chosen, path);
+  }
+  return Fail(Code::kSampleBadArgument, value.mark, "this value is not a number");
+}
+
+bool Evaluator::Boolean(const spec::Value& value, StreamId path) {
+  return std::abs(Number(value, path)) > 0;  // false for a failed one
+}
+
+bool Evaluator::Condition(const expr::Expression& expression, SourceMark mark) {
+  return std::abs(EvaluateExpression(expression, mark)) > 0;  // false for a failed one
+}
+
+void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::string& out) {
+  out += piece.literal;
+  if (piece.text_slot >= 0) out += texts_[static_cast<std::size_t>(piece.text_slot)];
+  if (!piece.expression) return;
+  const double result = EvaluateExpression(*piece.expression, mark);
+  if (piece.expression->type() == expr::Type::kBoolean) {
+    out += result != 0 ? "true" : "false";
+  } else if (std::isfinite(result)) {
+    expr::AppendNumber(out, result);
+  }
+}
+
+std::string Evaluator::Text(const spec::Value& value, StreamId path) {
+  if (const auto* text = std::get_if<spec::Text>(&value.form)) {
+    std::string out;
+    for (const spec::TextPiece& piece : text->pieces) AppendPiece(piece, value.mark, out);
+    return out;
+  }
+  if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
+    const spec::Value& chosen = Chosen(*draw, value.mark, path);
+    return Text(chosen, path);
+  }
+  if (const auto* variable = std::get_if<spec::VariableReference>(&value.form);
+      variable && value.type == expr::Type::kText) {
+    return texts_[static_cast<std::size_t>(variable->slot)];
+  }
+  const double number = Number(value, path);
+  if (value.type == expr::Type::kBoolean) return number != 0 ? "true" : "false";
+  return std::isfinite(number) ? expr::NumberText(number) : std::string();
+}
+
+void Evaluator::Vector(const spec::Value& value, StreamId path, Numbers& out) {
+  out.clear();
+  AppendVector(value, path, out);
+}
+
+void Evaluator::AppendVector(const spec::Value& value, StreamId path, Numbers& out) {
+  if (const auto* list = std::get_if<spec::List>(&value.form)) {
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      out.push_back(Number(list->items[i], ItemStream(list->items[i], path, i)));
+    }
+  } else if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
+    const auto first = variables_.begin() + variable->slot;
+    out.insert(out.end(), first, first + value.components);
+  } else if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
+    const spec::Value& chosen = Chosen(*draw, value.mark, path);
+    AppendVector(chosen, path, out);
+  } else if (std::holds_alternative<spec::RandomRotation>(value.form)) {
+    const std::array<double, 4> u = Uniforms(key_, path);
+    const std::array<double, 4> rotation = UniformRotation(u[0], u[1], u[2]);
+    out.insert(out.end(), rotation.begin(), rotation.end());
+  } else if (const auto* about = std::get_if<spec::RotationAbout>(&value.form)) {
+    AppendAbout(*about, value.mark, path, out);
+  } else if (const auto* point = std::get_if<spec::PointOnSphere>(&value.form)) {
+    AppendOnSphere(*point, value.mark, path, out);
+  } else if (const auto* color = std::get_if<spec::HsvColor>(&value.form)) {
+    AppendColor(*color, value.mark, path, out);
+  } else {
+    out.push_back(Number(value, path));
+  }
+}
+
+std::vector<double> Evaluator::Points(const spec::Value& value, StreamId path) {
+  if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
+    const spec::Value& chosen = Chosen(*draw, value.mark, path);
+    return Points(chosen, path);
+  }
+  Numbers numbers;
+  if (const auto* list = std::get_if<spec::List>(&value.form)) {
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      AppendVector(list->items[i], Child(path, i), numbers);
+    }
+  } else {
+    Fail(Code::kSampleBadArgument, value.mark, "this value is not a list of points");
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+}  // namespace mjforge::sample

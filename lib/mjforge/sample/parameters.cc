@@ -1,0 +1,148 @@
+// The part of Evaluator that gives the parameters their values.
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "mjforge/sample/sample.h"
+
+namespace mjforge::sample {
+namespace {
+
+using diag::Code;
+using expr::Type;
+
+bool IsVector(const spec::Value& value) {
+  return value.components > 1 || std::holds_alternative<spec::List>(value.form);
+}
+
+std::size_t Slot(const spec::Parameter& parameter) {
+  return static_cast<std::size_t>(parameter.slot);
+}
+
+// "a number", "text", "3 numbers"
+std::string KindText(Type type, std::size_t count) {
+  if (type == Type::kText) return "text";
+  if (type == Type::kBoolean) return "true or false";
+  return count == 1 ? "a number" : fmt::format("{} numbers", count);
+}
+
+std::string KindText(const ParameterValue& value) {
+  if (std::holds_alternative<std::string>(value)) return KindText(Type::kText, 1);
+  if (std::holds_alternative<bool>(value)) return KindText(Type::kBoolean, 1);
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  return KindText(Type::kNumber, numbers ? numbers->size() : 1);
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
+                     diag::Findings& findings)
+    : spec_(spec),
+      key_(key),
+      root_(root),
+      findings_(findings),
+      variables_(static_cast<std::size_t>(spec.names.slot_count())),
+      texts_(variables_.size()) {
+  if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
+  const StreamId parameters = Child(root, "params");
+  streams_.reserve(spec.parameters.size());
+  for (const spec::Parameter& parameter : spec.parameters) {
+    streams_.push_back(Child(parameters, parameter.name));
+  }
+}
+
+void Evaluator::SetComponents(const spec::Parameter& parameter,
+                              std::span<const double> components) {
+  const auto wanted = static_cast<std::size_t>(parameter.value.components);
+  if (components.size() == wanted) {
+    std::ranges::copy(components, variables_.begin() + parameter.slot);
+    return;
+  }
+  const double none = Fail(
+      Code::kSampleBadArgument, parameter.mark,
+      fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
+                  KindText(Type::kNumber, wanted), KindText(Type::kNumber, components.size())));
+  std::fill_n(variables_.begin() + parameter.slot, wanted, none);
+}
+
+void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
+  const spec::Value& value = parameter.value;
+  if (value.type == Type::kText) {
+    texts_[Slot(parameter)] = Text(value, path);
+    variables_[Slot(parameter)] = expr::TextKey(texts_[Slot(parameter)]);
+  } else if (IsVector(value)) {
+    Numbers components;
+    AppendVector(value, path, components);
+    SetComponents(parameter, {components.data(), components.size()});
+  } else {
+    variables_[Slot(parameter)] = Number(value, path);
+  }
+}
+
+void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterValue& value) {
+  const Type type = parameter.value.type;
+  if (const auto* text = std::get_if<std::string>(&value); text && type == Type::kText) {
+    texts_[Slot(parameter)] = *text;
+    variables_[Slot(parameter)] = expr::TextKey(*text);
+  } else if (const auto* boolean = std::get_if<bool>(&value); boolean && type == Type::kBoolean) {
+    variables_[Slot(parameter)] = *boolean ? 1 : 0;
+  } else if (const auto* number = std::get_if<double>(&value); number && type == Type::kNumber) {
+    SetComponents(parameter, {number, 1});
+  } else if (const auto* numbers = std::get_if<std::vector<double>>(&value);
+             numbers && type == Type::kNumber) {
+    SetComponents(parameter, *numbers);
+  } else {
+    const auto count = static_cast<std::size_t>(parameter.value.components);
+    const double none = Fail(Code::kSampleBadArgument, parameter.mark,
+                             fmt::format("parameter '{}' is {}, but its value is {}",
+                                         parameter.name, KindText(type, count), KindText(value)));
+    std::fill_n(variables_.begin() + parameter.slot, count, none);
+  }
+}
+
+bool Evaluator::SampleParameters(
+    std::span<const std::pair<std::string, ParameterValue>> overrides) {
+  rejected_by_ = -1;
+  for (const int position : spec_.evaluation_order) {
+    const auto i = static_cast<std::size_t>(position);
+    const spec::Parameter& parameter = spec_.parameters[i];
+    const auto given = std::ranges::find(overrides, parameter.name,
+                                         &std::pair<std::string, ParameterValue>::first);
+    if (given != overrides.end()) {
+      SetParameter(parameter, given->second);
+    } else {
+      DrawParameter(parameter, streams_[i]);
+    }
+  }
+  if (failed_) return false;
+  for (std::size_t i = 0; i < spec_.requirements.size(); ++i) {
+    const spec::Requirement& requirement = spec_.requirements[i];
+    if (Condition(requirement.expression, requirement.mark)) continue;
+    if (!failed_) rejected_by_ = static_cast<int>(i);
+    return false;
+  }
+  return true;
+}
+
+ParameterValue Evaluator::Any(const spec::Value& value, StreamId path) {
+  if (value.type == Type::kText) return Text(value, path);
+  if (value.type == Type::kBoolean) return Boolean(value, path);
+  if (!IsVector(value)) return Number(value, path);
+  Numbers components;
+  AppendVector(value, path, components);
+  return std::vector<double>(components.begin(), components.end());
+}
+
+ParameterValue Evaluator::Parameter(std::size_t i) const {
+  const spec::Parameter& parameter = spec_.parameters[i];
+  const std::size_t slot = Slot(parameter);
+  if (parameter.value.type == Type::kText) return texts_[slot];
+  if (parameter.value.type == Type::kBoolean) return variables_[slot] != 0;
+  if (!IsVector(parameter.value)) return variables_[slot];
+  const auto first = variables_.begin() + parameter.slot;
+  return std::vector<double>(first, first + parameter.value.components);
+}
+
+}  // namespace mjforge::sample

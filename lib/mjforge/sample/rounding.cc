@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "mjforge/sample/sample.h"
+
+namespace mjforge::sample {
+namespace {
+
+constexpr int kSignificantDigits = 6;
+constexpr int kMaxExactPower = 22;  // 10^22 is the largest power of ten that a double holds
+constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr double kMaxWhole = 0x1p53;
+// Bounds such as 0.03 - 0.02 are a hair off a power of ten; that is no reason for one more digit.
+constexpr double kLogTolerance = 1e-9;
+
+// Decimal places that leave six digits of `value`, more if the range is narrow.
+int DecimalPlaces(double exponent, double width) {
+  const double for_value = kSignificantDigits - 1 - exponent;
+  if (!std::isfinite(width)) return static_cast<int>(for_value);
+  const double for_width = std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
+  return static_cast<int>(std::max(for_value, for_width));
+}
+
+// Whole multiples of 10^-places. Both operands of the last step are exact, so
+// the result is the double nearest to the decimal.
+double RoundByScaling(double value, int places) {
+  const double power = kPowersOfTen[std::abs(places)];
+  const double scaled = places < 0 ? value / power : value * power;
+  if (std::abs(scaled) >= kMaxWhole) return value;  // the double itself is coarser
+  const double whole = std::round(scaled);
+  return places < 0 ? whole * power : whole / power;
+}
+
+// For powers of ten that a double does not hold.
+double RoundByText(double value, int digits) {
+  if (digits >= 16) return value;
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::scientific, digits).ptr;
+  double rounded = value;
+  std::from_chars(text, end, rounded);
+  return rounded;
+}
+
+}  // namespace
+
+double RoundDraw(double value, double lo, double hi) {
+  if (!std::isfinite(value)) return value;
+  if (value <= lo) return lo;
+  if (value >= hi) return hi;
+  if (value == 0) return 0;
+  const double exponent = std::floor(std::log10(std::abs(value)));
+  const int places = DecimalPlaces(exponent, hi - lo);
+  const double rounded = std::abs(places) <= kMaxExactPower
+                             ? RoundByScaling(value, places)
+                             : RoundByText(value, places + static_cast<int>(exponent));
+  return std::clamp(rounded, lo, hi) + 0.0;  // + 0.0: no negative zero
+}
+
+}  // namespace mjforge::sample

@@ -1,0 +1,137 @@
+#ifndef MJFORGE_SAMPLE_SAMPLE_H_
+#define MJFORGE_SAMPLE_SAMPLE_H_
+
+// ObjectSpec + (seed, index) -> values. Every draw is a pure function of the
+// seed, the variant's index, the attempt and the path of the value in the spec.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <boost/container/small_vector.hpp>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::sample {
+
+/// Identifies one stream of random numbers: the hash of a value's path.
+/// Child(Child(kRootStream, "params"), "radius") is the stream of params/radius.
+using StreamId = std::uint64_t;
+inline constexpr StreamId kRootStream = 0;
+StreamId Child(StreamId parent, std::string_view name);
+StreamId Child(StreamId parent, std::size_t position);
+
+struct DrawKey {
+  std::uint64_t seed = 0;
+  std::uint64_t index = 0;
+  std::uint64_t attempt = 0;
+};
+
+/// Four independent numbers of the open interval (0, 1): Philox4x64-10 with key
+/// (seed, 0) and counter (index, stream, attempt, 0), the top 52 bits of each
+/// word, centred (with 53 the last one would round to 1). Source: Salmon et al., "Parallel random
+/// numbers: as easy as 1, 2, 3", SC 2011.
+std::array<double, 4> Uniforms(const DrawKey& key, StreamId stream);
+
+/// `value` rounded to 6 significant digits, never coarser than a millionth of
+/// hi - lo, never outside [lo, hi]. Infinite bounds mean "no bound".
+double RoundDraw(double value, double lo, double hi);
+
+class Attempts;
+struct Interval;  // distributions.h
+
+using Numbers = boost::container::small_vector<double, 6>;
+
+/// A parameter's value: a number, a boolean, a text, or a vector.
+using ParameterValue = std::variant<double, bool, std::string, std::vector<double>>;
+
+/// Evaluates the values of one spec for one variant, in the scope of that
+/// spec's names. Errors are added to the findings and make the result useless;
+/// `failed()` says so.
+class Evaluator {
+ public:
+  Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings);
+
+  /// Draws all parameters and tests the requirements. False: some requirement
+  /// does not hold (`rejected_by()`), or there was an error (`failed()`).
+  /// Overrides replace the parameters' own values.
+  bool SampleParameters(std::span<const std::pair<std::string, ParameterValue>> overrides = {});
+
+  double Number(const spec::Value& value, StreamId path);
+  bool Boolean(const spec::Value& value, StreamId path);
+  std::string Text(const spec::Value& value, StreamId path);
+  /// Replaces the content of `out` with the vector's components.
+  void Vector(const spec::Value& value, StreamId path, Numbers& out);
+  /// A list of points, two numbers each, one after the other.
+  std::vector<double> Points(const spec::Value& value, StreamId path);
+  /// The value as its type says; a vector is a list or has several components.
+  ParameterValue Any(const spec::Value& value, StreamId path);
+  bool Condition(const expr::Expression& expression, diag::SourceMark mark);
+
+  void SetVariable(int slot, double value) { variables_[static_cast<std::size_t>(slot)] = value; }
+  StreamId root() const { return root_; }
+  const DrawKey& key() const { return key_; }
+  const spec::ObjectSpec& spec() const { return spec_; }
+  bool failed() const { return failed_; }
+  int rejected_by() const { return rejected_by_; }
+  /// The value of spec().parameters[i].
+  ParameterValue Parameter(std::size_t i) const;
+
+ private:
+  void DrawParameter(const spec::Parameter& parameter, StreamId path);
+  void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
+  void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
+  double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
+  double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  double DrawFrom(spec::Distribution distribution, std::span<const double> arguments,
+                  std::optional<Interval> limits, diag::SourceMark mark, StreamId path);
+  const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
+  std::size_t WeightedOption(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
+  void AppendAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
+                   Numbers& out);
+  void AppendOnSphere(const spec::PointOnSphere& point, diag::SourceMark mark, StreamId path,
+                      Numbers& out);
+  void AppendColor(const spec::HsvColor& color, diag::SourceMark mark, StreamId path, Numbers& out);
+  /// The stream of item i below path; path itself for items that draw nothing.
+  static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
+  /// "a = 1, b = true": what an expression is computed from, texts excluded.
+  std::string InputsText(const expr::Expression& expression) const;
+  /// Appends the components of a value that is a vector or a number.
+  void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
+  /// Adds a finding of this variant and returns NaN, the value of a failed number.
+  double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
+  friend class Attempts;
+
+  const spec::ObjectSpec& spec_;
+  DrawKey key_;
+  StreamId root_;
+  diag::Findings& findings_;
+  std::vector<double> variables_;   // by slot
+  std::vector<std::string> texts_;  // by slot
+  std::vector<StreamId> streams_;   // by parameter
+  bool failed_ = false;
+  int rejected_by_ = -1;
+};
+
+/// The most redraws before a variant counts as impossible.
+inline constexpr std::uint64_t kMaxAttempts = 1000;
+
+/// An Evaluator whose parameters are drawn and meet the requirements; key.attempt
+/// counts up until they do. Nothing, and a finding, when that takes more than
+/// kMaxAttempts or a draw fails.
+std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
+                                std::span<const std::pair<std::string, ParameterValue>> overrides,
+                                diag::Findings& findings);
+
+}  // namespace mjforge::sample
+
+#endif  // MJFORGE_SAMPLE_SAMPLE_H_

@@ -1,0 +1,53 @@
+#include <cmath>
+#include <numbers>
+
+#include "mjforge/sample/distributions.h"
+
+namespace mjforge::sample {
+
+using std::numbers::pi;
+
+std::array<double, 4> UniformRotation(double u0, double u1, double u2) {
+  const double r1 = std::sqrt(1 - u0);
+  const double r2 = std::sqrt(u0);
+  const double angle1 = 2 * pi * u1;
+  const double angle2 = 2 * pi * u2;
+  std::array<double, 4> q = {r2 * std::cos(angle2), r1 * std::sin(angle1), r1 * std::cos(angle1),
+                             r2 * std::sin(angle2)};
+  if (q[0] < 0) {  // q and -q are the same rotation
+    for (double& component : q) component = -component;
+  }
+  return q;
+}
+
+std::array<double, 3> UniformDirection(double u0, double u1) {
+  const double z = 2 * u0 - 1;
+  const double radius = 2 * std::sqrt(u0 * (1 - u0));  // of the circle at height z
+  const double angle = 2 * pi * u1;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+std::array<double, 3> HsvToRgb(double h, double s, double v) {
+  const double position = h * 6;  // six sectors from red to red
+  const double sector = std::floor(position);
+  const double f = position - sector;
+  const double p = v * (1 - s);
+  const double falling = v * (1 - s * f);
+  const double rising = v * (1 - s * (1 - f));
+  switch (static_cast<int>(sector) % 6) {
+    case 0:
+      return {v, rising, p};
+    case 1:
+      return {falling, v, p};
+    case 2:
+      return {p, v, rising};
+    case 3:
+      return {p, falling, v};
+    case 4:
+      return {rising, p, v};
+    default:
+      return {v, p, falling};
+  }
+}
+
+}  // namespace mjforge::sample

@@ -1,0 +1,217 @@
+// The part of ValueReader that reads mappings: distributions and the forms that
+// draw whole vectors.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/value_reader.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using expr::Type;
+
+constexpr std::string_view kAbout = "about";
+constexpr std::string_view kOnSphere = "on_sphere";
+constexpr std::string_view kHsv = "hsv";
+
+const DistributionInfo* FindDistribution(std::string_view key) {
+  const auto all = Distributions();
+  const auto found = std::ranges::find(all, key, &DistributionInfo::key);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string_view TypeWord(Slot slot) {
+  switch (slot) {
+    case Slot::kNumber:
+    case Slot::kInteger:
+      return "a number";
+    case Slot::kBoolean:
+      return "true or false";
+    case Slot::kWord:
+    case Slot::kText:
+      return "text";
+    case Slot::kNumbers:
+      return "numbers";
+    default:
+      return "a value";
+  }
+}
+
+// Whether a draw of this distribution can stand in the slot.
+bool Fits(const DistributionInfo& info, Slot slot) {
+  if (info.arguments < 0 || slot == Slot::kAnything) return true;
+  if (info.id == Distribution::kBernoulli) return slot == Slot::kBoolean;
+  return slot == Slot::kNumber || slot == Slot::kInteger || slot == Slot::kNumbers;
+}
+
+std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_keys) {
+  std::vector<std::string_view> keys(extra_keys.begin(), extra_keys.end());
+  for (const DistributionInfo& info : Distributions()) keys.push_back(info.key);
+  for (const std::string_view key : {kAbout, kOnSphere, kHsv}) keys.push_back(key);
+  return keys;
+}
+
+}  // namespace
+
+bool ValueReader::IsVectorForm(std::string_view key, const Expected& expected) const {
+  const bool anything = expected.slot == Slot::kAnything;
+  const auto allows = [&](int count) {
+    return anything || (expected.slot == Slot::kNumbers && expected.min_count <= count &&
+                        count <= expected.max_count);
+  };
+  return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
+}
+
+Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected,
+                                  const YamlNode& node) {
+  Value value{.mark = node.mark, .components = key == kOnSphere ? 3 : 4};
+  if (!IsVectorForm(key, expected)) {
+    findings_.Add(
+        Code::kSpecWrongType, node.mark,
+        fmt::format("'{}' draws {} numbers, but {} {} expected here", key, value.components,
+                    expected.slot == Slot::kNumbers ? fmt::format("{}", expected.max_count)
+                                                    : std::string(TypeWord(expected.slot)),
+                    expected.max_count == 1 ? "is" : "are"));
+    return value;
+  }
+  if (key == kAbout) {
+    value.form = RotationAbout{std::make_unique<Value>(
+        ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 3}, node))};
+  } else if (key == kOnSphere) {
+    value.form = PointOnSphere{std::make_unique<Value>(ReadNumber(node))};
+  } else {
+    Value items = ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 4}, node);
+    auto* list = std::get_if<List>(&items.form);
+    if (list == nullptr) return Wrong(node, "a list [hue, saturation, value]");
+    value.form = HsvColor{std::move(list->items)};
+  }
+  return value;
+}
+
+Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
+                               std::span<const std::string_view> extra_keys) {
+  const YamlNode::Pair* main = nullptr;
+  std::string_view option;
+  for (const auto& pair : node.pairs) {
+    const DistributionInfo* info = FindDistribution(pair.key);
+    const bool is_main = info != nullptr || pair.key == kAbout || pair.key == kOnSphere ||
+                         pair.key == kHsv || (pair.key == "value" && !extra_keys.empty());
+    if (!is_main) continue;
+    if (main != nullptr) {
+      findings_.Add(Code::kSpecConflict, pair.mark,
+                    fmt::format("'{}' beside '{}': a value is drawn one way", pair.key, main->key));
+      return Value{.mark = node.mark, .form = 1.0};
+    }
+    main = &pair;
+    if (info != nullptr) option = info->option;
+  }
+  for (const auto& pair : node.pairs) {
+    if (&pair == main || (!option.empty() && pair.key == option) ||
+        std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
+      continue;
+    }
+    findings_.Add(Code::kSpecUnknownKey, pair.mark,
+                  fmt::format("unknown key '{}' in a distribution", pair.key),
+                  diag::DidYouMean(pair.key, KnownKeys(extra_keys)));
+    if (main == nullptr) return Value{.mark = node.mark, .form = 1.0};
+  }
+  if (main == nullptr)
+    return Wrong(node,
+                 extra_keys.empty() ? TypeWord(expected.slot) : "a key 'value' or a distribution");
+  if (main->key == "value") return ReadAnything(main->value);
+  if (const DistributionInfo* info = FindDistribution(main->key))
+    return ReadDraw(*info, expected, node);
+  return ReadVectorForm(main->key, expected, main->value);
+}
+
+Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expected,
+                            const YamlNode& map) {
+  const YamlNode& node = *map.Find(info.key);
+  Value value{.mark = map.mark};
+  if (!Fits(info, expected.slot)) {
+    findings_.Add(Code::kSpecWrongType, map.mark,
+                  fmt::format("expected {}, but '{}' draws {}", TypeWord(expected.slot), info.key,
+                              info.id == Distribution::kBernoulli ? "true or false" : "numbers"));
+    return value;
+  }
+  Draw draw{.distribution = info.id};
+  if (info.arguments < 0) {
+    ReadOptions(expected, node, draw, value);
+  } else {
+    const bool single = info.arguments == 1 && node.kind != YamlNode::Kind::kList;
+    const std::size_t count = single ? 1 : node.items.size();
+    if (count != static_cast<std::size_t>(info.arguments)) {
+      findings_.Add(Code::kSpecDistribution, node.mark,
+                    fmt::format("'{}' takes {} number{}", info.key, info.arguments,
+                                info.arguments == 1 ? "" : "s"),
+                    fmt::format("write {}", info.usage));
+      return value;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      draw.arguments.push_back(ReadNumber(single ? node : node.items[i]));
+    }
+    if (info.arguments > 1 &&
+        (info.id == Distribution::kUniform || info.id == Distribution::kInteger ||
+         info.id == Distribution::kLogUniform)) {
+      CheckRangeOrder(draw.arguments[0], draw.arguments[1], node.mark);
+    }
+    if (info.id == Distribution::kBernoulli) value.type = Type::kBoolean;
+  }
+  if (const YamlNode* option = info.option.empty() ? nullptr : map.Find(info.option)) {
+    ReadDrawOption(info, *option, draw);
+  }
+  value.form = std::move(draw);
+  return value;
+}
+
+void ValueReader::ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw) {
+  if (node.kind != YamlNode::Kind::kList) {
+    Wrong(node, fmt::format("a list for '{}'", info.option));
+    return;
+  }
+  const bool weights = info.option == "weights";
+  const std::size_t wanted = weights ? draw.arguments.size() : 2;
+  if (node.items.size() != wanted) {
+    findings_.Add(
+        Code::kSpecWrongLength, node.mark,
+        fmt::format("'{}' has {} numbers; it needs {}", info.option, node.items.size(), wanted),
+        weights ? "one weight for each value" : "");
+    return;
+  }
+  for (const YamlNode& item : node.items) {
+    (weights ? draw.weights : draw.limits).push_back(ReadNumber(item));
+  }
+  if (!weights) CheckRangeOrder(draw.limits[0], draw.limits[1], node.mark);
+}
+
+void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw,
+                              Value& value) {
+  if (list.kind != YamlNode::Kind::kList || list.items.empty()) {
+    Wrong(list, "a list of values to choose from");
+    draw.arguments.push_back(Value{.mark = list.mark, .form = 1.0});
+    return;
+  }
+  for (const YamlNode& item : list.items) draw.arguments.push_back(Read(expected, item));
+  const Value& first = draw.arguments.front();
+  value.type = first.type;
+  value.components = first.components;
+  for (const Value& option : draw.arguments) {
+    const bool same_count =
+        option.components == first.components ||
+        (expected.slot == Slot::kNumbers && expected.max_count > expected.min_count);
+    if (option.type == first.type && same_count) continue;
+    findings_.Add(Code::kSpecWrongType, option.mark,
+                  fmt::format("the values to choose from differ in kind: {} and {}",
+                              first.components > 1 ? fmt::format("{} numbers", first.components)
+                                                   : std::string(expr::TypeName(first.type)),
+                              option.components > 1 ? fmt::format("{} numbers", option.components)
+                                                    : std::string(expr::TypeName(option.type))));
+    return;
+  }
+}
+
+}  // namespace mjforge::spec

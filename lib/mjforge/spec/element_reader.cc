@@ -1,0 +1,142 @@
+// What all elements have in common: known keys, value fields, names.
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/reading.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+bool IsValueSlot(Slot slot) {
+  switch (slot) {
+    case Slot::kNumber:
+    case Slot::kInteger:
+    case Slot::kBoolean:
+    case Slot::kWord:
+    case Slot::kText:
+    case Slot::kNumbers:
+    case Slot::kPoints:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Keys of which an element may have only one: they say the same thing.
+constexpr std::array kOrientations = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
+                                      Key::kXyAxes, Key::kZAxis, Key::kFromTo};
+constexpr std::array kMasses = {Key::kDensity, Key::kMass};
+constexpr std::array kPlaces = {Key::kPos, Key::kFromTo};
+constexpr std::array kPictures = {Key::kBuiltin, Key::kFile};
+
+template <std::size_t n>
+void CheckOneOf(const std::array<Key, n>& keys, const std::vector<Field>& fields,
+                std::string_view what, Reading& reading) {
+  const Field* first = nullptr;
+  for (const Field& field : fields) {
+    if (std::ranges::find(keys, field.info->id) == keys.end()) continue;
+    if (first != nullptr) {
+      reading.findings
+          .Add(Code::kSpecConflict, field.mark,
+               fmt::format("'{}' beside '{}': {} is given one way", field.info->key,
+                           first->info->key, what))
+          .notes.push_back({first->mark, "first here"});
+    } else {
+      first = &field;
+    }
+  }
+}
+
+}  // namespace
+
+const Field* Entry::Find(Key id) const {
+  const auto found =
+      std::ranges::find_if(fields, [id](const Field& f) { return f.info->id == id; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+const Field* Material::Find(Key id) const {
+  const auto found =
+      std::ranges::find_if(fields, [id](const Field& f) { return f.info->id == id; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
+  const auto found = std::ranges::find(parameters, parameter, &Parameter::name);
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading) {
+  std::vector<std::string_view> keys;
+  for (const FieldInfo& field : element.fields) keys.push_back(field.key);
+  for (const auto& pair : map.pairs) {
+    if (element.Find(pair.key) != nullptr) continue;
+    std::string hint = diag::DidYouMean(pair.key, keys);
+    if (pair.key == "<<") hint = "YAML 1.2 has no merge keys; use `defaults:`";
+    reading.findings.Add(
+        Code::kSpecUnknownKey, pair.mark,
+        fmt::format(
+            "unknown key '{}' in {} {}", pair.key,
+            std::string_view("aeiou").find(element.name[0]) != std::string_view::npos ? "an" : "a",
+            element.name),
+        std::move(hint));
+  }
+}
+
+bool IsMap(const YamlNode& node, std::string_view what, Reading& reading) {
+  if (node.kind == YamlNode::Kind::kMap) return true;
+  reading.findings.Add(Code::kSpecWrongType, node.mark,
+                       fmt::format("expected a mapping of {}, got {}", what, KindName(node)));
+  return false;
+}
+
+bool IsList(const YamlNode& node, std::string_view what, Reading& reading) {
+  if (node.kind == YamlNode::Kind::kList) return true;
+  reading.findings.Add(Code::kSpecWrongType, node.mark,
+                       fmt::format("expected a list of {}, got {}", what, KindName(node)));
+  return false;
+}
+
+std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading) {
+  std::vector<Field> fields;
+  for (const auto& pair : map.pairs) {
+    const FieldInfo* info = element.Find(pair.key);
+    if (info == nullptr || !IsValueSlot(info->slot) || info->id == Key::kName) continue;
+    fields.push_back({info, reading.values.Read(*info, pair.value), pair.mark});
+  }
+  CheckOneOf(kOrientations, fields, "an orientation", reading);
+  CheckOneOf(kMasses, fields, "a mass", reading);
+  CheckOneOf(kPlaces, fields, "a place", reading);
+  CheckOneOf(kPictures, fields, "a texture", reading);
+  return fields;
+}
+
+bool IsElementName(std::string_view name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_name = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_name);
+}
+
+void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
+               diag::Findings& findings) {
+  if (IsElementName(name)) return;
+  findings.Add(Code::kSpecBadName, mark, fmt::format("{} name '{}' is not a name", what, name),
+               "a letter, then letters, digits and underscores");
+}
+
+std::optional<std::string_view> LiteralText(const Value& value) {
+  const auto* text = std::get_if<Text>(&value.form);
+  if (text == nullptr) return std::nullopt;
+  if (text->pieces.empty()) return std::string_view();
+  const TextPiece& piece = text->pieces.front();
+  if (text->pieces.size() > 1 || piece.expression || piece.text_slot >= 0) return std::nullopt;
+  return piece.literal;
+}
+
+}  // namespace mjforge::spec

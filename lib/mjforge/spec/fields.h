@@ -1,0 +1,171 @@
+#ifndef MJFORGE_SPEC_FIELDS_H_
+#define MJFORGE_SPEC_FIELDS_H_
+
+// The one table that describes the language: every key of every element, with
+// type, unit, bounds, default and meaning. The parser, its suggestions, the
+// JSON Schema and the manual's reference all come from it.
+
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace mjforge::spec {
+
+/// Keys that some stage interprets. kAttribute: written to the MJCF element as it is.
+enum class Key {
+  kAttribute,
+  // object
+  kFormat,
+  kName,
+  kDescription,
+  kImport,
+  kParams,
+  kRequire,
+  kMaterials,
+  kDefaults,
+  kParts,
+  kSites,
+  kJoints,
+  kPlacement,
+  kTotalSize,
+  // parameters
+  kValue,
+  kDoc,
+  kUnit,
+  // every list entry
+  kIf,
+  kFor,
+  // poses
+  kPos,
+  kQuat,
+  kEuler,
+  kAxisAngle,
+  kXyAxes,
+  kZAxis,
+  kFromTo,
+  // parts
+  kType,
+  kSize,
+  kDensity,
+  kMass,
+  kMaterial,
+  kRole,
+  kPolygon,
+  kHeight,
+  kScale,
+  kFile,
+  kSpec,
+  kFrame,
+  kRgba,
+  kGroup,
+  // joints
+  kAxis,
+  kRange,
+  kLimited,
+  // materials, textures
+  kTexture,
+  kBuiltin,
+  // defaults
+  kPart,
+  kSite,
+  kJoint,
+};  // clang-format: one group a line
+
+/// What may stand in a field.
+enum class Slot {
+  kNumber,     // one number
+  kInteger,    // one number that must be whole
+  kBoolean,    // true or false
+  kWord,       // one of `words`
+  kText,       // text, with ${...}
+  kNumbers,    // a list of min_count to max_count numbers; one number alone is a list of one
+  kPoints,     // a list of points, each a list of two numbers
+  kPlainText,  // text without ${...}
+  kFormat,     // the number 1
+  // structure
+  kParameters,
+  kConditions,
+  kCondition,
+  kLoops,
+  kMaterials,
+  kDefaults,
+  kImports,
+  kParts,
+  kSites,
+  kJoints,
+  kPose,
+  kTexture,
+  kOverrides,
+  kFields,
+  kAnything,
+};
+
+/// Which of a part's two geoms an attribute is written to.
+enum class Applies { kBoth, kCollision, kVisual };
+
+struct FieldInfo {
+  std::string_view key;
+  Key id = Key::kAttribute;
+  Slot slot = Slot::kNumber;
+  int min_count = 1;
+  int max_count = 1;
+  std::string_view unit = {};                               // "m", "kg/m^3", "rad"; empty: none
+  std::string_view default_text = {};                       // as the manual shows it; empty: none
+  std::string_view words = {};                              // allowed words, one space apart
+  double lower = -std::numeric_limits<double>::infinity();  // inclusive unless `above`
+  double upper = std::numeric_limits<double>::infinity();   // inclusive
+  bool above = false;                                       // value must be greater than `lower`
+  bool required = false;
+  Applies applies = Applies::kBoth;
+  std::string_view doc = {};  // one sentence
+};
+
+struct ElementInfo {
+  std::string_view name;  // "part", "site", ...; as messages say it
+  std::string_view doc;
+  std::span<const FieldInfo> fields;
+
+  const FieldInfo* Find(std::string_view key) const;
+  const FieldInfo* Find(Key id) const;
+};
+
+const ElementInfo& ObjectElement();
+const ElementInfo& ParameterElement();  // the long form's extra keys
+const ElementInfo& MaterialElement();
+const ElementInfo& TextureElement();
+const ElementInfo& PartElement();
+const ElementInfo& FrameElement();  // the mapping under `frame:`
+const ElementInfo& SiteElement();
+const ElementInfo& JointElement();
+const ElementInfo& DefaultsElement();
+std::span<const ElementInfo* const> AllElements();
+
+/// One kind of random draw, as a mapping's first key.
+enum class Distribution {
+  kUniform,
+  kLogUniform,
+  kTriangular,
+  kNormal,
+  kLogNormal,
+  kBeta,
+  kExponential,
+  kPoisson,
+  kInteger,
+  kBernoulli,
+  kChoice,
+  kCycle,
+};
+
+struct DistributionInfo {
+  std::string_view key;
+  Distribution id;
+  int arguments;                 // numbers it takes; -1: any number of values of any kind
+  std::string_view usage;        // "{triangular: [lo, mode, hi]}"
+  std::string_view option = {};  // extra key: "clip", "range" or "weights"
+  std::string_view doc = {};
+};
+std::span<const DistributionInfo> Distributions();
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_FIELDS_H_

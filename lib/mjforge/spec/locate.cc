@@ -1,0 +1,145 @@
+#include "mjforge/spec/locate.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/spec/spec.h"
+#include "mjforge/spec/yaml.h"
+
+namespace mjforge::spec {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsFile(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error) && !fs::is_directory(path, error);
+}
+
+std::optional<fs::path> InFolder(const fs::path& folder, const std::string& reference) {
+  for (const std::string_view ending : {"", ".yaml", ".yml"}) {
+    const fs::path path = folder / (reference + std::string(ending));
+    if (IsFile(path)) return path;
+  }
+  return std::nullopt;
+}
+
+std::vector<fs::path> YamlFilesBelow(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                         error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    const std::string ending = entry->path().extension().string();
+    if ((ending == ".yaml" || ending == ".yml") && IsFile(entry->path()))
+      files.push_back(entry->path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() {
+    if (fd_ > STDIN_FILENO) ::close(fd_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+}  // namespace
+
+std::optional<fs::path> Locate(const std::string& reference, const fs::path& folder,
+                               std::span<const fs::path> search_path) {
+  if (const auto own = InFolder(folder, reference)) return own;
+  if (fs::path(reference).is_absolute()) return std::nullopt;
+  for (const fs::path& shelf : search_path) {
+    if (const auto found = InFolder(shelf, reference)) return found;
+  }
+  if (reference.find('/') != std::string::npos) return std::nullopt;
+  for (const fs::path& shelf : search_path) {
+    for (const fs::path& file : YamlFilesBelow(shelf)) {
+      if (file.stem() == reference) return file;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string NotFoundHint(const std::string& reference, std::span<const fs::path> search_path) {
+  std::vector<std::string> names;
+  for (const fs::path& shelf : search_path) {
+    for (std::string& name : ListSpecs(shelf)) {
+      names.push_back(fs::path(name).filename().string());
+      names.push_back(std::move(name));
+    }
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  std::string hint = diag::DidYouMean(reference, views);
+  return hint.empty() ? "`mjforge catalogue` lists the bundled specs" : hint;
+}
+
+std::optional<std::string> ReadText(const fs::path& file, std::size_t limit, std::string& why_not) {
+  const bool standard_input = file == "-";
+  std::error_code error;
+  if (!standard_input && fs::is_directory(file, error)) {
+    why_not = "it is a folder";
+    return std::nullopt;
+  }
+  // Not blocking: opening a pipe without a writer must not hang.
+  const FileDescriptor input(
+      standard_input ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (input.get() < 0) {
+    why_not = std::generic_category().message(errno);
+    return std::nullopt;
+  }
+  std::string text;
+  std::array<char, 1 << 16> buffer{};
+  while (text.size() <= limit) {
+    const ssize_t count = ::read(input.get(), buffer.data(), buffer.size());
+    if (count == 0) break;
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      why_not = std::generic_category().message(errno);
+      return std::nullopt;
+    }
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
+std::string DisplayName(const fs::path& file) {
+  if (file == "-") return "<stdin>";
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  if (error || !file.is_absolute()) return file.lexically_normal().string();
+  const fs::path relative = file.lexically_relative(here);
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return below ? relative.string() : file.lexically_normal().string();
+}
+
+std::vector<std::string> ListSpecs(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::path& file : YamlFilesBelow(folder)) {
+    std::string why_not;
+    const auto text = ReadText(file, kMaxYamlBytes, why_not);
+    // A library of materials makes no object.
+    if (!text || text->find("\nparts:") == std::string::npos) continue;
+    names.push_back(file.lexically_relative(folder).replace_extension().string());
+  }
+  return names;
+}
+
+}  // namespace mjforge::spec

@@ -1,0 +1,36 @@
+#ifndef MJFORGE_SPEC_LOCATE_H_
+#define MJFORGE_SPEC_LOCATE_H_
+
+// Where specs and imports are found, and their texts.
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mjforge::spec {
+
+/// The file that `reference` names: in `folder`, then in each folder of the
+/// search path, with or without `.yaml`; then, for a bare name, anywhere below
+/// the search path (the first by folder and name). Nothing if there is none.
+std::optional<std::filesystem::path> Locate(const std::string& reference,
+                                            const std::filesystem::path& folder,
+                                            std::span<const std::filesystem::path> search_path);
+
+/// A hint for a reference that was not found: the nearest bundled name, or where
+/// the search went.
+std::string NotFoundHint(const std::string& reference,
+                         std::span<const std::filesystem::path> search_path);
+
+/// The content of a file, or of standard input for "-", at most `limit` + 1
+/// bytes. Nothing, and why, if it cannot be read.
+std::optional<std::string> ReadText(const std::filesystem::path& file, std::size_t limit,
+                                    std::string& why_not);
+
+/// The path as findings show it: relative to the working folder where it is below it.
+std::string DisplayName(const std::filesystem::path& file);
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_LOCATE_H_

@@ -1,0 +1,235 @@
+// params: and require:. Parameters may stand in any order, so their graph is
+// made from the words in them before any is compiled.
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/reading.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+constexpr std::array<std::string_view, 3> kLongFormKeys = {"value", "doc", "unit"};
+
+bool IsLongForm(const YamlNode& node) {
+  return node.kind == YamlNode::Kind::kMap &&
+         (node.Find("value") != nullptr || node.Find("doc") != nullptr ||
+          node.Find("unit") != nullptr);
+}
+
+bool IsReserved(std::string_view name) {
+  static constexpr std::array<std::string_view, 7> kWords = {"index", "pi", "true", "false",
+                                                             "and",   "or", "not"};
+  if (std::ranges::find(kWords, name) != kWords.end()) return true;
+  return std::ranges::any_of(expr::Functions(),
+                             [&](const expr::Function& function) { return function.name == name; });
+}
+
+void CheckParameterName(const YamlNode::Pair& pair, Reading& reading) {
+  CheckName("parameter", pair.key, pair.mark, reading.findings);
+  if (IsReserved(pair.key)) {
+    reading.findings.Add(Code::kSpecBadName, pair.mark,
+                         fmt::format("'{}' is a word of the expression language; a parameter needs "
+                                     "another name",
+                                     pair.key));
+  }
+}
+
+// The value without doc and unit, as the user wrote it.
+std::string SourceText(const YamlNode& node) {
+  if (!IsLongForm(node)) return FlowText(node);
+  if (const YamlNode* value = node.Find("value")) return FlowText(*value);
+  YamlNode bare = node;
+  std::erase_if(bare.pairs,
+                [](const auto& pair) { return pair.key == "doc" || pair.key == "unit"; });
+  return FlowText(bare);
+}
+
+class Graph {
+ public:
+  Graph(const std::vector<YamlNode>& nodes, const std::vector<Parameter>& parameters) {
+    std::map<std::string, int, std::less<>> position;
+    for (const Parameter& parameter : parameters) {
+      position.emplace(parameter.name, static_cast<int>(position.size()));
+    }
+    for (const YamlNode& node : nodes) {
+      std::vector<std::string> names;
+      CollectNames(node, names);
+      std::vector<int> used;
+      for (const std::string& name : names) {
+        const auto found = position.find(name.substr(0, name.find('.')));
+        if (found != position.end()) used.push_back(found->second);
+      }
+      uses_.push_back(std::move(used));
+    }
+    state_.assign(nodes.size(), State::kNew);
+  }
+
+  // Every parameter after those it uses. Cycles are handed to `on_cycle` as
+  // paths that end where they begin.
+  template <typename OnCycle>
+  std::vector<int> Order(OnCycle on_cycle) {
+    for (int i = 0; i < static_cast<int>(uses_.size()); ++i) Visit(i, on_cycle);
+    return std::move(order_);
+  }
+
+ private:
+  enum class State { kNew, kOpen, kDone };
+
+  // Depth first, with a stack of our own: chains of parameters may be long.
+  template <typename OnCycle>
+  void Visit(int start, OnCycle on_cycle) {
+    if (state_[Index(start)] != State::kNew) return;
+    std::vector<std::pair<int, std::size_t>> stack{{start, 0}};
+    state_[Index(start)] = State::kOpen;
+    while (!stack.empty()) {
+      auto& [node, next] = stack.back();
+      if (next == uses_[Index(node)].size()) {
+        state_[Index(node)] = State::kDone;
+        order_.push_back(node);
+        stack.pop_back();
+        continue;
+      }
+      const int used = uses_[Index(node)][next++];
+      if (state_[Index(used)] == State::kNew) {
+        state_[Index(used)] = State::kOpen;
+        stack.emplace_back(used, 0);
+      } else if (state_[Index(used)] == State::kOpen) {
+        std::vector<int> path;
+        for (const auto& [open, unused] : stack) {
+          if (!path.empty() || open == used) path.push_back(open);
+        }
+        path.push_back(used);
+        on_cycle(path);
+      }
+    }
+  }
+
+  static std::size_t Index(int i) { return static_cast<std::size_t>(i); }
+
+  std::vector<std::vector<int>> uses_;
+  std::vector<State> state_;
+  std::vector<int> order_;
+};
+
+void ReadOne(Parameter& parameter, const YamlNode& node, bool in_cycle, Reading& reading) {
+  if (in_cycle) {
+    parameter.slot = reading.spec.names.Declare(parameter.name, expr::Type::kNumber);
+    return;
+  }
+  parameter.value = reading.values.ReadAnything(
+      node, IsLongForm(node) ? std::span<const std::string_view>(kLongFormKeys)
+                             : std::span<const std::string_view>());
+  parameter.slot = reading.spec.names.Declare(parameter.name, parameter.value.type,
+                                              std::clamp(parameter.value.components, 1, 4));
+}
+
+// A pinned text must be one the spec knows: any other would quietly leave out
+// the parts that ask for it.
+void CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Reading& reading) {
+  const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
+  const YamlNode& bare = value != nullptr ? *value : own;
+  const YamlNode* options = bare.kind == YamlNode::Kind::kMap ? bare.Find("choice") : nullptr;
+  if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return;
+  std::vector<std::string_view> words;
+  std::string list;
+  for (const YamlNode& option : options->items) {
+    if (option.kind != YamlNode::Kind::kScalar || expr::ParseNumber(option.text)) return;
+    words.push_back(option.text);
+    list += (list.empty() ? "" : ", ") + option.text;
+  }
+  if (std::ranges::find(words, pinned.text) != words.end()) return;
+  reading.findings.Add(Code::kSpecBadValue, pinned.mark,
+                       fmt::format("'{}' is not one of {}", pinned.text, list),
+                       diag::DidYouMean(pinned.text, words));
+}
+
+void ApplySettings(std::span<const NamedNode> settings, std::vector<YamlNode>& nodes,
+                   Reading& reading) {
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : reading.spec.parameters) names.push_back(parameter.name);
+  for (const NamedNode& setting : settings) {
+    const auto found = std::ranges::find(names, setting.name);
+    if (found == names.end()) {
+      reading.findings.Add(
+          Code::kSpecUnknownParameter, setting.value.mark,
+          fmt::format("'{}' has no parameter '{}'", reading.spec.name, setting.name),
+          diag::DidYouMean(setting.name, names));
+      continue;
+    }
+    const auto position = static_cast<std::size_t>(found - names.begin());
+    CheckPinnedChoice(nodes[position], setting.value, reading);
+    nodes[position] = setting.value;
+    reading.spec.parameters[position].source = SourceText(setting.value);
+  }
+}
+
+void ReadRequirements(const YamlNode& require, Reading& reading) {
+  const auto add = [&reading](const YamlNode& node) {
+    if (auto condition = reading.values.ReadCondition(node)) {
+      reading.spec.requirements.push_back({std::move(*condition), node.mark});
+    }
+  };
+  if (require.kind == YamlNode::Kind::kScalar) {
+    add(require);
+  } else if (IsList(require, "conditions", reading)) {
+    for (const YamlNode& item : require.items) add(item);
+  }
+}
+
+void DeclareParameters(const YamlNode& params, std::vector<YamlNode>& nodes, Reading& reading) {
+  for (const auto& pair : params.pairs) {
+    CheckParameterName(pair, reading);
+    Parameter parameter{.name = pair.key,
+                        .mark = pair.mark,
+                        .value = {},
+                        .doc = {},
+                        .unit = {},
+                        .source = SourceText(pair.value)};
+    if (IsLongForm(pair.value)) {
+      if (const YamlNode* doc = pair.value.Find("doc")) {
+        parameter.doc = reading.values.ReadPlainText("doc", *doc);
+      }
+      if (const YamlNode* unit = pair.value.Find("unit")) {
+        parameter.unit = reading.values.ReadPlainText("unit", *unit);
+      }
+    }
+    reading.spec.parameters.push_back(std::move(parameter));
+    nodes.push_back(pair.value);
+  }
+}
+
+}  // namespace
+
+void ReadParameters(const YamlNode* params, const YamlNode* require,
+                    std::span<const NamedNode> settings, Reading& reading) {
+  ObjectSpec& spec = reading.spec;
+  std::vector<YamlNode> nodes;
+  if (params != nullptr && IsMap(*params, "parameters", reading)) {
+    DeclareParameters(*params, nodes, reading);
+  }
+  ApplySettings(settings, nodes, reading);
+
+  std::vector<bool> in_cycle(nodes.size());
+  spec.evaluation_order = Graph(nodes, spec.parameters).Order([&](const std::vector<int>& path) {
+    std::string text;
+    for (const int i : path) {
+      in_cycle[static_cast<std::size_t>(i)] = true;
+      text += (text.empty() ? "" : " -> ") + spec.parameters[static_cast<std::size_t>(i)].name;
+    }
+    reading.findings.Add(Code::kSpecCycle, spec.parameters[static_cast<std::size_t>(path[0])].mark,
+                         fmt::format("parameters depend on each other: {}", text));
+  });
+  for (const int i : spec.evaluation_order) {
+    const auto at = static_cast<std::size_t>(i);
+    ReadOne(spec.parameters[at], nodes[at], in_cycle[at], reading);
+  }
+  if (require != nullptr) ReadRequirements(*require, reading);
+}
+
+}  // namespace mjforge::spec

@@ -1,0 +1,100 @@
+// What a part's literal type says about its other keys.
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/reading.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+struct ShapeKeys {
+  std::string_view type;
+  int sizes;         // numbers in `size`; 0: it has no size
+  int sizes_fromto;  // the same beside `fromto`; 0: it has no fromto
+  std::initializer_list<Key> required;
+  std::initializer_list<Key> own;  // shape keys it may have besides size and fromto
+};
+
+const std::array<ShapeKeys, 7>& Shapes() {
+  static const std::array<ShapeKeys, 7> kShapes = {{
+      {"box", 3, 2, {Key::kSize}, {}},
+      {"sphere", 1, 0, {Key::kSize}, {}},
+      {"cylinder", 2, 1, {Key::kSize}, {}},
+      {"capsule", 2, 1, {Key::kSize}, {}},
+      {"ellipsoid", 3, 2, {Key::kSize}, {}},
+      {"prism", 0, 0, {Key::kPolygon, Key::kHeight}, {Key::kPolygon, Key::kHeight, Key::kScale}},
+      {"mesh", 0, 0, {Key::kFile}, {Key::kFile, Key::kScale}},
+  }};
+  return kShapes;
+}
+
+constexpr std::array kShapeKeys = {Key::kPolygon, Key::kHeight, Key::kScale, Key::kFile};
+
+const Field* FindField(const Entry& part, Key id, const Defaults& defaults) {
+  if (const Field* own = part.Find(id)) return own;
+  const auto found = std::ranges::find_if(
+      defaults.part, [id](const Field& field) { return field.info->id == id; });
+  return found == defaults.part.end() ? nullptr : &*found;
+}
+
+void CheckSizes(const Entry& part, const ShapeKeys& shape, Reading& reading) {
+  const Field* size = FindField(part, Key::kSize, reading.spec.defaults);
+  const Field* fromto = part.Find(Key::kFromTo);
+  if (fromto != nullptr && shape.sizes_fromto == 0) {
+    reading.findings.Add(Code::kSpecConflict, fromto->mark,
+                         fmt::format("'fromto' has no meaning for a {}", shape.type));
+    return;
+  }
+  if (size == nullptr) return;
+  if (shape.sizes == 0) {
+    if (part.Find(Key::kSize) != nullptr) {
+      reading.findings.Add(Code::kSpecConflict, size->mark,
+                           fmt::format("'size' has no meaning for a {}", shape.type));
+    }
+    return;
+  }
+  // The options of a choice may differ in length; the model checks those.
+  const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
+  const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
+  if (exact && size->value.components != wanted) {
+    reading.findings.Add(Code::kSpecWrongLength, size->value.mark,
+                         fmt::format("a {}{} has {} size{}, got {}", shape.type,
+                                     fromto != nullptr ? " with 'fromto'" : "", wanted,
+                                     wanted == 1 ? "" : "s", size->value.components));
+  }
+}
+
+}  // namespace
+
+void CheckPart(const Entry& part, Reading& reading) {
+  const Field* type = FindField(part, Key::kType, reading.spec.defaults);
+  if (type == nullptr) {
+    reading.findings.Add(Code::kSpecMissingKey, part.mark, "part without a 'type'");
+    return;
+  }
+  const auto word = LiteralText(type->value);
+  if (!word) return;
+  const auto shape = std::ranges::find(Shapes(), *word, &ShapeKeys::type);
+  if (shape == Shapes().end()) return;  // reported with the word
+  for (const Key id : shape->required) {
+    if (FindField(part, id, reading.spec.defaults) != nullptr) continue;
+    reading.findings.Add(Code::kSpecMissingKey, part.mark,
+                         fmt::format("{} without '{}'", shape->type, PartElement().Find(id)->key));
+  }
+  for (const Key id : kShapeKeys) {
+    const Field* field = part.Find(id);
+    if (field == nullptr || std::ranges::find(shape->own, id) != shape->own.end()) continue;
+    reading.findings.Add(
+        Code::kSpecConflict, field->mark,
+        fmt::format("'{}' has no meaning for a {}", field->info->key, shape->type));
+  }
+  CheckSizes(part, *shape, reading);
+}
+
+}  // namespace mjforge::spec

@@ -1,0 +1,80 @@
+#ifndef MJFORGE_SPEC_READING_H_
+#define MJFORGE_SPEC_READING_H_
+
+// What the readers of one spec share.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/spec/spec.h"
+#include "mjforge/spec/value_reader.h"
+#include "mjforge/spec/yaml.h"
+
+namespace mjforge::spec {
+
+/// Finds and loads the specs that a spec refers to.
+class NestedLoader {
+ public:
+  virtual ~NestedLoader() = default;
+  /// The spec named at `mark`; null, and a finding, if it cannot be loaded.
+  virtual std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
+                                                       diag::SourceMark mark) = 0;
+};
+
+struct Reading {
+  diag::Sources& sources;
+  diag::Findings& findings;
+  ObjectSpec& spec;
+  NestedLoader& loader;
+  ValueReader values;
+};
+
+/// Reports keys that the element does not have, with suggestions.
+void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading);
+
+/// Is the node a mapping? If not, a finding that says what was expected.
+bool IsMap(const YamlNode& node, std::string_view what, Reading& reading);
+bool IsList(const YamlNode& node, std::string_view what, Reading& reading);
+
+/// The value fields of a mapping (structure is left out), with duplicates of
+/// meaning (two orientations, density and mass) reported.
+std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading);
+
+/// Letters, digits and underscores, a letter first.
+bool IsElementName(std::string_view name);
+void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
+               diag::Findings& findings);
+
+/// The text if it has no interpolation; nothing otherwise.
+std::optional<std::string_view> LiteralText(const Value& value);
+
+/// params: with the settings in place of parameters' own values.
+struct NamedNode {
+  std::string name;
+  YamlNode value;
+};
+void ReadParameters(const YamlNode* params, const YamlNode* require,
+                    std::span<const NamedNode> settings, Reading& reading);
+
+/// materials: and defaults:, of the spec itself or of an imported file.
+void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folder, bool imported,
+                   Reading& reading);
+void ReadDefaults(const YamlNode& defaults, Reading& reading);
+
+void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading);
+void ReadSites(const YamlNode& sites, Reading& reading);
+void ReadJoints(const YamlNode& joints, Reading& reading);
+
+/// What can be told of a part's fields from its literal type: which must be
+/// there, which mean nothing, how many sizes.
+void CheckPart(const Entry& part, Reading& reading);
+
+/// Two entries that surely exist and have one name.
+void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading);
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_READING_H_

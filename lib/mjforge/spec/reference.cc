@@ -1,0 +1,135 @@
+// The reference chapter of the manual, from the field table.
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::spec {
+namespace {
+
+std::string SlotText(const FieldInfo& field) {
+  switch (field.slot) {
+    case Slot::kNumber:
+      return "number";
+    case Slot::kInteger:
+      return "whole number";
+    case Slot::kBoolean:
+      return "true or false";
+    case Slot::kText:
+      return "text";
+    case Slot::kPlainText:
+      return "fixed text";
+    case Slot::kFormat:
+      return "1";
+    case Slot::kPoints:
+      return "list of points [x, y]";
+    case Slot::kNumbers:
+      return field.min_count == field.max_count
+                 ? fmt::format("{} numbers", field.max_count)
+                 : fmt::format("{} to {} numbers", field.min_count, field.max_count);
+    case Slot::kWord: {
+      std::string words;
+      for (const char c : field.words) words += c == ' ' ? std::string(", ") : std::string(1, c);
+      return words;
+    }
+    case Slot::kCondition:
+      return "condition";
+    case Slot::kConditions:
+      return "list of conditions";
+    case Slot::kParameters:
+      return "name: parameter";
+    case Slot::kOverrides:
+      return "name: value";
+    case Slot::kLoops:
+      return "variable: count";
+    case Slot::kMaterials:
+      return "name: material";
+    case Slot::kDefaults:
+      return "defaults";
+    case Slot::kImports:
+      return "list of files";
+    case Slot::kParts:
+      return "list of parts";
+    case Slot::kSites:
+      return "list of sites";
+    case Slot::kJoints:
+      return "free, none or list of joints";
+    case Slot::kPose:
+      return "frame";
+    case Slot::kTexture:
+      return "texture";
+    case Slot::kFields:
+      return "keys";
+    case Slot::kAnything:
+      return "any value";
+  }
+  return {};
+}
+
+std::string BoundsText(const FieldInfo& field) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::string text;
+  if (field.lower > -kInfinity) {
+    text = fmt::format("{} {}", field.above ? ">" : ">=", expr::NumberText(field.lower));
+  }
+  if (field.upper < kInfinity) {
+    text += fmt::format("{}<= {}", text.empty() ? "" : ", ", expr::NumberText(field.upper));
+  }
+  return text;
+}
+
+// A bar would end the table's cell.
+std::string Cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+std::string ElementTable(const ElementInfo& element) {
+  std::string out = fmt::format("## {}{}\n\n{}\n\n",
+                                std::string(1, static_cast<char>(element.name[0] - 'a' + 'A')),
+                                element.name.substr(1), element.doc);
+  out +=
+      "| key | takes | unit | bounds | default | meaning |\n| --- | --- | --- | --- | --- | --- "
+      "|\n";
+  for (const FieldInfo& field : element.fields) {
+    out += fmt::format("| `{}`{} | {} | {} | {} | {} | {} |\n", field.key,
+                       field.required ? " (required)" : "", SlotText(field), field.unit,
+                       BoundsText(field), Cell(field.default_text), Cell(field.doc));
+  }
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string FieldReference() {
+  std::string out =
+      "# Reference\n\n"
+      "Made from the program's field table; a test fails when this page is stale.\n\n";
+  for (const ElementInfo* element : AllElements()) out += ElementTable(*element);
+
+  out += "## Distributions\n\n| form | meaning |\n| --- | --- |\n";
+  out += "| `lo .. hi` | The same as `{uniform: [lo, hi]}`. |\n";
+  for (const DistributionInfo& info : Distributions()) {
+    out += fmt::format("| `{}` | {} |\n", info.usage, Cell(info.doc));
+  }
+  out +=
+      "| `quat: random` | A rotation, uniform on SO(3). |\n"
+      "| `{about: [x, y, z]}` | A rotation about an axis by a uniform angle. |\n"
+      "| `{on_sphere: r}` | A point, uniform on the sphere of radius r. |\n"
+      "| `{hsv: [h, s, v]}` | A colour from hue, saturation and value, each 0 to 1. |\n\n";
+
+  out += "## Functions\n\n| function | meaning |\n| --- | --- |\n";
+  for (const expr::Function& function : expr::Functions()) {
+    out += fmt::format("| `{}` | {} |\n", function.usage, Cell(function.doc));
+  }
+  out +=
+      "\n## Units\n\nA unit stands directly behind a number: `15mm`, `90deg`.\n\n"
+      "| unit | meaning |\n| --- | --- |\n";
+  for (const expr::Unit& unit : expr::Units()) {
+    out += fmt::format("| `{}` | {} |\n", unit.name, Cell(unit.doc));
+  }
+  return out;
+}
+
+}  // namespace mjforge::spec

@@ -1,0 +1,158 @@
+#ifndef MJFORGE_SPEC_SPEC_H_
+#define MJFORGE_SPEC_SPEC_H_
+
+// YAML text -> ObjectSpec: a family of objects, checked for everything that can
+// be checked without drawing a value.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/spec/fields.h"
+#include "mjforge/spec/values.h"
+
+namespace mjforge::spec {
+
+struct ObjectSpec;
+
+/// One key of an element with its value.
+struct Field {
+  const FieldInfo* info = nullptr;
+  Value value;
+  diag::SourceMark mark;  // of the key
+};
+
+/// `for: {i: n}`: variable i runs over 0 .. n-1.
+struct Loop {
+  int slot = 0;
+  Value count;
+  std::string variable;
+};
+
+/// One entry of `parts:`, `sites:` or `joints:`.
+struct Entry {
+  const ElementInfo* element = nullptr;
+  diag::SourceMark mark;
+  std::optional<expr::Expression> condition;
+  std::vector<Loop> loops;    // outermost first
+  Value name;                 // text; empty for a frame without a name
+  std::vector<Field> fields;  // all but if, for, name and structure
+  // A frame: its pose is in `fields`, the parts it moves are here.
+  bool is_frame = false;
+  std::vector<Entry> children;
+  // A part with `spec:`: the spec welded in, and the parameters set for it.
+  std::shared_ptr<const ObjectSpec> nested;
+  std::vector<std::pair<std::string, Value>> overrides;
+
+  const Field* Find(Key id) const;
+};
+
+struct Parameter {
+  std::string name;
+  diag::SourceMark mark;
+  Value value;
+  std::string doc;
+  std::string unit;
+  std::string source;  // the value as it stands in the YAML, on one line
+  int slot = 0;
+};
+
+struct Requirement {
+  expr::Expression expression;
+  diag::SourceMark mark;
+};
+
+struct Material {
+  std::string name;
+  diag::SourceMark mark;
+  std::vector<Field> fields;
+  std::vector<Field> texture;    // empty: none
+  std::filesystem::path folder;  // that files resolve against
+
+  const Field* Find(Key id) const;
+};
+
+enum class RootJoints { kFree, kNone, kList };
+enum class Placement { kCenter, kCorner };
+
+/// Defaults for the fields of parts, sites and joints that an entry leaves out.
+struct Defaults {
+  std::vector<Field> part;
+  std::vector<Field> site;
+  std::vector<Field> joint;
+};
+
+struct ObjectSpec {
+  std::string name;
+  std::string description;
+  std::string file;                          // as shown to the user
+  std::filesystem::path folder;              // that relative files resolve against
+  std::vector<std::filesystem::path> files;  // every file read, in order of first reading
+  std::string sha256;                        // of all their texts, one after the other; hexadecimal
+  /// The settings in force, from files and from the caller: name, YAML flow text.
+  std::vector<std::pair<std::string, std::string>> settings;
+
+  expr::Names names;                  // parameters, loop variables; slot 0 is `index`
+  std::vector<Parameter> parameters;  // in file order
+  std::vector<int> evaluation_order;  // indices into parameters
+  std::vector<Requirement> requirements;
+  std::vector<Material> materials;  // own ones first, then imported, in file order
+  Defaults defaults;
+  std::vector<Entry> parts;
+  std::vector<Entry> sites;
+  RootJoints root_joints = RootJoints::kFree;
+  std::vector<Entry> joints;
+  std::optional<Field> mass;  // kg, of the whole object
+  Placement placement = Placement::kCenter;
+  std::optional<Field> total_size;  // half sizes, m
+
+  const Parameter* FindParameter(std::string_view parameter) const;
+};
+
+/// A value given from outside in place of a parameter's own.
+struct Setting {
+  std::string name;
+  std::string text;              // YAML flow text: "0.02", "1 .. 2", "{choice: [box, cylinder]}"
+  std::string origin = "--set";  // shown in findings
+};
+
+struct LoadOptions {
+  std::vector<Setting> settings;
+  /// A YAML mapping of parameter names to values (`--params`), before settings.
+  std::vector<std::filesystem::path> parameter_files;
+  /// Folders with specs, first match wins: MJFORGE_PATH, then the installed catalogue.
+  std::vector<std::filesystem::path> search_path;
+};
+
+/// Loads the spec that `reference` names: a path, a name relative to a folder
+/// of the search path ("tools/hammer"), or a bare last name ("hammer"); "-" is
+/// standard input. Adds every text read to `sources` and every error to
+/// `findings`; nothing when there was an error.
+std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOptions& options,
+                                     diag::Sources& sources, diag::Findings& findings);
+
+/// As LoadSpec, from a text; files in it resolve against `folder`.
+std::unique_ptr<ObjectSpec> LoadSpecText(const std::string& name, std::string text,
+                                         const std::filesystem::path& folder,
+                                         const LoadOptions& options, diag::Sources& sources,
+                                         diag::Findings& findings);
+
+/// The bundled specs of a folder of the search path: names as LoadSpec takes
+/// them ("tools/hammer"), sorted.
+std::vector<std::string> ListSpecs(const std::filesystem::path& folder);
+
+/// schemas/object.schema.json, made from the field table.
+std::string JsonSchema();
+
+/// The reference chapter of the manual (Markdown), made from the field table.
+std::string FieldReference();
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_SPEC_H_

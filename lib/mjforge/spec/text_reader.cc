@@ -1,0 +1,158 @@
+// The part of ValueReader that reads text, words, booleans and conditions.
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/value_reader.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using expr::Type;
+
+bool IsWordCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string Words(std::string_view words) {
+  std::string out;
+  for (const char c : words) out += c == ' ' ? std::string(", ") : std::string(1, c);
+  return out;
+}
+
+std::vector<std::string_view> SplitWords(std::string_view words) {
+  std::vector<std::string_view> out;
+  while (!words.empty()) {
+    const auto end = std::min(words.find(' '), words.size());
+    out.push_back(words.substr(0, end));
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return out;
+}
+
+}  // namespace
+
+bool IsBooleanWord(const YamlNode& node) {
+  return !node.quoted && (node.text == "true" || node.text == "false");
+}
+
+std::string_view Trim(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
+}
+
+Value ValueReader::ReadBoolean(const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kBoolean}, node, {});
+  if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "true or false");
+  if (IsBooleanWord(node)) {
+    return Value{.mark = node.mark, .type = Type::kBoolean, .form = node.text == "true"};
+  }
+  if (const auto known = names_.Find(node.text);
+      !known &&
+      (node.text == "yes" || node.text == "no" || node.text == "on" || node.text == "off")) {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected true or false, got the text '{}'", node.text),
+                  "YAML 1.2 writes booleans as true and false");
+    return Value{.mark = node.mark, .type = Type::kBoolean, .form = false};
+  }
+  Value value{.mark = node.mark, .type = Type::kBoolean, .form = false};
+  if (auto expression = ReadCondition(node)) value.form = std::move(*expression);
+  return value;
+}
+
+std::optional<expr::Expression> ValueReader::ReadCondition(const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::kScalar) {
+    Wrong(node, "a condition");
+    return std::nullopt;
+  }
+  auto expression = Compile(node, 0, node.text.size());
+  if (expression && expression->type() != Type::kBoolean) {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected a condition, but '{}' is a number", node.text),
+                  "compare it with something, as in `x > 0`");
+    return std::nullopt;
+  }
+  return expression;
+}
+
+std::string ValueReader::ReadPlainText(std::string_view what, const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::kScalar) {
+    Wrong(node, fmt::format("text for '{}'", what));
+    return {};
+  }
+  if (node.text.find("${") != std::string::npos) {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("'{}' is fixed text: ${{...}} has no meaning in it", what));
+    return {};
+  }
+  return node.text;
+}
+
+Value ValueReader::ReadText(const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kText}, node, {});
+  if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "text");
+  Value value{.mark = node.mark, .type = Type::kText};
+  Text text;
+  std::size_t at = 0;
+  while (at < node.text.size()) {
+    const std::size_t open = std::min(node.text.find("${", at), node.text.size());
+    if (open > at)
+      text.pieces.push_back({.literal = node.text.substr(at, open - at), .expression = {}});
+    if (open == node.text.size()) break;
+    const std::size_t close = node.text.find('}', open);
+    if (close == std::string::npos) {
+      findings_.Add(Code::kExprSyntax, At(node, open), "'${' without '}'");
+      break;
+    }
+    const std::string_view inner = std::string_view(node.text).substr(open + 2, close - open - 2);
+    const expr::Names::Variable* variable = names_.Find(Trim(inner));
+    if (variable != nullptr && variable->type == Type::kText) {
+      text.pieces.push_back({.literal = {}, .expression = {}, .text_slot = variable->slot});
+    } else if (auto expression = Compile(node, open + 2, close - open - 2)) {
+      text.pieces.push_back({.literal = {}, .expression = std::move(expression)});
+    }
+    at = close + 1;
+  }
+  value.form = std::move(text);
+  return value;
+}
+
+Value ValueReader::ReadWord(const Expected& expected, const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
+  Value value = ReadText(node);
+  const auto* text = std::get_if<Text>(&value.form);
+  if (text == nullptr || text->pieces.size() != 1 || text->pieces[0].literal.empty()) return value;
+  const auto words = SplitWords(expected.words);
+  const std::string& word = text->pieces[0].literal;
+  if (std::ranges::find(words, word) == words.end()) {
+    std::string hint = diag::DidYouMean(word, words);
+    if (names_.Find(word) != nullptr)
+      hint = fmt::format("for the parameter's value write ${{{}}}", word);
+    findings_.Add(Code::kSpecBadValue, node.mark,
+                  fmt::format("'{}' is not one of {}", word, Words(expected.words)),
+                  std::move(hint));
+  }
+  return value;
+}
+
+bool ValueReader::LooksLikeText(const YamlNode& node) const {
+  const std::string_view text = node.text;
+  const auto first = static_cast<unsigned char>(text.empty() ? '0' : text.front());
+  if (std::isalpha(first) == 0 && first != '_' && first < 0x80 && first != '.') return false;
+  const auto is_plain = [](char c) {
+    return IsWordCharacter(c) || c == '.' || c == '-' || c == '/' || c == ' ' ||
+           static_cast<unsigned char>(c) >= 0x80;
+  };
+  if (!std::ranges::all_of(text, is_plain)) return false;
+  if (node.quoted && std::ranges::all_of(text, IsWordCharacter)) return true;
+  const auto used = expr::NamesUsedIn(text);
+  return std::ranges::none_of(used,
+                              [this](const std::string& name) { return names_.Find(name); }) &&
+         (!used.empty() || text.find_first_of("-/ ") == std::string_view::npos);
+}
+
+}  // namespace mjforge::spec

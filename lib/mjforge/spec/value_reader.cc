@@ -1,0 +1,335 @@
+#include "mjforge/spec/value_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using diag::SourceMark;
+using expr::Type;
+
+bool IsWordCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool IsYamlNotFinite(std::string_view text) {
+  const std::string_view bare =
+      text.starts_with('-') || text.starts_with('+') ? text.substr(1) : text;
+  return bare == ".inf" || bare == ".Inf" || bare == ".INF" || bare == ".nan" || bare == ".NaN" ||
+         bare == ".NAN";
+}
+
+// `[max(a, b), 0]` reaches us as the items `max(a` and `b)`.
+bool IsCutAtComma(const YamlNode& node) {
+  return node.flow && !node.quoted &&
+         std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
+}
+
+std::string CountText(int min_count, int max_count) {
+  if (min_count == max_count) return fmt::format("{}", min_count);
+  return fmt::format("{} to {}", min_count, max_count);
+}
+
+}  // namespace
+
+std::optional<std::size_t> FindRange(std::string_view text) {
+  const auto dots = text.find("..");
+  if (dots == std::string_view::npos) return std::nullopt;
+  if (Trim(text.substr(0, dots)).empty() || Trim(text.substr(dots + 2)).empty())
+    return std::nullopt;
+  return dots;
+}
+
+void CollectNames(const YamlNode& node, std::vector<std::string>& names) {
+  const auto add = [&names](std::string_view text) {
+    for (std::string& name : expr::NamesUsedIn(text)) names.push_back(std::move(name));
+  };
+  for (const YamlNode& item : node.items) CollectNames(item, names);
+  for (const auto& pair : node.pairs) {
+    if (pair.key != "doc" && pair.key != "unit") CollectNames(pair.value, names);
+  }
+  if (node.kind != YamlNode::Kind::kScalar) return;
+  const std::string_view text = node.text;
+  if (text.find("${") != std::string_view::npos) {
+    for (auto at = text.find("${"); at != std::string_view::npos; at = text.find("${", at + 2)) {
+      add(text.substr(at + 2, text.find('}', at) - at - 2));
+    }
+  } else if (const auto dots = FindRange(text)) {
+    add(text.substr(0, *dots));
+    add(text.substr(*dots + 2));
+  } else if (!node.quoted || !std::ranges::all_of(text, IsWordCharacter)) {
+    add(text);
+  }
+}
+
+SourceMark ValueReader::At(const YamlNode& node, std::size_t offset) const {
+  SourceMark mark = node.mark;
+  const std::string_view line = sources_.Line(mark);
+  const std::size_t start = mark.column - 1;
+  if (start < line.size() && (line[start] == '"' || line[start] == '\'')) ++offset;
+  // Only where the text stands in the line letter by letter.
+  if (offset <= line.size() && start + offset <= line.size()) {
+    mark.column += static_cast<std::uint32_t>(offset);
+  }
+  return mark;
+}
+
+Value ValueReader::Wrong(const YamlNode& node, std::string_view expected) {
+  if (node.kind == YamlNode::Kind::kScalar) {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected {}, got '{}'", expected, node.text));
+  } else {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected {}, got {}", expected, KindName(node)));
+  }
+  return Value{.mark = node.mark, .form = 1.0};
+}
+
+Value ValueReader::Read(const FieldInfo& field, const YamlNode& node) {
+  Value value = Read(Expected{field.slot, field.min_count, field.max_count, field.words}, node);
+  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
+    }
+  } else {
+    CheckBounds(field, value, 0);
+  }
+  return value;
+}
+
+Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
+  switch (expected.slot) {
+    case Slot::kNumber:
+    case Slot::kInteger:
+      return ReadNumber(node);
+    case Slot::kBoolean:
+      return ReadBoolean(node);
+    case Slot::kWord:
+      return ReadWord(expected, node);
+    case Slot::kText:
+      return ReadText(node);
+    case Slot::kNumbers:
+      return ReadVector(expected, node);
+    case Slot::kPoints:
+      return ReadPoints(node);
+    default:
+      return ReadAnything(node);
+  }
+}
+
+void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {
+  if (value.type != Type::kNumber || value.components != 1) return;
+  double number = 0;
+  if (const auto* literal = std::get_if<double>(&value.form)) {
+    number = *literal;
+  } else if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
+    if (!expression->constant()) return;
+    number = *expression->constant();
+  } else {
+    return;
+  }
+  const std::string what = position > 0 && field.max_count > 1
+                               ? fmt::format("{} {}", field.key, position)
+                               : std::string(field.key);
+  if (!std::isfinite(number)) {
+    findings_.Add(Code::kExprNotFinite, value.mark, fmt::format("{} is not a finite number", what));
+  } else if (field.above ? number <= field.lower : number < field.lower) {
+    findings_.Add(
+        Code::kSpecBadValue, value.mark,
+        fmt::format("{} is {}; it must be {} {}", what, expr::NumberText(number),
+                    field.above ? "greater than" : "at least", expr::NumberText(field.lower)));
+  } else if (number > field.upper) {
+    findings_.Add(Code::kSpecBadValue, value.mark,
+                  fmt::format("{} is {}; it must be at most {}", what, expr::NumberText(number),
+                              expr::NumberText(field.upper)));
+  } else if (field.slot == Slot::kInteger && number != std::floor(number)) {
+    findings_.Add(
+        Code::kSpecBadValue, value.mark,
+        fmt::format("{} is {}; it must be a whole number", what, expr::NumberText(number)));
+  }
+}
+
+std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::size_t begin,
+                                                     std::size_t length) {
+  expr::Error error;
+  auto expression =
+      expr::Expression::Compile(std::string_view(node.text).substr(begin, length), names_, error);
+  if (!expression) {
+    if (IsCutAtComma(node)) {
+      error.hint =
+          "a comma ends an item of a list in brackets; quote the expression: "
+          "[\"max(a, b)\", 0]";
+    }
+    findings_.Add(error.code, At(node, begin + error.offset), std::move(error.message),
+                  std::move(error.hint));
+  }
+  return expression;
+}
+
+Value ValueReader::ReadExpression(const YamlNode& node) {
+  Value value{.mark = node.mark};
+  if (auto expression = Compile(node, 0, node.text.size())) {
+    value.type = expression->type();
+    value.form = std::move(*expression);
+  }
+  return value;
+}
+
+Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
+  Value value{.mark = node.mark};
+  Draw draw;
+  const std::pair<std::size_t, std::size_t> ends[] = {{0, dots},
+                                                      {dots + 2, node.text.size() - dots - 2}};
+  for (const auto& [begin, length] : ends) {
+    const std::string_view part = std::string_view(node.text).substr(begin, length);
+    const std::size_t blanks = part.find_first_not_of(" \t\r\n");
+    Value end{.mark = At(node, begin + blanks)};
+    auto expression = Compile(node, begin + blanks, length - blanks);
+    if (!expression) return value;
+    if (expression->type() != Type::kNumber) {
+      findings_.Add(Code::kSpecWrongType, end.mark, "the end of a range must be a number");
+      return value;
+    }
+    end.form = std::move(*expression);
+    draw.arguments.push_back(std::move(end));
+  }
+  CheckRangeOrder(draw.arguments[0], draw.arguments[1], node.mark);
+  value.form = std::move(draw);
+  return value;
+}
+
+void ValueReader::CheckRangeOrder(const Value& lo, const Value& hi, SourceMark mark) {
+  const auto constant = [](const Value& value) -> std::optional<double> {
+    if (const auto* literal = std::get_if<double>(&value.form)) return *literal;
+    if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
+      return expression->constant();
+    }
+    return std::nullopt;
+  };
+  const auto low = constant(lo);
+  const auto high = constant(hi);
+  if (low && high && *low > *high) {
+    findings_.Add(Code::kSpecEmptyRange, mark,
+                  fmt::format("range {} .. {} is empty: its lower end is above its upper end",
+                              expr::NumberText(*low), expr::NumberText(*high)),
+                  "swap the two");
+  }
+}
+
+Value ValueReader::ReadNumber(const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kNumber}, node, {});
+  if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "a number");
+  if (const auto number = expr::ParseNumber(node.text)) {
+    if (!node.quoted) return Value{.mark = node.mark, .form = *number};
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected a number, got the text '{}'", node.text),
+                  "a quoted number is text: drop the quotes");
+    return Value{.mark = node.mark, .form = *number};
+  }
+  if (IsBooleanWord(node)) return Wrong(node, "a number");
+  if (IsYamlNotFinite(node.text)) return Wrong(node, "a finite number");
+  if (const auto dots = FindRange(node.text)) return ReadRange(node, *dots);
+  Value value = ReadExpression(node);
+  if (value.type != Type::kNumber) {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected a number, but '{}' is true or false", node.text));
+    return Value{.mark = node.mark, .form = 1.0};
+  }
+  return value;
+}
+
+const expr::Names::Variable* ValueReader::LoneName(const YamlNode& node) const {
+  if (node.kind != YamlNode::Kind::kScalar || node.quoted) return nullptr;
+  return names_.Find(Trim(node.text));
+}
+
+Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNode& node) const {
+  return Value{.mark = node.mark,
+               .type = variable.type,
+               .components = variable.components,
+               .form = VariableReference{variable.name, variable.slot}};
+}
+
+Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
+  if (node.kind == YamlNode::Kind::kList) return ReadList(expected, node);
+  if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
+      expected.min_count == 4 && expected.max_count == 4 && names_.Find("random") == nullptr) {
+    return Value{.mark = node.mark, .components = 4, .form = RandomRotation{}};
+  }
+  Value value;
+  if (const auto* variable = LoneName(node); variable && variable->components > 1) {
+    value = Reference(*variable, node);
+  } else {
+    value = ReadNumber(node);
+  }
+  if (value.components < expected.min_count || value.components > expected.max_count) {
+    findings_.Add(Code::kSpecWrongLength, node.mark,
+                  fmt::format("expected {} numbers, got {}",
+                              CountText(expected.min_count, expected.max_count), value.components));
+  }
+  return value;
+}
+
+Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
+  Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
+  const bool cut = std::ranges::any_of(node.items, IsCutAtComma);
+  if (!cut && (value.components < expected.min_count || value.components > expected.max_count)) {
+    findings_.Add(Code::kSpecWrongLength, node.mark,
+                  fmt::format("expected {} numbers, got {}",
+                              CountText(expected.min_count, expected.max_count), value.components));
+  }
+  List list;
+  bool reported_cut = false;
+  for (const YamlNode& item : node.items) {
+    // One mistake, one finding: the pieces after the first belong to it.
+    if (IsCutAtComma(item) && std::exchange(reported_cut, true)) continue;
+    list.items.push_back(ReadNumber(item));
+  }
+  value.form = std::move(list);
+  return value;
+}
+
+Value ValueReader::ReadPoints(const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::kList) return Wrong(node, "a list of points [x, y]");
+  Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
+  List points;
+  for (const YamlNode& item : node.items) {
+    points.items.push_back(
+        ReadVector({.slot = Slot::kNumbers, .min_count = 2, .max_count = 2}, item));
+  }
+  value.form = std::move(points);
+  return value;
+}
+
+Value ValueReader::ReadAnyScalar(const YamlNode& node) {
+  if (node.text.find("${") != std::string::npos) return ReadText(node);
+  if (IsBooleanWord(node)) return ReadBoolean(node);
+  if (expr::ParseNumber(node.text) || IsYamlNotFinite(node.text)) return ReadNumber(node);
+  if (FindRange(node.text) && !LooksLikeText(node)) return ReadNumber(node);
+  if (const auto* variable = LoneName(node)) return Reference(*variable, node);
+  if (node.text != "pi" && LooksLikeText(node)) return ReadText(node);
+  return ReadExpression(node);
+}
+
+Value ValueReader::ReadAnything(const YamlNode& node,
+                                std::span<const std::string_view> extra_keys) {
+  switch (node.kind) {
+    case YamlNode::Kind::kNull:
+      return Wrong(node, "a value");
+    case YamlNode::Kind::kScalar:
+      return ReadAnyScalar(node);
+    case YamlNode::Kind::kList:
+      return ReadList({.slot = Slot::kNumbers, .min_count = 2, .max_count = 4}, node);
+    case YamlNode::Kind::kMap:
+      return ReadMapping({}, node, extra_keys);
+  }
+  return {};
+}
+
+}  // namespace mjforge::spec

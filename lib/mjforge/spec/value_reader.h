@@ -1,0 +1,92 @@
+#ifndef MJFORGE_SPEC_VALUE_READER_H_
+#define MJFORGE_SPEC_VALUE_READER_H_
+
+// YAML nodes -> Values: literals, expressions, ranges, distributions, text.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/spec/fields.h"
+#include "mjforge/spec/values.h"
+#include "mjforge/spec/yaml.h"
+
+namespace mjforge::spec {
+
+/// Reads values in the scope of `names`. A value that is wrong adds a finding
+/// and comes back as something harmless, so that reading goes on.
+class ValueReader {
+ public:
+  ValueReader(const expr::Names& names, const diag::Sources& sources, diag::Findings& findings)
+      : names_(names), sources_(sources), findings_(findings) {}
+
+  /// The value of a field whose slot holds one (not structure).
+  Value Read(const FieldInfo& field, const YamlNode& node);
+
+  /// A value of any kind, its type told from its look: parameters, options.
+  /// `extra_keys` may stand in a mapping beside the distribution.
+  Value ReadAnything(const YamlNode& node, std::span<const std::string_view> extra_keys = {});
+
+  Value ReadNumber(const YamlNode& node);
+  Value ReadText(const YamlNode& node);
+  /// A boolean expression; nothing if it is wrong.
+  std::optional<expr::Expression> ReadCondition(const YamlNode& node);
+  /// Text without interpolation, empty if wrong.
+  std::string ReadPlainText(std::string_view what, const YamlNode& node);
+
+ private:
+  // What the place allows: the field's slot, and counts for vectors.
+  struct Expected {
+    Slot slot = Slot::kAnything;
+    int min_count = 1;
+    int max_count = 1;
+    std::string_view words = {};
+  };
+  Value Read(const Expected& expected, const YamlNode& node);
+  Value ReadBoolean(const YamlNode& node);
+  Value ReadWord(const Expected& expected, const YamlNode& node);
+  Value ReadVector(const Expected& expected, const YamlNode& node);
+  Value ReadList(const Expected& expected, const YamlNode& node);
+  Value ReadPoints(const YamlNode& node);
+  Value ReadAnyScalar(const YamlNode& node);
+  Value ReadMapping(const Expected& expected, const YamlNode& node,
+                    std::span<const std::string_view> extra_keys);
+  Value ReadDraw(const DistributionInfo& info, const Expected& expected, const YamlNode& map);
+  void ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw, Value& value);
+  void ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw);
+  bool IsVectorForm(std::string_view key, const Expected& expected) const;
+  Value ReadVectorForm(std::string_view key, const Expected& expected, const YamlNode& node);
+  Value ReadRange(const YamlNode& node, std::size_t dots);
+  Value ReadExpression(const YamlNode& node);
+  std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
+                                          std::size_t length);
+  Value Reference(const expr::Names::Variable& variable, const YamlNode& node) const;
+  const expr::Names::Variable* LoneName(const YamlNode& node) const;
+  bool LooksLikeText(const YamlNode& node) const;
+  void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
+  void CheckBounds(const FieldInfo& field, const Value& value, int position);
+  Value Wrong(const YamlNode& node, std::string_view expected);
+  diag::SourceMark At(const YamlNode& node, std::size_t offset) const;
+
+  const expr::Names& names_;
+  const diag::Sources& sources_;
+  diag::Findings& findings_;
+};
+
+/// Where the two dots of `lo .. hi` are in a text; nothing if it is no range.
+std::optional<std::size_t> FindRange(std::string_view text);
+
+/// A plain `true` or `false`.
+bool IsBooleanWord(const YamlNode& node);
+
+/// Without blanks at the ends.
+std::string_view Trim(std::string_view text);
+
+/// The names that a node's expressions use, in order of first use, with repeats.
+void CollectNames(const YamlNode& node, std::vector<std::string>& names);
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_VALUE_READER_H_

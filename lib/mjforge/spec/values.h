@@ -1,0 +1,69 @@
+#ifndef MJFORGE_SPEC_VALUES_H_
+#define MJFORGE_SPEC_VALUES_H_
+
+// What may stand in a slot of a spec, parsed and type-checked but not drawn.
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/spec/fields.h"
+
+namespace mjforge::spec {
+
+struct Value;
+
+/// Text with interpolated expressions: the pieces in order. A piece is a
+/// literal, an expression (its number is written), or a text variable.
+struct TextPiece {
+  std::string literal;
+  std::optional<expr::Expression> expression;
+  int text_slot = -1;
+};
+struct Text {
+  std::vector<TextPiece> pieces;
+};
+
+/// A whole parameter, of any type: `size: half_size`.
+struct VariableReference {
+  std::string name;
+  int slot = 0;
+};
+
+struct List {
+  std::vector<Value> items;
+};
+
+struct Draw {
+  Distribution distribution = Distribution::kUniform;
+  std::vector<Value> arguments;  // numbers; for choice and cycle the options
+  std::vector<Value> limits;     // clip or range: none or two numbers
+  std::vector<Value> weights;    // choice: none or one for each option
+};
+
+struct RandomRotation {};  // quat: random
+struct RotationAbout {
+  std::unique_ptr<Value> axis;
+};  // quat: {about: [x, y, z]}
+struct PointOnSphere {
+  std::unique_ptr<Value> radius;
+};  // pos: {on_sphere: r}
+struct HsvColor {
+  std::vector<Value> items;
+};  // rgba: {hsv: [h, s, v, (a)]}, each 0 to 1
+
+struct Value {
+  diag::SourceMark mark;
+  expr::Type type = expr::Type::kNumber;
+  int components = 1;  // of a vector; a list of points counts its points
+  std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
+               RotationAbout, PointOnSphere, HsvColor>
+      form = 0.0;
+};
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_VALUES_H_

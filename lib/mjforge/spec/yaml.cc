@@ -1,0 +1,351 @@
+#include "mjforge/spec/yaml.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using diag::SourceMark;
+
+// Aliases may copy this many nodes in all: enough for shared vectors, too few
+// for a "billion laughs".
+constexpr std::size_t kMaxAliasNodes = 100'000;
+
+std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
+  std::size_t count = 1;
+  for (const YamlNode& item : node.items) {
+    if (count > limit) return count;
+    count += CountNodes(item, limit);
+  }
+  for (const auto& pair : node.pairs) {
+    if (count > limit) return count;
+    count += CountNodes(pair.value, limit);
+  }
+  return count;
+}
+
+// Thrown through yaml-cpp's parser to stop it at our own finding.
+struct Stop {};
+
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(std::uint32_t file, diag::Findings& findings) : file_(file), findings_(findings) {}
+
+  YamlNode TakeRoot() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    YamlNode node;
+    node.mark = AtKeyOr(mark);
+    Finish(std::move(node), anchor);
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end()) {
+      Fail(Code::kYamlAlias, mark, "alias stands inside its own anchor");
+    }
+    alias_nodes_ += CountNodes(found->second, kMaxAliasNodes);
+    if (alias_nodes_ > kMaxAliasNodes) {
+      Fail(Code::kYamlAlias, mark, fmt::format("aliases repeat more than {} nodes", kMaxAliasNodes),
+           "write the values out, or use `for:` and `defaults:`");
+    }
+    YamlNode copy = found->second;
+    copy.mark = At(mark);
+    Finish(std::move(copy), 0);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    CheckTag(mark, tag, value);
+    YamlNode node;
+    node.kind = YamlNode::Kind::kScalar;
+    node.mark = At(mark);
+    node.text = value;
+    node.quoted = tag == "!";
+    node.flow = !open_.empty() && open_.back().flow;
+    if (!node.quoted && (value == "~" || value == "null")) node.kind = YamlNode::Kind::kNull;
+    Finish(std::move(node), anchor);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value style) override {
+    CheckTag(mark, tag, {});
+    Open(YamlNode::Kind::kList, mark, anchor, style == YAML::EmitterStyle::Flow);
+  }
+  void OnSequenceEnd() override { Close(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    CheckTag(mark, tag, {});
+    Open(YamlNode::Kind::kMap, mark, anchor, false);
+  }
+  void OnMapEnd() override { Close(); }
+
+  SourceMark At(const YAML::Mark& mark) const {
+    return {file_, static_cast<std::uint32_t>(mark.line + 1),
+            static_cast<std::uint32_t>(mark.column + 1)};
+  }
+
+ private:
+  struct OpenNode {
+    YamlNode node;
+    YAML::anchor_t anchor = 0;
+    bool flow = false;  // a list in brackets
+    bool has_key = false;
+    bool keep = true;  // false: the value of a repeated key
+    std::string key;
+    SourceMark key_mark;
+    std::map<std::string, SourceMark, std::less<>> keys;
+  };
+
+  [[noreturn]] void Fail(Code code, const YAML::Mark& mark, std::string message,
+                         std::string hint = {}) {
+    findings_.Add(code, At(mark), std::move(message), std::move(hint));
+    throw Stop{};
+  }
+
+  SourceMark AtKeyOr(const YAML::Mark& mark) const {
+    if (!open_.empty() && open_.back().has_key) return open_.back().key_mark;
+    return At(mark);
+  }
+
+  void CheckTag(const YAML::Mark& mark, const std::string& tag, const std::string& value) {
+    if (tag.empty() || tag == "?" || tag == "!") return;
+    const bool negation = tag.front() == '!' && !tag.starts_with("tag:");
+    findings_.Add(Code::kYamlTag, At(mark), fmt::format("tag '{}' has no meaning here", tag),
+                  negation ? fmt::format("to negate, write `not {}{}{}` or quote the expression",
+                                         tag.substr(1), value.empty() ? "" : " ", value)
+                           : std::string());
+  }
+
+  void Open(YamlNode::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor, bool flow) {
+    if (ExpectsKey()) Fail(Code::kYamlSyntax, mark, "a key must be a plain word");
+    OpenNode open;
+    open.node.kind = kind;
+    open.node.mark = At(mark);
+    open.anchor = anchor;
+    open.flow = flow;
+    open_.push_back(std::move(open));
+  }
+
+  void Close() {
+    OpenNode done = std::move(open_.back());
+    open_.pop_back();
+    Finish(std::move(done.node), done.anchor);
+  }
+
+  bool ExpectsKey() const {
+    return !open_.empty() && open_.back().node.kind == YamlNode::Kind::kMap &&
+           !open_.back().has_key;
+  }
+
+  void Finish(YamlNode node, YAML::anchor_t anchor) {
+    if (anchor != 0) anchors_[anchor] = node;
+    if (open_.empty()) {
+      root_ = std::move(node);
+    } else if (open_.back().node.kind == YamlNode::Kind::kList) {
+      open_.back().node.items.push_back(std::move(node));
+    } else if (!open_.back().has_key) {
+      TakeKey(std::move(node));
+    } else {
+      OpenNode& map = open_.back();
+      if (map.keep) map.node.pairs.push_back({std::move(map.key), map.key_mark, std::move(node)});
+      map.has_key = false;
+    }
+  }
+
+  void TakeKey(YamlNode key) {
+    OpenNode& map = open_.back();
+    const auto [first, is_new] = map.keys.emplace(key.text, key.mark);
+    if (!is_new) {
+      findings_
+          .Add(Code::kYamlDuplicateKey, key.mark, fmt::format("key '{}' stands twice", key.text))
+          .notes.push_back({first->second, "first here"});
+    }
+    map.has_key = true;
+    map.keep = is_new;
+    map.key = std::move(key.text);
+    map.key_mark = key.mark;
+  }
+
+  std::uint32_t file_;
+  diag::Findings& findings_;
+  YamlNode root_;
+  std::vector<OpenNode> open_;
+  std::map<YAML::anchor_t, YamlNode> anchors_;
+  std::size_t alias_nodes_ = 0;
+};
+
+// The byte after a well-formed UTF-8 sequence at `i`, or `i` if there is none.
+// Source: the Unicode Standard, table 3-7, without the surrogates' refinement.
+std::size_t AfterCharacter(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const unsigned first = byte(i);
+  std::size_t length = 0;
+  if (first < 0x80) return first == 0 ? i : i + 1;
+  if (first >= 0xC2 && first < 0xE0) length = 2;
+  if (first >= 0xE0 && first < 0xF0) length = 3;
+  if (first >= 0xF0 && first < 0xF5) length = 4;
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte(i + k) & 0xC0u) != 0x80u) return i;
+  }
+  return i + length;
+}
+
+std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
+  SourceMark mark{file, 1, 1};
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t next = AfterCharacter(text, i);
+    if (next == i) return mark;
+    if (text[i] == '\n') {
+      ++mark.line;
+      mark.column = 1;
+    } else {
+      mark.column += static_cast<std::uint32_t>(next - i);
+    }
+    i = next;
+  }
+  return std::nullopt;
+}
+
+// What yaml-cpp says, in our words where its are obscure.
+std::string Reworded(const std::string& message) {
+  if (message.starts_with("end of map not found") ||
+      message.starts_with("end of sequence not found")) {
+    return message + " (is the indentation even?)";
+  }
+  if (message.starts_with("illegal map value")) {
+    return "a colon where no key may stand (quote the text if it contains ': ')";
+  }
+  return message;
+}
+
+bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
+  const std::string& text = sources.Text(file);
+  if (text.size() > kMaxYamlBytes) {
+    findings.Add(Code::kYamlTooLarge, SourceMark{file, 1, 1},
+                 fmt::format("file has {} bytes; the limit is {}", text.size(), kMaxYamlBytes),
+                 "repeat parts with `for:`");
+    return false;
+  }
+  if (const auto bad = FirstBadByte(file, text)) {
+    findings.Add(Code::kYamlNotText, *bad, "not UTF-8 text",
+                 "a spec is a YAML file in UTF-8; is this another kind of file?");
+    return false;
+  }
+  return true;
+}
+
+bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& builder,
+               diag::Findings& findings) {
+  std::istringstream stream(sources.Text(file));
+  try {
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder)) {
+      findings.Add(Code::kYamlEmpty, SourceMark{file, 1, 1}, "file is empty",
+                   "start with `mjforge: 1` and a `name:`");
+      return false;
+    }
+    TreeBuilder second(file, findings);
+    if (parser.HandleNextDocument(second)) {
+      findings.Add(Code::kYamlSyntax, SourceMark{file, 1, 1}, "file holds more than one document",
+                   "write one spec a file");
+      return false;
+    }
+    return true;
+  } catch (const Stop&) {
+  } catch (const YAML::DeepRecursion& error) {
+    findings.Add(Code::kYamlTooDeep, builder.At(error.mark), "nested too deeply");
+  } catch (const YAML::Exception& error) {
+    findings.Add(Code::kYamlSyntax, builder.At(error.mark), Reworded(error.msg));
+  }
+  return false;
+}
+
+}  // namespace
+
+const YamlNode* YamlNode::Find(std::string_view key) const {
+  const auto found = std::ranges::find(pairs, key, &Pair::key);
+  return found == pairs.end() ? nullptr : &found->value;
+}
+
+std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,
+                                  diag::Findings& findings) {
+  if (!IsParseable(file, sources, findings)) return std::nullopt;
+  TreeBuilder builder(file, findings);
+  if (!RunParser(file, sources, builder, findings)) return std::nullopt;
+  YamlNode root = builder.TakeRoot();
+  if (root.kind == YamlNode::Kind::kNull) {
+    findings.Add(Code::kYamlEmpty, SourceMark{file, 1, 1}, "file is empty",
+                 "start with `mjforge: 1` and a `name:`");
+    return std::nullopt;
+  }
+  return root;
+}
+
+std::string_view KindName(const YamlNode& node) {
+  switch (node.kind) {
+    case YamlNode::Kind::kNull:
+      return "nothing";
+    case YamlNode::Kind::kScalar:
+      return "a single value";
+    case YamlNode::Kind::kList:
+      return "a list";
+    case YamlNode::Kind::kMap:
+      return "a mapping";
+  }
+  return "";
+}
+
+namespace {
+
+std::string FlowScalar(const YamlNode& node) {
+  const bool special =
+      node.text.empty() || node.text.find_first_of(",[]{}#&*!|>'\"%@`:") != std::string::npos;
+  if (!node.quoted && !special) return node.text;
+  std::string out = "'";
+  for (const char c : node.text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+std::string FlowText(const YamlNode& node) {
+  std::string out;
+  switch (node.kind) {
+    case YamlNode::Kind::kNull:
+      return "null";
+    case YamlNode::Kind::kScalar:
+      return FlowScalar(node);
+    case YamlNode::Kind::kList:
+      for (const YamlNode& item : node.items) {
+        out += out.empty() ? "" : ", ";
+        out += FlowText(item);
+      }
+      return "[" + out + "]";
+    case YamlNode::Kind::kMap:
+      for (const auto& pair : node.pairs) {
+        out += out.empty() ? "" : ", ";
+        out += pair.key + ": " + FlowText(pair.value);
+      }
+      return "{" + out + "}";
+  }
+  return out;
+}
+
+}  // namespace mjforge::spec

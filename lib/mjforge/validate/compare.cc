@@ -1,0 +1,214 @@
+#include "mjforge/validate/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::validate {
+namespace {
+
+constexpr double kRelative = 1e-9;
+constexpr const char* kHint =
+    "the file does not say what was meant: please report this with the spec and the seed";
+
+// mju_eig3 (2.2.2) stops at off-diagonal terms of 1e-12 kg m^2, or when the next
+// turn is below 1.4e-6 rad (cosine within 1e-12 of 1): principal moments are good
+// to the first, the axes only to the second.
+constexpr double kMomentCutoff = 2e-12;
+constexpr double kAxesRelative = 3e-6;
+
+/// The largest distance of anything of the object from its body's origin, or of
+/// that from its parent's; m.
+double ScaleOf(const model::Object& object) {
+  double scale = 0;
+  for (const model::Body& body : object.bodies) {
+    scale = std::max(scale, body.X_PB.p.norm());
+    for (const model::Joint& joint : body.joints) scale = std::max(scale, joint.pos.norm());
+    for (const model::Site& site : body.sites) {
+      scale = std::max(scale, site.X_BS.p.norm() + site.size.norm());
+    }
+    for (const model::Part& part : body.parts) {
+      double radius = part.shape.size.norm();
+      if (part.shape.mesh != nullptr) {
+        radius = 0;
+        for (const Eigen::Vector3d& v : part.shape.mesh->vertices) {
+          radius = std::max(radius, v.norm());
+        }
+      }
+      scale = std::max(scale, part.X_BG.p.norm() + radius);
+    }
+  }
+  return scale;
+}
+
+std::size_t GeomCount(const model::Body& body) {
+  std::size_t count = 0;
+  for (const model::Part& part : body.parts) count += part.role == model::Role::kBoth ? 2 : 1;
+  return count;
+}
+
+}  // namespace
+
+Comparison::Comparison(const mjModel& compiled, const model::Object& object,
+                       diag::Findings& findings)
+    : m_(compiled), object_(object), findings_(findings), scale_(ScaleOf(object)) {
+  length_tolerance_ = kRelative * scale_;
+}
+
+void Comparison::Run(double lift) {
+  if (!SameCounts()) return;
+  next_site_ = 0;
+  int id = 0;  // the world
+  for (const int i : mjcf::DepthFirst(object_)) {
+    CompareBody(++id, object_.bodies[static_cast<std::size_t>(i)], lift);
+  }
+}
+
+bool Comparison::SameCounts() {
+  const diag::SourceMark mark =
+      object_.bodies.empty() ? diag::SourceMark{} : object_.bodies.front().mark;
+  std::size_t joints = 0;
+  std::size_t sites = 0;
+  std::size_t geoms = 0;
+  for (const model::Body& body : object_.bodies) {
+    joints += body.joints.size();
+    sites += body.sites.size();
+    geoms += GeomCount(body);
+  }
+  // A scene has geoms of its own in the world.
+  bool same = Count("bodies", m_.nbody - 1, object_.bodies.size(), mark);
+  same = Count("joints", m_.njnt, joints, mark) && same;
+  same = Count("sites", m_.nsite, sites, mark) && same;
+  return Count("geoms", m_.ngeom - m_.body_geomnum[0], geoms, mark) && same;
+}
+
+void Comparison::CompareBody(int id, const model::Body& body, double lift) {
+  const Subject subject{"body", body.name, {}, body.mark};
+  if (!Name(m_.names + m_.name_bodyadr[id], subject)) return;
+  Eigen::Vector3d pos = body.X_PB.p;
+  if (body.parent < 0) pos.z() += lift;
+  // The lift may be larger than the object.
+  Vector(subject, "pos", m_.body_pos + 3 * id, pos, length_tolerance_ + kRelative * std::abs(lift));
+  Quaternion(subject, m_.body_quat + 4 * id, body.X_PB.q);
+  CompareMass(id, body);
+
+  bool same = Count("geoms of a body", m_.body_geomnum[id], GeomCount(body), body.mark);
+  same = Count("joints of a body", m_.body_jntnum[id], body.joints.size(), body.mark) && same;
+  if (!same) return;
+  int geom = m_.body_geomadr[id];
+  for (const model::Part& part : body.parts) ComparePart(geom, part);
+  int joint = m_.body_jntadr[id];
+  for (const model::Joint& meant : body.joints) CompareJoint(joint++, meant);
+  for (const model::Site& site : body.sites) CompareSite(next_site_++, site);
+}
+
+void Comparison::CompareMass(int id, const model::Body& body) {
+  const Subject subject{"body", body.name, {}, body.mark};
+  const model::MassProperties& meant = body.mass_properties;
+  Number(subject, "mass", -1, m_.body_mass[id], meant.mass, kRelative * meant.mass);
+  if (meant.mass == 0) return;  // no centre, no inertia
+  Vector(subject, "centre of mass", m_.body_ipos + 3 * id, meant.p_FCm, length_tolerance_);
+  CompareInertia(id, body);
+}
+
+void Comparison::CompareInertia(int id, const model::Body& body) {
+  const Subject subject{"body", body.name, {}, body.mark};
+  const model::MassProperties& meant = body.mass_properties;
+  // Rounded lengths change moments in proportion to mass times length squared.
+  const double rounding = kRelative * meant.mass * scale_ * scale_;
+  const Eigen::Map<const Eigen::Vector3d> moments(m_.body_inertia + 3 * id);
+  const mjtNum* q = m_.body_iquat + 4 * id;
+  const Eigen::Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Eigen::Matrix3d tensor = axes * moments.asDiagonal() * axes.transpose();
+  constexpr std::string_view kTerms[] = {"inertia xx", "inertia yy", "inertia zz",
+                                         "inertia xy", "inertia xz", "inertia yz"};
+  constexpr int kRows[] = {0, 1, 2, 0, 0, 1};
+  constexpr int kColumns[] = {0, 1, 2, 1, 2, 2};
+  const double turned = kAxesRelative * meant.I_Cm_F.trace();
+  const bool exact_axes = body.explicit_inertial;
+  for (std::size_t i = 0; i < std::size(kTerms); ++i) {
+    Number(subject, kTerms[i], -1, tensor(kRows[i], kColumns[i]),
+           meant.I_Cm_F(kRows[i], kColumns[i]),
+           exact_axes ? rounding : rounding + turned + kMomentCutoff);
+  }
+  if (exact_axes) return;
+  Eigen::Vector3d sorted = moments;
+  std::sort(sorted.begin(), sorted.end());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(meant.I_Cm_F,
+                                                              Eigen::EigenvaluesOnly);
+  for (int i = 0; i < 3; ++i) {
+    Number(subject, "principal moment", i, sorted[i], solver.eigenvalues()[i],
+           rounding + kMomentCutoff);
+  }
+}
+
+bool Comparison::Count(std::string_view what, int compiled, std::size_t meant,
+                       diag::SourceMark mark) {
+  if (compiled == static_cast<int>(meant)) return true;
+  findings_.Add(diag::Code::kMujocoMismatch, mark,
+                fmt::format("MuJoCo compiled {} {}, not {}", compiled, what, meant), kHint);
+  return false;
+}
+
+bool Comparison::Name(const char* compiled, const Subject& subject) {
+  const std::string_view name(compiled);
+  if (name.size() == subject.name.size() + subject.suffix.size() &&
+      name.starts_with(subject.name) && name.ends_with(subject.suffix)) {
+    return true;
+  }
+  findings_.Add(diag::Code::kMujocoMismatch, subject.mark,
+                fmt::format("MuJoCo compiled {} '{}' where '{}{}' was meant", subject.kind, name,
+                            subject.name, subject.suffix),
+                kHint);
+  return false;
+}
+
+void Comparison::Number(const Subject& subject, std::string_view what, int position,
+                        double compiled, double meant, double tolerance) {
+  // Not `>`: a NaN is a difference.
+  if (!(std::abs(compiled - meant) <= tolerance)) {
+    Difference(subject, what, position, compiled, meant);
+  }
+}
+
+void Comparison::Vector(const Subject& subject, std::string_view what, const mjtNum* compiled,
+                        const Eigen::Vector3d& meant, double tolerance) {
+  for (int i = 0; i < 3; ++i) Number(subject, what, i, compiled[i], meant[i], tolerance);
+}
+
+void Comparison::Quaternion(const Subject& subject, const mjtNum* compiled,
+                            const Eigen::Quaterniond& meant) {
+  const Eigen::Quaterniond q(compiled[0], compiled[1], compiled[2], compiled[3]);
+  // q and -q are one rotation.
+  const double sign = q.dot(meant) < 0 ? -1 : 1;
+  Number(subject, "quat", 0, q.w(), sign * meant.w(), kRelative);
+  for (int i = 0; i < 3; ++i) {
+    Number(subject, "quat", i + 1, q.vec()[i], sign * meant.vec()[i], kRelative);
+  }
+}
+
+void Comparison::Difference(const Subject& subject, std::string_view what, int position,
+                            double compiled, double meant) {
+  const auto text = [](double x) {
+    return std::isfinite(x) ? expr::NumberText(x) : std::string(x != x ? "nan" : "infinity");
+  };
+  const std::string place = position < 0 ? "" : fmt::format(" {}", position + 1);
+  std::string compiled_text = text(compiled);
+  std::string meant_text = text(meant);
+  if (compiled_text == meant_text) {  // differ beyond the digits shown
+    compiled_text = expr::ExactNumberText(compiled);
+    meant_text = expr::ExactNumberText(meant);
+  }
+  findings_.Add(diag::Code::kMujocoMismatch, subject.mark,
+                fmt::format("MuJoCo compiled {}{} of {} '{}{}' as {}, not {}", what, place,
+                            subject.kind, subject.name, subject.suffix, compiled_text, meant_text),
+                kHint);
+}
+
+}  // namespace mjforge::validate

@@ -1,0 +1,70 @@
+#ifndef MJFORGE_VALIDATE_COMPARE_H_
+#define MJFORGE_VALIDATE_COMPARE_H_
+
+// What MuJoCo compiled against what we meant.
+//
+// A file holds 10 significant digits, so each number is off by at most 5e-11 of
+// itself; lengths are compared to 1e-9 of the object's scale (its largest
+// distance from a body's origin), masses to 1e-9 of themselves.
+
+#include <string_view>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::validate {
+
+class Comparison {
+ public:
+  Comparison(const mjModel& compiled, const model::Object& object, diag::Findings& findings);
+
+  /// Adds a finding for each difference. `lift`: see MjcfDocument.
+  void Run(double lift);
+
+ private:
+  /// An element that is compared: its names for messages are made only on need.
+  struct Subject {
+    std::string_view kind;  // "geom"
+    std::string_view name;
+    std::string_view suffix;
+    diag::SourceMark mark;
+  };
+
+  bool SameCounts();
+  void CompareBody(int id, const model::Body& body, double lift);
+  void CompareMass(int id, const model::Body& body);
+  void CompareInertia(int id, const model::Body& body);
+  void ComparePart(int& geom, const model::Part& part);
+  void CompareGeom(int id, const model::Part& part, const Subject& subject, bool collides);
+  void CompareMesh(int id, const model::Part& part, const Subject& subject);
+  void CompareGeomAttribute(int id, const model::Attribute& attribute, const Subject& subject);
+  void CompareJoint(int id, const model::Joint& joint);
+  void CompareJointAttributes(int id, const model::Joint& joint, const Subject& subject);
+  void CompareSite(int id, const model::Site& site);
+
+  bool Count(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark);
+  bool Name(const char* compiled, const Subject& subject);
+  void Number(const Subject& subject, std::string_view what, int position, double compiled,
+              double meant, double tolerance);
+  void Vector(const Subject& subject, std::string_view what, const mjtNum* compiled,
+              const Eigen::Vector3d& meant, double tolerance);
+  void Quaternion(const Subject& subject, const mjtNum* compiled,
+                  const Eigen::Quaterniond& meant);
+  void Difference(const Subject& subject, std::string_view what, int position, double compiled,
+                  double meant);
+
+  const mjModel& m_;
+  const model::Object& object_;
+  diag::Findings& findings_;
+  double length_tolerance_ = 0;  // m
+  double scale_ = 0;             // m
+  int next_site_ = 0;
+};
+
+}  // namespace mjforge::validate
+
+#endif  // MJFORGE_VALIDATE_COMPARE_H_

@@ -1,0 +1,19 @@
+#ifndef MJFORGE_VALIDATE_DESCRIBE_H_
+#define MJFORGE_VALIDATE_DESCRIBE_H_
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/validate/validate.h"
+
+namespace mjforge::validate {
+
+CompiledModel Describe(const mjModel& m);
+
+/// Adds a finding for each kind of number that is not finite: MuJoCo loads
+/// "nan" in silence.
+void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings);
+
+}  // namespace mjforge::validate
+
+#endif  // MJFORGE_VALIDATE_DESCRIBE_H_

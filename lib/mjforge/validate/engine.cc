@@ -1,0 +1,122 @@
+#include "mjforge/validate/engine.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace mjforge::validate {
+namespace {
+
+constexpr const char* kTextName = "mjforge-object.xml";
+
+// MuJoCo calls handlers on the thread that loads and passes them nothing else.
+thread_local std::vector<std::string> thread_warnings;
+
+// mju_error must not return. Within a compilation MuJoCo catches its own errors
+// (longjmp in mjCModel::Compile); elsewhere an exception leaves mj_loadXML, whose
+// mutex is held by a std::lock_guard and so released.
+[[noreturn]] void ThrowError(const char* message) { throw std::runtime_error(message); }
+void KeepWarning(const char* message) { thread_warnings.emplace_back(message); }
+
+Loaded Load(const char* file, const mjVFS* vfs) {
+  std::array<char, 1000> message = {};
+  thread_warnings.clear();
+  Loaded loaded;
+  try {
+    loaded.model.reset(mj_loadXML(file, vfs, message.data(), static_cast<int>(message.size())));
+    if (!loaded.model) {
+      loaded.error = message[0] != 0 ? message.data() : "no reason given";
+    } else if (message[0] != 0) {
+      thread_warnings.emplace_back(message.data());
+    }
+  } catch (const std::exception& error) {
+    loaded.error = error.what();
+  }
+  loaded.warnings.swap(thread_warnings);
+  return loaded;
+}
+
+/// How MuJoCo names a file in memory: without folders, in lower case.
+std::string NameInMemory(std::string_view name) {
+  std::string short_name(name.substr(name.find_last_of("/\\") + 1));
+  for (char& c : short_name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return short_name;
+}
+
+}  // namespace
+
+void InstallHandlers() {
+  mju_user_error = ThrowError;
+  mju_user_warning = KeepWarning;
+}
+
+Engine::Engine() : vfs_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)))) {
+  if (!vfs_) throw std::bad_alloc();
+  InstallHandlers();
+}
+
+std::string* Engine::ReadOnce(const std::filesystem::path& file) {
+  const auto found = files_.find(file);
+  if (found != files_.end()) return &found->second;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return nullptr;
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) return nullptr;
+  return &files_.emplace(file, std::move(bytes)).first->second;
+}
+
+void Engine::SetFile(int slot, std::string_view name, const std::string& bytes) {
+  char* stored = vfs_->filename[slot];
+  stored[name.copy(stored, mjMAXVFSNAME - 1)] = 0;
+  vfs_->filesize[slot] = static_cast<int>(bytes.size());
+  // MuJoCo only reads it.
+  vfs_->filedata[slot] = const_cast<char*>(bytes.data());
+}
+
+std::unique_ptr<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
+  vfs_->nfile = 1;  // the first is the text's
+  const auto problem = [](std::size_t asset, bool unreadable, std::string message) {
+    return std::make_unique<AssetProblem>(AssetProblem{asset, unreadable, std::move(message)});
+  };
+  for (std::size_t i = 0; i < assets.size(); ++i) {
+    const auto& [name, file] = assets[i];
+    const std::string in_memory = NameInMemory(name);
+    if (vfs_->nfile >= mjMAXVFS || in_memory.size() >= mjMAXVFSNAME) {
+      return problem(i, false, fmt::format("'{}' does not fit into MuJoCo's {} files of at most {} "
+                                           "letters", name, mjMAXVFS - 2, mjMAXVFSNAME - 1));
+    }
+    const std::string* bytes = ReadOnce(file);
+    if (bytes == nullptr || bytes->empty()) {
+      return problem(i, true, fmt::format("cannot read '{}', or it is empty", file.string()));
+    }
+    int same = 1;
+    while (same < vfs_->nfile && in_memory != vfs_->filename[same]) ++same;
+    if (same < vfs_->nfile) {
+      if (vfs_->filedata[same] == bytes->data()) continue;
+      return problem(i, false, fmt::format("'{}' differs from another file's name only in case or "
+                                           "folder, which MuJoCo cannot tell apart", name));
+    }
+    SetFile(vfs_->nfile++, in_memory, *bytes);
+  }
+  return nullptr;
+}
+
+Loaded Engine::LoadText(const std::string& text) {
+  SetFile(0, kTextName, text);
+  vfs_->nfile = std::max(vfs_->nfile, 1);
+  return Load(kTextName, vfs_.get());
+}
+
+Loaded Engine::LoadFile(const std::filesystem::path& file) {
+  return Load(file.c_str(), nullptr);
+}
+
+}  // namespace mjforge::validate

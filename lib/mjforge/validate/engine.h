@@ -1,0 +1,71 @@
+#ifndef MJFORGE_VALIDATE_ENGINE_H_
+#define MJFORGE_VALIDATE_ENGINE_H_
+
+// MuJoCo's loader without its habits: it neither exits, prints, nor writes a log.
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+namespace mjforge::validate {
+
+struct DeleteModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+using Model = std::unique_ptr<mjModel, DeleteModel>;
+
+/// What came of a load: a model or an error, and warnings in both cases.
+struct Loaded {
+  Model model;
+  std::string error;
+  std::vector<std::string> warnings;
+};
+
+/// Makes MuJoCo's errors C++ exceptions (std::runtime_error) and collects its
+/// warnings, in the whole process.
+void InstallHandlers();
+
+class Engine {
+ public:
+  using Assets = std::vector<std::pair<std::string, std::filesystem::path>>;
+
+  Engine();
+
+  /// Puts the files into memory under their names in the text, reading each
+  /// once. Returns why it cannot, with the number of the asset, or nothing.
+  struct AssetProblem {
+    std::size_t asset = 0;
+    bool unreadable = false;
+    std::string message;
+  };
+  std::unique_ptr<AssetProblem> SetAssets(const Assets& assets);
+
+  /// Loads a text that may refer to the assets.
+  Loaded LoadText(const std::string& text);
+  /// Loads a file and what it refers to from the disk.
+  Loaded LoadFile(const std::filesystem::path& file);
+
+ private:
+  /// The file's content, read at most once; null if it cannot be read.
+  std::string* ReadOnce(const std::filesystem::path& file);
+  void SetFile(int slot, std::string_view name, const std::string& bytes);
+
+  struct Free {
+    void operator()(mjVFS* vfs) const { std::free(vfs); }
+  };
+  // Filled by hand: the memory of its files is ours, its 2 MB are touched only
+  // where used, and mj_deleteFileVFS (2.2.2) never ends for any file but the last.
+  std::unique_ptr<mjVFS, Free> vfs_;
+  std::map<std::filesystem::path, std::string> files_;
+};
+
+}  // namespace mjforge::validate
+
+#endif  // MJFORGE_VALIDATE_ENGINE_H_

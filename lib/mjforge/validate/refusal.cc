@@ -1,0 +1,82 @@
+#include "mjforge/validate/refusal.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace mjforge::validate {
+namespace {
+
+// How the compiler (mjCError), the reader (mjXError) and tinyxml2 say a line.
+constexpr std::string_view kLineWords[] = {", line = ", "', line ", "Line number=", "on line "};
+constexpr std::string_view kPrefixes[] = {"XML Error: ", "Error: ", "XML parse error "};
+
+int LineOf(std::string_view message) {
+  for (const std::string_view word : kLineWords) {
+    const std::size_t at = message.rfind(word);
+    if (at == std::string_view::npos) continue;
+    const std::string_view rest = message.substr(at + word.size());
+    int line = 0;
+    const auto result = std::from_chars(rest.data(), rest.data() + rest.size(), line);
+    if (result.ec == std::errc() && line > 0) return line;
+  }
+  return 0;
+}
+
+std::string_view LineText(std::string_view text, int line) {
+  for (int i = 1; i < line; ++i) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+std::string OneLine(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool blank = static_cast<unsigned char>(c) <= ' ';
+    if (!blank) {
+      line += c;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+  }
+  while (line.ends_with(' ') || line.ends_with('.')) line.pop_back();
+  return line;
+}
+
+Refusal ParseRefusal(std::string_view message) {
+  Refusal refusal;
+  refusal.line = LineOf(message);
+  std::string_view reason = message;
+  for (const std::string_view prefix : kPrefixes) {
+    if (!reason.starts_with(prefix)) continue;
+    reason.remove_prefix(prefix.size());
+    break;
+  }
+  // The last line says where; a parse error's first line is only its number.
+  const std::size_t where = std::min(reason.rfind("\nObject name"), reason.rfind("\nElement '"));
+  refusal.reason = OneLine(reason.substr(0, where));
+  return refusal;
+}
+
+std::string ElementOnLine(std::string_view xml, int line) {
+  const std::string_view text = line > 0 ? LineText(xml, line) : std::string_view();
+  const std::size_t start = text.find('<');
+  if (start == std::string_view::npos) return "the model";
+  const std::string_view element = text.substr(start + 1);
+  const std::string_view tag = element.substr(0, element.find_first_of(" />\t\r"));
+  constexpr std::string_view kName = " name=\"";
+  const std::size_t name = element.find(kName);
+  if (name == std::string_view::npos) return fmt::format("the {} on line {}", tag, line);
+  const std::string_view value = element.substr(name + kName.size());
+  return fmt::format("{} '{}'", tag, value.substr(0, value.find('"')));
+}
+
+}  // namespace mjforge::validate

@@ -1,0 +1,176 @@
+// Which way the arrows point: who may include what. The second gate beside the
+// link lists of the rooms (cmake/Room.cmake), which cannot see outside libraries
+// and let a room's neighbours through.
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "house/project_files.h"
+
+namespace mjforge::house {
+
+namespace {
+
+using Words = std::set<std::string_view>;
+
+struct Room {
+  std::string_view name;
+  Words may_include;
+};
+
+const std::array kRooms = {
+    Room{"diag", {}},
+    Room{"expr", {"diag"}},
+    Room{"spec", {"diag", "expr"}},
+    Room{"sample", {"diag", "expr", "spec"}},
+    Room{"model", {"diag", "expr", "spec", "sample"}},
+    Room{"mjcf", {"diag", "expr", "model"}},
+    Room{"validate", {"diag", "model", "mjcf"}},
+    Room{"output", {"diag", "expr", "sample", "model", "mjcf"}},
+    Room{"forge",
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output"}},
+    Room{"app",
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge"}},
+};
+
+struct Library {
+  std::string_view prefix;  // of its includes
+  Words rooms;
+  bool in_headers = false;
+};
+
+const std::array kLibraries = {
+    Library{"CLI/", {"app"}},
+    Library{"Eigen/", {"model", "mjcf", "validate", "output", "forge", "app"}, true},
+    Library{"Random123/", {"sample"}},
+    Library{"assimp/", {"model"}},
+    Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
+    Library{"boost/math/", {"sample"}},
+    Library{"fmt/",
+            {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge",
+             "app"}},
+    Library{"muParser", {"expr"}},
+    Library{"mujoco/", {"validate"}},
+    Library{"openssl/", {"spec", "output"}},
+    // validate reads other people's MJCF, which mjcf never sees.
+    Library{"pugixml.hpp", {"mjcf", "validate"}},
+    Library{"rapidjson/", {"diag", "spec", "output", "app"}},
+    Library{"tiny_obj_loader.h", {"model"}},
+    Library{"xxhash.h", {"expr", "sample"}},
+    Library{"yaml-cpp/", {"spec"}},
+};
+
+const Words kSystem = {"fcntl.h", "poll.h", "sys/stat.h", "sys/types.h", "unistd.h"};
+
+const Room& RoomOf(std::string_view file) {
+  const std::string_view top = "lib/mjforge/";
+  const std::string_view name =
+      file.starts_with(top) ? file.substr(top.size(), file.find('/', top.size()) - top.size())
+                            : file.substr(0, file.find('/'));
+  for (const Room& room : kRooms) {
+    if (room.name == name) return room;
+  }
+  FAIL("no room for " << file);
+  return kRooms.front();
+}
+
+bool IsDoor(std::string_view file) {
+  const std::filesystem::path path(file);
+  return path.parent_path().filename() == path.stem() && path.extension() == ".h";
+}
+
+std::string RoomFault(const Room& room, std::string_view include) {
+  const std::filesystem::path path(include.substr(std::string_view("mjforge/").size()));
+  const std::string other = path.parent_path().string();
+  if (other == room.name) return "";
+  if (!room.may_include.contains(other)) return "room " + other + " is not to its left";
+  if (!IsDoor(include)) return "not the door of " + other;
+  return "";
+}
+
+std::string LibraryFault(std::string_view file, const Room& room, std::string_view include) {
+  if (include.find_first_of("/.") == std::string_view::npos) return "";  // C++'s own
+  if (kSystem.contains(include)) return "";
+  for (const Library& library : kLibraries) {
+    if (!include.starts_with(library.prefix)) continue;
+    if (!library.rooms.contains(room.name)) return "not a library of this room";
+    if (!library.in_headers && IsDoor(file)) return "an outside library in a door";
+    return "";
+  }
+  return "a library that is not in the table";
+}
+
+// What is wrong with the include, or nothing.
+std::string Fault(std::string_view file, std::string_view include, bool quoted) {
+  const Room& room = RoomOf(file);
+  if (include.starts_with("mjforge/")) return RoomFault(room, include);
+  if (!quoted) return LibraryFault(file, room, include);
+  return include.find('/') == std::string_view::npos ? "" : "a path that is not from lib";
+}
+
+struct Include {
+  std::string_view name;
+  bool quoted = false;
+};
+
+std::optional<Include> IncludeOf(std::string_view line) {
+  if (!line.starts_with("#include ")) return std::nullopt;
+  const std::size_t open = line.find_first_of("<\"");
+  const std::size_t close = line.find_first_of(">\"", open + 1);
+  REQUIRE(close != std::string_view::npos);
+  return Include{line.substr(open + 1, close - open - 1), line[open] == '"'};
+}
+
+}  // namespace
+
+TEST_CASE("every include goes through a door, to the left, or to a library of the room") {
+  std::vector<ProjectFile> files = CppFiles("lib/");
+  for (ProjectFile& file : CppFiles("app/")) files.push_back(std::move(file));
+  REQUIRE(files.size() > kRooms.size());
+  for (const ProjectFile& file : files) {
+    for (const std::string_view line : Lines(file.text)) {
+      const std::optional<Include> include = IncludeOf(line);
+      if (!include) continue;
+      INFO(file.name << ": " << line);
+      CHECK(Fault(file.name, include->name, include->quoted) == "");
+    }
+  }
+}
+
+TEST_CASE("every room has a door") {
+  for (const Room& room : kRooms) {
+    if (room.name == "app") continue;
+    const std::string name(room.name);
+    INFO(name);
+    CHECK(CppFiles("lib/mjforge/" + name + "/" + name + ".h").size() == 1);
+  }
+}
+
+TEST_CASE("an include against the flow is a fault") {
+  CHECK(Fault("lib/mjforge/spec/a.cc", "mjforge/sample/sample.h", true) ==
+        "room sample is not to its left");
+  CHECK(Fault("lib/mjforge/mjcf/a.cc", "mjforge/spec/spec.h", true) ==
+        "room spec is not to its left");
+  CHECK(Fault("lib/mjforge/forge/a.cc", "mjforge/app/options.h", true) ==
+        "room app is not to its left");
+  CHECK(Fault("app/main.cc", "mjforge/forge/forge.h", true) == "");
+}
+
+TEST_CASE("an include past another room's door is a fault") {
+  CHECK(Fault("lib/mjforge/model/a.cc", "mjforge/spec/yaml.h", true) == "not the door of spec");
+  CHECK(Fault("lib/mjforge/spec/a.cc", "mjforge/spec/yaml.h", true) == "");
+}
+
+TEST_CASE("an outside library in another room, in a door or not in the table is a fault") {
+  CHECK(Fault("lib/mjforge/mjcf/a.cc", "mujoco/mujoco.h", false) == "not a library of this room");
+  CHECK(Fault("lib/mjforge/spec/spec.h", "yaml-cpp/yaml.h", false) ==
+        "an outside library in a door");
+  CHECK(Fault("lib/mjforge/spec/a.cc", "curl/curl.h", false) ==
+        "a library that is not in the table");
+  CHECK(Fault("lib/mjforge/model/model.h", "Eigen/Dense", false) == "");
+}
+
+}  // namespace mjforge::house

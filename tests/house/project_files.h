@@ -1,0 +1,25 @@
+#ifndef MJFORGE_TESTS_HOUSE_PROJECT_FILES_H_
+#define MJFORGE_TESTS_HOUSE_PROJECT_FILES_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mjforge::house {
+
+struct ProjectFile {
+  std::string name;  // from the project's top: "lib/mjforge/diag/diag.h"
+  std::string text;
+};
+
+/// The project's own files, sorted by name: all but what is built, made or kept by git.
+const std::vector<ProjectFile>& ProjectFiles();
+
+/// Those in `folder` ("lib/"), of C++ only.
+std::vector<ProjectFile> CppFiles(std::string_view folder);
+
+std::vector<std::string_view> Lines(std::string_view text);
+
+}  // namespace mjforge::house
+
+#endif  // MJFORGE_TESTS_HOUSE_PROJECT_FILES_H_

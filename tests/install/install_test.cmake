@@ -1,0 +1,64 @@
+# Installs, moves what was installed, builds a program against it, and runs both
+# from an empty folder. Variables: see CMakeLists.txt.
+
+# run(COMMAND...): leaves standard output in `output`; ends the test if it fails.
+function(run)
+  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${work_folder}/empty
+    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE words)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}: status ${status}\n${output}${words}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_file path)
+  if(NOT EXISTS ${path})
+    message(FATAL_ERROR "${path} is missing")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${work_folder})
+file(MAKE_DIRECTORY ${work_folder}/empty)
+
+# Moved, because nothing installed may know where it was built or installed.
+run(${CMAKE_COMMAND} --install ${build_folder} --prefix ${work_folder}/first)
+file(RENAME ${work_folder}/first ${work_folder}/prefix)
+set(program ${work_folder}/prefix/bin/mjforge)
+if(build_type STREQUAL Release)
+  file(READ ${program} bytes HEX)
+  string(HEX ${source_folder} folder_bytes)
+  string(FIND "${bytes}" ${folder_bytes} place)
+  if(NOT place EQUAL -1)
+    message(FATAL_ERROR "the installed program names ${source_folder}")
+  endif()
+endif()
+foreach(file specs/tools/hammer.yaml schemas/object.schema.json schemas/manifest.schema.json)
+  expect_file(${work_folder}/prefix/share/mjforge/${file})
+endforeach()
+foreach(file LICENSE README.md CHANGELOG.md manual.md errors.md architecture.md)
+  expect_file(${work_folder}/prefix/share/doc/mjforge/${file})
+endforeach()
+
+run(${CMAKE_COMMAND} -S ${source_folder}/tests/install/consumer -B ${work_folder}/consumer
+  -G ${generator} -D CMAKE_PREFIX_PATH=${work_folder}/prefix -D CMAKE_CXX_COMPILER=${compiler}
+  -D CMAKE_BUILD_TYPE=${build_type} -D CMAKE_CXX_FLAGS=${flags} -D wanted=${version})
+run(${CMAKE_COMMAND} --build ${work_folder}/consumer)
+run(${work_folder}/consumer/consumer)
+if(NOT output MATCHES "<mujoco model=\"hammer\">.*</mujoco>")
+  message(FATAL_ERROR "the consumer did not write a hammer:\n${output}")
+endif()
+
+run(${program} generate hammer -n 2 --seed 7 -o hammers)
+foreach(file hammer_000000.xml hammer_000001.xml manifest.jsonl)
+  expect_file(${work_folder}/empty/hammers/${file})
+endforeach()
+run(${program} catalogue)
+if(NOT output MATCHES "tools/hammer")
+  message(FATAL_ERROR "the installed catalogue has no hammer:\n${output}")
+endif()
+run(${program} --version)
+if(NOT output MATCHES "^mjforge ${version}\n")
+  message(FATAL_ERROR "not version ${version}:\n${output}")
+endif()
+file(REMOVE_RECURSE ${work_folder})

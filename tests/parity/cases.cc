@@ -1,0 +1,215 @@
+#include "cases.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::parity {
+namespace {
+
+using nlohmann::json;
+using Settings = std::vector<spec::Setting>;
+
+constexpr std::string_view kRed = "[1, 0, 0, 1]";
+constexpr std::string_view kGreen = "[0, 1, 0, 1]";
+constexpr std::string_view kBlue = "[0, 0, 1, 1]";
+constexpr std::string_view kCyan = "[0, 1, 1, 1]";
+constexpr std::string_view kFriction = "[1, 0.005, 0.0001]";
+
+// Collects the values of a reference as settings of a spec.
+class Pins {
+ public:
+  explicit Pins(const json& reference) : reference_(reference) {}
+
+  // What the object drew counts before what it was asked for.
+  const json& Given(const std::string& name) const {
+    const json& derived = reference_.at("derived");
+    return derived.contains(name) ? derived.at(name) : reference_.at("params").at(name);
+  }
+  bool Has(const std::string& name) const { return !Given(name).is_null(); }
+
+  void Set(std::string name, std::string_view value) {
+    settings_.push_back({.name = std::move(name), .text = std::string(value)});
+  }
+  void Set(std::string name, bool value) { Set(std::move(name), value ? "true" : "false"); }
+  void Set(std::string name, double value) { Set(std::move(name), expr::ExactNumberText(value)); }
+
+  // JSON is YAML's flow style.
+  void Same(const std::string& name) {
+    const json& value = Given(name);
+    const bool single = value.is_array() && value.size() == 1;
+    Set(name, single ? value.front().dump() : value.dump());
+  }
+  void Same(std::initializer_list<const char*> names) {
+    for (const char* name : names) Same(name);
+  }
+  void SameOr(const std::string& name, std::string_view fallback) {
+    if (Has(name)) {
+      Same(name);
+    } else {
+      Set(name, fallback);
+    }
+  }
+
+  Settings Take() { return std::move(settings_); }
+
+ private:
+  const json& reference_;
+  Settings settings_;
+};
+
+Settings PrimitivePins(const json& reference) {
+  Pins pins(reference);
+  const bool is_cylinder = reference.at("class") == "CylinderObject";
+  pins.Same("size");
+  pins.SameOr("density", "1000");
+  if (pins.Given("friction").is_number()) {
+    pins.Set("friction", fmt::format("[{}, 0.005, 0.0001]", pins.Given("friction").dump()));
+  } else {
+    pins.SameOr("friction", is_cylinder ? "[1, 0.01, 0.001]" : kFriction);
+  }
+  pins.SameOr("solref", is_cylinder ? "[0.01, 0.5]" : "[0.02, 1]");
+  pins.SameOr("solimp", "[0.9, 0.95, 0.001]");
+  pins.SameOr("rgba", kRed);
+  pins.Set("material", pins.Has("material") ? "patterned" : "plain");
+  const auto role = pins.Given("obj_type").get<std::string>();
+  pins.Set("obj_type", role == "all" ? "both" : role);
+  pins.Set("joints", pins.Has("joints") ? "free" : "none");
+  return pins.Take();
+}
+
+Settings HammerPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"handle_shape", "handle_radius", "handle_length", "handle_density", "handle_friction",
+             "head_halfsize", "head_density_ratio", "use_texture"});
+  pins.SameOr("rgba_handle", kRed);
+  pins.SameOr("rgba_head", kCyan);
+  pins.SameOr("rgba_face", kBlue);
+  pins.SameOr("rgba_claw", kGreen);
+  return pins.Take();
+}
+
+Settings PotPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"body_half_size", "handle_radius", "handle_length", "handle_width", "handle_friction",
+             "density", "use_texture", "solid_handle", "thickness"});
+  pins.SameOr("rgba_body", kRed);
+  pins.SameOr("rgba_handle_0", kGreen);
+  pins.SameOr("rgba_handle_1", kBlue);
+  return pins.Take();
+}
+
+Settings BinPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"bin_size", "wall_thickness", "transparent_walls", "density", "use_texture", "rgba"});
+  pins.SameOr("friction", kFriction);
+  return pins.Take();
+}
+
+Settings LidPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"lid_size", "handle_size", "transparent", "density", "use_texture", "rgba"});
+  pins.SameOr("friction", kFriction);
+  return pins.Take();
+}
+
+// Two parameters mean something else here. robosuite's `height` is half of it,
+// and its boxes end at inner_radius * cos(pi / ngeoms) from the axis, so that a
+// peg of inner_radius does not fit: ours is the radius that does.
+Settings HollowCylinderPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"outer_radius", "ngeoms", "density", "solref", "solimp", "make_half"});
+  pins.Set("height", 2 * pins.Given("height").get<double>());
+  pins.Set("inner_radius", pins.Given("inner_radius").get<double>() *
+                               std::cos(std::numbers::pi / pins.Given("ngeoms").get<double>()));
+  pins.SameOr("friction", kFriction);
+  pins.SameOr("rgba", "[0.5, 0.5, 0.5, 1]");
+  pins.Set("use_texture", pins.Has("material"));
+  return pins.Take();
+}
+
+Settings HookPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"frame_length", "frame_height", "frame_thickness", "density", "solref", "solimp",
+             "use_texture", "rgba"});
+  pins.SameOr("friction", kFriction);
+  pins.Set("hook", pins.Has("hook_height"));
+  if (pins.Has("hook_height")) pins.Same("hook_height");
+  pins.Set("grip", pins.Has("grip_size"));
+  if (pins.Has("grip_size")) pins.Same({"grip_location", "grip_size"});
+  pins.Set("tip", pins.Has("tip_size"));
+  if (pins.Has("tip_size")) pins.Same("tip_size");
+  return pins.Take();
+}
+
+Settings StandPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"size", "mount_location", "mount_width", "wall_thickness", "base_thickness",
+             "add_hole_vis", "density", "solref", "solimp", "use_texture", "rgba"});
+  pins.SameOr("friction", kFriction);
+  return pins.Take();
+}
+
+constexpr Case kCases[] = {
+    {"ball_explicit", "primitives/ball", PrimitivePins},
+    {"ball_visual_only", "primitives/ball", PrimitivePins},
+    {"bin_default", "containers/bin", BinPins},
+    {"bin_rect_opaque", "containers/bin", BinPins},
+    {"box_collision_only", "primitives/box", PrimitivePins},
+    {"box_contact_params", "primitives/box", PrimitivePins},
+    {"box_explicit", "primitives/box", PrimitivePins},
+    {"box_sampled_default", "primitives/box", PrimitivePins},
+    {"box_textured", "primitives/box", PrimitivePins},
+    {"capsule_explicit", "primitives/capsule", PrimitivePins},
+    {"composite_center_box_cylinder", "composite_center_box_cylinder.yaml"},
+    {"composite_corner_mixed_types", "composite_corner_mixed_types.yaml"},
+    {"composite_per_geom_values", "composite_per_geom_values.yaml"},
+    {"cylinder_explicit", "primitives/cylinder", PrimitivePins},
+    {"cylinder_slide_hinge", "cylinder_slide_hinge.yaml"},
+    {"hammer_box_rgba_custom", "tools/hammer", HammerPins},
+    {"hammer_box_textured_sampled", "tools/hammer", HammerPins},
+    {"hammer_cylinder_rgba", "tools/hammer", HammerPins},
+    {"hammer_cylinder_textured", "tools/hammer", HammerPins},
+    {"hollow_cylinder_half_n8", "shapes/hollow_cylinder", HollowCylinderPins},
+    {"hollow_cylinder_material", "shapes/hollow_cylinder", HollowCylinderPins},
+    {"hollow_cylinder_n50", "shapes/hollow_cylinder", HollowCylinderPins},
+    {"hollow_cylinder_n5_odd", "shapes/hollow_cylinder", HollowCylinderPins},
+    {"hollow_cylinder_n8", "shapes/hollow_cylinder", HollowCylinderPins},
+    {"hook_all_rgba", "fixtures/hook_frame", HookPins},
+    {"hook_plain", "fixtures/hook_frame", HookPins},
+    {"hook_with_grip", "fixtures/hook_frame", HookPins},
+    {"hook_with_hook", "fixtures/hook_frame", HookPins},
+    {"hook_with_tip", "fixtures/hook_frame", HookPins},
+    {"lid_default", "containers/lid", LidPins},
+    {"lid_opaque_texture", "containers/lid", LidPins},
+    {"pot_default", "containers/pot_with_handles", PotPins},
+    {"pot_rectangular", "containers/pot_with_handles", PotPins},
+    {"pot_rgba", "containers/pot_with_handles", PotPins},
+    {"pot_solid_handles", "containers/pot_with_handles", PotPins},
+    {"stand_default", "fixtures/stand_with_mount", StandPins},
+    {"stand_hole_vis", "fixtures/stand_with_mount", StandPins},
+    {"stand_mount_offset", "fixtures/stand_with_mount", StandPins},
+};
+
+constexpr std::string_view kSeveralBodies[] = {
+    "cbody_chain_three_levels", "cbody_corner_nested",    "cbody_corner_total_size",
+    "cbody_hollow_ends",        "cbody_negative_offsets", "cbody_of_composites",
+    "cbody_rotated_parents",    "hinged_default",         "hinged_rect_rgba",
+};
+
+}  // namespace
+
+std::span<const Case> Cases() { return kCases; }
+
+std::string SpecPath(const Case& one) {
+  if (!one.spec.ends_with(".yaml")) return std::string(one.spec);
+  return fmt::format("{}/tests/parity/specs/{}", MJFORGE_SOURCE_DIR, one.spec);
+}
+
+std::span<const std::string_view> SeveralBodies() { return kSeveralBodies; }
+
+}  // namespace mjforge::parity

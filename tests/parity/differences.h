@@ -1,0 +1,48 @@
+#ifndef MJFORGE_TESTS_PARITY_DIFFERENCES_H_
+#define MJFORGE_TESTS_PARITY_DIFFERENCES_H_
+
+// Where our objects are not robosuite's: each place, what is right and why.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "described.h"
+
+namespace mjforge::parity {
+
+/// A number that is wrong in a reference, or a matter of taste.
+struct Difference {
+  std::string_view reference;
+  std::string_view element;  // "geom/body0" stands for both geoms of the part
+  std::string_view field;
+  Numbers right;
+  std::string_view reason;
+};
+std::span<const Difference> Differences();
+const Difference* FindDifference(std::string_view reference, std::string_view element,
+                                 std::string_view field);
+
+/// An element that has another name here, in all objects of a class.
+struct Renamed {
+  std::string_view object_class;
+  std::string_view element;
+  std::string_view ours;
+  std::string_view reason;
+};
+std::span<const Renamed> RenamedElements();
+/// Our name of a reference's element ("geom/hole_vis_vis").
+std::string OurName(std::string_view object_class, const std::string& element);
+
+/// An element that the reference lacks, in all objects of a class.
+struct Added {
+  std::string_view object_class;
+  std::string_view element;
+  std::string_view reason;
+};
+std::span<const Added> AddedElements();
+bool IsAdded(std::string_view object_class, std::string_view element);
+
+}  // namespace mjforge::parity
+
+#endif  // MJFORGE_TESTS_PARITY_DIFFERENCES_H_

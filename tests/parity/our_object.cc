@@ -1,0 +1,203 @@
+#include "our_object.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+#include "mjforge/sample/sample.h"
+#include "mjforge/validate/validate.h"
+
+namespace mjforge::parity {
+namespace {
+
+// A number that compares equal to nothing: what is not a number in the file
+// must not pass.
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+Numbers NumbersOr(const pugi::xml_node& node, const char* attribute, const Numbers& defaults) {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found) return defaults;
+  Numbers out;
+  std::istringstream words(found.value());
+  for (std::string word; words >> word;) {
+    out.push_back(expr::ParseNumber(word).value_or(kNotANumber));
+  }
+  return out.size() < defaults.size() ? Filled(out, defaults) : out;
+}
+
+Element Collision(const pugi::xml_node& geom) {
+  Element element;
+  element.words["role"] = "collision";
+  element.numbers["density"] =
+      NumbersOr(geom, "density", {geom.attribute("mass") ? kNotANumber : 1000});
+  element.numbers["friction"] = NumbersOr(geom, "friction", kFriction);
+  element.numbers["solref"] = NumbersOr(geom, "solref", kSolref);
+  element.numbers["solimp"] = NumbersOr(geom, "solimp", kSolimp);
+  element.numbers["condim"] = NumbersOr(geom, "condim", {3});
+  element.numbers["margin"] = NumbersOr(geom, "margin", {0});
+  return element;
+}
+
+// The colour that MuJoCo compiles: the geom's, else its material's.
+Element Visual(const pugi::xml_node& geom, const pugi::xml_node& asset) {
+  Element element;
+  element.words["role"] = "visual";
+  element.numbers["mass"] = NumbersOr(geom, "mass", {kNotANumber});
+  const pugi::xml_node material =
+      asset.find_child_by_attribute("material", "name", geom.attribute("material").value());
+  const bool has_texture = !material.attribute("texture").empty();
+  element.words["look"] = has_texture ? "textured" : "plain";
+  element.numbers["rgba"] =
+      NumbersOr(geom, "rgba", material ? NumbersOr(material, "rgba", {1, 1, 1, 1}) : kGeomColor);
+  return element;
+}
+
+Element Geom(const pugi::xml_node& geom, const pugi::xml_node& asset) {
+  const Numbers contype = NumbersOr(geom, "contype", {1});
+  Element element = contype == Numbers{0} ? Visual(geom, asset) : Collision(geom);
+  const std::string type = geom.attribute("type").value();
+  element.words["type"] = type;
+  element.numbers["size"] = UsedSize(type, NumbersOr(geom, "size", {}));
+  element.numbers["pos"] = NumbersOr(geom, "pos", {0, 0, 0});
+  element.numbers["quat"] = Canonical(NumbersOr(geom, "quat", {1, 0, 0, 0}));
+  element.numbers["contype"] = contype;
+  element.numbers["conaffinity"] = NumbersOr(geom, "conaffinity", {1});
+  return element;
+}
+
+Element Joint(const pugi::xml_node& joint) {
+  Element element;
+  const bool is_freejoint = std::string_view(joint.name()) == "freejoint";
+  element.words["type"] = is_freejoint ? "free" : joint.attribute("type").value();
+  for (const char* key : {"damping", "stiffness", "armature", "frictionloss"}) {
+    element.numbers[key] = NumbersOr(joint, key, {0});
+  }
+  element.numbers["pos"] = NumbersOr(joint, "pos", {0, 0, 0});
+  element.numbers["axis"] = NumbersOr(joint, "axis", {0, 0, 1});
+  element.numbers["limited"] = {joint.attribute("limited").as_bool() ? 1.0 : 0.0};
+  element.numbers["range"] = NumbersOr(joint, "range", {0, 0});
+  return element;
+}
+
+Element Site(const pugi::xml_node& site) {
+  Element element;
+  const std::string type = site.attribute("type").as_string("sphere");
+  element.words["type"] = type;
+  element.numbers["size"] = UsedSize(type, NumbersOr(site, "size", {0.005}));
+  element.numbers["pos"] = NumbersOr(site, "pos", {0, 0, 0});
+  element.numbers["rgba"] = NumbersOr(site, "rgba", kGeomColor);
+  return element;
+}
+
+void DescribeText(const std::string& text, const std::string& name, Described& out) {
+  pugi::xml_document document;
+  if (!document.load_buffer(text.data(), text.size())) return;
+  const pugi::xml_node root = document.child("mujoco");
+  for (const pugi::xml_node& node : root.child("worldbody").child("body").children()) {
+    const std::string element = WithoutPrefix(node.attribute("name").value(), name + "_");
+    const std::string_view kind = node.name();
+    if (kind == "geom") out["geom/" + element] = Geom(node, root.child("asset"));
+    if (kind == "joint" || kind == "freejoint") out["joint/" + element] = Joint(node);
+    if (kind == "site") out["site/" + element] = Site(node);
+  }
+}
+
+Numbers List(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+double HorizontalRadius(const model::Object& object) {
+  double radius = 0;
+  for (const model::Part& part : object.bodies.front().parts) {
+    if (part.role == model::Role::kVisual) continue;
+    radius = std::max(radius, model::HorizontalRadius(part.shape, part.X_BG));
+  }
+  return radius;
+}
+
+Element Whole(const model::Object& object, const validate::CompiledModel& compiled) {
+  Element element;
+  const Eigen::Matrix3d& inertia = compiled.mass_properties.I_Cm_F;
+  element.numbers["mass"] = {compiled.mass_properties.mass};
+  element.numbers["com"] = List(compiled.mass_properties.p_FCm);
+  element.numbers["inertia"] = {inertia(0, 0), inertia(1, 1), inertia(2, 2),
+                                inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+  if (!compiled.aabb.empty()) {
+    element.numbers["aabb_min"] = List(compiled.aabb.min);
+    element.numbers["aabb_max"] = List(compiled.aabb.max);
+    element.numbers["horizontal_radius"] = {HorizontalRadius(object)};
+  }
+  return element;
+}
+
+// A file in the temporary folder for as long as it is needed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text) {
+    static std::atomic<int> count = 0;
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "mjforge_parity_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    path_ = folder_ / fmt::format("{}.xml", count++);
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove_all(folder_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path path_;
+};
+
+// The object of a spec, through every stage; stops at the first that fails.
+void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& sources,
+          diag::Findings& findings, Described& out) {
+  auto values = sample::Sample(spec, {}, sample::kRootStream, {}, findings);
+  if (!values) return;
+  model::Assembler assembler;
+  const auto object = assembler.Assemble(*values, {.name = name}, findings);
+  if (!object) return;
+  mjcf::MjcfDocument document;
+  mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, mjcf::Provenance{}, document);
+  validate::Loader loader;
+  loader.Validate(document, *object, findings);
+  const TemporaryFile file(document.text);
+  const auto compiled = loader.Load(file.path(), sources, findings);
+  if (!compiled) return;
+  DescribeText(document.text, name, out);
+  out["whole"] = Whole(*object, *compiled);
+}
+
+}  // namespace
+
+OurObject MakeObject(const std::string& spec_name, const std::string& name,
+                     const std::vector<spec::Setting>& settings) {
+  OurObject out;
+  diag::Sources sources;
+  diag::Findings findings;
+  const spec::LoadOptions options{
+      .settings = settings,
+      .parameter_files = {},
+      .search_path = {std::filesystem::path(MJFORGE_SOURCE_DIR) / "specs"}};
+  const auto spec = spec::LoadSpec(spec_name, options, sources, findings);
+  if (spec) Make(*spec, name, sources, findings, out.described);
+  for (const diag::Finding& finding : findings) {
+    out.findings += diag::RenderText(finding, sources, false);
+  }
+  return out;
+}
+
+}  // namespace mjforge::parity

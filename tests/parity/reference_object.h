@@ -1,0 +1,30 @@
+#ifndef MJFORGE_TESTS_PARITY_REFERENCE_OBJECT_H_
+#define MJFORGE_TESTS_PARITY_REFERENCE_OBJECT_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "described.h"
+
+namespace mjforge::parity {
+
+/// The names of the files of tests/reference, without ".json", sorted.
+std::vector<std::string> ReferenceNames();
+
+nlohmann::json ReadReference(std::string_view name);
+
+/// What the file says the object is. Conventions that differ for every object
+/// are settled here:
+/// - groups 0 and 1 (collision, visual) are our roles, in whatever group;
+/// - the colour of collision geoms, which nobody sees, is left out;
+/// - a visual geom's 1e-8 kg are no mass, as in mujoco_group0_inertia;
+/// - a look from a picture file is "textured", whatever the picture;
+/// - `default_site`, a mark that robosuite keeps for itself, is left out.
+Described DescribeReference(const nlohmann::json& reference);
+
+}  // namespace mjforge::parity
+
+#endif  // MJFORGE_TESTS_PARITY_REFERENCE_OBJECT_H_

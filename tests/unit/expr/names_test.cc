@@ -1,0 +1,37 @@
+#include <catch2/catch.hpp>
+
+#include "mjforge/expr/expr.h"
+
+using namespace mjforge::expr;
+
+TEST_CASE("each name gets slots of its own, a vector one for each component") {
+  Names names;
+  CHECK(names.Declare("index", Type::kNumber) == 0);
+  CHECK(names.Declare("size", Type::kNumber, 3) == 1);
+  CHECK(names.Declare("shape", Type::kText) == 4);
+  CHECK(names.slot_count() == 5);
+  REQUIRE(names.Find("size") != nullptr);
+  CHECK(names.Find("size")->components == 3);
+  CHECK(names.Find("shape")->type == Type::kText);
+  CHECK(names.Find("siz") == nullptr);
+  CHECK(names.variables().size() == 3);
+}
+
+TEST_CASE("a forgotten name leaves a hole and can be declared anew") {
+  Names names;
+  names.Declare("i", Type::kNumber);
+  names.Declare("r", Type::kNumber);
+  names.Forget("i");
+  CHECK(names.Find("i") == nullptr);
+  CHECK(names.Find("r")->slot == 1);
+  CHECK(names.slot_count() == 2);
+  CHECK(names.Declare("i", Type::kBoolean) == 2);
+  names.Forget("nobody");
+  CHECK(names.variables().size() == 2);
+}
+
+TEST_CASE("types have names for messages") {
+  CHECK(TypeName(Type::kNumber) == "number");
+  CHECK(TypeName(Type::kBoolean) == "boolean");
+  CHECK(TypeName(Type::kText) == "text");
+}

@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numbers>
+#include <string>
+
+#include "mjforge/expr/expr.h"
+
+using namespace mjforge::expr;
+
+namespace {
+
+double Value(const std::string& text) {
+  Error error;
+  const auto expression = Expression::Compile(text, Names(), error);
+  REQUIRE(expression.has_value());
+  REQUIRE(expression->constant().has_value());
+  return *expression->constant();
+}
+
+}  // namespace
+
+TEST_CASE("units convert to SI and the result is the nearest double") {
+  CHECK(Value("15mm") == 0.015);
+  CHECK(Value("3cm") == 0.03);
+  CHECK(Value("7um") == 7e-6);
+  CHECK(Value("1.5km") == 1500);
+  CHECK(Value("2m") == 2);
+  CHECK(Value("250g") == 0.25);
+  CHECK(Value("3kg") == 3);
+  CHECK(Value("20ms") == 0.02);
+  CHECK(Value("4s") == 4);
+  CHECK(Value("90deg") == std::numbers::pi / 2);
+  CHECK(Value("180deg") == std::numbers::pi);
+  CHECK(Value("1.5rad") == 1.5);
+  CHECK(Value("8N") == 8);
+  CHECK(Value("9Nm") == 9);
+  for (int i = 1; i < 1000; ++i) {
+    CAPTURE(i);
+    CHECK(Value(std::to_string(i) + "mm") == i / 1000.0);
+  }
+}
+
+TEST_CASE("a unit follows any spelling of a number") {
+  CHECK(Value("1e3mm") == 1);
+  CHECK(Value("5.mm") == 0.005);
+  CHECK(Value(".5m") == 0.5);
+  CHECK(Value("2e-1cm") == 0.002);
+  CHECK(Value("-10mm") == -0.01);
+  CHECK(Value("0x10mm") == 0.016);
+}
+
+TEST_CASE("the units are listed in order, each with an explanation") {
+  const auto units = Units();
+  CHECK(units.size() == 13);
+  CHECK(std::is_sorted(units.begin(), units.end(),
+                       [](const Unit& a, const Unit& b) { return a.name < b.name; }));
+  for (const Unit& unit : units) {
+    CAPTURE(unit.name);
+    CHECK_FALSE(unit.doc.empty());
+    CHECK(Value("1" + std::string(unit.name)) > 0);
+  }
+}

@@ -1,0 +1,155 @@
+#include <catch2/catch.hpp>
+
+#include "loaded_recipe.h"
+
+namespace mjforge::forge {
+namespace {
+
+Variant MakeOne(const LoadedRecipe& loaded, const Options& options, std::uint64_t index,
+                validate::Loader* loader = nullptr) {
+  Generator generator(loaded.recipe, loaded.sources, options, loader);
+  Variant variant;
+  generator.Make(index, variant);
+  return variant;
+}
+
+Options Seeded(std::uint64_t seed) {
+  Options options;
+  options.seed = seed;
+  return options;
+}
+
+TEST_CASE("a variant is a file's text and a record of what it is") {
+  const LoadedRecipe loaded(kBoxSpec);
+  validate::Loader loader;
+  const Variant variant = MakeOne(loaded, Seeded(7), 42, &loader);
+  const output::Record& record = variant.record;
+  REQUIRE(variant.ok());
+  CHECK(variant.findings.empty());
+  CHECK(record.file == "crate_000042.xml");
+  CHECK(record.name == "crate");
+  CHECK(record.index == 42);
+  CHECK(record.seed == 7);
+  CHECK(record.spec == "crate.yaml");
+  CHECK(record.spec_sha256 == loaded.recipe.spec->sha256);
+  CHECK(record.target == "mujoco");
+  CHECK(record.sha256 == output::Sha256(variant.document.text));
+  REQUIRE(record.params.size() == 2);
+  CHECK(record.params[0].first == "height");
+  const double height = std::get<double>(record.params[0].second);
+  CHECK(record.mass_properties.mass == Approx(500 * 0.2 * 0.2 * 2 * height));
+  CHECK(record.bounds.top_offset == Approx(height));
+  CHECK(record.nbody == 2);
+  CHECK(record.njnt == 1);
+  CHECK(record.ngeom == 2);
+}
+
+TEST_CASE("a variant does not depend on those made before it") {
+  const LoadedRecipe loaded(kBoxSpec);
+  Generator generator(loaded.recipe, loaded.sources, Seeded(7), nullptr);
+  Variant variant;
+  for (const std::uint64_t index : {5, 0, 41, 3}) generator.Make(index, variant);
+  generator.Make(41, variant);
+  const Variant alone = MakeOne(loaded, Seeded(7), 41);
+  CHECK(variant.document.text == alone.document.text);
+  std::string record;
+  std::string record_alone;
+  output::AppendRecord(record, variant.record);
+  output::AppendRecord(record_alone, alone.record);
+  CHECK(record == record_alone);
+}
+
+TEST_CASE("another seed and another index are other variants") {
+  const LoadedRecipe loaded(kBoxSpec);
+  const auto height = [&](std::uint64_t seed, std::uint64_t index) {
+    return std::get<double>(MakeOne(loaded, Seeded(seed), index).record.params[0].second);
+  };
+  CHECK(height(7, 0) != height(8, 0));
+  CHECK(height(7, 0) != height(7, 1));
+}
+
+TEST_CASE("a name template renames the object, its file and its prefix") {
+  const LoadedRecipe loaded(kBoxSpec);
+  Options options = Seeded(7);
+  options.name = "box${index}";
+  const Variant variant = MakeOne(loaded, options, 3);
+  REQUIRE(variant.ok());
+  CHECK(variant.record.name == "box3");
+  CHECK(variant.record.file == "box3_000003.xml");
+  CHECK(variant.object->name == "box3");
+  CHECK(variant.document.text.find("\"box3_body\"") != std::string::npos);
+}
+
+// The first index whose variant fails with the seed.
+std::uint64_t FirstFailing(const LoadedRecipe& loaded, std::uint64_t seed) {
+  for (std::uint64_t index = 0;; ++index) {
+    if (!MakeOne(loaded, Seeded(seed), index).ok()) return index;
+  }
+}
+
+TEST_CASE("a variant that fails says why, with seed and index, and has no file") {
+  const LoadedRecipe loaded(kUnluckySpec);
+  const std::uint64_t index = FirstFailing(loaded, 1);
+  const Variant variant = MakeOne(loaded, Seeded(1), index);
+  CHECK(variant.record.status == "failed");
+  CHECK(variant.record.file.empty());
+  CHECK(variant.record.sha256.empty());
+  CHECK(variant.record.nbody == 0);
+  REQUIRE(variant.findings.size() == 1);
+  CHECK(variant.findings[0].code == diag::Code::kModelBadValue);
+  CHECK(variant.findings[0].seed == 1u);
+  CHECK(variant.findings[0].index == index);
+  REQUIRE(variant.record.findings.size() == 1);
+  // Records say nothing of the folder the spec was in.
+  CHECK(variant.record.findings[0].find("\"file\":\"crate.yaml\"") != std::string::npos);
+}
+
+TEST_CASE("resampling goes on with the next attempt, and replaying that attempt is the same") {
+  const LoadedRecipe loaded(kUnluckySpec);
+  Options options = Seeded(1);
+  options.resample = true;
+  const std::uint64_t index = FirstFailing(loaded, 1);
+  const Variant resampled = MakeOne(loaded, options, index);
+  REQUIRE(resampled.ok());
+  CHECK(resampled.record.attempt > 0);
+  options = Seeded(1);
+  options.attempt = resampled.record.attempt;
+  CHECK(MakeOne(loaded, options, index).document.text == resampled.document.text);
+}
+
+TEST_CASE("resampling changes no variant that was good") {
+  const LoadedRecipe loaded(kUnluckySpec);
+  Options resample = Seeded(1);
+  resample.resample = true;
+  int good = 0;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    const Variant plain = MakeOne(loaded, Seeded(1), index);
+    if (!plain.ok()) continue;
+    ++good;
+    CHECK(MakeOne(loaded, resample, index).document.text == plain.document.text);
+  }
+  CHECK(good > 0);
+}
+
+TEST_CASE("resampling ends where every draw is bad") {
+  const LoadedRecipe loaded(
+      "mjforge: 1\nname: crate\nparams: {height: -0.2 .. -0.1}\n"
+      "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n");
+  Options options = Seeded(1);
+  options.resample = true;
+  const Variant variant = MakeOne(loaded, options, 0);
+  CHECK(variant.record.status == "failed");
+  CHECK(variant.record.attempt == kMaxResamples);
+}
+
+TEST_CASE("a scene counts its floor") {
+  const LoadedRecipe loaded(kBoxSpec);
+  Options options = Seeded(7);
+  options.target = mjcf::Target::kScene;
+  const Variant variant = MakeOne(loaded, options, 0);
+  CHECK(variant.record.target == "scene");
+  CHECK(variant.record.ngeom == 3);
+}
+
+}  // namespace
+}  // namespace mjforge::forge

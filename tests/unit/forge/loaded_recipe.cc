@@ -1,0 +1,18 @@
+#include "loaded_recipe.h"
+
+#include <catch2/catch.hpp>
+
+namespace mjforge::forge {
+
+LoadedRecipe::LoadedRecipe(const std::string& text, spec::LoadOptions options) {
+  diag::Findings findings;
+  const std::string file = folder.Write("crate.yaml", text).string();
+  std::optional<Recipe> loaded = LoadRecipe(file, options, sources, findings);
+  for (const diag::Finding& finding : findings) {
+    UNSCOPED_INFO(diag::RenderText(finding, sources, false));
+  }
+  REQUIRE(loaded);
+  recipe = *std::move(loaded);
+}
+
+}  // namespace mjforge::forge

@@ -1,0 +1,84 @@
+#include <catch2/catch.hpp>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/output/output.h"
+
+namespace mjforge::output {
+namespace {
+
+using harness::TemporaryFolder;
+
+std::string OurXml() {
+  model::Object object;
+  object.name = "thing";
+  mjcf::Provenance provenance;
+  provenance.version = "0.1.0";
+  provenance.spec = "thing.yaml";
+  provenance.spec_sha256 = std::string(64, 'a');
+  provenance.target = "mujoco";
+  mjcf::MjcfDocument document;
+  mjcf::WriteMjcf(object, mjcf::Target::kMujoco, provenance, document);
+  return document.text;
+}
+
+TEST_CASE("a file is written with exactly the bytes given, and nothing beside it") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const std::string bytes("a\0b\n", 4);
+  REQUIRE(WriteFile(folder / "x.xml", bytes, findings));
+  CHECK(folder.Read("x.xml") == bytes);
+  CHECK(folder.Files() == std::vector<std::string>{"x.xml"});
+  CHECK(findings.empty());
+}
+
+TEST_CASE("a file in a folder that does not exist is a finding with the system's words") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const auto file = folder / "none/x.xml";
+  CHECK_FALSE(WriteFile(file, "text", findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kOutputCannotWrite);
+  CHECK(findings[0].message == "cannot write '" + file.string() + "': No such file or directory");
+}
+
+TEST_CASE("what is written can be read back") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const std::string text(300'000, 'x');
+  REQUIRE(WriteFile(folder / "big", text, findings));
+  CHECK(ReadFile(folder / "big", findings) == text);
+}
+
+TEST_CASE("a file that cannot be read is a finding") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const auto file = folder / "none";
+  CHECK_FALSE(ReadFile(file, findings).has_value());
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kYamlCannotRead);
+  CHECK(findings[0].message == "cannot read '" + file.string() + "': No such file or directory");
+}
+
+TEST_CASE("only a file that mjforge wrote may be replaced") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  CHECK(MayReplace(folder / "new.xml", false, findings));
+  CHECK(MayReplace(folder.Write("ours.xml", OurXml()), false, findings));
+  CHECK(findings.empty());
+
+  const auto foreign = folder.Write("foreign.xml", "<mujoco/>\n");
+  CHECK(MayReplace(foreign, true, findings));
+  CHECK_FALSE(MayReplace(foreign, false, findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kOutputExists);
+  CHECK(findings[0].message == "'" + foreign.string() + "' exists and was not made by mjforge");
+  CHECK(findings[0].hint == "choose another place, or overwrite it with --force");
+}
+
+TEST_CASE("variants have six digits, or as many as they need") {
+  CHECK(VariantFileName("hammer", 42) == "hammer_000042.xml");
+  CHECK(VariantFileName("hammer", 12'345'678) == "hammer_12345678.xml");
+}
+
+}  // namespace
+}  // namespace mjforge::output

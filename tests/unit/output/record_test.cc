@@ -1,0 +1,112 @@
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "mjforge/output/output.h"
+
+namespace mjforge::output {
+namespace {
+
+Record WholeRecord() {
+  Record record;
+  record.file = "mug_000003.xml";
+  record.name = "mug";
+  record.index = 3;
+  record.seed = std::numeric_limits<std::uint64_t>::max();
+  record.attempt = 2;
+  record.spec = "containers/mug";
+  record.spec_sha256 = std::string(64, 'a');
+  record.settings = {{"height", "8cm .. 12cm"}};
+  record.params = {{"height", 0.1},
+                   {"handle", true},
+                   {"shape", std::string("a \"b\"")},
+                   {"half_size", std::vector<double>{0.1, 2, 1e-9}}};
+  record.mass_properties.mass = 0.1 + 0.2;
+  record.mass_properties.p_FCm = {1, 2, 3};
+  record.mass_properties.I_Cm_F << 1, 4, 5, 4, 2, 6, 5, 6, 3;
+  record.bounds.aabb.min = {-1, -2, -3};
+  record.bounds.aabb.max = {1, 2, 3};
+  record.bounds.top_offset = 3;
+  record.bounds.bottom_offset = -3;
+  record.bounds.horizontal_radius = 2.5;
+  record.nbody = 2;
+  record.njnt = 1;
+  record.ngeom = 4;
+  record.target = "mujoco";
+  record.status = "ok";
+  record.findings = {R"({"severity":"warning"})"};
+  record.sha256 = std::string(64, 'b');
+  return record;
+}
+
+std::string LineOf(const Record& record) {
+  std::string line;
+  AppendRecord(line, record);
+  return line;
+}
+
+TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
+  CHECK(LineOf(WholeRecord()) ==
+        R"({"file":"mug_000003.xml","name":"mug","index":3,"seed":18446744073709551615,)"
+        R"("attempt":2,"spec":"containers/mug","spec_sha256":")" +
+            std::string(64, 'a') +
+            R"(","set":{"height":"8cm .. 12cm"},"params":{"height":0.1,"handle":true,)"
+            R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
+            R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
+            R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
+            R"("ngeom":4,"target":"mujoco","status":"ok","findings":[{"severity":"warning"}],)"
+            R"("sha256":")" +
+            std::string(64, 'b') + "\"}\n");
+}
+
+TEST_CASE("a variant that could not be built has nulls and no settings that were not made") {
+  Record record;
+  record.name = "mug";
+  record.spec = "mug.yaml";
+  record.spec_sha256 = "c";
+  record.target = "mujoco";
+  record.status = "failed";
+  CHECK(LineOf(record) ==
+        R"({"file":null,"name":"mug","index":0,"seed":0,"attempt":0,"spec":"mug.yaml",)"
+        R"("spec_sha256":"c","params":{},"mass":null,"com":null,"inertia":null,"aabb":null,)"
+        R"("top_offset":null,"bottom_offset":null,"horizontal_radius":null,"nbody":null,)"
+        R"("njnt":null,"ngeom":null,"target":"mujoco","status":"failed","findings":[],)"
+        R"("sha256":null})"
+        "\n");
+}
+
+TEST_CASE("what replay needs is read back as it was") {
+  const Record record = WholeRecord();
+  std::string why_not;
+  const std::optional<Record> read = ReadRecord(LineOf(record), why_not);
+  REQUIRE(read);
+  CHECK(read->file == record.file);
+  CHECK(read->name == record.name);
+  CHECK(read->index == record.index);
+  CHECK(read->seed == record.seed);
+  CHECK(read->attempt == record.attempt);
+  CHECK(read->spec == record.spec);
+  CHECK(read->spec_sha256 == record.spec_sha256);
+  CHECK(read->settings == record.settings);
+  CHECK(read->target == record.target);
+  CHECK(read->status == record.status);
+  CHECK(read->sha256 == record.sha256);
+}
+
+TEST_CASE("a line that is not a record says why") {
+  const auto why = [](std::string_view line) {
+    std::string why_not;
+    CHECK_FALSE(ReadRecord(line, why_not).has_value());
+    return why_not;
+  };
+  CHECK(why("") == "it is not a JSON object");
+  CHECK(why("[1, 2]") == "it is not a JSON object");
+  CHECK(why("{\"file\": null") == "it is not a JSON object");
+  CHECK(why("{}") == "it has no 'file'");
+  CHECK(why(R"({"file": 3})") == "'file' is not a text");
+  CHECK(why(R"({"file": "a", "name": "b", "index": -1})") == "'index' is not a whole number");
+  // 10,000 brackets: the parser must not use the stack for them.
+  CHECK(why(std::string(10'000, '[')) == "it is not a JSON object");
+}
+
+}  // namespace
+}  // namespace mjforge::output

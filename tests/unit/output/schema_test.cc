@@ -1,0 +1,14 @@
+#include <catch2/catch.hpp>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/output/output.h"
+
+namespace mjforge::output {
+namespace {
+
+TEST_CASE("schemas/manifest.schema.json is fresh (mjforge schema manifest writes it)") {
+  CHECK(harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/manifest.schema.json") == ManifestSchema());
+}
+
+}  // namespace
+}  // namespace mjforge::output

@@ -1,0 +1,138 @@
+#include <catch2/catch.hpp>
+
+#include "loading.h"
+
+namespace mjforge::sample {
+namespace {
+
+using Vector = std::vector<double>;
+
+TEST_CASE("literals, expressions and other parameters are numbers") {
+  Family family = Load("{a: 0.3, b: 2 * a + 10mm, c: b, d: index + 1}");
+  CHECK(family.Number("a") == 0.3);
+  CHECK(family.Number("b") == Approx(0.61).epsilon(1e-15));
+  CHECK(family.Number("c") == family.Number("b"));
+  CHECK(family.Number("d", {.index = 41}) == 42);
+}
+
+TEST_CASE("booleans are literals, comparisons, coins and choices") {
+  Family family = Load("{a: true, b: 2 < 1, c: {bernoulli: 1}, d: {choice: [false]}, e: a}");
+  CHECK(std::get<bool>(family.Parameter("a")));
+  CHECK_FALSE(std::get<bool>(family.Parameter("b")));
+  CHECK(std::get<bool>(family.Parameter("c")));
+  CHECK_FALSE(std::get<bool>(family.Parameter("d")));
+  CHECK(std::get<bool>(family.Parameter("e")));
+}
+
+TEST_CASE("text is a literal, a choice, or another text parameter") {
+  Family family = Load("{a: box, b: {choice: [sphere]}, c: {cycle: [x, y]}, d: a}");
+  CHECK(std::get<std::string>(family.Parameter("a")) == "box");
+  CHECK(std::get<std::string>(family.Parameter("b")) == "sphere");
+  CHECK(std::get<std::string>(family.Parameter("c", {.index = 1})) == "y");
+  CHECK(std::get<std::string>(family.Parameter("d")) == "box");
+}
+
+TEST_CASE("text compares with a quoted literal") {
+  Family family = Load("{shape: {cycle: [box, ball]}, n: \"shape == 'ball' ? 2 : 1\"}");
+  CHECK(family.Number("n", {.index = 0}) == 1);
+  CHECK(family.Number("n", {.index = 1}) == 2);
+}
+
+TEST_CASE("text interpolates numbers, booleans and texts") {
+  Family family = Load("{k: 3, r: 0.1, w: oak, t: true, s: \"${w}_${k + 1}_${r / 3}_${t}_${k > 5}\"}");
+  CHECK(std::get<std::string>(family.Parameter("s")) == "oak_4_0.03333333333_true_false");
+}
+
+TEST_CASE("a vector is a list, another vector, or chosen whole") {
+  Family family = Load("{a: [1, 2, 3 * 2], b: a, c: {choice: [[7, 8]]}, d: {cycle: [[1, 2], [3, 4]]}}");
+  CHECK(std::get<Vector>(family.Parameter("a")) == Vector{1, 2, 6});
+  CHECK(std::get<Vector>(family.Parameter("b")) == Vector{1, 2, 6});
+  CHECK(std::get<Vector>(family.Parameter("c")) == Vector{7, 8});
+  CHECK(std::get<Vector>(family.Parameter("d", {.index = 3})) == Vector{3, 4});
+}
+
+TEST_CASE("a vector's components are read by name") {
+  Family family = Load("{a: [1, 2, 4, 8], s: a.x + 10 * a.y + 100 * a.z + 1000 * a.w}");
+  CHECK(family.Number("s") == 8421);
+}
+
+TEST_CASE("the items of a vector draw from streams of their own") {
+  Family family = Load("{v: [0 .. 1, 5, 0 .. 1]}");
+  const DrawKey key = {.seed = 2, .index = 6};
+  const StreamId stream = Child(Child(kRootStream, "params"), "v");
+  const auto v = std::get<Vector>(family.Parameter("v", key));
+  CHECK(v == Vector{RoundDraw(Uniforms(key, Child(stream, "0"))[0], 0, 1), 5,
+                    RoundDraw(Uniforms(key, Child(stream, "2"))[0], 0, 1)});
+}
+
+TEST_CASE("points are given one after the other, each with its own streams") {
+  Family family = Load("{p: [4, 5]}", "parts: [{name: b, type: prism, height: 1, "
+                                      "polygon: [[0, 1], p, [0 .. 1, 3]]}]");
+  const DrawKey key = {.seed = 2};
+  Evaluator evaluator = family.Evaluator(key);
+  const Vector points = evaluator.Points(family.PartValue("polygon"), 50);
+  const double drawn =
+      RoundDraw(Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0], 0, 1);
+  CHECK(points == Vector{0, 1, 4, 5, drawn, 3});
+}
+
+TEST_CASE("a vector replaces what was in the numbers before") {
+  Family family = Load("{}");
+  Evaluator evaluator = family.Evaluator();
+  Numbers numbers = {9, 9, 9, 9};
+  evaluator.Vector(family.PartValue("size"), 1, numbers);
+  CHECK(Vector(numbers.begin(), numbers.end()) == Vector{1, 1, 1});
+}
+
+TEST_CASE("an expression that is not finite is found with its inputs' values") {
+  CHECK(ReportOf("{a: 1, b: 0, p: a / b}") ==
+        Strings{"3:26 expr/not-finite: expression 'a / b' is infinite: a = 1, b = 0 7/3"});
+  CHECK(ReportOf("{a: -2.5, p: sqrt(a)}") ==
+        Strings{"3:23 expr/not-finite: expression 'sqrt(a)' is not a number: a = -2.5 7/3"});
+}
+
+TEST_CASE("the inputs of a failed expression leave out texts and name booleans") {
+  CHECK(ReportOf("{t: box, f: true, v: [1, 0], p: \"t == 'box' && f ? v.x / v.y : 0\"}") ==
+        Strings{"3:42 expr/not-finite: expression 't == 'box' && f ? v.x / v.y : 0' is infinite: "
+                "f = true, v.x = 1, v.y = 0 7/3"});
+}
+
+TEST_CASE("what follows from a failed value is not found again") {
+  CHECK(ReportOf("{a: 0, p: 1 / a, q: 2 * p, r: q .. 5, s: {choice: [1, 2], weights: [q, 1]}, "
+                 "v: [p, q], c: {hsv: [p, 1, 1]}, t: \"n_${q}\", n: {normal: [0, 1], clip: [p, 3]}}",
+                 "require: [q > 1]") ==
+        Strings{"3:20 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
+}
+
+TEST_CASE("independent failures are all found") {
+  Family family = Load("{a: 0, p: 1 / a, q: 2 / a}");
+  CHECK(Sample(*family.spec, {}, kRootStream, {}, family.findings) == std::nullopt);
+  CHECK(family.Report() ==
+        Strings{"3:20 expr/not-finite: expression '1 / a' is infinite: a = 0 0/0",
+                "3:30 expr/not-finite: expression '2 / a' is infinite: a = 0 0/0"});
+}
+
+TEST_CASE("Any gives a value as its type says") {
+  Family family = Load("{a: 2, b: 1 < 2, c: box, d: [1, 2], e: d}");
+  Evaluator evaluator = family.Evaluator();
+  const auto& parameters = family.spec->parameters;
+  CHECK(evaluator.Any(parameters[0].value, 1) == ParameterValue(2.0));
+  CHECK(evaluator.Any(parameters[1].value, 1) == ParameterValue(true));
+  CHECK(evaluator.Any(parameters[2].value, 1) == ParameterValue(std::string("box")));
+  CHECK(evaluator.Any(parameters[3].value, 1) == ParameterValue(Vector{1, 2}));
+  CHECK(evaluator.Any(parameters[4].value, 1) == ParameterValue(Vector{1, 2}));
+}
+
+TEST_CASE("a value of another kind than asked for is found, not guessed") {
+  Family family = Load("{}", "parts: [{name: b, type: box, size: [1, 1, 1], quat: random}]");
+  Evaluator evaluator = family.Evaluator();
+  evaluator.Number(family.PartValue("quat"), 1);
+  evaluator.Points(family.PartValue("quat"), 1);
+  CHECK(evaluator.failed());
+  CHECK(family.Report() == Strings{"4:52 sample/bad-argument: this value is not a number 0/0",
+                                   "4:52 sample/bad-argument: this value is not a list of points "
+                                   "0/0"});
+}
+
+}  // namespace
+}  // namespace mjforge::sample

@@ -1,0 +1,151 @@
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "loading.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of files, removed at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "mjforge_XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path Write(const std::string& name, const std::string& text) const {
+    const fs::path file = path_ / name;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+    return file;
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+Loaded LoadFile(const std::string& reference, std::vector<fs::path> search_path = {}) {
+  Loaded loaded;
+  mjforge::spec::LoadOptions options;
+  options.search_path = std::move(search_path);
+  loaded.spec =
+      mjforge::spec::LoadSpec(reference, options, loaded.sources, loaded.findings);
+  return loaded;
+}
+
+const std::string kBall = "mjforge: 1\nname: ball\nparts:\n  - {name: a, type: sphere, size: 1}\n";
+
+}  // namespace
+
+TEST_CASE("a spec is found by path, by catalogue name and by last name", "[loader]") {
+  const Folder folder;
+  const fs::path file = folder.Write("toys/ball.yaml", kBall);
+  CHECK(LoadFile(file.string()).spec != nullptr);
+  CHECK(LoadFile("toys/ball", {folder.path()}).spec != nullptr);
+  CHECK(LoadFile("ball", {folder.path()}).spec != nullptr);
+  CHECK(LoadFile("bal", {folder.path()}).Report() ==
+        Strings{"0:0 yaml/cannot-read: cannot find the spec 'bal' (did you mean 'ball'?)"});
+  CHECK(mjforge::spec::ListSpecs(folder.path()) == Strings{"toys/ball"});
+}
+
+TEST_CASE("what cannot be read is reported", "[loader]") {
+  const Folder folder;
+  CHECK(LoadFile(folder.path().string()).Report() ==
+        Strings{"0:0 yaml/cannot-read: cannot read '" + folder.path().string() +
+                "': it is a folder"});
+  CHECK(LoadFile("/dev/null").Report() ==
+        Strings{"1:1 yaml/empty: file is empty (start with `mjforge: 1` and a `name:`)"});
+}
+
+TEST_CASE("imports bring materials and defaults; the spec's own win", "[loader]") {
+  const Folder folder;
+  folder.Write("shared.yaml",
+               "mjforge: 1\nmaterials: {wood: {density: 1}, steel: {density: 2}}\n"
+               "defaults: {part: {friction: 2, condim: 4}}\n");
+  const fs::path file =
+      folder.Write("a.yaml", kBall +
+                                 "import: [shared]\nmaterials: {wood: {density: 9}}\n"
+                                 "defaults: {part: {friction: 1}}\n");
+  const Loaded loaded = LoadFile(file.string());
+  REQUIRE(loaded.Report() == Strings{});
+  REQUIRE(loaded.spec->materials.size() == 2);
+  CHECK(loaded.spec->materials[0].name == "wood");
+  CHECK(std::get<double>(loaded.spec->materials[0].fields[0].value.form) == 9);
+  REQUIRE(loaded.spec->defaults.part.size() == 2);
+  CHECK(std::get<double>(loaded.spec->defaults.part[0].value.form) == 1);
+  CHECK(loaded.spec->files.size() == 2);
+}
+
+TEST_CASE("the hash of a spec alone is its text's SHA-256", "[loader]") {
+  // Of `printf 'mjforge: 1\nname: ball\nparts:\n  - {name: a, type: sphere, size: 1}\n' | sha256sum`.
+  const Loaded loaded = Load(kBall);
+  REQUIRE(loaded.spec != nullptr);
+  CHECK(loaded.spec->sha256 == "b5ad1da8e2bba1d76c697897c65b51cefbbb015aa212964f24de805b51145b4c");
+}
+
+TEST_CASE("a spec that refers to itself prints the chain", "[loader]") {
+  const Folder folder;
+  const fs::path self = folder.Write("self.yaml", kBall + "import: self.yaml\n");
+  CHECK(LoadFile(self.string()).Report() ==
+        Strings{"5:9 spec/import-cycle: file refers to itself: self.yaml -> self.yaml"});
+  const fs::path a =
+      folder.Write("a.yaml", "mjforge: 1\nname: a\nparts:\n  - {name: b, spec: b}\n");
+  folder.Write("b.yaml", "mjforge: 1\nname: b\nparts:\n  - {name: a, spec: a}\n");
+  CHECK(LoadFile(a.string()).Report() ==
+        Strings{"4:21 spec/import-cycle: file refers to itself: a.yaml -> b.yaml -> a.yaml"});
+}
+
+TEST_CASE("a welded spec takes parameters of its own kind", "[loader]") {
+  const Folder folder;
+  folder.Write("ball.yaml",
+               "mjforge: 1\nname: ball\nparams: {radius: 1}\nparts:\n"
+               "  - {name: a, type: sphere, size: radius}\n");
+  const auto report = [&](const std::string& params) {
+    return LoadFile(folder
+                        .Write("a.yaml", "mjforge: 1\nname: a\nparts:\n  - {name: b, spec: ball, "
+                                         "params: {" +
+                                             params + "}}\n")
+                        .string())
+        .Report();
+  };
+  CHECK(report("radius: 1 .. 2") == Strings{});
+  CHECK(report("radus: 1") ==
+        Strings{"4:39 spec/unknown-parameter: 'ball' has no parameter 'radus' (did you mean 'radius'?)"});
+  CHECK(report("radius: box") ==
+        Strings{"4:47 spec/wrong-type: parameter 'radius' of 'ball' is of another kind"});
+}
+
+TEST_CASE("a spec that is not found names the nearest one", "[loader]") {
+  const Folder folder;
+  folder.Write("ball.yaml", kBall);
+  const fs::path file =
+      folder.Write("own/a.yaml", "mjforge: 1\nname: a\nparts:\n  - {name: b, spec: bals}\n");
+  CHECK(LoadFile(file.string(), {folder.path()}).Report() ==
+        Strings{"4:21 spec/not-found: cannot find 'bals' (did you mean 'ball'?)"});
+}
+
+TEST_CASE("a file of another version or shape is refused", "[loader]") {
+  CHECK(Load("mjforge: 2\nname: t\nparts: []\n").Report() ==
+        Strings{"1:10 spec/version: format version '2' is not known; this program reads 1"});
+  CHECK(Load("[1, 2]\n").Report() ==
+        Strings{"1:1 spec/wrong-type: a spec is a mapping of keys, got a list (start with `mjforge: 1` "
+                "and a `name:`)"});
+  CHECK(Load("nam: t\n").Report() ==
+        Strings{"1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",
+                "1:1 spec/missing-key: spec without a 'name'",
+                "1:1 spec/missing-key: spec without 'parts'",
+                "1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)"});
+}

@@ -1,0 +1,78 @@
+#include <catch2/catch.hpp>
+
+#include "loading.h"
+
+TEST_CASE("parameters may stand in any order", "[params]") {
+  const Loaded loaded = LoadWithBox("params: {c: 2 * b, b: a + 1, a: 1 .. 2}\n");
+  REQUIRE(loaded.Report() == Strings{});
+  CHECK(loaded.spec->parameters[0].name == "c");
+  CHECK(loaded.spec->evaluation_order == std::vector<int>{2, 1, 0});
+}
+
+TEST_CASE("a cycle of parameters prints the cycle", "[params]") {
+  CHECK(ReportWithBox("params:\n  a: b + 1\n  b: c\n  c: 2 * a\n") ==
+        Strings{"5:3 spec/cycle: parameters depend on each other: a -> b -> c -> a"});
+  CHECK(ReportWithBox("params: {a: a + 1}\n") ==
+        Strings{"4:10 spec/cycle: parameters depend on each other: a -> a"});
+}
+
+TEST_CASE("a chain of ten thousand parameters is no problem", "[params]") {
+  std::string text = "params:\n  p0: 1\n";
+  for (int i = 1; i < 10'000; ++i) {
+    text += "  p" + std::to_string(i) + ": p" + std::to_string(i - 1) + " + 1\n";
+  }
+  CHECK(ReportWithBox(text) == Strings{});
+}
+
+TEST_CASE("the long form carries meaning and unit", "[params]") {
+  const Loaded loaded = LoadWithBox(
+      "params:\n"
+      "  r: {value: 1cm .. 2cm, doc: Radius of it, unit: m}\n"
+      "  s: {choice: [box, ball], doc: Shape}\n");
+  REQUIRE(loaded.Report() == Strings{});
+  CHECK(loaded.spec->parameters[0].doc == "Radius of it");
+  CHECK(loaded.spec->parameters[0].unit == "m");
+  CHECK(loaded.spec->parameters[0].source == "1cm .. 2cm");
+  CHECK(loaded.spec->parameters[1].source == "choice: [box, ball]");
+}
+
+TEST_CASE("a name of the expression language is no parameter's name", "[params]") {
+  const Strings report = ReportWithBox("params: {index: 1, max: 2, 2x: 3}\n");
+  REQUIRE(report.size() == 3);
+  CHECK(report[0] ==
+        "4:10 spec/bad-name: 'index' is a word of the expression language; a parameter needs "
+        "another name");
+  CHECK(report[2] == "4:28 spec/bad-name: parameter name '2x' is not a name (a letter, then letters, "
+                     "digits and underscores)");
+}
+
+TEST_CASE("a setting replaces a parameter's value and keeps its meaning", "[params]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {r: {value: 1 .. 2, doc: Radius}, d: 2 * r}\n"
+      "parts: [{name: a, type: sphere, size: r}]\n";
+  const Loaded loaded = Load(yaml, {{.name = "r", .text = "5"}});
+  REQUIRE(loaded.Report() == Strings{});
+  CHECK(std::get<double>(loaded.spec->parameters[0].value.form) == 5);
+  CHECK(loaded.spec->parameters[0].doc == "Radius");
+  CHECK(loaded.spec->settings == std::vector<std::pair<std::string, std::string>>{{"r", "5"}});
+  CHECK(Load(yaml, {{.name = "r", .text = "{normal: [1, 0.1], clip: [0.5, 2]}"}}).Report().empty());
+}
+
+TEST_CASE("a setting of an unknown parameter is reported at the setting", "[params]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {radius: 1, shape: {choice: [box, ball]}}\n"
+      "parts: [{name: a, type: sphere, size: radius}]\n";
+  const Loaded loaded = Load(yaml, {{.name = "radus", .text = "5"}});
+  REQUIRE(loaded.Report() ==
+          Strings{"1:8 spec/unknown-parameter: 't' has no parameter 'radus' (did you mean 'radius'?)"});
+  CHECK(loaded.sources.Name(loaded.findings[0].mark.file) == "--set");
+  CHECK(Load(yaml, {{.name = "shape", .text = "bal"}}).Report() ==
+        Strings{"1:8 spec/bad-value: 'bal' is not one of box, ball (did you mean 'ball'?)"});
+}
+
+TEST_CASE("a requirement is a condition", "[params]") {
+  CHECK(ReportWithBox("params: {r: 1}\nrequire: [r > 0, r < 2]\n") == Strings{});
+  CHECK(ReportWithBox("params: {r: 1}\nrequire: r + 1\n") ==
+        Strings{"5:10 spec/wrong-type: expected a condition, but 'r + 1' is a number (compare it with "
+                "something, as in `x > 0`)"});
+}

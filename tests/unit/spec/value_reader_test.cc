@@ -1,0 +1,162 @@
+#include <catch2/catch.hpp>
+
+#include "loading.h"
+
+namespace {
+
+using mjforge::expr::Type;
+
+const mjforge::spec::Value& ValueOf(const Loaded& loaded, const std::string& name) {
+  const mjforge::spec::Parameter* parameter = loaded.spec->FindParameter(name);
+  REQUIRE(parameter != nullptr);
+  return parameter->value;
+}
+
+}  // namespace
+
+TEST_CASE("a parameter's type is told from its look", "[value]") {
+  const Loaded loaded = LoadWithBox(
+      "params:\n"
+      "  number: 1e-3\n"
+      "  hex: 0x10\n"
+      "  yes_is_text: yes\n"
+      "  truth: true\n"
+      "  words: light-wood.png\n"
+      "  quoted: 'number'\n"
+      "  sum: number + 2\n"
+      "  test: number > 2\n"
+      "  vector: [1, number, 3]\n"
+      "  copy: vector\n"
+      "  range: 1 .. 2\n"
+      "  tight: 0..1\n"
+      "  shape: {choice: [box, ball], weights: [1, 2]}\n"
+      "  coin: {bernoulli: 0.5}\n"
+      "  turn: {about: [0, 0, 1]}\n"
+      "  colour: {hsv: [0..1, 1, 1]}\n"
+      "  label: part_${number}\n");
+  REQUIRE(loaded.Report() == Strings{});
+  const auto check = [&](const std::string& name, Type type, int components) {
+    INFO(name);
+    CHECK(ValueOf(loaded, name).type == type);
+    CHECK(ValueOf(loaded, name).components == components);
+  };
+  check("number", Type::kNumber, 1);
+  check("hex", Type::kNumber, 1);
+  check("yes_is_text", Type::kText, 1);
+  check("truth", Type::kBoolean, 1);
+  check("words", Type::kText, 1);
+  check("quoted", Type::kText, 1);
+  check("sum", Type::kNumber, 1);
+  check("test", Type::kBoolean, 1);
+  check("vector", Type::kNumber, 3);
+  check("copy", Type::kNumber, 3);
+  check("range", Type::kNumber, 1);
+  check("tight", Type::kNumber, 1);
+  check("shape", Type::kText, 1);
+  check("coin", Type::kBoolean, 1);
+  check("turn", Type::kNumber, 4);
+  check("colour", Type::kNumber, 4);
+  check("label", Type::kText, 1);
+  CHECK(std::get<double>(ValueOf(loaded, "number").form) == 1e-3);
+  CHECK(std::get<double>(ValueOf(loaded, "hex").form) == 16);
+}
+
+TEST_CASE("a quoted number is not a number", "[value]") {
+  CHECK(ReportWithBox("total_size: ['0.3', 1, 1]\n") ==
+        Strings{"4:14 spec/wrong-type: expected a number, got the text '0.3' (a quoted number is "
+                "text: drop the quotes)"});
+}
+
+TEST_CASE("a quoted expression is an expression", "[value]") {
+  CHECK(ReportWithBox("params: {a: 1, b: 2}\ntotal_size: [\"max(a, b)\", 1, 1]\n") == Strings{});
+}
+
+TEST_CASE("an unquoted comma in a list gets a hint to quote", "[value]") {
+  const Strings report = ReportWithBox("params: {a: 1, b: 2}\ntotal_size: [max(a, b), 1, 1]\n");
+  REQUIRE(report.size() == 1);
+  CHECK(report[0].find("5:14") == 0);
+  CHECK(report[0].find("a comma ends an item of a list in brackets; quote the expression: "
+                       "[\"max(a, b)\", 0]") != std::string::npos);
+}
+
+TEST_CASE("yes and no are text, and said so where a boolean belongs", "[value]") {
+  CHECK(ReportWithBox("materials: {m: {texuniform: yes}}\n") ==
+        Strings{"4:29 spec/wrong-type: expected true or false, got the text 'yes' (YAML 1.2 writes "
+                "booleans as true and false)"});
+}
+
+TEST_CASE("infinite and NaN literals are refused", "[value]") {
+  CHECK(ReportWithBox("mass: .nan\n") ==
+        Strings{"4:7 spec/wrong-type: expected a finite number, got '.nan'"});
+  CHECK(ReportWithBox("params: {a: -.inf}\n") ==
+        Strings{"4:13 spec/wrong-type: expected a finite number, got '-.inf'"});
+}
+
+TEST_CASE("a constant range must not be reversed", "[value]") {
+  const std::string text = "is empty: its lower end is above its upper end (swap the two)";
+  CHECK(ReportWithBox("params: {a: 3cm .. 2cm}\n") ==
+        Strings{"4:13 spec/empty-range: range 0.03 .. 0.02 " + text});
+  CHECK(ReportWithBox("params: {a: {uniform: [3, 2]}}\n") ==
+        Strings{"4:23 spec/empty-range: range 3 .. 2 " + text});
+  CHECK(ReportWithBox("params: {a: {normal: [0, 1], clip: [1, -1]}}\n") ==
+        Strings{"4:36 spec/empty-range: range 1 .. -1 " + text});
+}
+
+TEST_CASE("literal values are held against the table's bounds", "[value]") {
+  CHECK(ReportWithBox("total_size: [1, 0, 1]\n") ==
+        Strings{"4:17 spec/bad-value: total_size 2 is 0; it must be greater than 0"});
+  CHECK(ReportWithBox("materials: {m: {rgba: [1, 1, 1, 2]}}\n") ==
+        Strings{"4:33 spec/bad-value: rgba 4 is 2; it must be at most 1"});
+  CHECK(ReportWithBox("materials: {m: {condim: 2.5}}\n") ==
+        Strings{"4:25 spec/bad-value: condim is 2.5; it must be a whole number"});
+  CHECK(ReportWithBox("mass: 1 - 1\n") ==
+        Strings{"4:7 spec/bad-value: mass is 0; it must be greater than 0"});
+}
+
+TEST_CASE("a wrong word gets the words and a suggestion", "[value]") {
+  CHECK(ReportWithBox("placement: corners\ntotal_size: [1, 1, 1]\n") ==
+        Strings{"4:12 spec/bad-value: 'corners' is not one of center, corner (did you mean "
+                "'corner'?)"});
+}
+
+TEST_CASE("vectors have the length of their slot", "[value]") {
+  CHECK(ReportWithBox("total_size: [1, 2]\n") ==
+        Strings{"4:13 spec/wrong-length: expected 3 numbers, got 2"});
+  CHECK(ReportWithBox("params: {v: [1, 2]}\ntotal_size: v\n") ==
+        Strings{"5:13 spec/wrong-length: expected 3 numbers, got 2"});
+  CHECK(ReportWithBox("params: {v: [1, 2, 3]}\ntotal_size: v\n") == Strings{});
+}
+
+TEST_CASE("a distribution takes its own arguments and options", "[value]") {
+  CHECK(ReportWithBox("params: {a: {triangular: [1, 2]}}\n") ==
+        Strings{"4:26 spec/distribution: 'triangular' takes 3 numbers (write {triangular: [lo, "
+                "mode, hi]})"});
+  CHECK(ReportWithBox("params: {a: {unifrom: [1, 2]}}\n") ==
+        Strings{"4:14 spec/unknown-key: unknown key 'unifrom' in a distribution (did you mean "
+                "'uniform'?)"});
+  CHECK(ReportWithBox("params: {a: {uniform: [1, 2], clip: [1, 2]}}\n") ==
+        Strings{"4:31 spec/unknown-key: unknown key 'clip' in a distribution"});
+  CHECK(ReportWithBox("params: {a: {uniform: [1, 2], normal: [1, 2]}}\n") ==
+        Strings{"4:31 spec/conflict: 'normal' beside 'uniform': a value is drawn one way"});
+  CHECK(ReportWithBox("params: {a: {choice: [1, 2], weights: [1]}}\n") ==
+        Strings{"4:39 spec/wrong-length: 'weights' has 1 numbers; it needs 2 (one weight for each "
+                "value)"});
+  CHECK(ReportWithBox("params: {a: {choice: [1, box]}}\n") ==
+        Strings{"4:26 spec/wrong-type: the values to choose from differ in kind: number and text"});
+}
+
+TEST_CASE("draws of a kind that does not fit the slot are refused", "[value]") {
+  CHECK(ReportWithBox("mass: {bernoulli: 0.5}\n") ==
+        Strings{"4:7 spec/wrong-type: expected a number, but 'bernoulli' draws true or false"});
+  CHECK(ReportWithBox("total_size: {about: [0, 0, 1]}\n") ==
+        Strings{"4:21 spec/wrong-type: 'about' draws 4 numbers, but 3 are expected here"});
+}
+
+TEST_CASE("an error in an expression points into the expression", "[value]") {
+  CHECK(ReportWithBox("params: {radius: 1}\nmass: 2 * radus\n").at(0).find("5:11 expr/unknown-name") ==
+        0);
+  CHECK(ReportWithBox("params: {radius: 1}\nmass: \"2 * radus\"\n").at(0).find(
+            "5:12 expr/unknown-name") == 0);
+  CHECK(ReportWithBox("params: {radius: 1}\nmass: 1 .. 2 * radus\n").at(0).find(
+            "5:16 expr/unknown-name") == 0);
+}

@@ -1,0 +1,85 @@
+#include <catch2/catch.hpp>
+
+#include "loading.h"
+
+TEST_CASE("an empty file is reported", "[yaml]") {
+  const Strings expected = {
+      "1:1 yaml/empty: file is empty (start with `mjforge: 1` and a `name:`)"};
+  CHECK(Load("").Report() == expected);
+  CHECK(Load("# only a comment\n").Report() == expected);
+  CHECK(Load("---\n...\n").Report() == expected);
+}
+
+TEST_CASE("bytes that are no UTF-8 text are reported at their place", "[yaml]") {
+  const std::string hint = " (a spec is a YAML file in UTF-8; is this another kind of file?)";
+  CHECK(Load(std::string("a: 1\nb\0c", 8)).Report() ==
+        Strings{"2:2 yaml/not-text: not UTF-8 text" + hint});
+  CHECK(Load("\x7f" "ELF\xff\xfe").Report() == Strings{"1:5 yaml/not-text: not UTF-8 text" + hint});
+  CHECK(Load("name: \xC3\xA4\xC3").Report() == Strings{"1:9 yaml/not-text: not UTF-8 text" + hint});
+}
+
+TEST_CASE("a text over the limit is refused unread", "[yaml]") {
+  const std::string text(9u << 20, '#');
+  CHECK(Load(text).Report() == Strings{"1:1 yaml/too-large: file has 9437184 bytes; the limit is "
+                                       "8388608 (repeat parts with `for:`)"});
+}
+
+TEST_CASE("a duplicate key is reported at the second key, with the first", "[yaml]") {
+  const Loaded loaded = LoadWithBox("name: again\n");
+  REQUIRE(loaded.Report() == Strings{"4:1 yaml/duplicate-key: key 'name' stands twice"});
+  CHECK(loaded.findings[0].notes.at(0).mark.line == 2);
+  CHECK(loaded.spec == nullptr);
+}
+
+TEST_CASE("ten thousand brackets are too deep, not a crash", "[yaml]") {
+  const Strings report = Load("a: " + std::string(10'000, '[')).Report();
+  REQUIRE(report.size() == 1);
+  CHECK(report[0].find("yaml/too-deep: nested too deeply") != std::string::npos);
+}
+
+TEST_CASE("an alias inside its own anchor is reported at the alias", "[yaml]") {
+  CHECK(Load("a: &x [1, *x]\n").Report() ==
+        Strings{"1:11 yaml/alias: alias stands inside its own anchor"});
+}
+
+TEST_CASE("an alias bomb is cut off", "[yaml]") {
+  std::string text = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (int i = 1; i < 20; ++i) {
+    const std::string previous = "*a" + std::to_string(i - 1);
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + previous;
+    for (int k = 0; k < 9; ++k) text += ", " + previous;
+    text += "]\n";
+  }
+  const Strings report = Load(text).Report();
+  REQUIRE(report.size() == 1);
+  CHECK(report[0].find("yaml/alias: aliases repeat more than 100000 nodes") != std::string::npos);
+}
+
+TEST_CASE("an alias carries its own place", "[yaml]") {
+  CHECK(ReportWithBox("params: {a: &v [1, 2], b: 3}\nrequire: *v\n") ==
+        Strings{"5:10 spec/wrong-type: expected a condition, got '1'",
+                "5:10 spec/wrong-type: expected a condition, got '2'"});
+}
+
+TEST_CASE("an empty value is reported at its key", "[yaml]") {
+  CHECK(ReportWithBox("params:\n  r:\n  h: 1\n") ==
+        Strings{"5:3 spec/wrong-type: expected a value, got nothing"});
+}
+
+TEST_CASE("a tag is reported, a leading '!' with its mending", "[yaml]") {
+  CHECK(ReportWithBox("params: {b: true, c: !b}\n").at(0) ==
+        "4:22 yaml/tag: tag '!b' has no meaning here (to negate, write `not b` or quote the "
+        "expression)");
+}
+
+TEST_CASE("a second document is refused", "[yaml]") {
+  CHECK(Load("mjforge: 1\n---\nname: x\n").Report() ==
+        Strings{"1:1 yaml/syntax: file holds more than one document (write one spec a file)"});
+}
+
+TEST_CASE("broken syntax is reported at its place", "[yaml]") {
+  CHECK(Load("mjforge: 1\nparts: [1, 2\nname: x\n").Report().size() == 1);
+  CHECK(Load("a: b: c\n").Report() ==
+        Strings{"1:5 yaml/syntax: a colon where no key may stand (quote the text if it contains "
+                "': ')"});
+}
