@@ -28,7 +28,8 @@ std::string OperatorHint(const Word& before, const Word& word, const Names& name
     }
     return fmt::format("only numbers carry units: multiply by 1{}", word.text);
   }
-  if (before.kind == Word::Kind::kText || word.kind == Word::Kind::kText) return {};
+  const bool factor = before.kind == Word::Kind::kNumber || before.kind == Word::Kind::kName;
+  if (!factor || word.kind != Word::Kind::kName) return {};
   return fmt::format("write {} * {}", before.text, word.text);
 }
 
@@ -186,7 +187,13 @@ Error WrongCount(const Word& function, int arity, int count) {
 
 Error TooDeep(const Word& word, int limit) {
   return Syntax(word, fmt::format("the expression is nested deeper than {} levels", limit),
-                "give a part of it a name: a parameter may be an expression");
+                std::string(kSplitHint));
+}
+
+Error TooLong(std::size_t bytes, std::size_t limit) {
+  return {Code::kExprSyntax, 0,
+          fmt::format("the expression has {} bytes; the limit is {}", bytes, limit),
+          std::string(kSplitHint)};
 }
 
 }  // namespace mjforge::expr

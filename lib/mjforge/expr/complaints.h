@@ -3,6 +3,7 @@
 
 // Private to the room: what is said about words that do not fit.
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -10,6 +11,9 @@
 #include "mjforge/expr/words.h"
 
 namespace mjforge::expr {
+
+inline constexpr std::string_view kSplitHint =
+    "give a part of it a name: a parameter may be an expression";
 
 /// A word where an operand should be.
 Error MissingValue(std::span<const Word> words, std::size_t at);
@@ -28,6 +32,7 @@ Error WrongComponent(const Word& word, const Names::Variable& variable, std::str
 Error MisusedText(const Word& word);
 /// A function with `count` arguments where it takes `arity`, 0 for one or more.
 Error WrongCount(const Word& function, int arity, int count);
+Error TooLong(std::size_t bytes, std::size_t limit);
 Error TooDeep(const Word& word, int limit);
 
 }  // namespace mjforge::expr

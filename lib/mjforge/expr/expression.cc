@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "mjforge/expr/complaints.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/expr/grammar.h"
 
@@ -107,7 +108,7 @@ std::optional<Expression> Expression::Compile(std::string_view text, const Names
     error = {diag::Code::kExprSyntax, 0,
              too_long ? "the expression has too many parts"
                       : fmt::format("the expression cannot be computed ({})", caught.GetMsg()),
-             "give a part of it a name: a parameter may be an expression"};
+             std::string(kSplitHint)};
     return std::nullopt;
   }
   return expression;

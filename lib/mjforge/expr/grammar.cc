@@ -391,9 +391,7 @@ class Grammar {
 
 bool ParseFormula(std::string_view text, const Names& names, Formula& formula, Error& error) {
   if (text.size() > kMaxBytes) {
-    error = {Code::kExprSyntax, 0,
-             fmt::format("the expression has {} bytes; the limit is {}", text.size(), kMaxBytes),
-             "give a part of it a name: a parameter may be an expression"};
+    error = TooLong(text.size(), kMaxBytes);
     return false;
   }
   std::vector<Word> words;

@@ -75,7 +75,7 @@ bool Assets::ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part) 
   std::string why_not;
   std::optional<TriangleMesh> mesh = MakePrism(*points, *z, why_not);
   if (!mesh) {
-    reader.ReportElement(Code::kModelBadPolygon, polygon->value.mark, "has a " + why_not,
+    reader.ReportElement(Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
                          why_not.find("convex") == std::string::npos
                              ? std::string()
                              : "make it of several convex prisms");

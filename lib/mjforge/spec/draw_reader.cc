@@ -104,7 +104,7 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
     if (main != nullptr) {
       findings_.Add(Code::kSpecConflict, pair.mark,
                     fmt::format("'{}' beside '{}': a value is drawn one way", pair.key, main->key));
-      return Value{.mark = node.mark, .form = 1.0};
+      return Harmless(node);
     }
     main = &pair;
     if (info != nullptr) option = info->option;
@@ -117,7 +117,7 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
     findings_.Add(Code::kSpecUnknownKey, pair.mark,
                   fmt::format("unknown key '{}' in a distribution", pair.key),
                   diag::DidYouMean(pair.key, KnownKeys(extra_keys)));
-    if (main == nullptr) return Value{.mark = node.mark, .form = 1.0};
+    if (main == nullptr) return Harmless(node);
   }
   if (main == nullptr)
     return Wrong(node,
@@ -131,14 +131,15 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
 Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expected,
                             const YamlNode& map) {
   const YamlNode& node = *map.Find(info.key);
-  Value value{.mark = map.mark};
+  Value value = Harmless(map);
   if (!Fits(info, expected.slot)) {
     findings_.Add(Code::kSpecWrongType, map.mark,
                   fmt::format("expected {}, but '{}' draws {}", TypeWord(expected.slot), info.key,
                               info.id == Distribution::kBernoulli ? "true or false" : "numbers"));
     return value;
   }
-  Draw draw{.distribution = info.id};
+  Draw draw;
+  draw.distribution = info.id;
   if (info.arguments < 0) {
     ReadOptions(expected, node, draw, value);
   } else {
@@ -192,7 +193,7 @@ void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Dr
                               Value& value) {
   if (list.kind != YamlNode::Kind::kList || list.items.empty()) {
     Wrong(list, "a list of values to choose from");
-    draw.arguments.push_back(Value{.mark = list.mark, .form = 1.0});
+    draw.arguments.push_back(Harmless(list));
     return;
   }
   for (const YamlNode& item : list.items) draw.arguments.push_back(Read(expected, item));

@@ -141,7 +141,8 @@ void CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Reading& rea
   for (const YamlNode& option : options->items) {
     if (option.kind != YamlNode::Kind::kScalar || expr::ParseNumber(option.text)) return;
     words.push_back(option.text);
-    list += (list.empty() ? "" : ", ") + option.text;
+    if (!list.empty()) list += ", ";
+    list += option.text;
   }
   if (std::ranges::find(words, pinned.text) != words.end()) return;
   reading.findings.Add(Code::kSpecBadValue, pinned.mark,
@@ -185,12 +186,10 @@ void ReadRequirements(const YamlNode& require, Reading& reading) {
 void DeclareParameters(const YamlNode& params, std::vector<YamlNode>& nodes, Reading& reading) {
   for (const auto& pair : params.pairs) {
     CheckParameterName(pair, reading);
-    Parameter parameter{.name = pair.key,
-                        .mark = pair.mark,
-                        .value = {},
-                        .doc = {},
-                        .unit = {},
-                        .source = SourceText(pair.value)};
+    Parameter parameter;
+    parameter.name = pair.key;
+    parameter.mark = pair.mark;
+    parameter.source = SourceText(pair.value);
     if (IsLongForm(pair.value)) {
       if (const YamlNode* doc = pair.value.Find("doc")) {
         parameter.doc = reading.values.ReadPlainText("doc", *doc);
@@ -220,7 +219,8 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
     std::string text;
     for (const int i : path) {
       in_cycle[static_cast<std::size_t>(i)] = true;
-      text += (text.empty() ? "" : " -> ") + spec.parameters[static_cast<std::size_t>(i)].name;
+      if (!text.empty()) text += " -> ";
+      text += spec.parameters[static_cast<std::size_t>(i)].name;
     }
     reading.findings.Add(Code::kSpecCycle, spec.parameters[static_cast<std::size_t>(path[0])].mark,
                          fmt::format("parameters depend on each other: {}", text));

@@ -87,6 +87,10 @@ Value ValueReader::Wrong(const YamlNode& node, std::string_view expected) {
     findings_.Add(Code::kSpecWrongType, node.mark,
                   fmt::format("expected {}, got {}", expected, KindName(node)));
   }
+  return Harmless(node);
+}
+
+Value ValueReader::Harmless(const YamlNode& node) {
   return Value{.mark = node.mark, .form = 1.0};
 }
 
@@ -172,7 +176,7 @@ std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::
 }
 
 Value ValueReader::ReadExpression(const YamlNode& node) {
-  Value value{.mark = node.mark};
+  Value value = Harmless(node);
   if (auto expression = Compile(node, 0, node.text.size())) {
     value.type = expression->type();
     value.form = std::move(*expression);
@@ -181,7 +185,7 @@ Value ValueReader::ReadExpression(const YamlNode& node) {
 }
 
 Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
-  Value value{.mark = node.mark};
+  Value value = Harmless(node);
   Draw draw;
   const std::pair<std::size_t, std::size_t> ends[] = {{0, dots},
                                                       {dots + 2, node.text.size() - dots - 2}};
@@ -238,7 +242,7 @@ Value ValueReader::ReadNumber(const YamlNode& node) {
   if (value.type != Type::kNumber) {
     findings_.Add(Code::kSpecWrongType, node.mark,
                   fmt::format("expected a number, but '{}' is true or false", node.text));
-    return Value{.mark = node.mark, .form = 1.0};
+    return Harmless(node);
   }
   return value;
 }

@@ -68,6 +68,8 @@ class ValueReader {
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
   Value Wrong(const YamlNode& node, std::string_view expected);
+  // Stands for a value that was reported: passes every later check.
+  static Value Harmless(const YamlNode& node);
   diag::SourceMark At(const YamlNode& node, std::size_t offset) const;
 
   const expr::Names& names_;

@@ -223,6 +223,25 @@ std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
+// The first bracket that opens a flow list or mapping deeper than kMaxDepth.
+// yaml-cpp's own guard counts only what it can close.
+std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text) {
+  constexpr int kMaxDepth = 200;
+  SourceMark mark{file, 1, 0};
+  int depth = 0;
+  for (const char c : text) {
+    ++mark.column;
+    if (c == '\n') {
+      ++mark.line;
+      mark.column = 0;
+    }
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    if (depth > kMaxDepth) return mark;
+  }
+  return std::nullopt;
+}
+
 // What yaml-cpp says, in our words where its are obscure.
 std::string Reworded(const std::string& message) {
   if (message.starts_with("end of map not found") ||
@@ -246,6 +265,10 @@ bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Finding
   if (const auto bad = FirstBadByte(file, text)) {
     findings.Add(Code::kYamlNotText, *bad, "not UTF-8 text",
                  "a spec is a YAML file in UTF-8; is this another kind of file?");
+    return false;
+  }
+  if (const auto deep = FirstTooDeep(file, text)) {
+    findings.Add(Code::kYamlTooDeep, *deep, "nested too deeply");
     return false;
   }
   return true;

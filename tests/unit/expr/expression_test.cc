@@ -2,6 +2,7 @@
 #include <clocale>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <numbers>
 #include <random>
 #include <string>
@@ -320,16 +321,41 @@ TEST_CASE("parentheses may be nested to a depth nobody needs") {
   CHECK(Value(std::string(190, '-') + "r") == 0.25);
 }
 
-TEST_CASE("no locale changes how numbers are read or written") {
+namespace {
+
+// Decimal commas and dots between thousands, as in Germany; unlike the system's
+// locales it is there on every machine.
+class GermanNumbers : public std::numpunct<char> {
+ protected:
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+void CheckNumbersOfTheLanguage() {
+  CHECK(NumberText(1234.5) == "1234.5");
+  CHECK(NumberText(1e-8) == "1e-08");
+  CHECK(ExactNumberText(0.5) == "0.5");
+  CHECK(ParseNumber("1.5") == 1.5);
+  CHECK(Value("1234.5 * n + max(0.5, 0.25)") == 9876.5);
+  CHECK(Value("15.5mm") == 0.0155);
+}
+
+}  // namespace
+
+TEST_CASE("the locale of C++ changes no number") {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new GermanNumbers));
+  CheckNumbersOfTheLanguage();
+  std::locale::global(before);
+}
+
+TEST_CASE("the locale of C changes no number") {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   // Whichever of these the machine has; the C locale is there in any case.
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"}) {
     if (std::setlocale(LC_ALL, name) == nullptr) continue;
     CAPTURE(name);
-    CHECK(NumberText(1234.5) == "1234.5");
-    CHECK(ExactNumberText(0.5) == "0.5");
-    CHECK(ParseNumber("1.5") == 1.5);
-    CHECK(Value("1.5 * n + max(0.5, 0.25)") == 12.5);
+    CheckNumbersOfTheLanguage();
   }
   std::setlocale(LC_ALL, before.c_str());
 }

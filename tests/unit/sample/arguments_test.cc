@@ -46,7 +46,8 @@ TEST_CASE("each distribution names its bad argument") {
   CHECK(Wrong(Distribution::kPoisson, {2e6}) == "mean 2000000 is above 1000000");
   CHECK(Wrong(Distribution::kInteger, {0.5, 2}) ==
         "end 0.5 of the integer range is not a whole number");
-  CHECK(Wrong(Distribution::kInteger, {0, 1e17}) == "end 1e+17 of the integer range is beyond 2^53");
+  CHECK(Wrong(Distribution::kInteger, {0, 1e17}) ==
+        "end 1e+17 of the integer range is beyond 2^53");
   CHECK(Wrong(Distribution::kBernoulli, {1.5}) == "probability 1.5 is not between 0 and 1");
   CHECK(Wrong(Distribution::kBernoulli, {-0.1}) == "probability -0.1 is not between 0 and 1");
 }

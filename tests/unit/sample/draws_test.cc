@@ -21,9 +21,7 @@ Pins FirstTen(const std::string& draw) {
   return values;
 }
 
-TEST_CASE("the first ten values of each distribution are pinned") {
-PINNED_CHECKS
-}
+TEST_CASE("the first ten values of each distribution are pinned"){PINNED_CHECKS}
 
 TEST_CASE("the first ten options of a choice are pinned") {
   Family family = Load("{p: {choice: [a, b, c], weights: [1, 2, 1]}, q: {bernoulli: 0.3}}");
@@ -121,8 +119,9 @@ TEST_CASE("quat: random is the rotation of the stream's first three uniforms") {
 }
 
 TEST_CASE("a rotation about an axis turns about that axis, of any length") {
-  Family family = Load("{}", "parts: [{name: b, type: box, size: [1, 1, 1], "
-                             "quat: {about: [0, 3, 4]}}]");
+  Family family = Load("{}",
+                       "parts: [{name: b, type: box, size: [1, 1, 1], "
+                       "quat: {about: [0, 3, 4]}}]");
   Evaluator evaluator = family.Evaluator({.seed = 5});
   Numbers q;
   evaluator.Vector(family.PartValue("quat"), 77, q);
@@ -134,8 +133,9 @@ TEST_CASE("a rotation about an axis turns about that axis, of any length") {
 }
 
 TEST_CASE("a rotation about nothing is found") {
-  Family family = Load("{z: 0}", "parts: [{name: b, type: box, size: [1, 1, 1], "
-                                 "quat: {about: [z, 0, z]}}]");
+  Family family = Load("{z: 0}",
+                       "parts: [{name: b, type: box, size: [1, 1, 1], "
+                       "quat: {about: [z, 0, z]}}]");
   Evaluator evaluator = family.Evaluator({.seed = 7, .index = 3});
   Numbers q;
   evaluator.Vector(family.PartValue("quat"), 77, q);
@@ -144,21 +144,22 @@ TEST_CASE("a rotation about nothing is found") {
 }
 
 TEST_CASE("a point on a sphere has the sphere's radius") {
-  Family family = Load("{}", "parts: [{name: b, type: box, size: [1, 1, 1], "
-                             "pos: {on_sphere: 2 .. 3}}]");
+  Family family = Load("{}",
+                       "parts: [{name: b, type: box, size: [1, 1, 1], "
+                       "pos: {on_sphere: 2 .. 3}}]");
   const DrawKey key = {.seed = 5};
   Evaluator evaluator = family.Evaluator(key);
   Numbers p;
   evaluator.Vector(family.PartValue("pos"), 77, p);
   REQUIRE(p.size() == 3);
-  const double radius =
-      RoundDraw(2 + Uniforms(key, Child(77, "on_sphere"))[0], 2, 3);
+  const double radius = RoundDraw(2 + Uniforms(key, Child(77, "on_sphere"))[0], 2, 3);
   CHECK_THAT(std::hypot(p[0], p[1], p[2]), WithinAbs(radius, 1e-15));
 }
 
 TEST_CASE("a sphere of negative radius is found") {
-  Family family = Load("{r: -2}", "parts: [{name: b, type: box, size: [1, 1, 1], "
-                                  "pos: {on_sphere: r}}]");
+  Family family = Load("{r: -2}",
+                       "parts: [{name: b, type: box, size: [1, 1, 1], "
+                       "pos: {on_sphere: r}}]");
   Evaluator evaluator = family.Evaluator({.seed = 7, .index = 3});
   Numbers p;
   evaluator.Vector(family.PartValue("pos"), 77, p);

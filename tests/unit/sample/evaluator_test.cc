@@ -39,12 +39,14 @@ TEST_CASE("text compares with a quoted literal") {
 }
 
 TEST_CASE("text interpolates numbers, booleans and texts") {
-  Family family = Load("{k: 3, r: 0.1, w: oak, t: true, s: \"${w}_${k + 1}_${r / 3}_${t}_${k > 5}\"}");
+  Family family =
+      Load("{k: 3, r: 0.1, w: oak, t: true, s: \"${w}_${k + 1}_${r / 3}_${t}_${k > 5}\"}");
   CHECK(std::get<std::string>(family.Parameter("s")) == "oak_4_0.03333333333_true_false");
 }
 
 TEST_CASE("a vector is a list, another vector, or chosen whole") {
-  Family family = Load("{a: [1, 2, 3 * 2], b: a, c: {choice: [[7, 8]]}, d: {cycle: [[1, 2], [3, 4]]}}");
+  Family family =
+      Load("{a: [1, 2, 3 * 2], b: a, c: {choice: [[7, 8]]}, d: {cycle: [[1, 2], [3, 4]]}}");
   CHECK(std::get<Vector>(family.Parameter("a")) == Vector{1, 2, 6});
   CHECK(std::get<Vector>(family.Parameter("b")) == Vector{1, 2, 6});
   CHECK(std::get<Vector>(family.Parameter("c")) == Vector{7, 8});
@@ -66,8 +68,9 @@ TEST_CASE("the items of a vector draw from streams of their own") {
 }
 
 TEST_CASE("points are given one after the other, each with its own streams") {
-  Family family = Load("{p: [4, 5]}", "parts: [{name: b, type: prism, height: 1, "
-                                      "polygon: [[0, 1], p, [0 .. 1, 3]]}]");
+  Family family = Load("{p: [4, 5]}",
+                       "parts: [{name: b, type: prism, height: 1, "
+                       "polygon: [[0, 1], p, [0 .. 1, 3]]}]");
   const DrawKey key = {.seed = 2};
   Evaluator evaluator = family.Evaluator(key);
   const Vector points = evaluator.Points(family.PartValue("polygon"), 50);
@@ -98,10 +101,11 @@ TEST_CASE("the inputs of a failed expression leave out texts and name booleans")
 }
 
 TEST_CASE("what follows from a failed value is not found again") {
-  CHECK(ReportOf("{a: 0, p: 1 / a, q: 2 * p, r: q .. 5, s: {choice: [1, 2], weights: [q, 1]}, "
-                 "v: [p, q], c: {hsv: [p, 1, 1]}, t: \"n_${q}\", n: {normal: [0, 1], clip: [p, 3]}}",
-                 "require: [q > 1]") ==
-        Strings{"3:20 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
+  CHECK(
+      ReportOf("{a: 0, p: 1 / a, q: 2 * p, r: q .. 5, s: {choice: [1, 2], weights: [q, 1]}, "
+               "v: [p, q], c: {hsv: [p, 1, 1]}, t: \"n_${q}\", n: {normal: [0, 1], clip: [p, 3]}}",
+               "require: [q > 1]") ==
+      Strings{"3:20 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
 }
 
 TEST_CASE("independent failures are all found") {

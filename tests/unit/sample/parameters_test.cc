@@ -36,8 +36,8 @@ TEST_CASE("adding a parameter changes no other draw") {
 
 TEST_CASE("removing a parameter changes no other draw") {
   Family family = Load(kParameters);
-  Family fewer = Load(
-      "{shape: {choice: [box, ball]}, r: 1 .. 2, v: [0 .. 1, 2 .. 3], on: {bernoulli: 0.5}}");
+  Family fewer =
+      Load("{shape: {choice: [box, ball]}, r: 1 .. 2, v: [0 .. 1, 2 .. 3], on: {bernoulli: 0.5}}");
   for (std::uint64_t index = 0; index < 50; ++index) {
     Values values = AllOf(family, {.seed = 4, .index = index});
     values.erase("l");
@@ -93,11 +93,11 @@ TEST_CASE("an object within an object draws from its own root") {
 }
 
 TEST_CASE("overrides of every type replace the parameters' values") {
-  Family family = Load("{n: 1, b: true, t: box, v: [1, 2], s: v.x + v.y + n, u: \"t == 'x' ? 1 : 0\"}");
-  const Values values = AllOf(family, {}, {{"n", 5.0},
-                                           {"b", false},
-                                           {"t", std::string("x")},
-                                           {"v", std::vector<double>{10, 20}}});
+  Family family =
+      Load("{n: 1, b: true, t: box, v: [1, 2], s: v.x + v.y + n, u: \"t == 'x' ? 1 : 0\"}");
+  const Values values = AllOf(
+      family, {},
+      {{"n", 5.0}, {"b", false}, {"t", std::string("x")}, {"v", std::vector<double>{10, 20}}});
   CHECK(values.at("n") == ParameterValue(5.0));
   CHECK(values.at("b") == ParameterValue(false));
   CHECK(values.at("t") == ParameterValue(std::string("x")));
@@ -109,10 +109,8 @@ TEST_CASE("overrides of every type replace the parameters' values") {
 
 TEST_CASE("an override of another kind than the parameter is found") {
   Family family = Load("{n: 1, b: true, t: box, v: [1, 2]}");
-  AllOf(family, {.seed = 7, .index = 3}, {{"n", std::string("x")},
-                                          {"b", 1.0},
-                                          {"t", false},
-                                          {"v", std::vector<double>{1, 2, 3}}});
+  AllOf(family, {.seed = 7, .index = 3},
+        {{"n", std::string("x")}, {"b", 1.0}, {"t", false}, {"v", std::vector<double>{1, 2, 3}}});
   CHECK(family.Report() ==
         Strings{"3:10 sample/bad-argument: parameter 'n' is a number, but its value is text 7/3",
                 "3:16 sample/bad-argument: parameter 'b' is true or false, but its value is a "

@@ -93,9 +93,7 @@ TEST_CASE("a range as narrow as doubles allow gives a double of it") {
   CHECK(value == 1.5);
 }
 
-TEST_CASE("rounding gives no negative zero") {
-  CHECK_FALSE(std::signbit(RoundDraw(-0.0, -1, 1)));
-}
+TEST_CASE("rounding gives no negative zero") { CHECK_FALSE(std::signbit(RoundDraw(-0.0, -1, 1))); }
 
 }  // namespace
 }  // namespace mjforge::sample

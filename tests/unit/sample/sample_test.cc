@@ -31,8 +31,7 @@ TEST_CASE("attempts begin at the key's attempt") {
 }
 
 TEST_CASE("a draw that is rejected once too often is found with its requirements") {
-  CHECK(ReportOf("{a: 0 .. 1, b: 0 .. 1}",
-                 "require:\n  - a > 0.5\n  - b > 2\n  - a + b < 9") ==
+  CHECK(ReportOf("{a: 0 .. 1, b: 0 .. 1}", "require:\n  - a > 0.5\n  - b > 2\n  - a + b < 9") ==
         Strings{"REJECTED_PIN"});
 }
 
@@ -60,8 +59,7 @@ TEST_CASE("a draw anywhere in a value counts as one") {
 }
 
 TEST_CASE("a failing draw ends the attempts") {
-  CHECK(ReportOf("{a: 0 .. 1, b: 1 .. a}", "require: [a > 2]") ==
-        Strings{"FAILING_PIN"});
+  CHECK(ReportOf("{a: 0 .. 1, b: 1 .. a}", "require: [a > 2]") == Strings{"FAILING_PIN"});
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ TEST_CASE("a clip counts from the mean in standard deviations") {
   const std::vector<double> arguments = {10, 0.5};
   const std::vector<double> standard = {0, 1};
   for (const double u : kUniforms) {
-    CHECK_THAT(Quantile(Distribution::kNormal, arguments, Interval{9, 10.5}, u),
-               WithinRel(10 + 0.5 * Quantile(Distribution::kNormal, standard, Interval{-2, 1}, u),
-                         1e-14));
+    CHECK_THAT(
+        Quantile(Distribution::kNormal, arguments, Interval{9, 10.5}, u),
+        WithinRel(10 + 0.5 * Quantile(Distribution::kNormal, standard, Interval{-2, 1}, u), 1e-14));
   }
 }
 

@@ -27,8 +27,8 @@ TEST_CASE("a part needs a name, a type and what its type needs", "[entries]") {
   CHECK(ReportPart("{name: a, type: prism}") ==
         Strings{"5:5 spec/missing-key: prism without 'polygon'",
                 "5:5 spec/missing-key: prism without 'height'"});
-  CHECK(ReportPart("{name: a, type: boks, size: v}") ==
-        Strings{"5:21 spec/bad-value: 'boks' is not one of box, sphere, cylinder, capsule, ellipsoid, "
+  CHECK(ReportPart("{name: a, type: bxo, size: v}") ==
+        Strings{"5:21 spec/bad-value: 'bxo' is not one of box, sphere, cylinder, capsule, ellipsoid, "
                 "prism, mesh (did you mean 'box'?)"});
   CHECK(ReportPart("{name: a, type: word, size: v}") ==
         Strings{"5:21 spec/bad-value: 'word' is not one of box, sphere, cylinder, capsule, ellipsoid, "

@@ -123,9 +123,9 @@ TEST_CASE("a welded spec takes parameters of its own kind", "[loader]") {
   };
   CHECK(report("radius: 1 .. 2") == Strings{});
   CHECK(report("radus: 1") ==
-        Strings{"4:39 spec/unknown-parameter: 'ball' has no parameter 'radus' (did you mean 'radius'?)"});
+        Strings{"4:36 spec/unknown-parameter: 'ball' has no parameter 'radus' (did you mean 'radius'?)"});
   CHECK(report("radius: box") ==
-        Strings{"4:47 spec/wrong-type: parameter 'radius' of 'ball' is of another kind"});
+        Strings{"4:44 spec/wrong-type: parameter 'radius' of 'ball' is of another kind"});
 }
 
 TEST_CASE("a spec that is not found names the nearest one", "[loader]") {
@@ -144,8 +144,8 @@ TEST_CASE("a file of another version or shape is refused", "[loader]") {
         Strings{"1:1 spec/wrong-type: a spec is a mapping of keys, got a list (start with `mjforge: 1` "
                 "and a `name:`)"});
   CHECK(Load("nam: t\n").Report() ==
-        Strings{"1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",
+        Strings{"1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)",
+                "1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",
                 "1:1 spec/missing-key: spec without a 'name'",
-                "1:1 spec/missing-key: spec without 'parts'",
-                "1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)"});
+                "1:1 spec/missing-key: spec without 'parts'"});
 }

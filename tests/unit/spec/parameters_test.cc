@@ -33,7 +33,7 @@ TEST_CASE("the long form carries meaning and unit", "[params]") {
   CHECK(loaded.spec->parameters[0].doc == "Radius of it");
   CHECK(loaded.spec->parameters[0].unit == "m");
   CHECK(loaded.spec->parameters[0].source == "1cm .. 2cm");
-  CHECK(loaded.spec->parameters[1].source == "choice: [box, ball]");
+  CHECK(loaded.spec->parameters[1].source == "{choice: [box, ball]}");
 }
 
 TEST_CASE("a name of the expression language is no parameter's name", "[params]") {

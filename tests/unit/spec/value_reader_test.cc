@@ -74,7 +74,7 @@ TEST_CASE("a quoted expression is an expression", "[value]") {
 TEST_CASE("an unquoted comma in a list gets a hint to quote", "[value]") {
   const Strings report = ReportWithBox("params: {a: 1, b: 2}\ntotal_size: [max(a, b), 1, 1]\n");
   REQUIRE(report.size() == 1);
-  CHECK(report[0].find("5:14") == 0);
+  CHECK(report[0].find("5:17") == 0);
   CHECK(report[0].find("a comma ends an item of a list in brackets; quote the expression: "
                        "[\"max(a, b)\", 0]") != std::string::npos);
 }

@@ -1,0 +1,173 @@
+#include <catch2/catch.hpp>
+
+#include "assembling.h"
+
+namespace mjforge::model {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST_CASE("every element's name begins with the object's") {
+  const Assembling thing(
+      "parts: [{name: ball, type: sphere, size: [0.1]}]\n"
+      "sites: [{name: top}]\n");
+  CHECK(thing.object().name == "thing");
+  CHECK(thing.body().name == "thing");
+  CHECK(thing.body().parts.at(0).name == "thing_ball");
+  CHECK(thing.body().sites.at(0).name == "thing_top");
+  CHECK(thing.body().joints.at(0).name == "thing_joint0");
+}
+
+TEST_CASE("the object can be renamed, and its prefix left out") {
+  const std::string body = "parts: [{name: ball, type: sphere, size: [0.1]}]\n";
+  const Assembling renamed(body, 1, 0, {}, {.name = "other"});
+  CHECK(renamed.body().name == "other");
+  CHECK(renamed.body().parts.at(0).name == "other_ball");
+  const Assembling bare(body, 1, 0, {}, {.prefix = false});
+  CHECK(bare.body().name == "thing");
+  CHECK(bare.body().parts.at(0).name == "ball");
+  const Assembling bad(body, 1, 0, {}, {.name = "../x"});
+  CHECK(bad.findings() ==
+        std::vector<std::string>{"0:0 object name '../x' is not a name (a name is a letter, then "
+                                 "letters, digits and underscores)"});
+}
+
+TEST_CASE("frames compose with the poses of their parts, rotations included") {
+  const Assembling thing(
+      "parts:\n"
+      "- frame: {pos: [1, 0, 0], euler: [0, 0, 90deg]}\n"
+      "  parts:\n"
+      "  - frame: {pos: [0, 2, 0], euler: [90deg, 0, 0]}\n"
+      "    parts: [{name: a, type: sphere, size: [1], pos: [0, 0, 3]}]\n");
+  // (0 0 3) turned about x by 90 degrees is (0 -3 0), moved (0 -1 0), turned
+  // about z by 90 degrees (1 0 0), moved (2 0 0).
+  CHECK((thing.Part("thing_a").X_BG.p - Vector3d(2, 0, 0)).norm() < 1e-14);
+  CHECK((thing.Part("thing_a").X_BG.q * Vector3d::UnitX() - Vector3d(0, 1, 0)).norm() < 1e-14);
+}
+
+TEST_CASE("corner placement counts lower corners from the lower corner of the declared box") {
+  const Assembling thing(
+      "placement: corner\n"
+      "total_size: [1, 2, 3]\n"
+      "parts:\n"
+      "- {name: a, type: box, size: [0.1, 0.2, 0.3], pos: [0, 0, 0]}\n"
+      "- {name: b, type: box, size: [0.1, 0.2, 0.3], pos: [0.5, 0, 0], euler: [0, 0, 90deg]}\n"
+      "- frame: {pos: [0, 0, 1]}\n"
+      "  parts: [{name: c, type: sphere, size: [0.5]}]\n");
+  CHECK((thing.Part("thing_a").X_BG.p - Vector3d(-0.9, -1.8, -2.7)).norm() < 1e-14);
+  CHECK((thing.Part("thing_b").X_BG.p - Vector3d(-0.3, -1.9, -2.7)).norm() < 1e-14);
+  CHECK((thing.Part("thing_c").X_BG.p - Vector3d(-0.5, -1.5, -1.5)).norm() < 1e-14);
+  CHECK(thing.object().bounds.top_offset == 3);
+  CHECK(thing.object().bounds.bottom_offset == -3);
+  CHECK(thing.object().bounds.horizontal_radius == Approx(std::sqrt(5)));
+}
+
+const std::string kInner =
+    "mjforge: 1\nname: inner\n"
+    "params: {r: 0.1 .. 0.2}\n"
+    "require: [r > 0.15]\n"
+    "materials: {wood: {density: 500, rgba: [1, 0, 0, 1]}}\n"
+    "parts: [{name: ball, type: sphere, size: [r], material: wood}]\n"
+    "sites: [{name: top, pos: [0, 0, r]}]\n"
+    "joints: [{name: slider, type: slide}]\n";
+
+TEST_CASE("a welded spec brings parts, sites and materials under its entry's name") {
+  const TemporaryFolder folder;
+  folder.Write("inner.yaml", kInner);
+  const Assembling thing(
+      "parts:\n"
+      "- {name: left, spec: inner.yaml, pos: [1, 0, 0], euler: [0, 90deg, 0], params: {r: 0.2}}\n",
+      1, 0, folder.path());
+  CHECK(thing.Part("thing_left_ball").shape.size.x() == 0.2);
+  CHECK(thing.Part("thing_left_ball").X_BG.p == Vector3d(1, 0, 0));
+  CHECK(thing.object().materials.at(0).name == "thing_left_wood");
+  CHECK((thing.body().sites.at(0).X_BS.p - Vector3d(1.2, 0, 0)).norm() < 1e-14);
+  REQUIRE(thing.body().joints.size() == 1);  // the inner slide joint is dropped
+  CHECK(thing.body().joints[0].type == "free");
+}
+
+TEST_CASE("a welded spec's draws meet its own requirements and differ by entry") {
+  const TemporaryFolder folder;
+  folder.Write("inner.yaml", kInner);
+  const std::string left = "- {name: left, spec: inner.yaml}\n";
+  const std::string right = "- {name: right, spec: inner.yaml}\n";
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    const Assembling both("parts:\n" + left + right, 1, index, folder.path());
+    const double r_left = both.Part("thing_left_ball").shape.size.x();
+    const double r_right = both.Part("thing_right_ball").shape.size.x();
+    CHECK(r_left > 0.15);
+    CHECK(r_right > 0.15);
+    CHECK(r_left != r_right);
+    const Assembling alone("parts:\n" + right, 1, index, folder.path());
+    CHECK(alone.Part("thing_right_ball").shape.size.x() == r_right);
+  }
+}
+
+TEST_CASE("a spec welded into a welded spec") {
+  const TemporaryFolder folder;
+  folder.Write("inner.yaml", kInner);
+  folder.Write("middle.yaml",
+               "mjforge: 1\nname: middle\nmass: 3\n"
+               "parts: [{name: x, spec: inner.yaml, pos: [0, 0, 1]}]\n");
+  const Assembling thing(
+      "parts: [{name: y, spec: middle.yaml, pos: [0, 1, 0]}, {name: z, type: sphere, size: [1], "
+      "mass: 2}]\n",
+      1, 0, folder.path());
+  const Part& ball = thing.Part("thing_y_x_ball");
+  CHECK(ball.X_BG.p == Vector3d(0, 1, 1));
+  CHECK(ball.mass == Approx(3));
+  CHECK(ball.density == 0);
+  CHECK(thing.object().mass_properties.mass == Approx(5));
+}
+
+TEST_CASE("a welded spec is placed by its own lower corner") {
+  const TemporaryFolder folder;
+  folder.Write("pair.yaml",
+               "mjforge: 1\nname: pair\n"
+               "parts:\n"
+               "- {name: a, type: box, size: [0.1, 0.1, 0.1]}\n"
+               "- {name: b, type: box, size: [0.1, 0.1, 0.1], pos: [0, 0, 0.4]}\n");
+  const Assembling thing(
+      "placement: corner\n"
+      "total_size: [1, 1, 1]\n"
+      "parts: [{name: p, spec: pair.yaml, pos: [0.2, 0, 0], euler: [180deg, 0, 0]}]\n",
+      1, 0, folder.path());
+  CHECK((thing.Part("thing_p_a").X_BG.p - Vector3d(-0.7, -0.9, -0.5)).norm() < 1e-14);
+  CHECK((thing.Part("thing_p_b").X_BG.p - Vector3d(-0.7, -0.9, -0.9)).norm() < 1e-14);
+}
+
+TEST_CASE("all errors of an object are found in one go") {
+  const Assembling thing(
+      "params: {r: -0.01, n: 2.5}\n"
+      "parts:\n"
+      "- {name: a, type: sphere, size: [r]}\n"
+      "- {name: 'b_${i}', for: {i: n}, type: sphere, size: [1]}\n"
+      "- {name: c, type: sphere, size: [1], quat: [0, 0, r - r, 0]}\n"
+      "joints: [{name: j, axis: [0, 0, 0]}]\n");
+  CHECK(thing.failed());
+  CHECK(thing.findings() ==
+        std::vector<std::string>{
+            "5:36 size of part 'a' is -0.01; it must be greater than 0 (it is the value of 'r')",
+            "6:31 count of loop 'i' is 2.5; it must be a whole number, 0 or more",
+            "7:47 quat of part 'c' is zero",
+            "8:27 axis of joint 'j' is zero",
+        });
+}
+
+TEST_CASE("a name may not come out as something else") {
+  CHECK(OnlyFinding("params: {n: 1.5}\n"
+                    "parts: [{name: 'a${n}', type: sphere, size: [1]}]\n") ==
+        "4:16 part name 'a1.5' is not a name (a name is a letter, then letters, digits and "
+        "underscores)");
+}
+
+TEST_CASE("two parts of one name are an error even after the prefix") {
+  CHECK(OnlyFinding("params: {n: 1}\n"
+                    "parts:\n"
+                    "- {name: 'a${n}', type: sphere, size: [1]}\n"
+                    "- {name: a1, type: sphere, size: [1]}\n") ==
+        "6:3 two parts are named 'thing_a1'");
+}
+
+}  // namespace
+}  // namespace mjforge::model

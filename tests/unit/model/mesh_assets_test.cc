@@ -1,0 +1,108 @@
+#include <catch2/catch.hpp>
+
+#include "assembling.h"
+
+namespace mjforge::model {
+namespace {
+
+const std::string kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::string kOpen = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n";
+
+TEST_CASE("a prism is an inline mesh with the inertia written out") {
+  const Assembling thing(
+      "parts: [{name: a, type: prism, polygon: [[0, 0], [1, 0], [0, 1]], scale: [2, 3], height: 4, "
+      "density: 10}]\n");
+  REQUIRE(thing.object().meshes.size() == 1);
+  CHECK(thing.object().meshes[0]->name == "thing_a");
+  CHECK(thing.object().meshes[0]->file.empty());
+  CHECK(thing.Part("thing_a").mass == Approx(120));
+  CHECK(thing.Part("thing_a").shape.mesh == &thing.object().meshes[0]->mesh);
+  CHECK(thing.body().explicit_inertial);
+  CHECK(thing.object().mass_properties.p_FCm.isApprox(Eigen::Vector3d(2 / 3.0, 1, 0), 1e-14));
+}
+
+TEST_CASE("equal prisms share one mesh") {
+  const Assembling thing(
+      "parts:\n"
+      "- {name: 'a${i}', for: {i: 3}, type: prism, polygon: [[0, 0], [1, 0], [0, 1]], height: 1, "
+      "pos: [i, 0, 0]}\n"
+      "- {name: b, type: prism, polygon: [[0, 0], [1, 0], [0, 1]], height: 2}\n");
+  REQUIRE(thing.object().meshes.size() == 2);
+  CHECK(thing.Part("thing_a2").mesh == 0);
+  CHECK(thing.Part("thing_b").mesh == 1);
+}
+
+TEST_CASE("a polygon that comes out wrong is reported where it stands") {
+  CHECK(OnlyFinding("params: {x: 0.1}\n"
+                    "parts: [{name: a, type: prism, polygon: [[0, 0], [1, 0], [x, x], [0, 1]], "
+                    "height: 1}]\n") ==
+        "4:41 part 'a' has a bad outline: polygon is not convex at corner 3 (make it of several convex "
+        "prisms)");
+}
+
+TEST_CASE("a mesh file is read beside the spec and shared where file and scale are equal") {
+  const TemporaryFolder folder;
+  folder.Write("x/t.obj", kTetrahedron);
+  folder.Write("y/t.obj", kTetrahedron);
+  const Assembling thing(
+      "parts:\n"
+      "- {name: a, type: mesh, file: x/t.obj, density: 6}\n"
+      "- {name: b, type: mesh, file: x/../x/t.obj, density: 6}\n"
+      "- {name: c, type: mesh, file: y/t.obj, density: 6}\n"
+      "- {name: d, type: mesh, file: x/t.obj, scale: [-1, 2, 3], density: 6}\n",
+      1, 0, folder.path());
+  const auto& meshes = thing.object().meshes;
+  REQUIRE(meshes.size() == 3);
+  CHECK(thing.Part("thing_b").mesh == 0);
+  CHECK(meshes[0]->output_file == "t.obj");
+  CHECK(meshes[1]->output_file == "t_2.obj");
+  CHECK(meshes[2]->output_file == "t.obj");
+  CHECK(meshes[2]->scale == Eigen::Vector3d(-1, 2, 3));
+  CHECK(thing.Part("thing_a").mass == Approx(1));
+  CHECK(thing.Part("thing_d").mass == Approx(6));
+}
+
+TEST_CASE("a mesh must be closed unless it is only seen") {
+  const TemporaryFolder folder;
+  folder.Write("open.obj", kOpen);
+  const Assembling solid("parts: [{name: a, type: mesh, file: open.obj}]\n", 1, 0, folder.path());
+  CHECK(solid.findings() ==
+        std::vector<std::string>{"3:37 mesh 'open.obj' is not a closed surface: edge shared by 1 "
+                                 "triangle (mend the file, or give the part `role: visual`)"});
+  const Assembling seen(
+      "joints: none\nparts: [{name: a, type: mesh, file: open.obj, role: visual}]\n", 1, 0,
+      folder.path());
+  CHECK(seen.Part("thing_a").mass == 0);
+  const Assembling heavy(
+      "parts: [{name: a, type: mesh, file: open.obj, role: visual, mass: 1}]\n", 1, 0,
+      folder.path());
+  CHECK(heavy.findings() == std::vector<std::string>{"3:9 part 'a' has mass but no closed surface "
+                                                     "(leave `mass` and `density` out)"});
+}
+
+TEST_CASE("missing and unreadable meshes are reported") {
+  const TemporaryFolder folder;
+  folder.Write("words.obj", "words\n");
+  const Assembling thing(
+      "parts:\n"
+      "- {name: a, type: mesh, file: nowhere.obj}\n"
+      "- {name: b, type: mesh, file: words.obj}\n",
+      1, 0, folder.path());
+  CHECK(thing.findings() ==
+        std::vector<std::string>{
+            "4:31 part 'a': no file 'nowhere.obj' (files are looked for from the folder of the "
+            "spec)",
+            "5:31 cannot read mesh 'words.obj': no triangles"});
+}
+
+TEST_CASE("a scale of zero is refused") {
+  const TemporaryFolder folder;
+  folder.Write("t.obj", kTetrahedron);
+  const Assembling thing("parts: [{name: a, type: mesh, file: t.obj, scale: [1, 0, 1]}]\n", 1, 0,
+                         folder.path());
+  CHECK(thing.findings() == std::vector<std::string>{"3:51 scale of part 'a' is zero"});
+}
+
+}  // namespace
+}  // namespace mjforge::model

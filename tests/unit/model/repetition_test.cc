@@ -1,0 +1,83 @@
+#include <catch2/catch.hpp>
+
+#include "assembling.h"
+
+namespace mjforge::model {
+namespace {
+
+std::vector<std::string> PartNames(const std::string& body) {
+  const Assembling thing(body);
+  std::vector<std::string> names;
+  for (const Part& part : thing.body().parts) names.push_back(part.name.substr(6));
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST_CASE("several loops run as an odometer, the first outermost") {
+  CHECK(PartNames("parts: [{name: 'a${i}${j}', for: {i: 2, j: 3}, type: sphere, size: [1]}]\n") ==
+        Names{"a00", "a01", "a02", "a10", "a11", "a12"});
+}
+
+TEST_CASE("a count may depend on an outer loop's variable") {
+  CHECK(PartNames(
+            "parts: [{name: 'a${i}${j}', for: {i: 3, j: i}, type: sphere, size: [1]}]\n") ==
+        Names{"a10", "a20", "a21"});
+}
+
+TEST_CASE("a condition is tested for each instance") {
+  CHECK(PartNames("parts: [{name: 'a${i}', for: {i: 5}, if: i % 2 == 0, type: sphere, size: "
+                  "[1 + i]}]\n") == Names{"a0", "a2", "a4"});
+}
+
+TEST_CASE("frames repeat, too") {
+  const Assembling thing(
+      "parts:\n"
+      "- frame: {pos: [i, 0, 0]}\n"
+      "  for: {i: 2}\n"
+      "  parts: [{name: 'a${i}${j}', for: {j: 2}, type: sphere, size: [1], pos: [0, j, 0]}]\n");
+  REQUIRE(thing.body().parts.size() == 4);
+  CHECK(thing.Part("thing_a10").X_BG.p == Eigen::Vector3d(1, 0, 0));
+  CHECK(thing.Part("thing_a01").X_BG.p == Eigen::Vector3d(0, 1, 0));
+}
+
+TEST_CASE("a count of 0 leaves the entry out") {
+  CHECK(PartNames("parts:\n"
+                  "- {name: 'a${i}', for: {i: 0}, type: sphere, size: [1]}\n"
+                  "- {name: b, type: sphere, size: [1]}\n") == Names{"b"});
+}
+
+TEST_CASE("a negative count is an error") {
+  CHECK(OnlyFinding("params: {n: -1}\n"
+                    "parts: [{name: 'a${i}', for: {i: n}, type: sphere, size: [1]}]\n") ==
+        "4:34 count of loop 'i' is -1; it must be a whole number, 0 or more");
+}
+
+TEST_CASE("too many instances are refused before any is made") {
+  const std::string too_many =
+      "'for' makes more instances than the 100000 parts an object may have";
+  for (const std::string loops :
+       {"i: 1e9", "i: 1e5, j: 1e5", "i: 100001", "i: 1e9, j: 0", "i: 1e300", "i: 1000, j: 1000"}) {
+    INFO(loops);
+    CHECK(OnlyFinding("parts: [{name: a, for: {" + loops + "}, type: sphere, size: [1]}]\n") ==
+          "3:28 " + too_many);
+    CHECK(OnlyFinding("parts: [{frame: {}, for: {" + loops +
+                      ", k: 2}, parts: [{name: a, type: sphere, size: [1]}]}]\n") ==
+          "3:30 " + too_many);
+  }
+}
+
+TEST_CASE("a condition may pick few out of many cells") {
+  const Assembling thing(
+      "parts: [{name: 'a${i}', for: {i: 100, j: 100, k: 20}, if: j == 0 && k == 0, type: sphere, "
+      "size: [1]}]\n");
+  CHECK(thing.body().parts.size() == 100);
+}
+
+TEST_CASE("only the first failing instance is reported") {
+  CHECK(OnlyFinding("parts: [{name: 'a${i}', for: {i: 9}, type: sphere, size: [2 - i]}]\n") ==
+        "3:61 size of part 'a2' is 0; it must be greater than 0 (it is the value of '2 - i')");
+}
+
+}  // namespace
+}  // namespace mjforge::model
