@@ -17,12 +17,17 @@ struct ValidateOptions {
   ReportOptions report;
 };
 
+std::string Count(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string Line(const std::string& file, const std::optional<validate::CompiledModel>& model,
                  bool ok) {
   if (!model) return fmt::format("{}: failed\n", file);
-  const std::size_t bodies = model->bodies.size();
-  return fmt::format("{}: {}, {} {}, {} joints, {} geoms, {:.6g} kg\n", file, ok ? "ok" : "failed",
-                     bodies, bodies == 1 ? "body" : "bodies", model->joints.size(), model->geoms,
+  return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg\n", file, ok ? "ok" : "failed",
+                     Count(model->bodies.size(), "body", "bodies"),
+                     Count(model->joints.size(), "joint", "joints"),
+                     Count(static_cast<std::size_t>(model->geoms), "geom", "geoms"),
                      model->mass_properties.mass);
 }
 

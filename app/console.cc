@@ -56,7 +56,8 @@ void Console::Show(diag::Findings findings, const diag::Sources& sources, std::u
     ++shown;
   }
   more += findings.size() - shown;
-  if (more > 0) text += fmt::format(json_ ? "{{\"more\":{}}}\n" : "and {} more\n", more);
+  if (more > 0 && json_) text += fmt::format("{{\"more\":{}}}\n", more);
+  if (more > 0 && !json_) text += fmt::format("and {} more\n", more);
   WriteAll(STDERR_FILENO, text);
 }
 

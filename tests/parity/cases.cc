@@ -35,8 +35,10 @@ class Pins {
   void Set(std::string name, std::string_view value) {
     settings_.push_back({.name = std::move(name), .text = std::string(value)});
   }
-  void Set(std::string name, bool value) { Set(std::move(name), value ? "true" : "false"); }
-  void Set(std::string name, double value) { Set(std::move(name), expr::ExactNumberText(value)); }
+  void SetFlag(std::string name, bool value) { Set(std::move(name), value ? "true" : "false"); }
+  void SetNumber(std::string name, double value) {
+    Set(std::move(name), expr::ExactNumberText(value));
+  }
 
   // JSON is YAML's flow style.
   void Same(const std::string& name) {
@@ -123,12 +125,13 @@ Settings LidPins(const json& reference) {
 Settings HollowCylinderPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"outer_radius", "ngeoms", "density", "solref", "solimp", "make_half"});
-  pins.Set("height", 2 * pins.Given("height").get<double>());
-  pins.Set("inner_radius", pins.Given("inner_radius").get<double>() *
-                               std::cos(std::numbers::pi / pins.Given("ngeoms").get<double>()));
+  pins.SetNumber("height", 2 * pins.Given("height").get<double>());
+  pins.SetNumber("inner_radius",
+                 pins.Given("inner_radius").get<double>() *
+                     std::cos(std::numbers::pi / pins.Given("ngeoms").get<double>()));
   pins.SameOr("friction", kFriction);
   pins.SameOr("rgba", "[0.5, 0.5, 0.5, 1]");
-  pins.Set("use_texture", pins.Has("material"));
+  pins.SetFlag("use_texture", pins.Has("material"));
   return pins.Take();
 }
 
@@ -137,11 +140,11 @@ Settings HookPins(const json& reference) {
   pins.Same({"frame_length", "frame_height", "frame_thickness", "density", "solref", "solimp",
              "use_texture", "rgba"});
   pins.SameOr("friction", kFriction);
-  pins.Set("hook", pins.Has("hook_height"));
+  pins.SetFlag("hook", pins.Has("hook_height"));
   if (pins.Has("hook_height")) pins.Same("hook_height");
-  pins.Set("grip", pins.Has("grip_size"));
+  pins.SetFlag("grip", pins.Has("grip_size"));
   if (pins.Has("grip_size")) pins.Same({"grip_location", "grip_size"});
-  pins.Set("tip", pins.Has("tip_size"));
+  pins.SetFlag("tip", pins.Has("tip_size"));
   if (pins.Has("tip_size")) pins.Same("tip_size");
   return pins.Take();
 }

@@ -1,17 +1,14 @@
 #include "our_object.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <string_view>
 
-#include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "harness/temporary_folder.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
@@ -140,28 +137,6 @@ Element Whole(const model::Object& object, const validate::CompiledModel& compil
   return element;
 }
 
-// A file in the temporary folder for as long as it is needed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& text) {
-    static std::atomic<int> count = 0;
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "mjforge_parity_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    path_ = folder_ / fmt::format("{}.xml", count++);
-    std::ofstream(path_, std::ios::binary) << text;
-  }
-  ~TemporaryFile() { std::filesystem::remove_all(folder_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path folder_;
-  std::filesystem::path path_;
-};
-
 // The object of a spec, through every stage; stops at the first that fails.
 void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& sources,
           diag::Findings& findings, Described& out) {
@@ -174,8 +149,8 @@ void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& 
   mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, mjcf::Provenance{}, document);
   validate::Loader loader;
   loader.Validate(document, *object, findings);
-  const TemporaryFile file(document.text);
-  const auto compiled = loader.Load(file.path(), sources, findings);
+  const harness::TemporaryFolder folder;
+  const auto compiled = loader.Load(folder.Write("object.xml", document.text), sources, findings);
   if (!compiled) return;
   DescribeText(document.text, name, out);
   out["whole"] = Whole(*object, *compiled);

@@ -177,6 +177,13 @@ Error MisusedText(const Word& word) {
           {}};
 }
 
+Error TextAgainst(const Word& word) {
+  return {Code::kExprType,
+          word.offset,
+          fmt::format("'{}' is text; it can only be compared with text", word.text),
+          {}};
+}
+
 Error WrongCount(const Word& function, int arity, int count) {
   return Syntax(
       function,

@@ -30,6 +30,8 @@ Error WrongComponent(const Word& word, const Names::Variable& variable, std::str
 
 /// A text anywhere but beside == or !=.
 Error MisusedText(const Word& word);
+/// A text compared with a number or a boolean.
+Error TextAgainst(const Word& word);
 /// A function with `count` arguments where it takes `arity`, 0 for one or more.
 Error WrongCount(const Word& function, int arity, int count);
 Error TooLong(std::size_t bytes, std::size_t limit);

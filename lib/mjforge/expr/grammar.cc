@@ -187,11 +187,7 @@ class Grammar {
     if (!right) return right;
     if (right->type == Type::kText && !equality) return FailText(*right);
     if ((left->type == Type::kText) != (right->type == Type::kText)) {
-      const Word& text = words_[left->type == Type::kText ? left->word : right->word];
-      return Fail({Code::kExprType,
-                   text.offset,
-                   fmt::format("'{}' is text; it can only be compared with text", text.text),
-                   {}});
+      return Fail(TextAgainst(words_[left->type == Type::kText ? left->word : right->word]));
     }
     if (AtComparison()) return FailChained(first, sign);
     return Operand{Type::kBoolean};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -9,16 +10,11 @@ std::optional<std::filesystem::path> CatalogueFolder() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return std::nullopt;
-  const std::filesystem::path bin = program.parent_path();
-  const std::filesystem::path installed = bin.parent_path() / "share" / "mjforge" / "specs";
-  if (std::filesystem::is_directory(installed, error)) return installed;
-  // A program run from a build tree inside the source tree.
-  for (std::filesystem::path folder = bin; folder.has_relative_path();
+  // Beside bin/ when installed; a build tree has a link at its top.
+  for (std::filesystem::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
-    if (std::filesystem::is_directory(folder / "specs", error) &&
-        std::filesystem::exists(folder / "schemas" / "object.schema.json", error)) {
-      return folder / "specs";
-    }
+    const std::filesystem::path specs = folder / "share" / "mjforge" / "specs";
+    if (std::filesystem::is_directory(specs, error)) return specs;
   }
   return std::nullopt;
 }

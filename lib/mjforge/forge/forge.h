@@ -43,8 +43,8 @@ struct Library {
 /// The libraries whose version may change an object or its verdict.
 std::vector<Library> Libraries();
 
-/// The folder with the bundled specs: beside the installed program, or in the
-/// source tree around a build.
+/// The folder with the bundled specs: share/mjforge/specs beside a folder that
+/// holds the program.
 std::optional<std::filesystem::path> CatalogueFolder();
 
 /// Where specs are looked for by name: the folders of MJFORGE_PATH (separated

@@ -26,8 +26,8 @@ const Object& Assembling::object() const {
   return *object_;
 }
 
-const model::Part& Assembling::Part(const std::string& name) const {
-  const auto found = std::ranges::find(body().parts, name, &model::Part::name);
+const Part& Assembling::part(const std::string& name) const {
+  const auto found = std::ranges::find(body().parts, name, &Part::name);
   UNSCOPED_INFO("part " << name);
   REQUIRE(found != body().parts.end());
   return *found;

@@ -22,7 +22,7 @@ class Assembling {
   /// The object; the test fails, with the findings, if there is none.
   const Object& object() const;
   const Body& body() const { return object().bodies.front(); }
-  const Part& Part(const std::string& name) const;
+  const Part& part(const std::string& name) const;
   bool failed() const { return !object_; }
   /// Each as "line:column message", with " (hint)" where there is one.
   std::vector<std::string> findings() const;

@@ -23,7 +23,7 @@ TEST_CASE("the object can be renamed, and its prefix left out") {
   const Assembling renamed(body, 1, 0, {}, {.name = "other"});
   CHECK(renamed.body().name == "other");
   CHECK(renamed.body().parts.at(0).name == "other_ball");
-  const Assembling bare(body, 1, 0, {}, {.prefix = false});
+  const Assembling bare(body, 1, 0, {}, {.name = {}, .prefix = false});
   CHECK(bare.body().name == "thing");
   CHECK(bare.body().parts.at(0).name == "ball");
   const Assembling bad(body, 1, 0, {}, {.name = "../x"});
@@ -41,8 +41,8 @@ TEST_CASE("frames compose with the poses of their parts, rotations included") {
       "    parts: [{name: a, type: sphere, size: [1], pos: [0, 0, 3]}]\n");
   // (0 0 3) turned about x by 90 degrees is (0 -3 0), moved (0 -1 0), turned
   // about z by 90 degrees (1 0 0), moved (2 0 0).
-  CHECK((thing.Part("thing_a").X_BG.p - Vector3d(2, 0, 0)).norm() < 1e-14);
-  CHECK((thing.Part("thing_a").X_BG.q * Vector3d::UnitX() - Vector3d(0, 1, 0)).norm() < 1e-14);
+  CHECK((thing.part("thing_a").X_BG.p - Vector3d(2, 0, 0)).norm() < 1e-14);
+  CHECK((thing.part("thing_a").X_BG.q * Vector3d::UnitX() - Vector3d(0, 1, 0)).norm() < 1e-14);
 }
 
 TEST_CASE("corner placement counts lower corners from the lower corner of the declared box") {
@@ -54,9 +54,9 @@ TEST_CASE("corner placement counts lower corners from the lower corner of the de
       "- {name: b, type: box, size: [0.1, 0.2, 0.3], pos: [0.5, 0, 0], euler: [0, 0, 90deg]}\n"
       "- frame: {pos: [0, 0, 1]}\n"
       "  parts: [{name: c, type: sphere, size: [0.5]}]\n");
-  CHECK((thing.Part("thing_a").X_BG.p - Vector3d(-0.9, -1.8, -2.7)).norm() < 1e-14);
-  CHECK((thing.Part("thing_b").X_BG.p - Vector3d(-0.3, -1.9, -2.7)).norm() < 1e-14);
-  CHECK((thing.Part("thing_c").X_BG.p - Vector3d(-0.5, -1.5, -1.5)).norm() < 1e-14);
+  CHECK((thing.part("thing_a").X_BG.p - Vector3d(-0.9, -1.8, -2.7)).norm() < 1e-14);
+  CHECK((thing.part("thing_b").X_BG.p - Vector3d(-0.3, -1.9, -2.7)).norm() < 1e-14);
+  CHECK((thing.part("thing_c").X_BG.p - Vector3d(-0.5, -1.5, -1.5)).norm() < 1e-14);
   CHECK(thing.object().bounds.top_offset == 3);
   CHECK(thing.object().bounds.bottom_offset == -3);
   CHECK(thing.object().bounds.horizontal_radius == Approx(std::sqrt(5)));
@@ -78,8 +78,8 @@ TEST_CASE("a welded spec brings parts, sites and materials under its entry's nam
       "parts:\n"
       "- {name: left, spec: inner.yaml, pos: [1, 0, 0], euler: [0, 90deg, 0], params: {r: 0.2}}\n",
       1, 0, folder.path());
-  CHECK(thing.Part("thing_left_ball").shape.size.x() == 0.2);
-  CHECK(thing.Part("thing_left_ball").X_BG.p == Vector3d(1, 0, 0));
+  CHECK(thing.part("thing_left_ball").shape.size.x() == 0.2);
+  CHECK(thing.part("thing_left_ball").X_BG.p == Vector3d(1, 0, 0));
   CHECK(thing.object().materials.at(0).name == "thing_left_wood");
   CHECK((thing.body().sites.at(0).X_BS.p - Vector3d(1.2, 0, 0)).norm() < 1e-14);
   REQUIRE(thing.body().joints.size() == 1);  // the inner slide joint is dropped
@@ -93,13 +93,13 @@ TEST_CASE("a welded spec's draws meet its own requirements and differ by entry")
   const std::string right = "- {name: right, spec: inner.yaml}\n";
   for (std::uint64_t index = 0; index < 20; ++index) {
     const Assembling both("parts:\n" + left + right, 1, index, folder.path());
-    const double r_left = both.Part("thing_left_ball").shape.size.x();
-    const double r_right = both.Part("thing_right_ball").shape.size.x();
+    const double r_left = both.part("thing_left_ball").shape.size.x();
+    const double r_right = both.part("thing_right_ball").shape.size.x();
     CHECK(r_left > 0.15);
     CHECK(r_right > 0.15);
     CHECK(r_left != r_right);
     const Assembling alone("parts:\n" + right, 1, index, folder.path());
-    CHECK(alone.Part("thing_right_ball").shape.size.x() == r_right);
+    CHECK(alone.part("thing_right_ball").shape.size.x() == r_right);
   }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a spec welded into a welded spec") {
       "parts: [{name: y, spec: middle.yaml, pos: [0, 1, 0]}, {name: z, type: sphere, size: [1], "
       "mass: 2}]\n",
       1, 0, folder.path());
-  const Part& ball = thing.Part("thing_y_x_ball");
+  const Part& ball = thing.part("thing_y_x_ball");
   CHECK(ball.X_BG.p == Vector3d(0, 1, 1));
   CHECK(ball.mass == Approx(3));
   CHECK(ball.density == 0);
@@ -132,8 +132,8 @@ TEST_CASE("a welded spec is placed by its own lower corner") {
       "total_size: [1, 1, 1]\n"
       "parts: [{name: p, spec: pair.yaml, pos: [0.2, 0, 0], euler: [180deg, 0, 0]}]\n",
       1, 0, folder.path());
-  CHECK((thing.Part("thing_p_a").X_BG.p - Vector3d(-0.7, -0.9, -0.5)).norm() < 1e-14);
-  CHECK((thing.Part("thing_p_b").X_BG.p - Vector3d(-0.7, -0.9, -0.9)).norm() < 1e-14);
+  CHECK((thing.part("thing_p_a").X_BG.p - Vector3d(-0.7, -0.9, -0.5)).norm() < 1e-14);
+  CHECK((thing.part("thing_p_b").X_BG.p - Vector3d(-0.7, -0.9, -0.9)).norm() < 1e-14);
 }
 
 TEST_CASE("all errors of an object are found in one go") {

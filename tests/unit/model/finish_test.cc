@@ -32,8 +32,8 @@ TEST_CASE("the object's mass scales its parts") {
       "parts:\n"
       "- {name: a, type: sphere, size: [1], mass: 1}\n"
       "- {name: b, type: sphere, size: [1], mass: 3, pos: [4, 0, 0]}\n");
-  CHECK(thing.Part("thing_a").mass == Approx(3));
-  CHECK(thing.Part("thing_b").mass == Approx(9));
+  CHECK(thing.part("thing_a").mass == Approx(3));
+  CHECK(thing.part("thing_b").mass == Approx(9));
   CHECK(thing.object().mass_properties.mass == Approx(12));
   CHECK(thing.object().mass_properties.p_FCm.isApprox(Eigen::Vector3d(3, 0, 0)));
   CHECK(thing.object().mass_properties.I_Cm_F(0, 0) == Approx(12 * 0.4));

@@ -50,18 +50,22 @@ TEST_CASE("a prism contains what the box of its outline contains") {
   CHECK(Contains(prism, X_AG, X_AG * Vector3d(1, 2, 3)));
 }
 
+Part Ball(const Vector3d& p, Role role) {
+  Part part;
+  part.role = role;
+  part.shape = {.type = GeomType::kSphere, .size = {1, 0, 0}};
+  part.X_BG.p = p;
+  return part;
+}
+
 TEST_CASE("an object contains the points of its collision parts in the root frame") {
   Object object;
   object.bodies.resize(2);
   object.bodies[0].X_PB.p = {100, 0, 0};  // where the root stands does not matter
-  object.bodies[0].parts.push_back(
-      {.shape = {.type = GeomType::kSphere, .size = {1, 0, 0}}, .X_BG = {.p = {2, 0, 0}}});
-  object.bodies[0].parts.push_back({.role = Role::kVisual,
-                                    .shape = {.type = GeomType::kSphere, .size = {1, 0, 0}},
-                                    .X_BG = {.p = {-2, 0, 0}}});
+  object.bodies[0].parts = {Ball({2, 0, 0}, Role::kBoth), Ball({-2, 0, 0}, Role::kVisual)};
   object.bodies[1].parent = 0;
   object.bodies[1].X_PB.p = {0, 5, 0};
-  object.bodies[1].parts.push_back({.shape = {.type = GeomType::kSphere, .size = {1, 0, 0}}});
+  object.bodies[1].parts = {Ball({0, 0, 0}, Role::kCollision)};
   CHECK(Contains(object, {3, 0, 0}));
   CHECK_FALSE(Contains(object, {0, 0, 0}));
   CHECK_FALSE(Contains(object, {-2, 0, 0}));

@@ -19,9 +19,9 @@ TEST_CASE("only materials in use that have a look are kept") {
   CHECK(thing.object().materials[0].name == "thing_red");
   CHECK(Find(thing.object().materials[0].attributes, "rgba")->numbers ==
         sample::Numbers{1, 0, 0, 1});
-  CHECK(thing.Part("thing_a").material == -1);
-  CHECK(thing.Part("thing_b").material == 0);
-  CHECK(thing.Part("thing_c").material == 0);
+  CHECK(thing.part("thing_a").material == -1);
+  CHECK(thing.part("thing_b").material == 0);
+  CHECK(thing.part("thing_c").material == 0);
 }
 
 TEST_CASE("what is drawn in a material is the same for all its parts") {
@@ -30,8 +30,8 @@ TEST_CASE("what is drawn in a material is the same for all its parts") {
       "parts:\n"
       "- {name: a, type: sphere, size: [1], material: wood}\n"
       "- {name: b, type: sphere, size: [2], material: wood}\n");
-  const Part& a = thing.Part("thing_a");
-  const Part& b = thing.Part("thing_b");
+  const Part& a = thing.part("thing_a");
+  const Part& b = thing.part("thing_b");
   CHECK(a.density == b.density);
   CHECK(Find(a.attributes, "friction")->numbers == Find(b.attributes, "friction")->numbers);
   const sample::StreamId path =

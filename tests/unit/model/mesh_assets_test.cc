@@ -16,8 +16,8 @@ TEST_CASE("a prism is an inline mesh with the inertia written out") {
   REQUIRE(thing.object().meshes.size() == 1);
   CHECK(thing.object().meshes[0]->name == "thing_a");
   CHECK(thing.object().meshes[0]->file.empty());
-  CHECK(thing.Part("thing_a").mass == Approx(120));
-  CHECK(thing.Part("thing_a").shape.mesh == &thing.object().meshes[0]->mesh);
+  CHECK(thing.part("thing_a").mass == Approx(120));
+  CHECK(thing.part("thing_a").shape.mesh == &thing.object().meshes[0]->mesh);
   CHECK(thing.body().explicit_inertial);
   CHECK(thing.object().mass_properties.p_FCm.isApprox(Eigen::Vector3d(2 / 3.0, 1, 0), 1e-14));
 }
@@ -29,8 +29,8 @@ TEST_CASE("equal prisms share one mesh") {
       "pos: [i, 0, 0]}\n"
       "- {name: b, type: prism, polygon: [[0, 0], [1, 0], [0, 1]], height: 2}\n");
   REQUIRE(thing.object().meshes.size() == 2);
-  CHECK(thing.Part("thing_a2").mesh == 0);
-  CHECK(thing.Part("thing_b").mesh == 1);
+  CHECK(thing.part("thing_a2").mesh == 0);
+  CHECK(thing.part("thing_b").mesh == 1);
 }
 
 TEST_CASE("a polygon that comes out wrong is reported where it stands") {
@@ -54,13 +54,13 @@ TEST_CASE("a mesh file is read beside the spec and shared where file and scale a
       1, 0, folder.path());
   const auto& meshes = thing.object().meshes;
   REQUIRE(meshes.size() == 3);
-  CHECK(thing.Part("thing_b").mesh == 0);
+  CHECK(thing.part("thing_b").mesh == 0);
   CHECK(meshes[0]->output_file == "t.obj");
   CHECK(meshes[1]->output_file == "t_2.obj");
   CHECK(meshes[2]->output_file == "t.obj");
   CHECK(meshes[2]->scale == Eigen::Vector3d(-1, 2, 3));
-  CHECK(thing.Part("thing_a").mass == Approx(1));
-  CHECK(thing.Part("thing_d").mass == Approx(6));
+  CHECK(thing.part("thing_a").mass == Approx(1));
+  CHECK(thing.part("thing_d").mass == Approx(6));
 }
 
 TEST_CASE("a mesh must be closed unless it is only seen") {
@@ -73,7 +73,7 @@ TEST_CASE("a mesh must be closed unless it is only seen") {
   const Assembling seen(
       "joints: none\nparts: [{name: a, type: mesh, file: open.obj, role: visual}]\n", 1, 0,
       folder.path());
-  CHECK(seen.Part("thing_a").mass == 0);
+  CHECK(seen.part("thing_a").mass == 0);
   const Assembling heavy(
       "parts: [{name: a, type: mesh, file: open.obj, role: visual, mass: 1}]\n", 1, 0,
       folder.path());

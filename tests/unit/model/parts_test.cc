@@ -15,11 +15,11 @@ TEST_CASE("parts have MuJoCo's types and sizes") {
       "- {name: c, type: ellipsoid, size: [0.1, 0.2, 0.3]}\n"
       "- {name: d, type: cylinder, size: [0.1, 0.2]}\n"
       "- {name: e, type: box, size: [0.1, 0.2, 0.3]}\n");
-  CHECK(thing.Part("thing_a").shape.type == GeomType::kSphere);
-  CHECK(thing.Part("thing_b").shape.type == GeomType::kCapsule);
-  CHECK(thing.Part("thing_c").shape.size == Vector3d(0.1, 0.2, 0.3));
-  CHECK(thing.Part("thing_d").shape.size == Vector3d(0.1, 0.2, 0));
-  CHECK(thing.Part("thing_e").shape.type == GeomType::kBox);
+  CHECK(thing.part("thing_a").shape.type == GeomType::kSphere);
+  CHECK(thing.part("thing_b").shape.type == GeomType::kCapsule);
+  CHECK(thing.part("thing_c").shape.size == Vector3d(0.1, 0.2, 0.3));
+  CHECK(thing.part("thing_d").shape.size == Vector3d(0.1, 0.2, 0));
+  CHECK(thing.part("thing_e").shape.type == GeomType::kBox);
   CHECK_FALSE(thing.body().explicit_inertial);
 }
 
@@ -28,12 +28,12 @@ TEST_CASE("fromto sets the pose, and the half length beside the sizes across") {
       "parts:\n"
       "- {name: a, type: capsule, size: [0.1], fromto: [0, 0, 1, 0, 0, 5]}\n"
       "- {name: b, type: box, size: [0.1, 0.2], fromto: [0, 0, 0, 2, 0, 0]}\n");
-  const Part& a = thing.Part("thing_a");
+  const Part& a = thing.part("thing_a");
   CHECK(a.shape.size == Vector3d(0.1, 2, 0));
   CHECK(a.X_BG.p == Vector3d(0, 0, 3));
   // As in MuJoCo z points from the second end to the first.
   CHECK((a.X_BG.q * Vector3d::UnitZ() - Vector3d(0, 0, -1)).norm() < 1e-14);
-  CHECK(thing.Part("thing_b").shape.size == Vector3d(0.1, 0.2, 1));
+  CHECK(thing.part("thing_b").shape.size == Vector3d(0.1, 0.2, 1));
 }
 
 TEST_CASE("every way to write a half turn about z gives the same pose") {
@@ -114,14 +114,14 @@ TEST_CASE("mass comes from the part, its material, the defaults, or water, in th
       "- {name: b, type: box, size: [0.5, 0.5, 0.5], mass: 5, material: lead}\n"
       "- {name: c, type: box, size: [0.5, 0.5, 0.5], material: lead}\n"
       "- {name: d, type: box, size: [0.5, 0.5, 0.5]}\n");
-  CHECK(thing.Part("thing_a").mass == Approx(3));
-  CHECK(thing.Part("thing_a").density == 3);
-  CHECK(thing.Part("thing_b").mass == 5);
-  CHECK(thing.Part("thing_b").density == 0);
-  CHECK(thing.Part("thing_c").mass == Approx(11340));
-  CHECK(thing.Part("thing_d").mass == 7);
+  CHECK(thing.part("thing_a").mass == Approx(3));
+  CHECK(thing.part("thing_a").density == 3);
+  CHECK(thing.part("thing_b").mass == 5);
+  CHECK(thing.part("thing_b").density == 0);
+  CHECK(thing.part("thing_c").mass == Approx(11340));
+  CHECK(thing.part("thing_d").mass == 7);
   const Assembling water("parts: [{name: a, type: box, size: [0.5, 0.5, 0.5]}]\n");
-  CHECK(water.Part("thing_a").density == 1000);
+  CHECK(water.part("thing_a").density == 1000);
 }
 
 TEST_CASE("a visual part has mass only by its own word") {
@@ -131,9 +131,9 @@ TEST_CASE("a visual part has mass only by its own word") {
       "- {name: a, type: sphere, size: [1], role: visual, material: lead}\n"
       "- {name: b, type: sphere, size: [1], role: visual, mass: 2}\n"
       "- {name: c, type: sphere, size: [1], role: visual, density: 0}\n");
-  CHECK(thing.Part("thing_a").mass == 0);
-  CHECK(thing.Part("thing_b").mass == 2);
-  CHECK(thing.Part("thing_c").mass == 0);
+  CHECK(thing.part("thing_a").mass == 0);
+  CHECK(thing.part("thing_b").mass == 2);
+  CHECK(thing.part("thing_c").mass == 0);
   CHECK(thing.object().mass_properties.mass == 2);
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("attributes come from the part, its material and the defaults, in this
       "materials: {wood: {friction: 2, solref: [0.1, 1]}}\n"
       "defaults: {part: {friction: 3, solref: [0.2, 1], margin: 0.001}}\n"
       "parts: [{name: a, type: sphere, size: [1], friction: [1, 0.1], material: wood}]\n");
-  const std::vector<Attribute>& attributes = thing.Part("thing_a").attributes;
+  const std::vector<Attribute>& attributes = thing.part("thing_a").attributes;
   REQUIRE(attributes.size() == 3);
   CHECK(Find(attributes, "friction")->numbers == sample::Numbers{1, 0.1});
   CHECK(Find(attributes, "friction")->applies == spec::Applies::kCollision);
@@ -162,9 +162,9 @@ TEST_CASE("a draw in a part is keyed by the part's name, not by its place") {
   const std::string b = "- {name: b, type: sphere, size: [0.1 .. 0.2]}\n";
   const Assembling first("parts:\n" + a + b);
   const Assembling second("parts:\n" + b + a);
-  CHECK(first.Part("thing_a").shape.size == second.Part("thing_a").shape.size);
-  CHECK(first.Part("thing_b").shape.size == second.Part("thing_b").shape.size);
-  CHECK(first.Part("thing_a").shape.size != first.Part("thing_b").shape.size);
+  CHECK(first.part("thing_a").shape.size == second.part("thing_a").shape.size);
+  CHECK(first.part("thing_b").shape.size == second.part("thing_b").shape.size);
+  CHECK(first.part("thing_a").shape.size != first.part("thing_b").shape.size);
 }
 
 TEST_CASE("a drawn size has the stream of parts, name and key") {
@@ -172,7 +172,7 @@ TEST_CASE("a drawn size has the stream of parts, name and key") {
   sample::StreamId path = sample::Child(sample::kRootStream, "parts");
   path = sample::Child(sample::Child(sample::Child(path, "a"), "size"), 0);
   const double u = sample::Uniforms({.seed = 7, .index = 3}, path)[0];
-  CHECK(thing.Part("thing_a").shape.size.x() ==
+  CHECK(thing.part("thing_a").shape.size.x() ==
         sample::RoundDraw(0.1 + u * (0.2 - 0.1), 0.1, 0.2));
 }
 

@@ -37,8 +37,8 @@ TEST_CASE("frames repeat, too") {
       "  for: {i: 2}\n"
       "  parts: [{name: 'a${i}${j}', for: {j: 2}, type: sphere, size: [1], pos: [0, j, 0]}]\n");
   REQUIRE(thing.body().parts.size() == 4);
-  CHECK(thing.Part("thing_a10").X_BG.p == Eigen::Vector3d(1, 0, 0));
-  CHECK(thing.Part("thing_a01").X_BG.p == Eigen::Vector3d(0, 1, 0));
+  CHECK(thing.part("thing_a10").X_BG.p == Eigen::Vector3d(1, 0, 0));
+  CHECK(thing.part("thing_a01").X_BG.p == Eigen::Vector3d(0, 1, 0));
 }
 
 TEST_CASE("a count of 0 leaves the entry out") {

@@ -89,14 +89,14 @@ TEST_CASE("a vector replaces what was in the numbers before") {
 
 TEST_CASE("an expression that is not finite is found with its inputs' values") {
   CHECK(ReportOf("{a: 1, b: 0, p: a / b}") ==
-        Strings{"3:26 expr/not-finite: expression 'a / b' is infinite: a = 1, b = 0 7/3"});
+        Strings{"3:25 expr/not-finite: expression 'a / b' is infinite: a = 1, b = 0 7/3"});
   CHECK(ReportOf("{a: -2.5, p: sqrt(a)}") ==
-        Strings{"3:23 expr/not-finite: expression 'sqrt(a)' is not a number: a = -2.5 7/3"});
+        Strings{"3:22 expr/not-finite: expression 'sqrt(a)' is not a number: a = -2.5 7/3"});
 }
 
 TEST_CASE("the inputs of a failed expression leave out texts and name booleans") {
   CHECK(ReportOf("{t: box, f: true, v: [1, 0], p: \"t == 'box' && f ? v.x / v.y : 0\"}") ==
-        Strings{"3:42 expr/not-finite: expression 't == 'box' && f ? v.x / v.y : 0' is infinite: "
+        Strings{"3:41 expr/not-finite: expression 't == 'box' && f ? v.x / v.y : 0' is infinite: "
                 "f = true, v.x = 1, v.y = 0 7/3"});
 }
 
@@ -105,15 +105,15 @@ TEST_CASE("what follows from a failed value is not found again") {
       ReportOf("{a: 0, p: 1 / a, q: 2 * p, r: q .. 5, s: {choice: [1, 2], weights: [q, 1]}, "
                "v: [p, q], c: {hsv: [p, 1, 1]}, t: \"n_${q}\", n: {normal: [0, 1], clip: [p, 3]}}",
                "require: [q > 1]") ==
-      Strings{"3:20 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
+      Strings{"3:19 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
 }
 
 TEST_CASE("independent failures are all found") {
   Family family = Load("{a: 0, p: 1 / a, q: 2 / a}");
   CHECK(Sample(*family.spec, {}, kRootStream, {}, family.findings) == std::nullopt);
   CHECK(family.Report() ==
-        Strings{"3:20 expr/not-finite: expression '1 / a' is infinite: a = 0 0/0",
-                "3:30 expr/not-finite: expression '2 / a' is infinite: a = 0 0/0"});
+        Strings{"3:19 expr/not-finite: expression '1 / a' is infinite: a = 0 0/0",
+                "3:29 expr/not-finite: expression '2 / a' is infinite: a = 0 0/0"});
 }
 
 TEST_CASE("Any gives a value as its type says") {
@@ -133,8 +133,8 @@ TEST_CASE("a value of another kind than asked for is found, not guessed") {
   evaluator.Number(family.PartValue("quat"), 1);
   evaluator.Points(family.PartValue("quat"), 1);
   CHECK(evaluator.failed());
-  CHECK(family.Report() == Strings{"4:52 sample/bad-argument: this value is not a number 0/0",
-                                   "4:52 sample/bad-argument: this value is not a list of points "
+  CHECK(family.Report() == Strings{"4:53 sample/bad-argument: this value is not a number 0/0",
+                                   "4:53 sample/bad-argument: this value is not a list of points "
                                    "0/0"});
 }
 

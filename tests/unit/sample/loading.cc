@@ -66,6 +66,6 @@ Strings Family::Report() const {
 
 Strings ReportOf(const std::string& params, const std::string& more) {
   Family family = Load(params, more);
-  Sample(*family.spec, {.seed = 7, .index = 3}, sample::kRootStream, {}, family.findings);
+  sample::Sample(*family.spec, {.seed = 7, .index = 3}, sample::kRootStream, {}, family.findings);
   return family.Report();
 }

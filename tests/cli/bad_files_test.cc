@@ -1,0 +1,78 @@
+// Files that are no specs.
+
+#include "bad_input.h"
+
+namespace mjforge {
+namespace {
+
+const std::string kGood =
+    "mjforge: 1\n"
+    "name: crate\n"
+    "parts:\n"
+    "  - {name: body, type: box, size: [0.1, 0.1, 0.1]}\n";
+
+TEST_CASE_METHOD(BadInputTest, "a spec that does not exist is an input failure") {
+  CheckOneFinding(Run({"generate", "none.yaml", "-o", "out"}), 3, "yaml/cannot-read");
+}
+
+TEST_CASE_METHOD(BadInputTest, "a spec that is a folder is an input failure") {
+  std::filesystem::create_directory(folder() / "s.yaml");
+  CheckOneFinding(Run({"generate", "s.yaml", "-o", "out"}), 3, "yaml/cannot-read");
+}
+
+TEST_CASE_METHOD(BadInputTest, "an empty file is one finding") {
+  CheckSpec("", "yaml/empty");
+  CheckSpec("# only words\n", "yaml/empty");
+}
+
+TEST_CASE_METHOD(BadInputTest, "a binary file is one finding") {
+  std::string bytes;
+  for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 37 % 256);
+  CheckSpec(bytes, "yaml/not-text");
+  CheckSpec(std::string("\x7f"
+                        "ELF\0\0\x01",
+                        7),
+            "yaml/not-text");
+}
+
+TEST_CASE_METHOD(BadInputTest, "100 MB of YAML are too large") {
+  std::string text = kGood;
+  text.reserve(100'000'100);
+  while (text.size() < 100'000'000) text += "# a comment of forty characters, no more\n";
+  CheckSpec(text, "yaml/too-large");
+}
+
+TEST_CASE_METHOD(BadInputTest, "10,000 nested brackets are too deep") {
+  CheckSpec("mjforge: 1\nname: crate\nparts: " + std::string(10'000, '[') +
+                std::string(10'000, ']') + "\n",
+            "yaml/too-deep");
+  CheckSpec("mjforge: 1\nname: crate\nparts: " + std::string(10'000, '[') + "\n",
+            "yaml/too-deep");
+}
+
+TEST_CASE_METHOD(BadInputTest, "an alias bomb is one finding") {
+  std::string text = "mjforge: 1\nname: crate\nparams:\n  a: &a [1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (char c = 'b'; c <= 'k'; ++c) {
+    text += std::string("  ") + c + ": &" + c + " [";
+    for (int i = 0; i < 9; ++i) text += std::string("*") + static_cast<char>(c - 1) + ", ";
+    text += "1]\n";
+  }
+  CheckSpec(text + "parts: []\n", "yaml/alias");
+}
+
+TEST_CASE_METHOD(BadInputTest, "an anchor inside itself is one finding") {
+  CheckSpec("mjforge: 1\nname: crate\nparts: &a [*a]\n", "yaml/alias");
+}
+
+TEST_CASE_METHOD(BadInputTest, "a spec that imports itself is one finding") {
+  CheckSpec(kGood + "import: [s.yaml]\n", "spec/import-cycle");
+  CheckSpec("mjforge: 1\nname: crate\nparts: [{name: a, spec: s.yaml}]\n", "spec/import-cycle");
+}
+
+TEST_CASE_METHOD(BadInputTest, "a missing mesh is one finding") {
+  CheckSpec("mjforge: 1\nname: crate\nparts: [{name: a, type: mesh, file: none.obj}]\n",
+            "model/file-not-found");
+}
+
+}  // namespace
+}  // namespace mjforge

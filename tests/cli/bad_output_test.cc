@@ -1,0 +1,118 @@
+// Places that cannot be written to: exit status 3, the system's words, nothing
+// half-done.
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include "crate.h"
+
+namespace mjforge {
+namespace {
+
+using Files = std::vector<std::string>;
+
+class BadOutputTest : public CrateTest {
+ protected:
+  // With the shell's words before and after "mjforge generate crate.yaml".
+  harness::CommandResult RunInShell(const std::string& before, const std::string& after) const {
+    const harness::Command command{
+        .program = "/bin/sh",
+        .arguments = {"-c", before + " '" + harness::MjforgeProgram().string() +
+                                "' generate crate.yaml " + after},
+        .folder = folder().path()};
+    return command.Run();
+  }
+};
+
+TEST_CASE_METHOD(BadOutputTest, "an output folder that is a file is refused") {
+  folder().Write("out", "text");
+  const auto result = Run({"generate", "crate.yaml", "-q", "-o", "out"});
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot make folder 'out': Not a directory [output/cannot-write]\n");
+  CHECK(folder().Files() == Files{"crate.yaml", "out"});
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a file in a folder that does not exist is refused") {
+  const auto result = Run({"generate", "crate.yaml", "-q", "-o", "none/x.xml"});
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot write 'none/x.xml': No such file or directory "
+        "[output/cannot-write]\n");
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {
+  std::filesystem::create_directory(folder() / "out");
+  std::filesystem::permissions(folder() / "out", std::filesystem::perms(0555));
+  // The administrator may write anywhere, so somebody else runs it.
+  const bool administrator = ::geteuid() == 0;
+  if (administrator) std::filesystem::permissions(folder().path(), std::filesystem::perms(0755));
+  const auto result = RunInShell(
+      administrator ? "setpriv --reuid=65534 --regid=65534 --clear-groups" : "", "-q -o out");
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot write 'out/manifest.jsonl': Permission denied "
+        "[output/cannot-write]\n");
+  CHECK(folder().Files() == Files{"crate.yaml"});
+}
+
+// A limit on the size of files stands for a full disk: writing fails halfway.
+TEST_CASE_METHOD(BadOutputTest, "a file that does not fit leaves nothing") {
+  const auto result = RunInShell("ulimit -f 0;", "-q -o crate.xml");
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot write 'crate.xml': File too large [output/cannot-write]\n");
+  CHECK(folder().Files() == Files{"crate.yaml"});
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a batch that does not fit leaves nothing") {
+  const auto result = RunInShell("ulimit -f 0;", "-q -n 3 -o out");
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot write 'out/crate_000000.xml': File too large "
+        "[output/cannot-write]\n");
+  CHECK_FALSE(std::filesystem::exists(folder() / "out"));
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a full standard output is an output failure") {
+  const auto result = RunInShell("", "-o - > /dev/full");
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot write to standard output: No space left on device\n");
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a standard output that nobody reads is an output failure") {
+  // The reader ends at once; the writer starts later and reports its status.
+  const auto result = RunInShell("{ sleep 0.2;", "-o -; echo $? > status; } | true");
+  CHECK(folder().Read("status") == "3\n");
+  CHECK(result.err == "mjforge: error: cannot write to standard output: Broken pipe\n");
+}
+
+TEST_CASE_METHOD(BadOutputTest, "somebody else's file is only overwritten with --force") {
+  folder().Write("x.xml", "<mujoco/>\n");
+  const auto refused = Run({"generate", "crate.yaml", "-q", "-o", "x.xml"});
+  CHECK(refused.status == 3);
+  CHECK(refused.err ==
+        "mjforge: error: 'x.xml' exists and was not made by mjforge [output/exists]\n"
+        "  hint: choose another place, or overwrite it with --force\n");
+  CHECK(folder().Read("x.xml") == "<mujoco/>\n");
+  CHECK(Run({"generate", "crate.yaml", "-q", "-o", "x.xml", "--force"}).status == 0);
+  CHECK(folder().Read("x.xml") != "<mujoco/>\n");
+  // And now it is ours.
+  CHECK(Run({"generate", "crate.yaml", "-q", "-o", "x.xml"}).status == 0);
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a folder with somebody else's manifest is refused") {
+  folder().Write("out/manifest.jsonl", "{\"image\": 1}\n");
+  const auto result = Run({"generate", "crate.yaml", "-q", "-o", "out"});
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: 'out/manifest.jsonl' exists and was not made by mjforge "
+        "[output/exists]\n"
+        "  hint: choose another folder, or overwrite it with --force\n");
+  CHECK(folder().Files() == Files{"crate.yaml", "out/manifest.jsonl"});
+}
+
+}  // namespace
+}  // namespace mjforge

@@ -1,0 +1,81 @@
+// A variant is a pure function of (spec, seed, index).
+
+#include <catch2/catch.hpp>
+
+#include "crate.h"
+
+namespace mjforge {
+namespace {
+
+class DeterminismTest : public harness::ProgramTest {
+ protected:
+  // Fails the test unless it succeeds.
+  void Generate(std::vector<std::string> arguments,
+                std::map<std::string, std::string> environment = {}) const {
+    arguments.insert(arguments.begin(), {"generate", "-q", "--seed", "7"});
+    const auto result = Run(std::move(arguments), {}, std::move(environment));
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+  }
+  std::string Object(const std::string& out, const std::string& number) const {
+    return folder().Read(out + "/hammer_" + number + ".xml");
+  }
+};
+
+TEST_CASE_METHOD(DeterminismTest, "the same command gives the same bytes") {
+  Generate({"hammer", "-n", "5", "-o", "a"});
+  Generate({"hammer", "-n", "5", "-o", "deep/b"});
+  CHECK(folder().Read("a/manifest.jsonl") == folder().Read("deep/b/manifest.jsonl"));
+  for (const char* number : {"000000", "000001", "000002", "000003", "000004"}) {
+    CHECK(Object("a", number) == Object("deep/b", number));
+  }
+  CHECK(Object("a", "000000") != Object("a", "000001"));
+}
+
+TEST_CASE_METHOD(DeterminismTest, "--first 41 -n 1 is item 41 of -n 100") {
+  Generate({"hammer", "-n", "100", "-o", "all"});
+  Generate({"hammer", "-n", "1", "--first", "41", "-o", "one"});
+  CHECK(Object("all", "000041") == Object("one", "000041"));
+  CHECK(folder().Read("all/manifest.jsonl").find(folder().Read("one/manifest.jsonl")) !=
+        std::string::npos);
+}
+
+TEST_CASE_METHOD(DeterminismTest, "another seed gives other bytes") {
+  Generate({"hammer", "-o", "a.xml"});
+  const auto result = Run({"generate", "hammer", "-q", "--seed", "8", "-o", "b.xml"});
+  REQUIRE(result.status == 0);
+  CHECK(folder().Read("a.xml") != folder().Read("b.xml"));
+}
+
+TEST_CASE_METHOD(DeterminismTest, "a file, a folder and standard output carry the same bytes") {
+  Generate({"hammer", "--first", "3", "-o", "out"});
+  Generate({"hammer", "--first", "3", "-o", "x.xml"});
+  const auto result = Run({"generate", "hammer", "--seed", "7", "--first", "3", "-o", "-"});
+  CHECK(result.out == folder().Read("x.xml"));
+  CHECK(result.out == Object("out", "000003"));
+}
+
+TEST_CASE_METHOD(DeterminismTest, "German numbers change nothing") {
+  const std::map<std::string, std::string> german = {{"LC_ALL", "de_DE.UTF-8"},
+                                                     {"LANG", "de_DE.UTF-8"}};
+  Generate({"hammer", "-n", "3", "-o", "a"});
+  Generate({"hammer", "-n", "3", "-o", "b"}, german);
+  CHECK(folder().Read("a/manifest.jsonl") == folder().Read("b/manifest.jsonl"));
+  CHECK(Object("a", "000002") == Object("b", "000002"));
+}
+
+TEST_CASE_METHOD(CrateTest, "the spec's folder and how it is written change nothing") {
+  folder().Write("else/where/crate.yaml", kText);
+  const std::string absolute = (folder() / "crate.yaml").string();
+  for (const std::string& spec :
+       {std::string("crate.yaml"), std::string("./else/../crate.yaml"), absolute,
+        std::string("else/where/crate.yaml")}) {
+    const auto result = Run({"generate", spec, "-o", "-"});
+    REQUIRE(result.status == 0);
+    CHECK(result.out == Run({"generate", "crate.yaml", "-o", "-"}).out);
+    CHECK(result.out.find(folder().path().string()) == std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace mjforge

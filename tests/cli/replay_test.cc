@@ -1,0 +1,59 @@
+#include <catch2/catch.hpp>
+
+#include "crate.h"
+
+namespace mjforge {
+namespace {
+
+class ReplayTest : public CrateTest {
+ protected:
+  ReplayTest() {
+    REQUIRE(Run({"generate", "crate.yaml", "-q", "-n", "3", "-s", "7", "-o", "out"}).status == 0);
+  }
+};
+
+TEST_CASE_METHOD(ReplayTest, "replay makes the same bytes again") {
+  const auto record = Run({"replay", "out/manifest.jsonl:2"});
+  CHECK(record.status == 0);
+  CHECK(record.err == "out/manifest.jsonl:2: made again, same bytes\n");
+  CHECK(Run({"replay", "out/crate_000001.xml"}).status == 0);
+}
+
+TEST_CASE_METHOD(ReplayTest, "replay of a bundled spec works from any folder") {
+  REQUIRE(Run({"generate", "hammer", "-q", "-o", "tools", "--set", "handle_length=0.2"}).status ==
+          0);
+  const std::string file = (folder() / "tools/hammer_000000.xml").string();
+  const harness::TemporaryFolder elsewhere;
+  const harness::Command command{.program = harness::MjforgeProgram(),
+                                 .arguments = {"replay", file},
+                                 .folder = elsewhere.path()};
+  CHECK(command.Run().status == 0);
+}
+
+TEST_CASE_METHOD(ReplayTest, "replay shows the first line that differs") {
+  folder().Write("out/crate_000001.xml", folder().Read("out/crate_000001.xml") + "<!-- -->\n");
+  const auto result = Run({"replay", "out/manifest.jsonl:1"});
+  CHECK(result.status == 1);
+  CHECK(result.err.find("[output/differs]\n<!-- -->\n^\n") != std::string::npos);
+}
+
+TEST_CASE_METHOD(ReplayTest, "replay notices a spec that changed since") {
+  folder().Write("crate.yaml", std::string(kText) + "# more\n");
+  const auto result = Run({"replay", "out/crate_000001.xml"});
+  CHECK(result.status == 1);
+  CHECK(result.err.find("spec 'crate.yaml' has changed since: its hash is ") !=
+        std::string::npos);
+}
+
+TEST_CASE_METHOD(ReplayTest, "replay of what it cannot understand is a finding") {
+  const auto no_record = Run({"replay", "out/manifest.jsonl:9"});
+  CHECK(no_record.status == 1);
+  CHECK(no_record.err ==
+        "mjforge: error: 'out/manifest.jsonl' has no record of index 9 "
+        "[output/bad-manifest]\n");
+  CHECK(Run({"replay", "crate.yaml"}).status == 1);
+  CHECK(Run({"replay", "none.xml"}).status == 3);
+}
+
+}  // namespace
+}  // namespace mjforge

@@ -1,0 +1,68 @@
+#include <catch2/catch.hpp>
+
+#include "crate.h"
+
+namespace mjforge {
+namespace {
+
+constexpr const char* kGoodXml =
+    "<mujoco>\n"
+    "  <worldbody>\n"
+    "    <body name=\"a\"><joint name=\"j\"/><geom size=\"0.1\" mass=\"2\"/></body>\n"
+    "  </worldbody>\n"
+    "</mujoco>\n";
+
+constexpr const char* kBadXml =
+    "<mujoco>\n"
+    "  <worldbody>\n"
+    "    <body name=\"a\"><geom size=\"0.1\" colour=\"red\"/></body>\n"
+    "  </worldbody>\n"
+    "</mujoco>\n";
+
+TEST_CASE_METHOD(CrateTest, "validate says a line for each file") {
+  folder().Write("a.xml", kGoodXml);
+  folder().Write("b.xml", kGoodXml);
+  const auto result = Run({"validate", "a.xml", "b.xml"});
+  CHECK(result.status == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out ==
+        "a.xml: ok, 1 body, 1 joint, 1 geom, 2 kg\n"
+        "b.xml: ok, 1 body, 1 joint, 1 geom, 2 kg\n");
+}
+
+TEST_CASE_METHOD(CrateTest, "a file that MuJoCo refuses is a finding at its line") {
+  folder().Write("a.xml", kGoodXml);
+  folder().Write("bad.xml", kBadXml);
+  const auto result = Run({"validate", "bad.xml", "a.xml"});
+  CHECK(result.status == 1);
+  CHECK(result.err.starts_with("bad.xml:3"));
+  CHECK(result.err.find("[mujoco/error]\n") != std::string::npos);
+  CHECK(result.out == "bad.xml: failed\na.xml: ok, 1 body, 1 joint, 1 geom, 2 kg\n");
+  CHECK(folder().Files() == std::vector<std::string>{"a.xml", "bad.xml", "crate.yaml"});
+}
+
+TEST_CASE_METHOD(CrateTest, "validate --json has the findings in it") {
+  folder().Write("a.xml", kGoodXml);
+  folder().Write("bad.xml", kBadXml);
+  CHECK(Run({"validate", "a.xml", "--json"}).out ==
+        "{\"file\":\"a.xml\",\"ok\":true,\"nbody\":2,\"njnt\":1,\"ngeom\":1,\"mass\":2,"
+        "\"findings\":[]}\n");
+  const auto result = Run({"validate", "bad.xml", "--json"});
+  CHECK(result.status == 1);
+  CHECK(result.err.empty());
+  CHECK(result.out.starts_with("{\"file\":\"bad.xml\",\"ok\":false,\"findings\":[{\"severity\":"));
+}
+
+TEST_CASE_METHOD(CrateTest, "everything that generate writes is valid") {
+  REQUIRE(Run({"generate", "crate.yaml", "-q", "-n", "3", "-o", "out"}).status == 0);
+  CHECK(Run({"validate", "out/crate_000000.xml", "out/crate_000001.xml",
+             "out/crate_000002.xml"}).status == 0);
+}
+
+TEST_CASE_METHOD(CrateTest, "what is no MJCF is a finding") {
+  CHECK(Run({"validate", "crate.yaml"}).status == 1);
+  CHECK(Run({"validate", "none.xml"}).status != 0);
+}
+
+}  // namespace
+}  // namespace mjforge

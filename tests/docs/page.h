@@ -1,0 +1,33 @@
+#ifndef MJFORGE_TESTS_DOCS_PAGE_H_
+#define MJFORGE_TESTS_DOCS_PAGE_H_
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mjforge::docs {
+
+/// Something on a page that the test does, in the page's order.
+struct Step {
+  enum class Kind { kFile, kCommand } kind = Kind::kFile;
+  int line = 0;      // on the page, from 1
+  std::string name;  // the file's name or the command line
+  std::string text;  // the file's whole text or the command's output
+};
+
+/// ```yaml blocks that open with `# file: NAME` are files; in ```console blocks
+/// each `$ LINE` is a command and what follows is its output.
+std::vector<Step> ReadSteps(const std::filesystem::path& page);
+
+/// Targets of the page's links, `[text](target)`.
+std::vector<std::string> ReadLinks(const std::filesystem::path& page);
+
+/// Headings as the anchors that links name: "Exit status" is "exit-status".
+std::vector<std::string> ReadAnchors(const std::filesystem::path& page);
+
+/// Whether the output is the expected one, where a line `...` stands for any lines.
+bool Fits(const std::string& output, const std::string& expected);
+
+}  // namespace mjforge::docs
+
+#endif  // MJFORGE_TESTS_DOCS_PAGE_H_

@@ -1,0 +1,29 @@
+#include "golden/shell.h"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <regex>
+
+namespace mjforge::golden {
+
+harness::CommandResult RunLine(const std::string& line, const std::filesystem::path& folder,
+                               bool merged) {
+  const char* path = std::getenv("PATH");
+  const std::string programs = harness::MjforgeProgram().parent_path().string();
+  const harness::Command command{
+      .program = "sh",
+      .arguments = {"-c", merged ? "{ " + line + "\n} 2>&1" : line},
+      .environment = {{"PATH", path == nullptr ? programs : programs + ":" + path}},
+      .folder = folder};
+  harness::CommandResult result = command.Run();
+  INFO("running: " << line);
+  REQUIRE_FALSE(result.timed_out);
+  return result;
+}
+
+std::string WithoutTimes(const std::string& text) {
+  static const std::regex kSeconds("\\([0-9]+\\.[0-9] s\\)");
+  return std::regex_replace(text, kSeconds, "(N s)");
+}
+
+}  // namespace mjforge::golden

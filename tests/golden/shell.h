@@ -1,0 +1,22 @@
+#ifndef MJFORGE_TESTS_GOLDEN_SHELL_H_
+#define MJFORGE_TESTS_GOLDEN_SHELL_H_
+
+#include <filesystem>
+#include <string>
+
+#include "harness/command.h"
+
+namespace mjforge::golden {
+
+/// Runs one line in a shell that finds the mjforge under test first. `merged`:
+/// standard error goes to standard output, in the order of a terminal.
+harness::CommandResult RunLine(const std::string& line, const std::filesystem::path& folder,
+                               bool merged);
+
+/// The text with the seconds that a summary line reports replaced: "(0.3 s)"
+/// becomes "(N s)".
+std::string WithoutTimes(const std::string& text);
+
+}  // namespace mjforge::golden
+
+#endif  // MJFORGE_TESTS_GOLDEN_SHELL_H_

@@ -1,0 +1,108 @@
+// Every bundled spec is documented and makes objects that load, each another.
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+#include "mjforge/sample/sample.h"
+#include "mjforge/spec/spec.h"
+#include "mjforge/validate/validate.h"
+
+namespace mjforge::parity {
+namespace {
+
+const std::filesystem::path kSpecs = std::filesystem::path(MJFORGE_SOURCE_DIR) / "specs";
+
+std::string Rendered(const diag::Findings& findings, const diag::Sources& sources) {
+  std::string text;
+  for (const diag::Finding& finding : findings) {
+    text += diag::RenderText(finding, sources, false);
+  }
+  return text;
+}
+
+// The texts of the first variants, without the opening comment that tells them apart.
+std::set<std::string> Texts(const spec::ObjectSpec& spec, std::uint64_t count,
+                            diag::Findings& findings) {
+  std::set<std::string> texts;
+  model::Assembler assembler;
+  validate::Loader loader;
+  mjcf::MjcfDocument document;
+  for (std::uint64_t index = 0; index < count; ++index) {
+    auto values =
+        sample::Sample(spec, {.seed = 7, .index = index}, sample::kRootStream, {}, findings);
+    if (!values) continue;
+    const auto object = assembler.Assemble(*values, {}, findings);
+    if (!object) continue;
+    mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {}, document);
+    if (loader.Validate(document, *object, findings)) texts.insert(document.text);
+  }
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("the catalogue has the specs it is said to have") {
+  CHECK(spec::ListSpecs(kSpecs) ==
+        std::vector<std::string>{
+            "containers/bin", "containers/lid", "containers/mug", "containers/pot_with_handles",
+            "fixtures/hook_frame", "fixtures/stand_with_mount", "primitives/ball", "primitives/box",
+            "primitives/capsule", "primitives/cylinder", "primitives/ellipsoid", "shapes/cone",
+            "shapes/hollow_cylinder", "tools/hammer"});
+}
+
+TEST_CASE("every bundled spec is documented and makes a hundred different, valid objects") {
+  for (const std::string& name : spec::ListSpecs(kSpecs)) {
+    DYNAMIC_SECTION(name) {
+      diag::Sources sources;
+      diag::Findings findings;
+      const auto spec =
+          spec::LoadSpec(name, {.settings = {}, .parameter_files = {}, .search_path = {kSpecs}},
+                         sources, findings);
+      REQUIRE(Rendered(findings, sources) == "");
+      CHECK(spec->description != "");
+      for (const spec::Parameter& parameter : spec->parameters) {
+        INFO(parameter.name);
+        CHECK(parameter.doc != "");
+        CHECK((parameter.unit != "") == (parameter.value.type == expr::Type::kNumber));
+      }
+      CHECK(Texts(*spec, 100, findings).size() == 100);
+      CHECK(Rendered(findings, sources) == "");
+    }
+  }
+}
+
+// Primitives take any of them by name.
+TEST_CASE("every material of the library has a density and a source, and can be used") {
+  diag::Sources sources;
+  diag::Findings findings;
+  const auto box = spec::LoadSpec("primitives/box",
+                                  {.settings = {}, .parameter_files = {}, .search_path = {kSpecs}},
+                                  sources, findings);
+  REQUIRE(Rendered(findings, sources) == "");
+  int imported = 0;
+  for (const spec::Material& material : box->materials) {
+    if (material.name == "plain" || material.name == "patterned") continue;
+    INFO(material.name);
+    ++imported;
+    CHECK(material.Find(spec::Key::kDensity) != nullptr);
+    CHECK(material.Find(spec::Key::kRgba) != nullptr);
+    CHECK(material.Find(spec::Key::kDoc) != nullptr);
+    const auto made = spec::LoadSpec("primitives/box",
+                                     {.settings = {{.name = "material", .text = material.name}},
+                                      .parameter_files = {},
+                                      .search_path = {kSpecs}},
+                                     sources, findings);
+    REQUIRE(made != nullptr);
+    CHECK(Texts(*made, 1, findings).size() == 1);
+    CHECK(Rendered(findings, sources) == "");
+  }
+  CHECK(imported > 30);
+}
+
+}  // namespace mjforge::parity

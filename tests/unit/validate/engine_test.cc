@@ -1,0 +1,55 @@
+#include "mjforge/validate/engine.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+namespace mjforge::validate {
+namespace {
+
+const std::string kBox =
+    "<mujoco><worldbody><body name=\"b\"><geom type=\"box\" size=\"1 1 1\"/></body></worldbody>"
+    "</mujoco>";
+
+TEST_CASE("MuJoCo's errors become exceptions that the process survives") {
+  Engine engine;
+  CHECK_THROWS_WITH(mju_error("out of order"), "out of order");
+  CHECK(engine.LoadText(kBox).model);
+}
+
+TEST_CASE("an error that leaves mj_loadXML releases its lock") {
+  Engine engine;
+  mjVFS* vfs = static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)));
+  const std::string name(2 * mjMAXVFSNAME, 'x');
+  char error[100] = "";
+  CHECK_THROWS_WITH(mj_loadXML(name.c_str(), vfs, error, sizeof error),
+                    "Filename too long in VFS");
+  std::free(vfs);
+  CHECK(engine.LoadText(kBox).model);  // would wait for ever
+}
+
+TEST_CASE("an engine error during compilation is an error of that load only") {
+  Engine engine;
+  std::string starved = kBox;
+  starved.insert(8, "<size nstack=\"1\"/>");
+  const Loaded loaded = engine.LoadText(starved);
+  CHECK_FALSE(loaded.model);
+  CHECK(loaded.error == "Error: engine error: Stack overflow");
+  CHECK(engine.LoadText(kBox).model);
+}
+
+TEST_CASE("warnings are collected for the load they belong to and no log is written") {
+  Engine engine;
+  std::string with_nan = kBox;
+  with_nan.insert(with_nan.find("<geom"), "<geom size=\"1\" pos=\"nan 0 0\"/>");
+  const Loaded loaded = engine.LoadText(with_nan);
+  REQUIRE_FALSE(loaded.warnings.empty());
+  CHECK(loaded.warnings[0] == "XML contains a 'NaN'. Please check it carefully.");
+  CHECK(engine.LoadText(kBox).warnings.empty());
+  CHECK_FALSE(std::filesystem::exists("MUJOCO_LOG.TXT"));
+}
+
+}  // namespace
+}  // namespace mjforge::validate

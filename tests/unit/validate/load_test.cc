@@ -1,0 +1,186 @@
+// Loader::Load: any MJCF file.
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "mjforge/validate/validate.h"
+#include "temporary_folder.h"
+
+namespace mjforge::validate {
+namespace {
+
+struct Result {
+  std::optional<CompiledModel> model;
+  diag::Sources sources;
+  diag::Findings findings;
+};
+
+Result LoadFile(const std::filesystem::path& file) {
+  static Loader loader;
+  Result result;
+  result.model = loader.Load(file, result.sources, result.findings);
+  return result;
+}
+
+/// Loads a text as the file m.xml of a folder.
+Result LoadText(const TemporaryFolder& folder, const std::string& text) {
+  std::ofstream(folder.path() / "m.xml", std::ios::binary) << text;
+  return LoadFile(folder.path() / "m.xml");
+}
+
+/// The only finding as "line:column: code: message".
+std::string Only(const Result& result) {
+  REQUIRE(result.findings.size() == 1);
+  const diag::Finding& f = result.findings[0];
+  return std::to_string(f.mark.line) + ":" + std::to_string(f.mark.column) + ": " +
+         std::string(diag::CodeName(f.code)) + ": " + f.message;
+}
+
+constexpr const char* kArm = R"(<mujoco model="arm">
+  <compiler angle="radian"/>
+  <worldbody>
+    <geom name="floor" type="plane" size="9 9 1"/>
+    <body name="base" pos="0 0 1">
+      <joint name="free" type="free"/>
+      <geom type="box" size="0.1 0.2 0.3" mass="2"/>
+      <geom type="sphere" size="5" contype="0" conaffinity="0" mass="0"/>
+      <body name="tip" pos="1 0 0" quat="0.7071067811865476 0 0 0.7071067811865476">
+        <joint name="turn" type="hinge" axis="0 2 0" limited="true" range="-1 1"/>
+        <geom type="capsule" size="0.1 0.4" mass="1"/>
+        <site name="end"/>
+      </body>
+    </body>
+  </worldbody>
+</mujoco>
+)";
+
+TEST_CASE("a model is told as MuJoCo compiled it") {
+  const TemporaryFolder folder;
+  const Result result = LoadText(folder, kArm);
+  REQUIRE(result.findings.empty());
+  REQUIRE(result.model);
+  const CompiledModel& m = *result.model;
+  CHECK(m.name == "arm");
+  CHECK(m.geoms == 4);
+  CHECK(m.sites == 1);
+  REQUIRE(m.bodies.size() == 2);
+  CHECK(m.bodies[0].name == "base");
+  CHECK(m.bodies[0].parent == "world");
+  CHECK(m.bodies[0].geoms == 2);
+  CHECK(m.bodies[1].name == "tip");
+  CHECK(m.bodies[1].parent == "base");
+  CHECK(m.bodies[1].mass == 1);
+  REQUIRE(m.joints.size() == 2);
+  CHECK(m.joints[0].type == "free");
+  CHECK(m.joints[1].name == "turn");
+  CHECK(m.joints[1].body == "tip");
+  CHECK(m.joints[1].type == "hinge");
+  CHECK(m.joints[1].limited);
+  CHECK(m.joints[1].range == Eigen::Vector2d(-1, 1));
+  CHECK(m.joints[1].axis == Eigen::Vector3d(0, 1, 0));
+}
+
+TEST_CASE("mass and bounds are of the whole model in the world") {
+  const TemporaryFolder folder;
+  const Result result = LoadText(folder, kArm);
+  REQUIRE(result.model);
+  const CompiledModel& m = *result.model;
+  CHECK(m.mass_properties.mass == Approx(3));
+  CHECK(m.mass_properties.p_FCm.isApprox(Eigen::Vector3d(1.0 / 3, 0, 1), 1e-12));
+  // About the common centre: 2 kg at 1/3 m and 1 kg at 2/3 m along x, and a box
+  // of half height 0.3 and half depth 0.1 (m/3 (a^2 + c^2)) and the capsule.
+  const double capsule = 0.01 * 0.8 * std::numbers::pi;         // volume, m^3
+  const double caps = 4.0 / 3 * std::numbers::pi * 0.001;       // m^3
+  const double straight = capsule / (capsule + caps);  // share of the mass
+  const double across = straight * (0.01 / 4 + 0.16 / 3) +
+                        (1 - straight) * (2 * 0.01 / 5 + 0.16 + 0.75 * 0.4 * 0.1);
+  CHECK(m.mass_properties.I_Cm_F(1, 1) ==
+        Approx(2 * (1.0 / 9) + 4.0 / 9 + 2.0 / 3 * (0.01 + 0.09) + across));
+  CHECK(m.aabb.min.isApprox(Eigen::Vector3d(-0.1, -0.2, 0.5), 1e-12));
+  CHECK(m.aabb.max.isApprox(Eigen::Vector3d(1.1, 0.2, 1.5), 1e-12));
+}
+
+TEST_CASE("files beside the model are found") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "assets");
+  std::ofstream(folder.path() / "assets" / "t.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  std::ofstream(folder.path() / "more.xml")
+      << "<mujoco><worldbody><body name=\"b\"><geom type=\"mesh\" mesh=\"t\"/></body></worldbody>"
+         "</mujoco>";
+  const Result result = LoadText(folder,
+                                 "<mujoco><asset><mesh name=\"t\" file=\"assets/t.obj\"/></asset>"
+                                 "<include file=\"more.xml\"/></mujoco>");
+  REQUIRE(result.model);
+  CHECK(result.model->aabb.max.isApprox(Eigen::Vector3d(1, 1, 1), 1e-6));
+  CHECK(result.model->aabb.min.norm() < 1e-6);
+}
+
+TEST_CASE("a file that is not there or is a folder cannot be read") {
+  const TemporaryFolder folder;
+  const std::string path = folder.path().string();
+  CHECK(Only(LoadFile(folder.path() / "no.xml")) ==
+        "0:0: yaml/cannot-read: cannot read '" + path + "/no.xml': no such file");
+  CHECK(Only(LoadFile(folder.path())) ==
+        "0:0: yaml/cannot-read: cannot read '" + path + "': it is a directory");
+}
+
+TEST_CASE("what is not XML is reported where it stops being XML") {
+  const TemporaryFolder folder;
+  CHECK(Only(LoadText(folder, "<mujoco>\n  <a>\n  </b>\n</mujoco>\n")) ==
+        "3:5: mujoco/not-mjcf: not an XML file: start-end tags mismatch");
+  CHECK(Only(LoadText(folder, "")) ==
+        "1:1: mujoco/not-mjcf: not an XML file: no document element found");
+  CHECK(Only(LoadText(folder, "name: hammer\n")) ==
+        "1:1: mujoco/not-mjcf: not an XML file: no document element found");
+}
+
+TEST_CASE("another root element is reported, a URDF with what to do") {
+  const TemporaryFolder folder;
+  CHECK(Only(LoadText(folder, "<?xml version=\"1.0\"?>\n<html/>\n")) ==
+        "2:2: mujoco/not-mjcf: the root element is <html>, not <mujoco>");
+  const Result urdf = LoadText(folder, "<robot name=\"r\"/>\n");
+  CHECK(Only(urdf) ==
+        "1:2: mujoco/not-mjcf: the root element is <robot>, not <mujoco>: this is a URDF file");
+  CHECK(urdf.findings[0].hint ==
+        "convert it to MJCF first: load it in MuJoCo and save it with mj_saveLastXML");
+}
+
+TEST_CASE("MuJoCo's refusal points at the line of the file") {
+  const TemporaryFolder folder;
+  const Result result = LoadText(
+      folder, "<mujoco>\n  <worldbody>\n    <geom name=\"g\" sze=\"1\"/>\n  </worldbody>\n</mujoco>");
+  CHECK(Only(result) ==
+        "3:5: mujoco/error: MuJoCo refused geom 'g': Schema violation: unrecognized attribute: "
+        "'sze'");
+  CHECK_FALSE(result.model);
+}
+
+TEST_CASE("a line may be one of an included file") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "bad.xml") << "<mujoco>\n<worldbody>\n<geom/>\n</worldbody></mujoco>";
+  const Result result =
+      LoadText(folder, "<mujoco>\n  <include file=\"bad.xml\"/>\n\n</mujoco>\n");
+  REQUIRE(result.findings.size() == 1);
+  CHECK(result.findings[0].hint == "the line may be one of an included file");
+}
+
+TEST_CASE("numbers that are not finite are found in a file that MuJoCo takes") {
+  const TemporaryFolder folder;
+  const Result result = LoadText(
+      folder,
+      "<mujoco><worldbody><body name=\"b\"><geom name=\"g\" size=\"1\" friction=\"nan\"/></body>"
+      "</worldbody></mujoco>");
+  REQUIRE(result.findings.size() == 2);
+  CHECK(result.findings[0].message == "MuJoCo warns: XML contains a 'NaN'. Please check it carefully");
+  CHECK(result.findings[1].message ==
+        "MuJoCo loaded a friction of geom 'g' that is not a finite number");
+  CHECK(result.findings.HasErrors());
+}
+
+}  // namespace
+}  // namespace mjforge::validate
