@@ -12,14 +12,6 @@ function(mjforge_room name)
   file(MAKE_DIRECTORY ${include_dir}/mjforge)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_dir}/mjforge/${name} SYMBOLIC)
 
-  # WHILE ROOMS ARE BEING WRITTEN
-  foreach(source IN LISTS room_SOURCES)
-    if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-      message(STATUS "MISSING ${name}/${source}")
-      list(REMOVE_ITEM room_SOURCES ${source})
-    endif()
-  endforeach()
-  # END
   add_library(mjforge_${name} STATIC ${room_SOURCES})
   add_library(mjforge::${name} ALIAS mjforge_${name})
   set_target_properties(mjforge_${name} PROPERTIES EXPORT_NAME ${name})

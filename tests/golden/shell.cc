@@ -13,7 +13,9 @@ harness::CommandResult RunLine(const std::string& line, const std::filesystem::p
   const harness::Command command{
       .program = "sh",
       .arguments = {"-c", merged ? "{ " + line + "\n} 2>&1" : line},
-      .environment = {{"PATH", path == nullptr ? programs : programs + ":" + path}},
+      .environment = {{"PATH", path == nullptr ? programs : programs + ":" + path},
+                      // A build outside of the source tree does not find them.
+                      {"MJFORGE_PATH", MJFORGE_SOURCE_DIR "/specs"}},
       .folder = folder};
   harness::CommandResult result = command.Run();
   INFO("running: " << line);

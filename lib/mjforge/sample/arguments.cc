@@ -4,7 +4,7 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/sample/distributions.h"
-#include "truncation.h"
+#include "mjforge/sample/truncation.h"
 
 namespace mjforge::sample {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "truncation.h"
+#include "mjforge/sample/truncation.h"
 
 namespace mjforge::sample {
 namespace {

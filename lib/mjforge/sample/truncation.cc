@@ -1,4 +1,4 @@
-#include "truncation.h"
+#include "mjforge/sample/truncation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "mjforge/validate/xml_file.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -78,7 +79,10 @@ std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sour
     if (!reason.empty() && reason[0] >= 'A' && reason[0] <= 'Z') {
       reason[0] = static_cast<char>(reason[0] - 'A' + 'a');
     }
-    findings.Add(Code::kMujocoNotMjcf, MarkAt(sources, source, result.offset),
+    // A text without any element is wrong from its start on.
+    const std::ptrdiff_t offset =
+        result.status == pugi::status_no_document_element ? 0 : result.offset;
+    findings.Add(Code::kMujocoNotMjcf, MarkAt(sources, source, offset),
                  fmt::format("not an XML file: {}", reason));
     return std::nullopt;
   }

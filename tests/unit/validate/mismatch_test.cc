@@ -100,14 +100,14 @@ TEST_CASE("another mass, centre or inertia of a body is found") {
   const Messages inertia =
       After([](auto& o) { o.bodies[1].mass_properties.I_Cm_F(2, 2) *= 1 + 1e-6; });
   REQUIRE(inertia.size() == 1);
-  CHECK(inertia[0].find("50: MuJoCo compiled principal moment 2 of body 'mallet_door' as ") == 0);
+  CHECK(inertia[0].find("50: MuJoCo compiled principal moment 1 of body 'mallet_door' as ") == 0);
   const Messages turned = After([](auto& o) {
     o.bodies[1].mass_properties.I_Cm_F(0, 1) += 1e-6;
     o.bodies[1].mass_properties.I_Cm_F(1, 0) += 1e-6;
   });
   REQUIRE_FALSE(turned.empty());
-  CHECK(turned[0] ==
-        "50: MuJoCo compiled inertia xy of body 'mallet_door' as 0, not 1e-06");
+  CHECK(turned[0].find("50: MuJoCo compiled inertia xy of body 'mallet_door' as ") == 0);
+  CHECK(turned[0].ends_with(", not 1e-06"));
   const Messages stated = After(
       [](auto& o) { Root(o).mass_properties.I_Cm_F(0, 0) *= 1 + 1e-7; }, hand_made::Wedge());
   REQUIRE(stated.size() == 1);
