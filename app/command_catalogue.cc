@@ -30,8 +30,7 @@ std::vector<Item> ListItems(diag::Sources& sources, diag::Findings& findings) {
   for (const std::filesystem::path& folder : load.search_path) {
     for (const std::string& name : spec::ListSpecs(folder)) {
       if (!seen.insert(name).second) continue;
-      const std::unique_ptr<spec::ObjectSpec> spec =
-          spec::LoadSpec(name, load, sources, findings);
+      const std::unique_ptr<spec::ObjectSpec> spec = spec::LoadSpec(name, load, sources, findings);
       if (spec != nullptr) items.push_back({name, spec->description});
     }
   }

@@ -35,8 +35,8 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options,
   batch.count = options.count;
   const forge::Summary summary = forge::MakeBatch(generator, batch, {});
   console.Show(summary.findings, sources, summary.more_findings);
-  console.Say(fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok,
-                          options.count));
+  console.Say(
+      fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok, options.count));
   return summary.failed > 0 ? ExitStatus::kFindings : status;
 }
 

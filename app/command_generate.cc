@@ -126,8 +126,7 @@ class Run {
   }
 
   ExitStatus Make(const forge::Recipe& recipe) {
-    forge::Generator generator(recipe, sources_, GeneratorOptions(),
-                               loader_ ? &*loader_ : nullptr);
+    forge::Generator generator(recipe, sources_, GeneratorOptions(), loader_ ? &*loader_ : nullptr);
     return DestinationOf(options_) == Destination::kFolder ? MakeFolder(recipe, generator)
                                                            : MakeOne(recipe, generator);
   }
@@ -164,9 +163,9 @@ class Run {
     if (!console_.verbose()) return {};
     return [this, folder](const forge::Variant& variant) {
       const output::Record& record = variant.record;
-      const std::string place =
-          record.file.empty() ? fmt::format("{} {}", record.name, record.index)
-                              : (folder / record.file).string();
+      const std::string place = record.file.empty()
+                                    ? fmt::format("{} {}", record.name, record.index)
+                                    : (folder / record.file).string();
       console_.Say(fmt::format("{}: {}, attempt {}", place, record.status, record.attempt));
     };
   }

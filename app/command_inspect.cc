@@ -74,8 +74,7 @@ ExitStatus InspectFile(const InspectOptions& options) {
   diag::Sources sources;
   diag::Findings findings;
   validate::Loader loader;
-  const std::optional<validate::CompiledModel> model =
-      loader.Load(options.what, sources, findings);
+  const std::optional<validate::CompiledModel> model = loader.Load(options.what, sources, findings);
   const ExitStatus status = StatusOf(findings);
   Console(options.report).Show(std::move(findings), sources);
   if (!model) return Worse(status, ExitStatus::kFindings);
@@ -87,9 +86,7 @@ ExitStatus InspectFile(const InspectOptions& options) {
 Action AddInspect(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("inspect", "Show parameters and one variant");
   auto options = std::make_shared<InspectOptions>();
-  command.add_option("WHAT", options->what, "A spec, or a FILE.xml")
-      ->required()
-      ->option_text(" ");
+  command.add_option("WHAT", options->what, "A spec, or a FILE.xml")->required()->option_text(" ");
   AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
   AddWholeNumber(command, "--index", options->index, "The variant to show");
   AddSpecOptions(command, options->spec);
@@ -104,8 +101,8 @@ Action AddInspect(CLI::App& app) {
               "  mjforge inspect out/hammer_000041.xml");
   return [options] {
     if (!options->contains.empty() && !ParsePoint(options->contains)) {
-      return WrongUsage(fmt::format("--contains: '{}' is not of the form X,Y,Z",
-                                    options->contains), "inspect");
+      return WrongUsage(fmt::format("--contains: '{}' is not of the form X,Y,Z", options->contains),
+                        "inspect");
     }
     return options->what.ends_with(".xml") ? InspectFile(*options) : InspectSpec(*options);
   };

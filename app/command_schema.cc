@@ -12,7 +12,7 @@ namespace mjforge::app {
 Action AddSchema(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("schema", "Print a JSON Schema");
   auto which = std::make_shared<std::string>("object");
-  command.add_option("WHICH", *which, "object (a spec, the default) or manifest (a record)")
+  command.add_option("WHICH", *which, "object (of a spec, the default) or manifest")
       ->option_text(" ");
   AddExamples(command,
               "  mjforge schema > object.schema.json\n"

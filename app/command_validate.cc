@@ -24,11 +24,10 @@ std::string Count(std::size_t count, std::string_view one, std::string_view many
 std::string Line(const std::string& file, const std::optional<validate::CompiledModel>& model,
                  bool ok) {
   if (!model) return fmt::format("{}: failed\n", file);
-  return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg\n", file, ok ? "ok" : "failed",
-                     Count(model->bodies.size(), "body", "bodies"),
-                     Count(model->joints.size(), "joint", "joints"),
-                     Count(static_cast<std::size_t>(model->geoms), "geom", "geoms"),
-                     model->mass_properties.mass);
+  return fmt::format(
+      "{}: {}, {}, {}, {}, {:.6g} kg\n", file, ok ? "ok" : "failed",
+      Count(model->bodies.size(), "body", "bodies"), Count(model->joints.size(), "joint", "joints"),
+      Count(static_cast<std::size_t>(model->geoms), "geom", "geoms"), model->mass_properties.mass);
 }
 
 std::string JsonLine(const std::string& file, const std::optional<validate::CompiledModel>& model,
@@ -57,9 +56,8 @@ ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options,
   diag::Findings findings;
   const std::optional<validate::CompiledModel> model = loader.Load(file, sources, findings);
   const ExitStatus status = StatusOf(findings);
-  const ExitStatus printed =
-      Print(options.json ? JsonLine(file, model, findings, sources)
-                         : Line(file, model, status == ExitStatus::kDone));
+  const ExitStatus printed = Print(options.json ? JsonLine(file, model, findings, sources)
+                                                : Line(file, model, status == ExitStatus::kDone));
   if (!options.json) Console(options.report).Show(std::move(findings), sources);
   return Worse(printed, model ? status : Worse(status, ExitStatus::kFindings));
 }

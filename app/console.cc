@@ -68,7 +68,8 @@ void Console::Say(std::string_view line) {
 ExitStatus Print(std::string_view bytes) {
   if (WriteAll(STDOUT_FILENO, bytes)) return ExitStatus::kDone;
   const std::string words = std::generic_category().message(errno);
-  WriteAll(STDERR_FILENO, fmt::format("mjforge: error: cannot write to standard output: {}\n", words));
+  WriteAll(STDERR_FILENO,
+           fmt::format("mjforge: error: cannot write to standard output: {}\n", words));
   return ExitStatus::kInputOutput;
 }
 

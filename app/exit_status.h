@@ -8,10 +8,10 @@ namespace mjforge::app {
 /// What the shell sees. Of several, the largest counts.
 enum class ExitStatus {
   kDone = 0,
-  kFindings = 1,     // a spec has errors, a variant failed
-  kUsage = 2,        // wrong words on the command line
-  kInputOutput = 3,  // reading or writing failed
-  kBug = 70,         // sysexits.h: EX_SOFTWARE
+  kFindings = 1,       // a spec has errors, a variant failed
+  kUsage = 2,          // wrong words on the command line
+  kInputOutput = 3,    // reading or writing failed
+  kBug = 70,           // sysexits.h: EX_SOFTWARE
   kInterrupted = 130,  // 128 + SIGINT, as shells count
 };
 

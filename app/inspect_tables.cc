@@ -28,8 +28,9 @@ std::string ValueText(const sample::ParameterValue& value) {
 }
 
 std::string_view RoleName(model::Role role) {
-  return role == model::Role::kBoth ? "both"
-                                    : role == model::Role::kCollision ? "collision" : "visual";
+  return role == model::Role::kBoth        ? "both"
+         : role == model::Role::kCollision ? "collision"
+                                           : "visual";
 }
 
 std::string SizeText(const model::Shape& shape) {
@@ -98,11 +99,12 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   const spec::ObjectSpec& spec = *recipe.spec;
   const model::Object& object = *variant.object;
   const output::Record& record = variant.record;
-  std::string text = spec.description.empty() ? fmt::format("{}\n\n", spec.name)
-                                              : fmt::format("{}: {}\n\n", spec.name, spec.description);
+  std::string text = spec.description.empty()
+                         ? fmt::format("{}\n\n", spec.name)
+                         : fmt::format("{}: {}\n\n", spec.name, spec.description);
   text += Parameters(recipe, variant);
-  text += fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index,
-                      record.attempt);
+  text +=
+      fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
   text += Parts(object) + Joints(object) + Sites(object);
   text += Totals(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));

@@ -5,8 +5,8 @@
 #include <rapidjson/writer.h>
 
 #include <Eigen/Dense>
-#include <concepts>
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -52,9 +52,7 @@ class Json {
   }
 
   /// All that was written, and a line end.
-  std::string Line() const {
-    return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n";
-  }
+  std::string Line() const { return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n"; }
 
  private:
   static rapidjson::SizeType Size(std::string_view text) {

@@ -21,8 +21,8 @@ ExitStatus Run(int argc, char** argv) {
   app.set_version_flag("--version", VersionText, "Print versions and exit");
   app.footer("'mjforge COMMAND --help' explains a command and has examples.");
   // In the order of the help.
-  const std::vector<Action> actions = {AddGenerate(app), AddCheck(app),     AddInspect(app),
-                                       AddValidate(app), AddReplay(app),    AddCatalogue(app),
+  const std::vector<Action> actions = {AddGenerate(app), AddCheck(app),  AddInspect(app),
+                                       AddValidate(app), AddReplay(app), AddCatalogue(app),
                                        AddSchema(app)};
   try {
     app.parse(argc, argv);

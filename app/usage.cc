@@ -59,9 +59,8 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty() && !first_word.empty() && first_word[0] != '-') {
     const std::string word(first_word);
-    return WrongUsage(WithSuggestion(fmt::format("there is no command '{}'", word), word,
-                                     CommandNames(app)),
-                      {});
+    return WrongUsage(
+        WithSuggestion(fmt::format("there is no command '{}'", word), word, CommandNames(app)), {});
   }
   const CLI::App& command = parsed.empty() ? app : *parsed.back();
   const std::string name = parsed.empty() ? std::string() : command.get_name();

@@ -57,7 +57,10 @@ void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uin
   auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index}, sample::kRootStream, {},
                                findings);
   const auto object = assembler.Assemble(*values, {}, findings);
-  mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {.seed = 7, .index = index}, document);
+  mjcf::Provenance provenance;
+  provenance.seed = 7;
+  provenance.index = index;
+  mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, provenance, document);
 }
 
 }  // namespace mjforge::bench

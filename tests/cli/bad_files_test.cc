@@ -46,8 +46,7 @@ TEST_CASE_METHOD(BadInputTest, "10,000 nested brackets are too deep") {
   CheckSpec("mjforge: 1\nname: crate\nparts: " + std::string(10'000, '[') +
                 std::string(10'000, ']') + "\n",
             "yaml/too-deep");
-  CheckSpec("mjforge: 1\nname: crate\nparts: " + std::string(10'000, '[') + "\n",
-            "yaml/too-deep");
+  CheckSpec("mjforge: 1\nname: crate\nparts: " + std::string(10'000, '[') + "\n", "yaml/too-deep");
 }
 
 TEST_CASE_METHOD(BadInputTest, "an alias bomb is one finding") {

@@ -57,9 +57,10 @@ TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {
   CHECK(folder().Files() == Files{"crate.yaml"});
 }
 
-// A limit on the size of files stands for a full disk: writing fails halfway.
+// A limit on the size of files (1: 512 bytes) stands for a full disk: writing
+// fails halfway.
 TEST_CASE_METHOD(BadOutputTest, "a file that does not fit leaves nothing") {
-  const auto result = RunInShell("ulimit -f 0;", "-q -o crate.xml");
+  const auto result = RunInShell("ulimit -f 1;", "-q -o crate.xml");
   CHECK(result.status == 3);
   CHECK(result.err ==
         "mjforge: error: cannot write 'crate.xml': File too large [output/cannot-write]\n");
@@ -67,7 +68,7 @@ TEST_CASE_METHOD(BadOutputTest, "a file that does not fit leaves nothing") {
 }
 
 TEST_CASE_METHOD(BadOutputTest, "a batch that does not fit leaves nothing") {
-  const auto result = RunInShell("ulimit -f 0;", "-q -n 3 -o out");
+  const auto result = RunInShell("ulimit -f 1;", "-q -n 3 -o out");
   CHECK(result.status == 3);
   CHECK(result.err ==
         "mjforge: error: cannot write 'out/crate_000000.xml': File too large "
@@ -78,8 +79,7 @@ TEST_CASE_METHOD(BadOutputTest, "a batch that does not fit leaves nothing") {
 TEST_CASE_METHOD(BadOutputTest, "a full standard output is an output failure") {
   const auto result = RunInShell("", "-o - > /dev/full");
   CHECK(result.status == 3);
-  CHECK(result.err ==
-        "mjforge: error: cannot write to standard output: No space left on device\n");
+  CHECK(result.err == "mjforge: error: cannot write to standard output: No space left on device\n");
 }
 
 TEST_CASE_METHOD(BadOutputTest, "a standard output that nobody reads is an output failure") {

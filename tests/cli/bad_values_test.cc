@@ -22,7 +22,7 @@ TEST_CASE_METHOD(BadInputTest, "an unknown key is one finding with a suggestion"
 }
 
 TEST_CASE_METHOD(BadInputTest, "a wrong type is one finding") {
-  CheckSpec(WithPart("name: body, type: box, size: {a: 1}"), "spec/wrong-type");
+  CheckSpec(WithPart("name: body, type: box, size: [1, 1, 1], density: [1, 2]"), "spec/wrong-type");
   CheckSpec("mjforge: 1\nname: crate\nparts: 3\n", "spec/wrong-type");
 }
 
@@ -70,8 +70,7 @@ TEST_CASE_METHOD(BadInputTest, "names that could leave the folder or break the f
     CheckSpec("mjforge: 1\nname: " + std::string(name) +
                   "\nparts: [{name: body, type: sphere, size: 1}]\n",
               "spec/bad-name");
-    CheckSpec(WithPart("name: " + std::string(name) + ", type: sphere, size: 1"),
-              "spec/bad-name");
+    CheckSpec(WithPart("name: " + std::string(name) + ", type: sphere, size: 1"), "spec/bad-name");
   }
 }
 

@@ -67,9 +67,8 @@ TEST_CASE_METHOD(DeterminismTest, "German numbers change nothing") {
 TEST_CASE_METHOD(CrateTest, "the spec's folder and how it is written change nothing") {
   folder().Write("else/where/crate.yaml", kText);
   const std::string absolute = (folder() / "crate.yaml").string();
-  for (const std::string& spec :
-       {std::string("crate.yaml"), std::string("./else/../crate.yaml"), absolute,
-        std::string("else/where/crate.yaml")}) {
+  for (const std::string& spec : {std::string("crate.yaml"), std::string("./else/../crate.yaml"),
+                                  absolute, std::string("else/where/crate.yaml")}) {
     const auto result = Run({"generate", spec, "-o", "-"});
     REQUIRE(result.status == 0);
     CHECK(result.out == Run({"generate", "crate.yaml", "-o", "-"}).out);

@@ -19,8 +19,8 @@ TEST_CASE_METHOD(CrateTest, "without -o a batch goes into a folder of the object
   CHECK(result.status == 0);
   CHECK(result.out.empty());
   CHECK(WithoutSeconds(result.err) == "2 variants of crate in crate/: 2 ok (T s)\n");
-  CHECK(folder().Files() == Files{"crate.yaml", "crate/crate_000000.xml",
-                                  "crate/crate_000001.xml", "crate/manifest.jsonl"});
+  CHECK(folder().Files() == Files{"crate.yaml", "crate/crate_000000.xml", "crate/crate_000001.xml",
+                                  "crate/manifest.jsonl"});
 }
 
 TEST_CASE_METHOD(CrateTest, "-o x.xml writes exactly that file") {
@@ -86,8 +86,8 @@ TEST_CASE_METHOD(CrateTest, "--set pins and re-ranges a parameter, --params many
   CHECK(set.status == 0);
   CHECK(set.out.find("size=\"0.1 0.1 0.5\"") != std::string::npos);
   CHECK(params.out.find("size=\"0.1 0.1 0.5\"") != std::string::npos);
-  const auto both = Run({"generate", "crate.yaml", "--params", "p.yaml", "--set", "height=20mm",
-                         "-o", "-"});
+  const auto both =
+      Run({"generate", "crate.yaml", "--params", "p.yaml", "--set", "height=20mm", "-o", "-"});
   CHECK(both.out.find("size=\"0.1 0.1 0.02\"") != std::string::npos);
 }
 

@@ -48,8 +48,9 @@ TEST_CASE_METHOD(CrateTest, "inspect shows a range as the spec has it, and the v
 TEST_CASE_METHOD(CrateTest, "inspect --json is one object") {
   const auto result = Run(With(kPinned, {"--json"}));
   CHECK(result.status == 0);
-  CHECK(result.out.starts_with("{\"name\":\"crate\",\"description\":\"A box.\","
-                               "\"spec\":\"crate.yaml\",\"spec_sha256\":\""));
+  CHECK(
+      result.out.starts_with("{\"name\":\"crate\",\"description\":\"A box.\","
+                             "\"spec\":\"crate.yaml\",\"spec_sha256\":\""));
   CHECK(result.out.find("\"parameters\":[{\"name\":\"height\",\"spec\":\"0.15\",\"value\":0.15,"
                         "\"unit\":\"m\",\"doc\":\"Half the height.\"}]") != std::string::npos);
   CHECK(result.out.find("\"aabb\":{\"min\":[-0.1,-0.1,-0.15],\"max\":[0.1,0.1,0.15]},"

@@ -43,8 +43,7 @@ TEST_CASE_METHOD(CrateTest, "every spec that catalogue names can be checked") {
 }
 
 TEST_CASE_METHOD(CrateTest, "schema prints the schemas that are checked in") {
-  CHECK(Run({"schema"}).out ==
-        harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/object.schema.json"));
+  CHECK(Run({"schema"}).out == harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/object.schema.json"));
   CHECK(Run({"schema", "object"}).out == Run({"schema"}).out);
   CHECK(Run({"schema", "manifest"}).out ==
         harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/manifest.schema.json"));

@@ -41,8 +41,7 @@ TEST_CASE_METHOD(ReplayTest, "replay notices a spec that changed since") {
   folder().Write("crate.yaml", std::string(kText) + "# more\n");
   const auto result = Run({"replay", "out/crate_000001.xml"});
   CHECK(result.status == 1);
-  CHECK(result.err.find("spec 'crate.yaml' has changed since: its hash is ") !=
-        std::string::npos);
+  CHECK(result.err.find("spec 'crate.yaml' has changed since: its hash is ") != std::string::npos);
 }
 
 TEST_CASE_METHOD(ReplayTest, "replay of what it cannot understand is a finding") {

@@ -44,8 +44,8 @@ TEST_CASE_METHOD(WordsTest, "NO_COLOR is heard on a terminal") {
   const auto on_terminal = [&](const std::string& before) {
     const harness::Command command{
         .program = "script",
-        .arguments = {"-qec", before + " '" + harness::MjforgeProgram().string() +
-                                  "' check bad.yaml",
+        .arguments = {"-qec",
+                      before + " '" + harness::MjforgeProgram().string() + "' check bad.yaml",
                       "/dev/null"},
         .environment = {{"TERM", "xterm"}},
         .folder = folder().path()};

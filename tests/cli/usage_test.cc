@@ -27,19 +27,30 @@ TEST_CASE_METHOD(UsageTest, "unknown words are named, with what was probably mea
   CHECK(WrongUsage({"--sed"}) == "mjforge: error: there is no option '--sed'");
   CHECK(WrongUsage({"generate", "crate.yaml", "--sed", "3"}) ==
         "mjforge: error: there is no option '--sed'; did you mean '--seed'?");
-  CHECK(WrongUsage({"schema", "object", "more"}) ==
-        "mjforge: error: 'more' is one word too many");
+  CHECK(WrongUsage({"schema", "object", "more"}) == "mjforge: error: 'more' is one word too many");
 }
 
 TEST_CASE_METHOD(UsageTest, "values that an option cannot take are wrong usage") {
   const std::vector<std::vector<std::string>> wrong = {
-      {"-n", "0"},          {"-n", "-1"},          {"-n", "many"},
-      {"-n", "1e3"},        {"--seed", "-1"},      {"--seed", "18446744073709551616"},
-      {"--target", "mars"}, {"--validate", "no"},  {"--on-invalid", "cry"},
-      {"--set", "height"},  {"--set", "=3"},       {"--color", "blue"},
-      {"--findings", "xml"}, {"-n", "2", "-o", "x.xml"}, {"-n", "2", "-o", "-"},
-      {"-o", "x.tar"},      {"--first", "18446744073709551615", "-n", "2"},
-      {"other.yaml", "-o", "x.xml"}, {"-o"}};
+      {"-n", "0"},
+      {"-n", "-1"},
+      {"-n", "many"},
+      {"-n", "1e3"},
+      {"--seed", "-1"},
+      {"--seed", "18446744073709551616"},
+      {"--target", "mars"},
+      {"--validate", "no"},
+      {"--on-invalid", "cry"},
+      {"--set", "height"},
+      {"--set", "=3"},
+      {"--color", "blue"},
+      {"--findings", "xml"},
+      {"-n", "2", "-o", "x.xml"},
+      {"-n", "2", "-o", "-"},
+      {"-o", "x.tar"},
+      {"--first", "18446744073709551615", "-n", "2"},
+      {"other.yaml", "-o", "x.xml"},
+      {"-o"}};
   for (std::vector<std::string> arguments : wrong) {
     arguments.insert(arguments.begin(), {"generate", "crate.yaml"});
     INFO(arguments[2] << " " << arguments.back());

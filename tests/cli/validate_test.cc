@@ -55,8 +55,8 @@ TEST_CASE_METHOD(CrateTest, "validate --json has the findings in it") {
 
 TEST_CASE_METHOD(CrateTest, "everything that generate writes is valid") {
   REQUIRE(Run({"generate", "crate.yaml", "-q", "-n", "3", "-o", "out"}).status == 0);
-  CHECK(Run({"validate", "out/crate_000000.xml", "out/crate_000001.xml",
-             "out/crate_000002.xml"}).status == 0);
+  CHECK(Run({"validate", "out/crate_000000.xml", "out/crate_000001.xml", "out/crate_000002.xml"})
+            .status == 0);
 }
 
 TEST_CASE_METHOD(CrateTest, "what is no MJCF is a finding") {

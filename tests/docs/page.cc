@@ -1,7 +1,7 @@
 #include "docs/page.h"
 
 #include <cctype>
-#include <optional>
+#include <fstream>
 #include <regex>
 #include <span>
 #include <sstream>
@@ -84,6 +84,38 @@ class Reader {
 
 std::vector<Step> ReadSteps(const std::filesystem::path& page) {
   return Reader().Read(harness::ReadFile(page));
+}
+
+void ReplaceOutputs(const std::filesystem::path& page, const std::map<int, std::string>& outputs) {
+  const std::string text = harness::ReadFile(page);
+  std::ofstream file(page, std::ios::binary);
+  int number = 0;
+  bool skip = false;
+  for (const std::string& line : Lines(text)) {
+    ++number;
+    if (line.starts_with(kPrompt) || line.starts_with("```")) skip = false;
+    if (!skip) file << line << '\n';
+    const auto output = outputs.find(number);
+    if (output == outputs.end()) continue;
+    file << output->second;
+    skip = true;
+  }
+}
+
+std::vector<std::string> ReadCpp(const std::filesystem::path& page) {
+  std::vector<std::string> blocks;
+  bool in_block = false;
+  for (const std::string& line : Lines(harness::ReadFile(page))) {
+    if (line == "```cpp") {
+      in_block = true;
+      blocks.emplace_back();
+    } else if (line.starts_with("```")) {
+      in_block = false;
+    } else if (in_block) {
+      blocks.back() += line + "\n";
+    }
+  }
+  return blocks;
 }
 
 std::vector<std::string> ReadLinks(const std::filesystem::path& page) {

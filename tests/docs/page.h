@@ -2,6 +2,7 @@
 #define MJFORGE_TESTS_DOCS_PAGE_H_
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct Step {
 /// ```yaml blocks that open with `# file: NAME` are files; in ```console blocks
 /// each `$ LINE` is a command and what follows is its output.
 std::vector<Step> ReadSteps(const std::filesystem::path& page);
+
+/// Puts other outputs below the commands at these lines, and leaves the rest.
+void ReplaceOutputs(const std::filesystem::path& page, const std::map<int, std::string>& outputs);
+
+/// The page's ```cpp blocks.
+std::vector<std::string> ReadCpp(const std::filesystem::path& page);
 
 /// Targets of the page's links, `[text](target)`.
 std::vector<std::string> ReadLinks(const std::filesystem::path& page);

@@ -28,8 +28,8 @@ struct Unreachable {
   std::string test;
 };
 const std::vector<Unreachable> kUnreachable = {
-    {"mujoco/mismatch", "tests/unit/validate/compare_test.cc",
-     "a mass that MuJoCo does not have is a finding"},
+    {"mujoco/mismatch", "tests/unit/validate/mismatch_test.cc",
+     "another mass, centre or inertia of a body is found"},
 };
 
 // Codes of what has no place in a text, such as a file that is not there.

@@ -94,9 +94,8 @@ class SpawnSettings {
     arguments.insert(arguments.begin(), command.program.string());
     std::vector<std::string> environment = EnvironmentOf(command);
     pid_t process = 0;
-    const int error =
-        posix_spawnp(&process, command.program.c_str(), &actions_, &attributes_,
-                     Pointers(arguments).data(), Pointers(environment).data());
+    const int error = posix_spawnp(&process, command.program.c_str(), &actions_, &attributes_,
+                                   Pointers(arguments).data(), Pointers(environment).data());
     INFO("starting " << command.program << ": " << std::strerror(error));
     REQUIRE(error == 0);
     return process;

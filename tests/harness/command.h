@@ -14,9 +14,9 @@
 namespace mjforge::harness {
 
 struct CommandResult {
-  int status = 0;    // exit status; 128 + signal if a signal ended it, as a shell says it
-  std::string out;   // standard output
-  std::string err;   // standard error
+  int status = 0;          // exit status; 128 + signal if a signal ended it, as a shell says it
+  std::string out;         // standard output
+  std::string err;         // standard error
   bool timed_out = false;  // it was killed, with all processes it started
 };
 

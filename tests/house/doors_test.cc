@@ -28,12 +28,10 @@ const std::array kRooms = {
     Room{"sample", {"diag", "expr", "spec"}},
     Room{"model", {"diag", "expr", "spec", "sample"}},
     Room{"mjcf", {"diag", "expr", "model"}},
-    Room{"validate", {"diag", "model", "mjcf"}},
+    Room{"validate", {"diag", "expr", "model", "mjcf"}},  // expr: numbers in messages
     Room{"output", {"diag", "expr", "sample", "model", "mjcf"}},
-    Room{"forge",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output"}},
-    Room{"app",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge"}},
+    Room{"forge", {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output"}},
+    Room{"app", {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge"}},
 };
 
 struct Library {
@@ -49,9 +47,9 @@ const std::array kLibraries = {
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
-    Library{"fmt/",
-            {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge",
-             "app"}},
+    Library{
+        "fmt/",
+        {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge", "app"}},
     Library{"muParser", {"expr"}},
     Library{"mujoco/", {"validate"}},
     Library{"openssl/", {"spec", "output"}},

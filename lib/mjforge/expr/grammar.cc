@@ -288,8 +288,8 @@ class Grammar {
 
   Result Number() {
     const Word& word = Now();
-    if (word.unit.empty()) return ++at_, Literal(word.number, Type::kNumber);
-    const std::optional<double> value = InSi(word.number, word.unit);
+    const std::optional<double> value =
+        word.unit.empty() ? word.number : InSi(word.number, word.unit);
     if (!value) return Fail(UnknownUnit(word, names_));
     ++at_;
     return Literal(*value, Type::kNumber);

@@ -73,9 +73,9 @@ bool CheckName(std::string_view text, diag::Findings& findings);
 
 /// One variant and all that is known of it.
 struct Variant {
-  output::Record record;               // status "ok" or "failed"
-  std::optional<model::Object> object; // nothing if it could not be built
-  mjcf::MjcfDocument document;         // means nothing without an object
+  output::Record record;                // status "ok" or "failed"
+  std::optional<model::Object> object;  // nothing if it could not be built
+  mjcf::MjcfDocument document;          // means nothing without an object
   diag::Findings findings;
 
   bool ok() const { return record.status == "ok"; }
@@ -84,8 +84,8 @@ struct Variant {
 struct Options {
   std::uint64_t seed = 0;
   mjcf::Target target = mjcf::Target::kMujoco;
-  std::string name;            // checked by CheckName; empty: the spec's
-  std::uint64_t attempt = 0;   // draws before this one are not tried
+  std::string name;           // checked by CheckName; empty: the spec's
+  std::uint64_t attempt = 0;  // draws before this one are not tried
   /// A variant that fails is drawn again, up to kMaxResamples times.
   bool resample = false;
 };

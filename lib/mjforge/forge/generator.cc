@@ -84,9 +84,8 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   output::Record& record = variant.record;
   record.attempt = attempt;
   const spec::ObjectSpec& spec = *recipe_.spec;
-  std::optional<sample::Evaluator> values =
-      sample::Sample(spec, {options_.seed, record.index, attempt}, sample::kRootStream, {},
-                     variant.findings);
+  std::optional<sample::Evaluator> values = sample::Sample(
+      spec, {options_.seed, record.index, attempt}, sample::kRootStream, {}, variant.findings);
   if (!values) {
     // Where a thousand draws met no requirement, more of them will not either.
     return HasCode(variant.findings, diag::Code::kSampleRejected) ? Outcome::kHopeless
@@ -107,7 +106,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
 void Generator::Describe(const model::Object& object, output::Record& record) const {
   record.mass_properties = object.mass_properties;
   record.bounds = object.bounds;
-  record.nbody = 1;  // the world
+  record.nbody = 1;                                                // the world
   record.ngeom = options_.target == mjcf::Target::kScene ? 1 : 0;  // the floor
   for (const model::Body& body : object.bodies) {
     ++record.nbody;

@@ -42,21 +42,10 @@ void Set(Settings& settings, const std::string& name, const std::string& text) {
   }
 }
 
-// What a --params file set is recorded like --set: the file may be gone when
-// the variant is made again.
-Settings SettingsOf(const spec::ObjectSpec& spec, const spec::LoadOptions& options,
-                    const diag::Sources& sources) {
+// The last setting of a name has won.
+Settings SettingsOf(const spec::ObjectSpec& spec) {
   Settings settings;
-  for (const spec::Parameter& parameter : spec.parameters) {
-    const diag::SourceMark mark = parameter.value.mark;
-    if (!mark || mark.file > sources.size()) continue;
-    const std::string& source = sources.Name(mark.file);
-    const bool from_file =
-        std::any_of(options.parameter_files.begin(), options.parameter_files.end(),
-                    [&](const std::filesystem::path& file) { return file.string() == source; });
-    if (from_file) Set(settings, parameter.name, parameter.source);
-  }
-  for (const spec::Setting& setting : options.settings) Set(settings, setting.name, setting.text);
+  for (const auto& [name, text] : spec.settings) Set(settings, name, text);
   return settings;
 }
 
@@ -71,7 +60,7 @@ std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadO
   recipe.spec = spec::LoadSpec(reference, options, sources, findings);
   if (recipe.spec == nullptr) return std::nullopt;
   recipe.reference = ReferenceOf(*recipe.spec, reference, options.search_path);
-  recipe.settings = SettingsOf(*recipe.spec, options, sources);
+  recipe.settings = SettingsOf(*recipe.spec);
   return recipe;
 }
 

@@ -10,9 +10,9 @@ namespace {
 
 // What is to be made again, and what it must be equal to.
 struct Original {
-  output::Record record;         // as far as it is known
-  bool from_manifest = false;    // then `attempt`, `status` and `sha256` are known
-  std::filesystem::path file;    // the object's; empty: none was written
+  output::Record record;       // as far as it is known
+  bool from_manifest = false;  // then `attempt`, `status` and `sha256` are known
+  std::filesystem::path file;  // the object's; empty: none was written
 };
 
 void AddBadManifest(diag::Findings& findings, std::string message, std::string hint = {}) {
@@ -46,8 +46,8 @@ std::optional<Original> FromManifest(const std::filesystem::path& manifest, std:
       return std::nullopt;
     }
     if (record->index != index) continue;
-    const auto file = record->file.empty() ? std::filesystem::path()
-                                           : manifest.parent_path() / record->file;
+    const auto file =
+        record->file.empty() ? std::filesystem::path() : manifest.parent_path() / record->file;
     return Original{*std::move(record), true, file};
   }
   AddBadManifest(findings, fmt::format("'{}' has no record of index {}", manifest.string(), index));
@@ -101,8 +101,7 @@ std::optional<Recipe> LoadOriginalRecipe(const Original& original, const ReplayR
   for (const auto& [name, text] : record.settings) {
     options.settings.push_back({name, text, "the record's settings"});
   }
-  const std::string reference =
-      request.spec.empty() ? FindSpec(record.spec, folder) : request.spec;
+  const std::string reference = request.spec.empty() ? FindSpec(record.spec, folder) : request.spec;
   std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, findings);
   if (!recipe) return std::nullopt;
   if (recipe->spec->sha256 != record.spec_sha256) {
@@ -158,8 +157,8 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
 bool ReplayFailure(const Original& original, const Variant& variant, diag::Findings& findings) {
   if (variant.ok()) {
     findings.Add(diag::Code::kOutputDiffers, {},
-                 fmt::format("variant {} is recorded as {}, but can be made",
-                             original.record.index, original.record.status));
+                 fmt::format("variant {} is recorded as {}, but can be made", original.record.index,
+                             original.record.status));
   }
   findings.Append(variant.findings);
   return false;

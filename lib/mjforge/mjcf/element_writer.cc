@@ -56,9 +56,7 @@ void ElementWriter::Finish(std::string_view end) {
   ++line_;
 }
 
-void ElementWriter::Text(std::string_view name, std::string_view value) {
-  Text(name, value, {});
-}
+void ElementWriter::Text(std::string_view name, std::string_view value) { Text(name, value, {}); }
 
 void ElementWriter::Text(std::string_view name, std::string_view value, std::string_view suffix) {
   text_ += ' ';

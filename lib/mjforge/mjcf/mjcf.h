@@ -34,12 +34,12 @@ std::optional<Target> FindTarget(std::string_view name);
 /// What the opening comment says: enough to make the file again.
 struct Provenance {
   std::string version;
-  std::string spec;         // as given on the command line
+  std::string spec;  // as given on the command line
   std::string spec_sha256;
   std::vector<std::pair<std::string, std::string>> settings;  // --set
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::string name;         // the object's, where it is not the spec's
+  std::string name;  // the object's, where it is not the spec's
   std::string target;
 };
 /// Reads the comment of a generated file back; nothing if it has none.

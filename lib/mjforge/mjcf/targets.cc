@@ -8,7 +8,8 @@ namespace {
 
 constexpr TargetInfo kTargets[] = {
     {Target::kMujoco, "mujoco", "complete and flat, simulates by itself"},
-    {Target::kScene, "scene", "the same with floor, light and camera; the object rests on the floor"},
+    {Target::kScene, "scene",
+     "the same with floor, light and camera; the object rests on the floor"},
 };
 
 // One row a target, in the order of the enumeration.

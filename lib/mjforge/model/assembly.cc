@@ -11,7 +11,16 @@
 namespace mjforge::model {
 
 using diag::Code;
-using spec::Key;
+
+namespace {
+
+// Without making every entry of a long list move all parts.
+void MakeRoom(std::size_t count, std::vector<Part>& parts) {
+  if (parts.size() + count <= parts.capacity()) return;
+  parts.reserve(std::max(parts.size() + count, 2 * parts.capacity()));
+}
+
+}  // namespace
 
 Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, const Pose& X_BodyS)
     : values(evaluator),
@@ -20,8 +29,7 @@ Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, const Pose& 
       parts(sample::Child(evaluator.root(), "parts")),
       materials(evaluator.spec().materials.size()) {}
 
-std::optional<Object> Assembly::Run(sample::Evaluator& values,
-                                    const Assembler::Options& options) {
+std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::Options& options) {
   const std::size_t before = findings_.size();
   object_.name = options.name.empty() ? values.spec().name : options.name;
   if (!IsName(object_.name)) {
@@ -42,10 +50,9 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values,
 }
 
 bool Assembly::HasErrorsSince(std::size_t first) const {
-  return std::any_of(findings_.begin() + static_cast<std::ptrdiff_t>(first), findings_.end(),
-                     [](const diag::Finding& finding) {
-                       return finding.severity == diag::Severity::kError;
-                     });
+  return std::any_of(
+      findings_.begin() + static_cast<std::ptrdiff_t>(first), findings_.end(),
+      [](const diag::Finding& finding) { return finding.severity == diag::Severity::kError; });
 }
 
 std::optional<std::string> Assembly::ReadName(Scope& scope, const spec::Entry& entry,
@@ -79,9 +86,11 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, c
   const std::vector<spec::Field>& defaults = scope.values.spec().defaults.part;
   for (const spec::Entry& entry : entries) {
     const bool is_plain = !entry.is_frame && entry.nested == nullptr;
-    const FieldSet fields(entry.fields,
-                          is_plain ? defaults : std::span<const spec::Field>());
-    repetition_.ForEach(entry, scope.values, body().parts.size(), [&] {
+    const FieldSet fields(entry.fields, is_plain ? defaults : std::span<const spec::Field>());
+    const auto count = repetition_.Count(entry, scope.values, body().parts.size());
+    if (!count) continue;
+    if (is_plain && !entry.condition) MakeRoom(*count, body().parts);
+    repetition_.ForEach(entry, scope.values, [&] {
       if (entry.is_frame) {
         AddFrame(scope, entry, fields, X_SF);
       } else if (entry.nested != nullptr) {
@@ -118,8 +127,7 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& f
   std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
   overrides.reserve(entry.overrides.size());
   for (const auto& [parameter, value] : entry.overrides) {
-    overrides.emplace_back(parameter,
-                           scope.values.Any(value, sample::Child(params, parameter)));
+    overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
   }
   if (findings_.size() != before || !X_FW) return;
   sample::DrawKey key = scope.values.key();
@@ -129,8 +137,7 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& f
   if (!nested) return;
 
   const Pose X_SW = X_SF * *X_FW;
-  const bool corner =
-      scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
+  const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
   Scope inner(*nested, scope.prefix + *name + "_", corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
   const std::size_t first_part = body().parts.size();
   const std::size_t first_site = body().sites.size();

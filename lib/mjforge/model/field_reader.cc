@@ -51,8 +51,8 @@ std::string FieldReader::Owner() const { return fmt::format("{} {}", element_, Q
 
 void FieldReader::Report(Code code, const spec::Field& field, std::string_view what,
                          std::string hint) {
-  findings_.Add(code, field.value.mark,
-                fmt::format("{} of {} {}", field.info->key, Owner(), what), std::move(hint));
+  findings_.Add(code, field.value.mark, fmt::format("{} of {} {}", field.info->key, Owner(), what),
+                std::move(hint));
 }
 
 void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_view what,
@@ -92,8 +92,7 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   const auto& [lo, hi] = std::pair(field.info->min_count, field.info->max_count);
   const int count = static_cast<int>(out.size());
   if (good && (count < lo || count > hi)) {
-    const std::string wanted =
-        lo == hi ? fmt::format("{}", lo) : fmt::format("{} to {}", lo, hi);
+    const std::string wanted = lo == hi ? fmt::format("{}", lo) : fmt::format("{} to {}", lo, hi);
     Report(Code::kModelBadValue, field,
            fmt::format("has {} number{}; it must have {}", count, count == 1 ? "" : "s", wanted));
     return false;
@@ -160,7 +159,8 @@ bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
       if (number) out.numbers.push_back(*number);
       return number.has_value();
     }
-    case spec::Slot::kNumbers: return Numbers(field, out.numbers);
+    case spec::Slot::kNumbers:
+      return Numbers(field, out.numbers);
     case spec::Slot::kBoolean: {
       const std::optional<bool> value = Boolean(field);
       if (value) out.text = *value ? "true" : "false";

@@ -23,8 +23,7 @@ double TriangleDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                         const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d normal = (b - a).cross(c - a);
   const bool above = normal.dot((b - a).cross(p - a)) >= 0 &&
-                     normal.dot((c - b).cross(p - b)) >= 0 &&
-                     normal.dot((a - c).cross(p - c)) >= 0;
+                     normal.dot((c - b).cross(p - b)) >= 0 && normal.dot((a - c).cross(p - c)) >= 0;
   if (above && normal.norm() > 0) return std::abs(normal.dot(p - a)) / normal.norm();
   return std::min({SegmentDistance(p, a, b), SegmentDistance(p, b, c), SegmentDistance(p, c, a)});
 }
@@ -69,16 +68,20 @@ bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) 
   const double guard = kRounding * (LargestSize(shape) + X_AG.p.norm() + p_A.norm());
   const Eigen::Vector3d& s = shape.size;
   switch (shape.type) {
-    case GeomType::kSphere: return p.norm() <= s.x() + guard;
+    case GeomType::kSphere:
+      return p.norm() <= s.x() + guard;
     case GeomType::kCapsule: {
       const double beyond = std::max(std::abs(p.z()) - s.y(), 0.0);
       return std::hypot(p.x(), p.y(), beyond) <= s.x() + guard;
     }
-    case GeomType::kEllipsoid: return p.cwiseQuotient(s).norm() <= 1 + guard / s.minCoeff();
+    case GeomType::kEllipsoid:
+      return p.cwiseQuotient(s).norm() <= 1 + guard / s.minCoeff();
     case GeomType::kCylinder:
       return std::abs(p.z()) <= s.y() + guard && std::hypot(p.x(), p.y()) <= s.x() + guard;
-    case GeomType::kBox: return (p.cwiseAbs() - s).maxCoeff() <= guard;
-    case GeomType::kMesh: return MeshContains(*shape.mesh, p, guard);
+    case GeomType::kBox:
+      return (p.cwiseAbs() - s).maxCoeff() <= guard;
+    case GeomType::kMesh:
+      return MeshContains(*shape.mesh, p, guard);
   }
   return false;
 }

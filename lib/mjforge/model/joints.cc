@@ -76,8 +76,8 @@ void Assembly::AddRootJoints(Scope& scope) {
   const sample::StreamId joints = sample::Child(scope.values.root(), "joints");
   for (const spec::Entry& entry : spec.joints) {
     const FieldSet fields(entry.fields, spec.defaults.joint);
-    repetition_.ForEach(entry, scope.values, body().joints.size(),
-                        [&] { AddJoint(scope, entry, fields, joints); });
+    if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
+    repetition_.ForEach(entry, scope.values, [&] { AddJoint(scope, entry, fields, joints); });
   }
   if (body().joints.size() < 2) return;
   for (const Joint& joint : body().joints) {

@@ -22,8 +22,10 @@ Eigen::Vector3d UnitInertia(const Shape& shape) {
   const Eigen::Vector3d& s = shape.size;
   const Eigen::Vector3d s2 = s.cwiseProduct(s);
   switch (shape.type) {
-    case GeomType::kSphere: return Eigen::Vector3d::Constant(0.4 * s2.x());
-    case GeomType::kCapsule: return CapsuleInertia(s.x(), s.y());
+    case GeomType::kSphere:
+      return Eigen::Vector3d::Constant(0.4 * s2.x());
+    case GeomType::kCapsule:
+      return CapsuleInertia(s.x(), s.y());
     case GeomType::kEllipsoid:
       return Eigen::Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 5;
     case GeomType::kCylinder: {
@@ -32,7 +34,8 @@ Eigen::Vector3d UnitInertia(const Shape& shape) {
     }
     case GeomType::kBox:
       return Eigen::Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()) / 3;
-    case GeomType::kMesh: break;
+    case GeomType::kMesh:
+      break;
   }
   return Eigen::Vector3d::Zero();
 }
@@ -96,12 +99,18 @@ double MeshVolume(const TriangleMesh& mesh) {
 double Volume(const Shape& shape) {
   const Eigen::Vector3d& s = shape.size;
   switch (shape.type) {
-    case GeomType::kSphere: return 4 * M_PI / 3 * s.x() * s.x() * s.x();
-    case GeomType::kCapsule: return M_PI * s.x() * s.x() * (2 * s.y() + 4 * s.x() / 3);
-    case GeomType::kEllipsoid: return 4 * M_PI / 3 * s.prod();
-    case GeomType::kCylinder: return 2 * M_PI * s.x() * s.x() * s.y();
-    case GeomType::kBox: return 8 * s.prod();
-    case GeomType::kMesh: return MeshVolume(*shape.mesh);
+    case GeomType::kSphere:
+      return 4 * M_PI / 3 * s.x() * s.x() * s.x();
+    case GeomType::kCapsule:
+      return M_PI * s.x() * s.x() * (2 * s.y() + 4 * s.x() / 3);
+    case GeomType::kEllipsoid:
+      return 4 * M_PI / 3 * s.prod();
+    case GeomType::kCylinder:
+      return 2 * M_PI * s.x() * s.x() * s.y();
+    case GeomType::kBox:
+      return 8 * s.prod();
+    case GeomType::kMesh:
+      return MeshVolume(*shape.mesh);
   }
   return 0;
 }

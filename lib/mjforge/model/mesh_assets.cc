@@ -75,10 +75,10 @@ bool Assets::ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part) 
   std::string why_not;
   std::optional<TriangleMesh> mesh = MakePrism(*points, *z, why_not);
   if (!mesh) {
-    reader.ReportElement(Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
-                         why_not.find("convex") == std::string::npos
-                             ? std::string()
-                             : "make it of several convex prisms");
+    reader.ReportElement(
+        Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
+        why_not.find("convex") == std::string::npos ? std::string()
+                                                    : "make it of several convex prisms");
     return false;
   }
   AddPrism(std::move(*mesh), part);
@@ -126,10 +126,10 @@ bool Assets::ReadMesh(FieldReader& reader, const FieldSet& fields,
     return false;
   }
   if (content.why_not_solid && part.role != Role::kVisual) {
-    findings_.Add(Code::kModelBadMesh, field->value.mark,
-                  fmt::format("mesh {} is not a closed surface: {}", Quoted(*name),
-                              *content.why_not_solid),
-                  "mend the file, or give the part `role: visual`");
+    findings_.Add(
+        Code::kModelBadMesh, field->value.mark,
+        fmt::format("mesh {} is not a closed surface: {}", Quoted(*name), *content.why_not_solid),
+        "mend the file, or give the part `role: visual`");
     return false;
   }
   AddFile(file, *scale, content, part);

@@ -10,10 +10,10 @@
 #include <unordered_map>
 #include <utility>
 
-#include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
+#include <assimp/Importer.hpp>
 
 namespace mjforge::model {
 namespace {
@@ -196,9 +196,8 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
 
 std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not) {
   std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending != ".obj" && ending != ".stl") {
     why_not = fmt::format("ending '{}' is neither .obj nor .stl", ending);
     return std::nullopt;

@@ -38,11 +38,11 @@ struct Attribute {
 /// A mesh asset. Inline vertices (a prism), or a file that is copied beside the output.
 struct MeshAsset {
   std::string name;
-  TriangleMesh mesh;            // scaled
+  TriangleMesh mesh;  // scaled
   /// Empty: inline, as vertices and triangles (MuJoCo would make a hull of the
   /// vertices alone).
   std::filesystem::path file;
-  std::string output_file;      // its name in assets/
+  std::string output_file;  // its name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   diag::SourceMark mark;
 };
@@ -125,7 +125,7 @@ struct Bounds {
 
 struct Object {
   std::string name;
-  std::vector<Body> bodies;  // the root first, parents before children
+  std::vector<Body> bodies;         // the root first, parents before children
   std::vector<Material> materials;  // those in use
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // shared where equal
@@ -140,8 +140,8 @@ bool Contains(const Object& object, const Eigen::Vector3d& p_Root);
 class Assembler {
  public:
   struct Options {
-    std::string name;     // of the object; empty: the spec's
-    bool prefix = true;   // put `name_` before every element's name
+    std::string name;    // of the object; empty: the spec's
+    bool prefix = true;  // put `name_` before every element's name
   };
 
   /// Nothing when there was an error; then findings say what.
@@ -151,9 +151,9 @@ class Assembler {
   struct CachedMesh {
     bool exists = false;
     std::optional<TriangleMesh> mesh;
-    std::string why_not;                        // where there is no mesh
-    std::optional<std::string> why_not_solid;   // where there is
-    bool fit_for_mujoco = true;  // MuJoCo reads the same surface from the file
+    std::string why_not;                       // where there is no mesh
+    std::optional<std::string> why_not_solid;  // where there is
+    bool fit_for_mujoco = true;                // MuJoCo reads the same surface from the file
   };
   /// The unscaled content of a file, read at most once.
   const CachedMesh& ReadFile(const std::filesystem::path& file);

@@ -17,9 +17,9 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
                  diag::SourceMark first, std::string hint, diag::Findings& findings) {
   const bool same_entry = second == first;
   if (same_entry && hint.empty()) hint = "put the variable of 'for' into the name, as in wall_${i}";
-  diag::Finding& finding = findings.Add(diag::Code::kModelDuplicateName, second,
-                                        fmt::format("two {}s are named '{}'", kind, name),
-                                        std::move(hint));
+  diag::Finding& finding =
+      findings.Add(diag::Code::kModelDuplicateName, second,
+                   fmt::format("two {}s are named '{}'", kind, name), std::move(hint));
   if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 

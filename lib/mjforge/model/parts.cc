@@ -30,8 +30,8 @@ bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
 }
 
 // The part's own attributes, then its material's, then the defaults.
-bool ReadPartAttributes(FieldReader& reader, const FieldSet& fields,
-                        const MaterialState* material, std::vector<Attribute>& out) {
+bool ReadPartAttributes(FieldReader& reader, const FieldSet& fields, const MaterialState* material,
+                        std::vector<Attribute>& out) {
   bool good = ReadAttributes(reader, fields.own_attributes(), out);
   if (material != nullptr) {
     for (const Attribute& attribute : material->contact) {
@@ -120,8 +120,8 @@ bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double 
 
 // The part's own mass or density, its material's density, the defaults'
 // mass or density, water. A visual part has mass only by its own word.
-bool Assembly::ReadMass(FieldReader& reader, const FieldSet& fields,
-                        const MaterialState* material, Part& part) {
+bool Assembly::ReadMass(FieldReader& reader, const FieldSet& fields, const MaterialState* material,
+                        Part& part) {
   const spec::Field* mass = fields.Own(Key::kMass);
   const spec::Field* density = fields.Own(Key::kDensity);
   if (mass == nullptr && density == nullptr) {

@@ -103,8 +103,7 @@ std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field) {
     reader.Report(Code::kModelBadValue, field, "has two equal end points");
     return std::nullopt;
   }
-  return Span{.pose = {.p = (from + to) / 2, .q = FromZAxis(from - to)},
-              .half_length = length / 2};
+  return Span{.pose = {.p = (from + to) / 2, .q = FromZAxis(from - to)}, .half_length = length / 2};
 }
 
 }  // namespace mjforge::model

@@ -9,7 +9,7 @@ namespace mjforge::model {
 
 /// Pose of a frame B in a frame A, X_AB: a point p_B is p_A = q * p_B + p.
 struct Pose {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();             // m
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();            // m
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  // unit
 
   /// X_AC = X_AB * X_BC.

@@ -56,8 +56,8 @@ double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   for (const double end : {-half_length, half_length}) {
     const Eigen::Vector2d c = (X_AG.p + end * n).head<2>();
     const double across = along.x() * c.y() - along.y() * c.x();
-    largest = std::max(
-        largest, FarthestOnEllipse(across, along.dot(c), radius, radius * std::abs(n.z())));
+    largest = std::max(largest,
+                       FarthestOnEllipse(across, along.dot(c), radius, radius * std::abs(n.z())));
   }
   return largest;
 }
@@ -73,7 +73,7 @@ double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
   const double difference = (ex.squaredNorm() - ey.squaredNorm()) / 2;
   const double mixed = ex.dot(ey);
   const double a = std::sqrt(mean + std::hypot(difference, mixed));
-  const double b = ex.cross(ey).norm() / a;  // the product of both is the area / pi
+  const double b = ex.cross(ey).norm() / a;                // the product of both is the area / pi
   const double angle = std::atan2(mixed, difference) / 2;  // of the major axis
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -110,15 +110,20 @@ double MeshRadius(const TriangleMesh& mesh, const Pose& X_AG) {
 double HorizontalRadius(const Shape& shape, const Pose& X_AG) {
   const Eigen::Vector3d& s = shape.size;
   switch (shape.type) {
-    case GeomType::kSphere: return X_AG.p.head<2>().norm() + s.x();
+    case GeomType::kSphere:
+      return X_AG.p.head<2>().norm() + s.x();
     case GeomType::kCapsule: {
       const Eigen::Vector3d half = X_AG.q * Eigen::Vector3d(0, 0, s.y());
       return std::max((X_AG.p + half).head<2>().norm(), (X_AG.p - half).head<2>().norm()) + s.x();
     }
-    case GeomType::kEllipsoid: return EllipsoidRadius(s, X_AG);
-    case GeomType::kCylinder: return CylinderRadius(s.x(), s.y(), X_AG);
-    case GeomType::kBox: return BoxRadius(s, X_AG);
-    case GeomType::kMesh: return MeshRadius(*shape.mesh, X_AG);
+    case GeomType::kEllipsoid:
+      return EllipsoidRadius(s, X_AG);
+    case GeomType::kCylinder:
+      return CylinderRadius(s.x(), s.y(), X_AG);
+    case GeomType::kBox:
+      return BoxRadius(s, X_AG);
+    case GeomType::kMesh:
+      return MeshRadius(*shape.mesh, X_AG);
   }
   return 0;
 }

@@ -45,23 +45,19 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
   return sum;
 }
 
-void Repetition::ForEach(const spec::Entry& entry, sample::Evaluator& values,
-                         std::size_t existing, const std::function<void()>& visit) {
-  if (!entry.loops.empty()) {
-    const bool some_missing = entry.condition.has_value() || entry.is_frame;
-    const long limit =
-        some_missing ? kMaxSteps - steps_ : kMaxParts - static_cast<long>(existing);
-    const long count = CountInstances(entry, 0, values, limit);
-    if (count < 0) return;
-    steps_ += count;
-    if (count > limit || steps_ > kMaxSteps) {
-      findings_.Add(Code::kModelTooManyParts, entry.loops.front().count.mark,
-                    fmt::format("'for' makes more instances than the {} parts an object may have",
-                                kMaxParts));
-      return;
-    }
-  }
-  Walk(entry, 0, values, visit);
+std::optional<std::size_t> Repetition::Count(const spec::Entry& entry, sample::Evaluator& values,
+                                             std::size_t existing) {
+  if (entry.loops.empty()) return 1;
+  const bool some_missing = entry.condition.has_value() || entry.is_frame;
+  const long limit = some_missing ? kMaxSteps - steps_ : kMaxParts - static_cast<long>(existing);
+  const long count = CountInstances(entry, 0, values, limit);
+  if (count < 0) return std::nullopt;
+  steps_ += count;
+  if (count <= limit && steps_ <= kMaxSteps) return static_cast<std::size_t>(count);
+  findings_.Add(
+      Code::kModelTooManyParts, entry.loops.front().count.mark,
+      fmt::format("'for' makes more instances than the {} parts an object may have", kMaxParts));
+  return std::nullopt;
 }
 
 bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,

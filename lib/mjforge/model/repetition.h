@@ -13,11 +13,16 @@ class Repetition {
  public:
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
 
+  /// The number of instances, conditions aside; nothing, and a finding, if it is
+  /// no number or too large beside the `existing` elements.
+  std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
+                                   std::size_t existing);
   /// Calls `visit` for each instance that exists, with the variables set. Stops
   /// at the first instance with a finding, since the others fail alike.
-  /// `existing` is how many parts there are already.
-  void ForEach(const spec::Entry& entry, sample::Evaluator& values, std::size_t existing,
-               const std::function<void()>& visit);
+  void ForEach(const spec::Entry& entry, sample::Evaluator& values,
+               const std::function<void()>& visit) {
+    Walk(entry, 0, values, visit);
+  }
 
  private:
   /// The count of a loop, or -1 after a finding.

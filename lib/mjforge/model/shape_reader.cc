@@ -20,8 +20,11 @@ bool HasStrayKeys(FieldReader& reader, const FieldSet& fields, std::string_view 
   const bool is_prism = type == "prism";
   const bool is_mesh = type == "mesh";
   const std::pair<Key, bool> kKnown[] = {
-      {Key::kSize, !is_prism && !is_mesh},   {Key::kFromTo, HasEnds(type)}, {Key::kPolygon, is_prism},
-      {Key::kHeight, is_prism},              {Key::kFile, is_mesh},
+      {Key::kSize, !is_prism && !is_mesh},
+      {Key::kFromTo, HasEnds(type)},
+      {Key::kPolygon, is_prism},
+      {Key::kHeight, is_prism},
+      {Key::kFile, is_mesh},
       {Key::kScale, is_prism || is_mesh},
   };
   bool stray = false;

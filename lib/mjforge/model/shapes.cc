@@ -38,12 +38,16 @@ std::string_view GeomTypeName(GeomType type) {
 
 int SizeCount(GeomType type) {
   switch (type) {
-    case GeomType::kSphere: return 1;
+    case GeomType::kSphere:
+      return 1;
     case GeomType::kCapsule:
-    case GeomType::kCylinder: return 2;
+    case GeomType::kCylinder:
+      return 2;
     case GeomType::kEllipsoid:
-    case GeomType::kBox: return 3;
-    case GeomType::kMesh: return 0;
+    case GeomType::kBox:
+      return 3;
+    case GeomType::kMesh:
+      return 0;
   }
   return 0;
 }
@@ -53,12 +57,18 @@ double Support(const Shape& shape, const Eigen::Vector3d& direction_G) {
   const Eigen::Vector3d& d = direction_G;
   const Eigen::Vector3d& s = shape.size;
   switch (shape.type) {
-    case GeomType::kSphere: return s.x() * d.norm();
-    case GeomType::kCapsule: return s.x() * d.norm() + s.y() * std::abs(d.z());
-    case GeomType::kEllipsoid: return s.cwiseProduct(d).norm();
-    case GeomType::kCylinder: return s.x() * std::hypot(d.x(), d.y()) + s.y() * std::abs(d.z());
-    case GeomType::kBox: return s.dot(d.cwiseAbs());
-    case GeomType::kMesh: return MeshSupport(*shape.mesh, d);
+    case GeomType::kSphere:
+      return s.x() * d.norm();
+    case GeomType::kCapsule:
+      return s.x() * d.norm() + s.y() * std::abs(d.z());
+    case GeomType::kEllipsoid:
+      return s.cwiseProduct(d).norm();
+    case GeomType::kCylinder:
+      return s.x() * std::hypot(d.x(), d.y()) + s.y() * std::abs(d.z());
+    case GeomType::kBox:
+      return s.dot(d.cwiseAbs());
+    case GeomType::kMesh:
+      return MeshSupport(*shape.mesh, d);
   }
   return 0;
 }

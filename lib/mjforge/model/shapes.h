@@ -35,9 +35,9 @@ struct Shape {
 
 /// Mass, centre of mass and inertia of a rigid body in a frame F.
 struct MassProperties {
-  double mass = 0;                                       // kg
-  Eigen::Vector3d p_FCm = Eigen::Vector3d::Zero();       // centre of mass, m
-  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();      // about it, along F's axes, kg m^2
+  double mass = 0;                                   // kg
+  Eigen::Vector3d p_FCm = Eigen::Vector3d::Zero();   // centre of mass, m
+  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();  // about it, along F's axes, kg m^2
 };
 
 double Volume(const Shape& shape);  // m^3
@@ -59,7 +59,10 @@ struct Box3 {
   Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
   bool empty() const { return min.x() > max.x(); }
-  void Add(const Box3& other) { min = min.cwiseMin(other.min); max = max.cwiseMax(other.max); }
+  void Add(const Box3& other) {
+    min = min.cwiseMin(other.min);
+    max = max.cwiseMax(other.max);
+  }
 };
 /// Exact axis-aligned box of the shape at a pose.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);

@@ -13,8 +13,8 @@ void Assembly::AddSites(Scope& scope) {
   const sample::StreamId sites = sample::Child(scope.values.root(), "sites");
   for (const spec::Entry& entry : spec.sites) {
     const FieldSet fields(entry.fields, spec.defaults.site);
-    repetition_.ForEach(entry, scope.values, body().sites.size(),
-                        [&] { AddSite(scope, entry, fields, sites); });
+    if (!repetition_.Count(entry, scope.values, body().sites.size())) continue;
+    repetition_.ForEach(entry, scope.values, [&] { AddSite(scope, entry, fields, sites); });
   }
 }
 

@@ -57,8 +57,7 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
 
 std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Material& material,
                                       const std::string& name) {
-  const sample::StreamId path =
-      sample::Child(MaterialPath(values, material), "texture");
+  const sample::StreamId path = sample::Child(MaterialPath(values, material), "texture");
   FieldReader reader(values, findings_, "texture of material", material.name, path);
   Texture texture;
   texture.name = name;

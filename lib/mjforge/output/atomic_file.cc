@@ -25,9 +25,9 @@ std::string TemporaryName(const std::filesystem::path& file, int attempt) {
 }  // namespace
 
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings) {
-  findings.Add(diag::Code::kOutputCannotWrite, {},
-               fmt::format("cannot write '{}': {}", file.string(),
-                           std::generic_category().message(error)));
+  findings.Add(
+      diag::Code::kOutputCannotWrite, {},
+      fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(error)));
 }
 
 AtomicFile::AtomicFile(std::filesystem::path file, std::string temporary, int descriptor)
@@ -57,8 +57,7 @@ std::optional<AtomicFile> AtomicFile::Create(const std::filesystem::path& file,
                                              diag::Findings& findings) {
   for (int attempt = 0; attempt < kTriedNames; ++attempt) {
     std::string temporary = TemporaryName(file, attempt);
-    const int descriptor =
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) return AtomicFile(file, std::move(temporary), descriptor);
     if (errno != EEXIST) break;
   }

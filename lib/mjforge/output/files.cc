@@ -52,9 +52,9 @@ bool WriteFile(const std::filesystem::path& file, std::string_view bytes,
 std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Findings& findings) {
   std::optional<std::string> bytes = ReadStart(file, std::string::npos);
   if (!bytes) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(),
-                             std::generic_category().message(errno)));
+    findings.Add(
+        diag::Code::kYamlCannotRead, {},
+        fmt::format("cannot read '{}': {}", file.string(), std::generic_category().message(errno)));
   }
   return bytes;
 }

@@ -24,8 +24,7 @@ std::string Sha256(std::string_view bytes);
 
 /// Writes beside the file and renames. On failure nothing is left and a finding
 /// is added. The folder must exist.
-bool WriteFile(const std::filesystem::path& file, std::string_view bytes,
-               diag::Findings& findings);
+bool WriteFile(const std::filesystem::path& file, std::string_view bytes, diag::Findings& findings);
 
 /// The whole content of a file; nothing and a finding if it cannot be read.
 std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Findings& findings);
@@ -85,8 +84,7 @@ class DirectoryWriter {
 
   /// Writes one variant's file and the assets it needs (each once). Refuses to
   /// replace a file that we did not make, unless `force`.
-  bool Write(const std::string& file, const mjcf::MjcfDocument& document,
-             diag::Findings& findings);
+  bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings);
   /// Adds a line to the manifest that Finish() will show.
   bool Add(const Record& record, diag::Findings& findings);
   /// Gives the manifest its name.

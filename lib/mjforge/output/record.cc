@@ -16,7 +16,8 @@ class LineReader {
 
   std::string Text(const char* key) {
     const rapidjson::Value* value = Find(key);
-    if (value != nullptr && value->IsString()) return {value->GetString(), value->GetStringLength()};
+    if (value != nullptr && value->IsString())
+      return {value->GetString(), value->GetStringLength()};
     Miss(fmt::format("'{}' is not a text", key));
     return {};
   }
@@ -106,7 +107,8 @@ std::string ManifestSchema() {
   std::string required;
   std::string properties;
   for (const RecordField& field : RecordFields()) {
-    if (!field.optional) required += fmt::format("{}\"{}\"", required.empty() ? "" : ", ", field.key);
+    if (!field.optional)
+      required += fmt::format("{}\"{}\"", required.empty() ? "" : ", ", field.key);
     properties += fmt::format("{}    \"{}\": {{\n      \"description\": \"{}\",\n      {}\n    }}",
                               properties.empty() ? "" : ",\n", field.key, field.doc, field.schema);
   }

@@ -196,8 +196,7 @@ const std::array kFields = {
                 R"("code", "message"]})",
                 "Errors and warnings about this variant.", FindingList},
     RecordField{"sha256", R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
-                "SHA-256 of the file's bytes.",
-                [](J& j, const R& r) { TextOrNull(j, r.sha256); }},
+                "SHA-256 of the file's bytes.", [](J& j, const R& r) { TextOrNull(j, r.sha256); }},
 };
 
 }  // namespace

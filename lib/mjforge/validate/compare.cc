@@ -140,8 +140,7 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
   if (exact_axes) return;
   Eigen::Vector3d sorted = moments;
   std::sort(sorted.begin(), sorted.end());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(meant.I_Cm_F,
-                                                              Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(meant.I_Cm_F, Eigen::EigenvaluesOnly);
   for (int i = 0; i < 3; ++i) {
     Number(subject, "principal moment", i, sorted[i], solver.eigenvalues()[i],
            rounding + kMomentCutoff);

@@ -52,8 +52,7 @@ class Comparison {
               double meant, double tolerance);
   void Vector(const Subject& subject, std::string_view what, const mjtNum* compiled,
               const Eigen::Vector3d& meant, double tolerance);
-  void Quaternion(const Subject& subject, const mjtNum* compiled,
-                  const Eigen::Quaterniond& meant);
+  void Quaternion(const Subject& subject, const mjtNum* compiled, const Eigen::Quaterniond& meant);
   void Difference(const Subject& subject, std::string_view what, int position, double compiled,
                   double meant);
 

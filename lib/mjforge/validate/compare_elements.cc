@@ -14,12 +14,18 @@ constexpr double kFloatRelative = 1e-6;  // of what MuJoCo keeps in single preci
 
 constexpr int MujocoType(model::GeomType type) {
   switch (type) {
-    case model::GeomType::kSphere: return mjGEOM_SPHERE;
-    case model::GeomType::kCapsule: return mjGEOM_CAPSULE;
-    case model::GeomType::kEllipsoid: return mjGEOM_ELLIPSOID;
-    case model::GeomType::kCylinder: return mjGEOM_CYLINDER;
-    case model::GeomType::kBox: return mjGEOM_BOX;
-    case model::GeomType::kMesh: return mjGEOM_MESH;
+    case model::GeomType::kSphere:
+      return mjGEOM_SPHERE;
+    case model::GeomType::kCapsule:
+      return mjGEOM_CAPSULE;
+    case model::GeomType::kEllipsoid:
+      return mjGEOM_ELLIPSOID;
+    case model::GeomType::kCylinder:
+      return mjGEOM_CYLINDER;
+    case model::GeomType::kBox:
+      return mjGEOM_BOX;
+    case model::GeomType::kMesh:
+      return mjGEOM_MESH;
   }
   return -1;
 }
@@ -158,8 +164,7 @@ void Comparison::CompareJoint(int id, const model::Joint& joint) {
   CompareJointAttributes(id, joint, subject);
 }
 
-void Comparison::CompareJointAttributes(int id, const model::Joint& joint,
-                                        const Subject& subject) {
+void Comparison::CompareJointAttributes(int id, const model::Joint& joint, const Subject& subject) {
   const int dof = m_.jnt_dofadr[id];
   for (const model::Attribute& attribute : joint.attributes) {
     if (attribute.name == "springdamper") return;  // MuJoCo sets the two from it

@@ -25,10 +25,14 @@ std::vector<model::Pose> BodyPoses(const mjModel& m) {
 
 std::string_view JointType(int type) {
   switch (type) {
-    case mjJNT_FREE: return "free";
-    case mjJNT_BALL: return "ball";
-    case mjJNT_SLIDE: return "slide";
-    default: return "hinge";
+    case mjJNT_FREE:
+      return "free";
+    case mjJNT_BALL:
+      return "ball";
+    case mjJNT_SLIDE:
+      return "slide";
+    default:
+      return "hinge";
   }
 }
 
@@ -38,11 +42,21 @@ model::Box3 GeomBox(const mjModel& m, int id, const model::Pose& X_WG) {
   shape.size = Eigen::Map<const Eigen::Vector3d>(m.geom_size + 3 * id);
   model::Box3 box;
   switch (m.geom_type[id]) {
-    case mjGEOM_SPHERE: shape.type = model::GeomType::kSphere; break;
-    case mjGEOM_CAPSULE: shape.type = model::GeomType::kCapsule; break;
-    case mjGEOM_ELLIPSOID: shape.type = model::GeomType::kEllipsoid; break;
-    case mjGEOM_CYLINDER: shape.type = model::GeomType::kCylinder; break;
-    case mjGEOM_BOX: shape.type = model::GeomType::kBox; break;
+    case mjGEOM_SPHERE:
+      shape.type = model::GeomType::kSphere;
+      break;
+    case mjGEOM_CAPSULE:
+      shape.type = model::GeomType::kCapsule;
+      break;
+    case mjGEOM_ELLIPSOID:
+      shape.type = model::GeomType::kEllipsoid;
+      break;
+    case mjGEOM_CYLINDER:
+      shape.type = model::GeomType::kCylinder;
+      break;
+    case mjGEOM_BOX:
+      shape.type = model::GeomType::kBox;
+      break;
     case mjGEOM_MESH: {
       const int mesh = m.geom_dataid[id];
       for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
@@ -53,7 +67,8 @@ model::Box3 GeomBox(const mjModel& m, int id, const model::Pose& X_WG) {
       }
       return box;
     }
-    default: return box;
+    default:
+      return box;
   }
   return model::BoundsOf(shape, X_WG);
 }

@@ -90,8 +90,10 @@ std::unique_ptr<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
     const auto& [name, file] = assets[i];
     const std::string in_memory = NameInMemory(name);
     if (vfs_->nfile >= mjMAXVFS || in_memory.size() >= mjMAXVFSNAME) {
-      return problem(i, false, fmt::format("'{}' does not fit into MuJoCo's {} files of at most {} "
-                                           "letters", name, mjMAXVFS - 2, mjMAXVFSNAME - 1));
+      return problem(i, false,
+                     fmt::format("'{}' does not fit into MuJoCo's {} files of at most {} "
+                                 "letters",
+                                 name, mjMAXVFS - 2, mjMAXVFSNAME - 1));
     }
     const std::string* bytes = ReadOnce(file);
     if (bytes == nullptr || bytes->empty()) {
@@ -101,8 +103,10 @@ std::unique_ptr<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
     while (same < vfs_->nfile && in_memory != vfs_->filename[same]) ++same;
     if (same < vfs_->nfile) {
       if (vfs_->filedata[same] == bytes->data()) continue;
-      return problem(i, false, fmt::format("'{}' differs from another file's name only in case or "
-                                           "folder, which MuJoCo cannot tell apart", name));
+      return problem(i, false,
+                     fmt::format("'{}' differs from another file's name only in case or "
+                                 "folder, which MuJoCo cannot tell apart",
+                                 name));
     }
     SetFile(vfs_->nfile++, in_memory, *bytes);
   }
@@ -115,8 +119,6 @@ Loaded Engine::LoadText(const std::string& text) {
   return Load(kTextName, vfs_.get());
 }
 
-Loaded Engine::LoadFile(const std::filesystem::path& file) {
-  return Load(file.c_str(), nullptr);
-}
+Loaded Engine::LoadFile(const std::filesystem::path& file) { return Load(file.c_str(), nullptr); }
 
 }  // namespace mjforge::validate

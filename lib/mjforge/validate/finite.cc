@@ -56,8 +56,9 @@ void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findin
   for (const Checked& checked : all) Check(m, checked, mark, findings);
   for (int i = 0; i < m.nq; ++i) {
     if (std::isfinite(m.qpos0[i])) continue;
-    findings.Add(diag::Code::kMujocoWarning, mark,
-                 fmt::format("MuJoCo loaded a start position {} that is not a finite number", i + 1));
+    findings.Add(
+        diag::Code::kMujocoWarning, mark,
+        fmt::format("MuJoCo loaded a start position {} that is not a finite number", i + 1));
     return;
   }
 }

@@ -91,10 +91,10 @@ void Loader::State::AddError(const std::string& error, const mjcf::MjcfDocument&
   const Refusal refusal = ParseRefusal(error);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
-  diag::Finding& finding = findings.Add(
-      Code::kMujocoError, mark,
-      fmt::format("MuJoCo refused {}: {}", ElementOnLine(document.text, refusal.line),
-                  refusal.reason));
+  diag::Finding& finding =
+      findings.Add(Code::kMujocoError, mark,
+                   fmt::format("MuJoCo refused {}: {}", ElementOnLine(document.text, refusal.line),
+                               refusal.reason));
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(error))});
 }
 
@@ -116,8 +116,8 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
   return findings.size() == before;
 }
 
-std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file,
-                                          diag::Sources& sources, diag::Findings& findings) {
+std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, diag::Sources& sources,
+                                          diag::Findings& findings) {
   const std::optional<XmlFile> xml = ReadXmlFile(file, sources, findings);
   if (!xml) return std::nullopt;
   const diag::SourceMark start{xml->source, 1, 1};
@@ -127,10 +127,10 @@ std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file,
     const Refusal refusal = ParseRefusal(loaded.error);
     const std::string element =
         xml->has_includes ? "the model" : ElementOnLine(sources.Text(xml->source), refusal.line);
-    diag::Finding& finding = findings.Add(
-        Code::kMujocoError, MarkOfLine(sources, xml->source, refusal.line),
-        fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
-        xml->has_includes ? "the line may be one of an included file" : "");
+    diag::Finding& finding =
+        findings.Add(Code::kMujocoError, MarkOfLine(sources, xml->source, refusal.line),
+                     fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
+                     xml->has_includes ? "the line may be one of an included file" : "");
     finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
     return std::nullopt;
   }

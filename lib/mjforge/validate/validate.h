@@ -35,7 +35,7 @@ struct CompiledModel {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   };
   std::string name;
-  std::vector<Body> bodies;    // without the world
+  std::vector<Body> bodies;  // without the world
   std::vector<Joint> joints;
   int geoms = 0;
   int sites = 0;

@@ -18,9 +18,8 @@ using diag::Code;
 
 diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::ptrdiff_t offset) {
   const std::string_view text = sources.Text(source);
-  const std::string_view before =
-      text.substr(0, std::min(text.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(
-                                               offset, 0))));
+  const std::string_view before = text.substr(
+      0, std::min(text.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0))));
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
   return {source, static_cast<std::uint32_t>(1 + std::ranges::count(before, '\n')),
           static_cast<std::uint32_t>(1 + before.size() - line_start)};
@@ -30,12 +29,13 @@ std::optional<std::string> ReadText(const std::filesystem::path& file, diag::Fin
   std::error_code error;
   std::optional<std::string> text;
   if (std::filesystem::is_directory(file, error)) {
-    findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': it is a directory",
-                                                         file.string()));
+    findings.Add(Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': it is a directory", file.string()));
     return text;
   }
   std::ifstream stream(file, std::ios::binary);
-  if (stream) text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  if (stream)
+    text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   if (!stream || stream.bad()) {
     const bool exists = std::filesystem::exists(file, error);
     findings.Add(Code::kYamlCannotRead, {},

@@ -61,7 +61,8 @@ TEST_CASE("a name has letters, digits and _ and begins with a letter") {
   CHECK(CheckName("Crate_2", findings));
   CHECK(CheckName("c${index}", findings));
   CHECK(findings.empty());
-  for (const char* name : {"", "2c", "_c", "a b", "a/b", "..", "a\nb", "${index}", "a${x}", "\"a"}) {
+  for (const char* name :
+       {"", "2c", "_c", "a b", "a/b", "..", "a\nb", "${index}", "a${x}", "\"a"}) {
     CHECK_FALSE(CheckName(name, findings));
   }
   REQUIRE(findings.size() == 10);

@@ -63,8 +63,8 @@ TEST_CASE("a file that was changed differs at a line") {
   REQUIRE(test.findings.size() == 1);
   CHECK(test.findings[0].code == diag::Code::kOutputDiffers);
   CHECK(test.findings[0].mark.line == line);
-  CHECK(test.findings[0].message.starts_with(
-      "line " + std::to_string(line) + " differs from the object made again: '<geom "));
+  CHECK(test.findings[0].message.starts_with("line " + std::to_string(line) +
+                                             " differs from the object made again: '<geom "));
 }
 
 TEST_CASE("a file that is gone is compared by its hash") {

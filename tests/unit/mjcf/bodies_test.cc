@@ -26,10 +26,9 @@ model::Object Ball(Role role) {
   object.bodies[0].parts.push_back(
       hand_made::Solid("ball_g", GeomType::kSphere, {0.1, 0, 0}, {}, 5));
   object.bodies[0].parts[0].role = role;
-  object.bodies[0].parts[0].attributes = {Numbers("solref", Applies::kCollision, {0.02, 1}),
-                                          Numbers("user", Applies::kBoth, {3}),
-                                          Numbers("rgba", Applies::kVisual, {0, 1, 0, 1}),
-                                          Numbers("group", Applies::kVisual, {1})};
+  object.bodies[0].parts[0].attributes = {
+      Numbers("solref", Applies::kCollision, {0.02, 1}), Numbers("user", Applies::kBoth, {3}),
+      Numbers("rgba", Applies::kVisual, {0, 1, 0, 1}), Numbers("group", Applies::kVisual, {1})};
   model::Material material;
   material.name = "ball_red";
   object.materials.push_back(material);
@@ -101,7 +100,8 @@ TEST_CASE("joints state type, axis and limits; a free one nothing else") {
 
 TEST_CASE("bodies nest depth first, children in their order") {
   model::Object object = hand_made::Empty("tree");
-  const std::pair<const char*, int> bodies[] = {{"a", 0}, {"b", 0}, {"a1", 1}, {"b1", 2}, {"a2", 1}};
+  const std::pair<const char*, int> bodies[] = {
+      {"a", 0}, {"b", 0}, {"a1", 1}, {"b1", 2}, {"a2", 1}};
   for (const auto& [name, parent] : bodies) {
     object.bodies.emplace_back().name = name;
     object.bodies.back().parent = parent;

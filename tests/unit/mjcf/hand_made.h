@@ -49,9 +49,8 @@ inline void Weigh(model::Object& object) {
       one.mass *= scale;
       one.I_Cm_F *= scale;
       const model::MassProperties in_body = model::InFrame(part.X_BG, one);
-      body.mass_properties = body.mass_properties.mass > 0
-                                 ? model::Combine(body.mass_properties, in_body)
-                                 : in_body;
+      body.mass_properties =
+          body.mass_properties.mass > 0 ? model::Combine(body.mass_properties, in_body) : in_body;
     }
   }
   object.mass_properties = object.bodies.front().mass_properties;
@@ -74,8 +73,7 @@ inline model::Object Empty(std::string name) {
 inline model::Object Mallet() {
   model::Object object = Empty("mallet");
   model::Body& body = object.bodies.front();
-  body.parts.push_back(
-      Solid("mallet_handle", model::GeomType::kCylinder, {0.01, 0.1, 0}, {}, 11));
+  body.parts.push_back(Solid("mallet_handle", model::GeomType::kCylinder, {0.01, 0.1, 0}, {}, 11));
   body.parts.back().attributes = {Numbers("friction", spec::Applies::kCollision, {0.9, 0.01}),
                                   Numbers("rgba", spec::Applies::kVisual, {0.6, 0.4, 0.2, 1})};
   body.parts.push_back(Solid("mallet_head", model::GeomType::kBox, {0.04, 0.02, 0.025},

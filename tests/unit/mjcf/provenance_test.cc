@@ -45,8 +45,9 @@ TEST_CASE("any provenance reads back from a valid comment as it was") {
     return s;
   };
   for (int i = 0; i < 2000; ++i) {
-    Provenance provenance{text(), text(), text(), {}, random() * (std::uint64_t{1} << 32) + random(),
-                          random(), text(), text()};
+    Provenance provenance{
+        text(),   text(), text(), {}, random() * (std::uint64_t{1} << 32) + random(),
+        random(), text(), text()};
     for (auto n = random() % 4; n > 0; --n) provenance.settings.emplace_back(text(), text());
     std::string out;
     AppendProvenance(provenance, out);

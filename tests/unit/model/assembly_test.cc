@@ -147,10 +147,10 @@ TEST_CASE("all errors of an object are found in one go") {
   CHECK(thing.failed());
   CHECK(thing.findings() ==
         std::vector<std::string>{
-            "5:36 size of part 'a' is -0.01; it must be greater than 0 (it is the value of 'r')",
-            "6:31 count of loop 'i' is 2.5; it must be a whole number, 0 or more",
-            "7:47 quat of part 'c' is zero",
-            "8:27 axis of joint 'j' is zero",
+            "5:34 size of part 'a' is -0.01; it must be greater than 0 (it is the value of 'r')",
+            "6:29 count of loop 'i' is 2.5; it must be a whole number, 0 or more",
+            "7:44 quat of part 'c' is zero",
+            "8:26 axis of joint 'j' is zero",
         });
 }
 

@@ -16,10 +16,10 @@ TEST_CASE("points of the surface are inside, points off it are not") {
   };
   const Vector3d size(1, 2, 3);
   const Pose X_AG = {.p = {0.3, -0.7, 11}, .q = FromEuler({0.1, 0.7, -2})};
-  for (const Row& row : {Row{GeomType::kSphere, Vector3d(2, 2, 1) / 3},
-                         Row{GeomType::kCapsule, {0, 0.6, 2.8}},
-                         Row{GeomType::kEllipsoid, {0.6, 1.6, 0}},
-                         Row{GeomType::kCylinder, {0.6, 0.8, 2}}, Row{GeomType::kBox, {1, 2, 3}}}) {
+  for (const Row& row :
+       {Row{GeomType::kSphere, Vector3d(2, 2, 1) / 3}, Row{GeomType::kCapsule, {0, 0.6, 2.8}},
+        Row{GeomType::kEllipsoid, {0.6, 1.6, 0}}, Row{GeomType::kCylinder, {0.6, 0.8, 2}},
+        Row{GeomType::kBox, {1, 2, 3}}}) {
     const Shape shape = {.type = row.type, .size = size};
     INFO(GeomTypeName(row.type));
     CHECK(Contains(shape, X_AG, X_AG.p));

@@ -15,11 +15,12 @@ TEST_CASE("an object is free to move unless it says otherwise") {
 }
 
 TEST_CASE("joints are hinges about z unless they say otherwise") {
-  const Assembling thing(kPart +
-                         "joints:\n"
-                         "- {name: h, damping: 0.1}\n"
-                         "- {name: s, type: slide, axis: [0, 3, 4], pos: [1, 2, 3], range: [-1, 2]}\n"
-                         "- {name: u, range: [0, 1], limited: false}\n");
+  const Assembling thing(
+      kPart +
+      "joints:\n"
+      "- {name: h, damping: 0.1}\n"
+      "- {name: s, type: slide, axis: [0, 3, 4], pos: [1, 2, 3], range: [-1, 2]}\n"
+      "- {name: u, range: [0, 1], limited: false}\n");
   const std::vector<Joint>& joints = thing.body().joints;
   REQUIRE(joints.size() == 3);
   CHECK(joints[0].name == "thing_h");

@@ -37,7 +37,8 @@ TEST_CASE("a polygon that comes out wrong is reported where it stands") {
   CHECK(OnlyFinding("params: {x: 0.1}\n"
                     "parts: [{name: a, type: prism, polygon: [[0, 0], [1, 0], [x, x], [0, 1]], "
                     "height: 1}]\n") ==
-        "4:41 part 'a' has a bad outline: polygon is not convex at corner 3 (make it of several convex "
+        "4:41 part 'a' has a bad outline: polygon is not convex at corner 3 (make it of several "
+        "convex "
         "prisms)");
 }
 
@@ -74,9 +75,8 @@ TEST_CASE("a mesh must be closed unless it is only seen") {
       "joints: none\nparts: [{name: a, type: mesh, file: open.obj, role: visual}]\n", 1, 0,
       folder.path());
   CHECK(seen.part("thing_a").mass == 0);
-  const Assembling heavy(
-      "parts: [{name: a, type: mesh, file: open.obj, role: visual, mass: 1}]\n", 1, 0,
-      folder.path());
+  const Assembling heavy("parts: [{name: a, type: mesh, file: open.obj, role: visual, mass: 1}]\n",
+                         1, 0, folder.path());
   CHECK(heavy.findings() == std::vector<std::string>{"3:9 part 'a' has mass but no closed surface "
                                                      "(leave `mass` and `density` out)"});
 }

@@ -65,8 +65,8 @@ class TemporaryFile {
   TemporaryFile(const std::string& name, std::string_view content)
       : path_(std::filesystem::temp_directory_path() /
               ("mjforge_mesh_" + std::to_string(std::random_device()()) + name)) {
-    std::ofstream(path_, std::ios::binary).write(content.data(),
-                                                 static_cast<std::streamsize>(content.size()));
+    std::ofstream(path_, std::ios::binary)
+        .write(content.data(), static_cast<std::streamsize>(content.size()));
   }
   ~TemporaryFile() { std::filesystem::remove(path_); }
   const std::filesystem::path& path() const { return path_; }
@@ -111,8 +111,9 @@ TEST_CASE("OBJ faces of many corners are cut into triangles, which MuJoCo cannot
 
 TEST_CASE("an OBJ file of several shapes is one mesh") {
   std::string why_not;
-  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-                           "o a\nf 1 3 2\nf 1 2 4\no b\nf 2 3 4\nf 1 4 3\n";
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+      "o a\nf 1 3 2\nf 1 2 4\no b\nf 2 3 4\nf 1 4 3\n";
   const std::optional<MeshFile> file = ParseObj(text, why_not);
   CheckTetrahedron(file, why_not);
   CHECK_FALSE(file->fit_for_mujoco);  // MuJoCo takes the first shape only

@@ -7,7 +7,8 @@ namespace {
 
 TEST_CASE("a name is a letter, then letters, digits and underscores") {
   for (const std::string_view good : {"a", "Z", "wall_3", "aB9_"}) CHECK(IsName(good));
-  for (const std::string_view bad : {"", "3a", "_a", "a-b", "a/b", "a b", "..", "a\n", "\xC3\xA9"}) {
+  for (const std::string_view bad :
+       {"", "3a", "_a", "a-b", "a/b", "a b", "..", "a\n", "\xC3\xA9"}) {
     CHECK_FALSE(IsName(bad));
   }
 }

@@ -172,8 +172,7 @@ TEST_CASE("a drawn size has the stream of parts, name and key") {
   sample::StreamId path = sample::Child(sample::kRootStream, "parts");
   path = sample::Child(sample::Child(sample::Child(path, "a"), "size"), 0);
   const double u = sample::Uniforms({.seed = 7, .index = 3}, path)[0];
-  CHECK(thing.part("thing_a").shape.size.x() ==
-        sample::RoundDraw(0.1 + u * (0.2 - 0.1), 0.1, 0.2));
+  CHECK(thing.part("thing_a").shape.size.x() == sample::RoundDraw(0.1 + u * (0.2 - 0.1), 0.1, 0.2));
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ TEST_CASE("several loops run as an odometer, the first outermost") {
 }
 
 TEST_CASE("a count may depend on an outer loop's variable") {
-  CHECK(PartNames(
-            "parts: [{name: 'a${i}${j}', for: {i: 3, j: i}, type: sphere, size: [1]}]\n") ==
+  CHECK(PartNames("parts: [{name: 'a${i}${j}', for: {i: 3, j: i}, type: sphere, size: [1]}]\n") ==
         Names{"a10", "a20", "a21"});
 }
 
@@ -61,10 +60,18 @@ TEST_CASE("too many instances are refused before any is made") {
     INFO(loops);
     CHECK(OnlyFinding("parts: [{name: a, for: {" + loops + "}, type: sphere, size: [1]}]\n") ==
           "3:28 " + too_many);
-    CHECK(OnlyFinding("parts: [{frame: {}, for: {" + loops +
-                      ", k: 2}, parts: [{name: a, type: sphere, size: [1]}]}]\n") ==
-          "3:30 " + too_many);
   }
+  for (const std::string loops : {"i: 1e9", "i: 1e5, j: 1e5", "i: 1e9, j: 0"}) {
+    INFO(loops);
+    CHECK(OnlyFinding("parts: [{frame: {}, for: {" + loops +
+                      "}, parts: [{name: a, type: sphere, size: [1]}]}]\n") == "3:30 " + too_many);
+  }
+}
+
+TEST_CASE("instances of frames count together with the parts in them") {
+  CHECK(OnlyFinding("parts: [{frame: {}, for: {i: 1000}, parts: [{name: 'a${i}_${j}', for: {j: "
+                    "101}, type: sphere, size: [1]}]}]\n") ==
+        "3:75 'for' makes more instances than the 100000 parts an object may have");
 }
 
 TEST_CASE("a condition may pick few out of many cells") {
@@ -76,7 +83,7 @@ TEST_CASE("a condition may pick few out of many cells") {
 
 TEST_CASE("only the first failing instance is reported") {
   CHECK(OnlyFinding("parts: [{name: 'a${i}', for: {i: 9}, type: sphere, size: [2 - i]}]\n") ==
-        "3:61 size of part 'a2' is 0; it must be greater than 0 (it is the value of '2 - i')");
+        "3:59 size of part 'a2' is 0; it must be greater than 0 (it is the value of '2 - i')");
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ TEST_CASE("every type has MuJoCo's word and number of sizes") {
     std::string_view name;
     int count;
   };
-  for (const Row& row : {Row{GeomType::kSphere, "sphere", 1}, Row{GeomType::kCapsule, "capsule", 2},
-                         Row{GeomType::kEllipsoid, "ellipsoid", 3},
-                         Row{GeomType::kCylinder, "cylinder", 2}, Row{GeomType::kBox, "box", 3},
-                         Row{GeomType::kMesh, "mesh", 0}}) {
+  for (const Row& row :
+       {Row{GeomType::kSphere, "sphere", 1}, Row{GeomType::kCapsule, "capsule", 2},
+        Row{GeomType::kEllipsoid, "ellipsoid", 3}, Row{GeomType::kCylinder, "cylinder", 2},
+        Row{GeomType::kBox, "box", 3}, Row{GeomType::kMesh, "mesh", 0}}) {
     CHECK(GeomTypeName(row.type) == row.name);
     CHECK(SizeCount(row.type) == row.count);
   }
@@ -37,13 +37,11 @@ TEST_CASE("support grows with the length of the direction") {
 TEST_CASE("bounds are exact for turned shapes") {
   const Pose tilted = {.p = {1, 0, 0}, .q = FromEuler({0, M_PI / 4, 0})};
   const double half = std::sqrt(0.5);
-  const Box3 cylinder =
-      BoundsOf({.type = GeomType::kCylinder, .size = {1, 2, 0}}, tilted);
+  const Box3 cylinder = BoundsOf({.type = GeomType::kCylinder, .size = {1, 2, 0}}, tilted);
   CHECK(cylinder.max.x() == Approx(1 + 3 * half).epsilon(1e-14));
   CHECK(cylinder.max.y() == Approx(1).epsilon(1e-14));
   CHECK(cylinder.min.z() == Approx(-3 * half).epsilon(1e-14));
-  const Box3 ellipsoid =
-      BoundsOf({.type = GeomType::kEllipsoid, .size = {1, 2, 3}}, tilted);
+  const Box3 ellipsoid = BoundsOf({.type = GeomType::kEllipsoid, .size = {1, 2, 3}}, tilted);
   CHECK(ellipsoid.max.x() == Approx(1 + std::sqrt(5)).epsilon(1e-14));
   CHECK(ellipsoid.min.z() == Approx(-std::sqrt(5)).epsilon(1e-14));
 }

@@ -47,9 +47,7 @@ TEST_CASE("a flat mesh has no volume") {
   CHECK(WhyNotSolid(mesh) == "no volume");
 }
 
-TEST_CASE("a mesh without triangles is not solid") {
-  CHECK(WhyNotSolid({}) == "no triangles");
-}
+TEST_CASE("a mesh without triangles is not solid") { CHECK(WhyNotSolid({}) == "no triangles"); }
 
 }  // namespace
 }  // namespace mjforge::model

@@ -31,9 +31,9 @@ TEST_CASE("a picture is a PNG file that exists") {
   CHECK(good.object().textures.at(0).output_file == "wood.png");
   CHECK(good.object().textures.at(0).file == folder.path() / "wood.png");
   CHECK(with("wood.jpg").findings() ==
-        std::vector<std::string>{"3:32 texture of material 'm': 'wood.jpg' is not a PNG file"});
+        std::vector<std::string>{"3:33 texture of material 'm': 'wood.jpg' is not a PNG file"});
   CHECK(with("none.png").findings() ==
-        std::vector<std::string>{"3:32 texture of material 'm': no file 'none.png' (files are "
+        std::vector<std::string>{"3:33 texture of material 'm': no file 'none.png' (files are "
                                  "looked for from the folder of the file that names them)"});
 }
 

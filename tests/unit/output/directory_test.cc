@@ -97,8 +97,8 @@ TEST_CASE("a folder with somebody else's manifest is refused without force") {
   CHECK_FALSE(WriteBatch(folder / "out", false, findings));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kOutputExists);
-  CHECK(findings[0].message == "'" + (folder / "out/manifest.jsonl").string() +
-                                   "' exists and was not made by mjforge");
+  CHECK(findings[0].message ==
+        "'" + (folder / "out/manifest.jsonl").string() + "' exists and was not made by mjforge");
   CHECK(folder.Files() == Files{"out/manifest.jsonl"});
   diag::Findings none;
   CHECK(WriteBatch(folder / "out", true, none));
@@ -162,8 +162,8 @@ TEST_CASE("an asset that is there with other content is replaced only with force
   diag::Findings findings;
   CHECK_FALSE(CopyAssets(document, folder / "out", false, findings));
   REQUIRE(findings.size() == 1);
-  CHECK(findings[0].message == "'" + copy.string() + "' exists with other content than '" +
-                                   wood.string() + "'");
+  CHECK(findings[0].message ==
+        "'" + copy.string() + "' exists with other content than '" + wood.string() + "'");
   CHECK(folder.Read("out/assets/wood.png") == "others");
   CHECK(CopyAssets(document, folder / "out", true, findings));
   CHECK(folder.Read("out/assets/wood.png") == "pixels");

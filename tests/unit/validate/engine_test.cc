@@ -24,8 +24,7 @@ TEST_CASE("an error that leaves mj_loadXML releases its lock") {
   mjVFS* vfs = static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)));
   const std::string name(2 * mjMAXVFSNAME, 'x');
   char error[100] = "";
-  CHECK_THROWS_WITH(mj_loadXML(name.c_str(), vfs, error, sizeof error),
-                    "Filename too long in VFS");
+  CHECK_THROWS_WITH(mj_loadXML(name.c_str(), vfs, error, sizeof error), "Filename too long in VFS");
   std::free(vfs);
   CHECK(engine.LoadText(kBox).model);  // would wait for ever
 }

@@ -93,11 +93,11 @@ TEST_CASE("mass and bounds are of the whole model in the world") {
   CHECK(m.mass_properties.p_FCm.isApprox(Eigen::Vector3d(1.0 / 3, 0, 1), 1e-12));
   // About the common centre: 2 kg at 1/3 m and 1 kg at 2/3 m along x, and a box
   // of half height 0.3 and half depth 0.1 (m/3 (a^2 + c^2)) and the capsule.
-  const double capsule = 0.01 * 0.8 * std::numbers::pi;         // volume, m^3
-  const double caps = 4.0 / 3 * std::numbers::pi * 0.001;       // m^3
-  const double straight = capsule / (capsule + caps);  // share of the mass
-  const double across = straight * (0.01 / 4 + 0.16 / 3) +
-                        (1 - straight) * (2 * 0.01 / 5 + 0.16 + 0.75 * 0.4 * 0.1);
+  const double capsule = 0.01 * 0.8 * std::numbers::pi;    // volume, m^3
+  const double caps = 4.0 / 3 * std::numbers::pi * 0.001;  // m^3
+  const double straight = capsule / (capsule + caps);      // share of the mass
+  const double across =
+      straight * (0.01 / 4 + 0.16 / 3) + (1 - straight) * (2 * 0.01 / 5 + 0.16 + 0.75 * 0.4 * 0.1);
   CHECK(m.mass_properties.I_Cm_F(1, 1) ==
         Approx(2 * (1.0 / 9) + 4.0 / 9 + 2.0 / 3 * (0.01 + 0.09) + across));
   CHECK(m.aabb.min.isApprox(Eigen::Vector3d(-0.1, -0.2, 0.5), 1e-12));
@@ -153,7 +153,8 @@ TEST_CASE("another root element is reported, a URDF with what to do") {
 TEST_CASE("MuJoCo's refusal points at the line of the file") {
   const TemporaryFolder folder;
   const Result result = LoadText(
-      folder, "<mujoco>\n  <worldbody>\n    <geom name=\"g\" sze=\"1\"/>\n  </worldbody>\n</mujoco>");
+      folder,
+      "<mujoco>\n  <worldbody>\n    <geom name=\"g\" sze=\"1\"/>\n  </worldbody>\n</mujoco>");
   CHECK(Only(result) ==
         "3:5: mujoco/error: MuJoCo refused geom 'g': Schema violation: unrecognized attribute: "
         "'sze'");
@@ -162,9 +163,9 @@ TEST_CASE("MuJoCo's refusal points at the line of the file") {
 
 TEST_CASE("a line may be one of an included file") {
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "bad.xml") << "<mujoco>\n<worldbody>\n<geom/>\n</worldbody></mujoco>";
-  const Result result =
-      LoadText(folder, "<mujoco>\n  <include file=\"bad.xml\"/>\n\n</mujoco>\n");
+  std::ofstream(folder.path() / "bad.xml")
+      << "<mujoco>\n<worldbody>\n<geom/>\n</worldbody></mujoco>";
+  const Result result = LoadText(folder, "<mujoco>\n  <include file=\"bad.xml\"/>\n\n</mujoco>\n");
   REQUIRE(result.findings.size() == 1);
   CHECK(result.findings[0].hint == "the line may be one of an included file");
 }
@@ -176,7 +177,8 @@ TEST_CASE("numbers that are not finite are found in a file that MuJoCo takes") {
       "<mujoco><worldbody><body name=\"b\"><geom name=\"g\" size=\"1\" friction=\"nan\"/></body>"
       "</worldbody></mujoco>");
   REQUIRE(result.findings.size() == 2);
-  CHECK(result.findings[0].message == "MuJoCo warns: XML contains a 'NaN'. Please check it carefully");
+  CHECK(result.findings[0].message ==
+        "MuJoCo warns: XML contains a 'NaN'. Please check it carefully");
   CHECK(result.findings[1].message ==
         "MuJoCo loaded a friction of geom 'g' that is not a finite number");
   CHECK(result.findings.HasErrors());

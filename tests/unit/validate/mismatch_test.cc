@@ -108,8 +108,8 @@ TEST_CASE("another mass, centre or inertia of a body is found") {
   REQUIRE_FALSE(turned.empty());
   CHECK(turned[0].find("50: MuJoCo compiled inertia xy of body 'mallet_door' as ") == 0);
   CHECK(turned[0].ends_with(", not 1e-06"));
-  const Messages stated = After(
-      [](auto& o) { Root(o).mass_properties.I_Cm_F(0, 0) *= 1 + 1e-7; }, hand_made::Wedge());
+  const Messages stated =
+      After([](auto& o) { Root(o).mass_properties.I_Cm_F(0, 0) *= 1 + 1e-7; }, hand_made::Wedge());
   REQUIRE(stated.size() == 1);
   CHECK(stated[0].find("1: MuJoCo compiled inertia xx of body 'wedge_root' as ") == 0);
 }
@@ -121,7 +121,8 @@ TEST_CASE("another type, size or pose of a geom is found on both its geoms") {
   CHECK(After([](auto& o) { Root(o).parts[0].X_BG.p.z() = -0.001; }) ==
         Messages{"11: MuJoCo compiled pos 3 of geom 'mallet_handle' as 0, not -0.001",
                  "11: MuJoCo compiled pos 3 of geom 'mallet_handle_vis' as 0, not -0.001"});
-  CHECK(After([](auto& o) { Root(o).parts[0].shape.type = model::GeomType::kCapsule; }).size() == 2);
+  CHECK(After([](auto& o) { Root(o).parts[0].shape.type = model::GeomType::kCapsule; }).size() ==
+        2);
   CHECK(After([](auto& o) {
           Root(o).parts[0].X_BG.q = Eigen::Quaterniond(0.6, 0.8, 0, 0);
         }).size() == 4);
@@ -134,8 +135,9 @@ TEST_CASE("a quaternion of the other sign is the same rotation") {
 TEST_CASE("another attribute of a geom is found where it applies") {
   CHECK(After([](auto& o) { Root(o).parts[0].attributes[0].numbers[1] = 0.02; }) ==
         Messages{"11: MuJoCo compiled friction 2 of geom 'mallet_handle' as 0.01, not 0.02"});
-  CHECK(After([](auto& o) { Root(o).parts[0].attributes[1].numbers[0] = 0.7; }) ==
-        Messages{"11: MuJoCo compiled rgba 1 of geom 'mallet_handle_vis' as 0.6000000238, not 0.7"});
+  CHECK(
+      After([](auto& o) { Root(o).parts[0].attributes[1].numbers[0] = 0.7; }) ==
+      Messages{"11: MuJoCo compiled rgba 1 of geom 'mallet_handle_vis' as 0.6000000238, not 0.7"});
   CHECK(After([](auto& o) { Root(o).parts[0].attributes[2].numbers[0] = 3; }) ==
         Messages{"11: MuJoCo compiled condim of geom 'mallet_handle' as 4, not 3"});
   CHECK(After([](auto& o) { Root(o).parts[0].attributes[3].numbers[0] = 2; }) ==
@@ -160,8 +162,9 @@ TEST_CASE("another joint is found") {
         Messages{"52: MuJoCo compiled type of joint 'mallet_hinge' as 3, not 2"});
   CHECK(After([&](auto& o) { joint(o).pos.x() = 0.1; }) ==
         Messages{"52: MuJoCo compiled pos 1 of joint 'mallet_hinge' as 0, not 0.1"});
-  CHECK(After([&](auto& o) { joint(o).axis = {0, 0, -1}; }) ==
-        Messages{"52: MuJoCo compiled axis 3 of joint 'mallet_hinge' as 1, not -1"});
+  CHECK(After([&](auto& o) {
+          joint(o).axis = {0, 0, -1};
+        }) == Messages{"52: MuJoCo compiled axis 3 of joint 'mallet_hinge' as 1, not -1"});
   CHECK(After([&](auto& o) { joint(o).attributes[0].numbers[0] = 1; }) ==
         Messages{"52: MuJoCo compiled damping of joint 'mallet_hinge' as 0.02, not 1"});
 }

@@ -13,9 +13,9 @@ TEST_CASE("a compiler's error says its reason and line") {
 }
 
 TEST_CASE("a reader's error says its reason and line") {
-  const Refusal refusal =
-      ParseRefusal("XML Error: Schema violation: unrecognized attribute: 'sze'\n\n"
-                   "Element 'geom', line 3\n");
+  const Refusal refusal = ParseRefusal(
+      "XML Error: Schema violation: unrecognized attribute: 'sze'\n\n"
+      "Element 'geom', line 3\n");
   CHECK(refusal.reason == "Schema violation: unrecognized attribute: 'sze'");
   CHECK(refusal.line == 3);
 }

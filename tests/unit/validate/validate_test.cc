@@ -66,9 +66,9 @@ TEST_CASE("random composites compile to the mass properties we computed") {
       const Eigen::Vector3d size(uniform(0.1, 1), uniform(0.1, 1), uniform(0.1, 1));
       const Eigen::Vector3d pos(uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
       const Eigen::Vector3d euler(uniform(-3, 3), uniform(-3, 3), uniform(-3, 3));
-      object.bodies[0].parts.push_back(
-          hand_made::Solid("g" + std::to_string(n), kTypes[random() % 5], scale * size,
-                           {scale * pos, model::FromEuler(euler)}, 3));
+      object.bodies[0].parts.push_back(hand_made::Solid("g" + std::to_string(n),
+                                                        kTypes[random() % 5], scale * size,
+                                                        {scale * pos, model::FromEuler(euler)}, 3));
     }
     hand_made::Weigh(object);
     INFO("composite " << i);
