@@ -12,7 +12,10 @@ std::string Number(double value) { return fmt::format("{:.6g}", value + 0.0); }
 template <typename Numbers>
 std::string NumbersText(const Numbers& numbers) {
   std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : " ") + Number(number);
+  for (const double number : numbers) {
+    if (!text.empty()) text += ' ';
+    text += Number(number);
+  }
   return text;
 }
 

@@ -22,7 +22,8 @@ BENCHMARK(BM_Parts)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 void BM_PartsValidated(benchmark::State& state) {
   const LoadedRecipe row = Row(static_cast<int>(state.range(0)));
   validate::Loader loader;
-  forge::Generator generator(row.recipe, row.sources, {.seed = 7, .target = {}, .name = {}}, &loader);
+  forge::Generator generator(row.recipe, row.sources, {.seed = 7, .target = {}, .name = {}},
+                             &loader);
   forge::Variant variant;
   std::uint64_t index = 0;
   for (auto _ : state) generator.Make(index++, variant);

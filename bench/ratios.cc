@@ -28,7 +28,8 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
     const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
     const bool single = run.run_type == Run::RT_Iteration && run.repetitions <= 1;
     if (!median && !single) continue;
-    medians_[run.run_name.function_name + (run.run_name.args.empty() ? "" : "/" + run.run_name.args)] =
+    medians_[run.run_name.function_name +
+             (run.run_name.args.empty() ? "" : "/" + run.run_name.args)] =
         run.GetAdjustedCPUTime() * benchmark::GetTimeUnitMultiplier(benchmark::kMicrosecond) /
         benchmark::GetTimeUnitMultiplier(run.time_unit);
   }

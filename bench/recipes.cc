@@ -20,9 +20,9 @@ const LoadedRecipe& Hammer() {
   static const LoadedRecipe* const kHammer = [] {
     auto* loaded = new LoadedRecipe;
     diag::Findings findings;
-    auto recipe = forge::LoadRecipe("tools/hammer", {.settings = {}, .parameter_files = {},
-                                                     .search_path = forge::SearchPath()},
-                                    loaded->sources, findings);
+    auto recipe = forge::LoadRecipe(
+        "tools/hammer", {.settings = {}, .parameter_files = {}, .search_path = forge::SearchPath()},
+        loaded->sources, findings);
     if (!recipe) Quit(findings, loaded->sources);
     loaded->recipe = std::move(*recipe);
     return loaded;
@@ -54,8 +54,8 @@ LoadedRecipe Row(int parts) {
 void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
               mjcf::MjcfDocument& document) {
   diag::Findings findings;
-  auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index}, sample::kRootStream, {},
-                               findings);
+  auto values =
+      sample::Sample(*recipe.spec, {.seed = 7, .index = index}, sample::kRootStream, {}, findings);
   const auto object = assembler.Assemble(*values, {}, findings);
   mjcf::Provenance provenance;
   provenance.seed = 7;

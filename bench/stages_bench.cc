@@ -12,8 +12,8 @@ void BM_Sample(benchmark::State& state) {
   std::uint64_t index = 0;
   for (auto _ : state) {
     diag::Findings findings;
-    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream, {},
-                                 findings);
+    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream,
+                                 {}, findings);
     benchmark::DoNotOptimize(values);
   }
 }
@@ -25,8 +25,8 @@ void BM_SampleAssemble(benchmark::State& state) {
   std::uint64_t index = 0;
   for (auto _ : state) {
     diag::Findings findings;
-    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream, {},
-                                 findings);
+    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream,
+                                 {}, findings);
     auto object = assembler.Assemble(*values, {}, findings);
     benchmark::DoNotOptimize(object);
   }

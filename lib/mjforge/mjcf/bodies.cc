@@ -173,7 +173,6 @@ class BodyWriter {
 std::vector<int> DepthFirst(const model::Object& object) {
   const std::size_t count = object.bodies.size();
   std::vector<int> order;
-  order.reserve(count);
   // Children as linked lists, filled from the back to keep their order; the
   // entry after the last body is the world's.
   std::vector<int> first_child(count + 1, -1);

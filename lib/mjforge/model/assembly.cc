@@ -130,10 +130,9 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& f
     overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
   }
   if (findings_.size() != before || !X_FW) return;
-  sample::DrawKey key = scope.values.key();
-  key.attempt = 0;  // its own requirements are retried on their own
+  // Its own requirements are retried on their own, from this attempt on.
   std::optional<sample::Evaluator> nested =
-      sample::Sample(*entry.nested, key, path, overrides, findings_);
+      sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_);
   if (!nested) return;
 
   const Pose X_SW = X_SF * *X_FW;

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "mjforge/spec/fields.h"
+#include "mjforge/spec/spec.h"
 
 namespace mjforge::sample {
 

@@ -143,6 +143,7 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
   if (info.arguments < 0) {
     ReadOptions(expected, node, draw, value);
   } else {
+    value.components = 1;
     const bool single = info.arguments == 1 && node.kind != YamlNode::Kind::kList;
     const std::size_t count = single ? 1 : node.items.size();
     if (count != static_cast<std::size_t>(info.arguments)) {
@@ -150,7 +151,7 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
                     fmt::format("'{}' takes {} number{}", info.key, info.arguments,
                                 info.arguments == 1 ? "" : "s"),
                     fmt::format("write {}", info.usage));
-      return value;
+      return Harmless(map);
     }
     for (std::size_t i = 0; i < count; ++i) {
       draw.arguments.push_back(ReadNumber(single ? node : node.items[i]));
@@ -201,6 +202,7 @@ void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Dr
   value.type = first.type;
   value.components = first.components;
   for (const Value& option : draw.arguments) {
+    if (option.components == 0 || first.components == 0) return;
     const bool same_count =
         option.components == first.components ||
         (expected.slot == Slot::kNumbers && expected.max_count > expected.min_count);

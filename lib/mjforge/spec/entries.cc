@@ -162,6 +162,7 @@ class EntryReader {
             diag::DidYouMean(pair.key, names));
         return;
       }
+      if (value.components == 0) return;
       if (parameter->value.type != value.type || parameter->value.components != value.components) {
         reading_.findings.Add(
             Code::kSpecWrongType, value.mark,

@@ -42,8 +42,9 @@ void CheckParameterName(const YamlNode::Pair& pair, Reading& reading) {
 
 // The value without doc and unit, as the user wrote it.
 std::string SourceText(const YamlNode& node) {
+  if (node.kind == YamlNode::Kind::kScalar) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
-  if (const YamlNode* value = node.Find("value")) return FlowText(*value);
+  if (const YamlNode* value = node.Find("value")) return SourceText(*value);
   YamlNode bare = node;
   std::erase_if(bare.pairs,
                 [](const auto& pair) { return pair.key == "doc" || pair.key == "unit"; });

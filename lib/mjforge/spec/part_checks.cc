@@ -62,7 +62,7 @@ void CheckSizes(const Entry& part, const ShapeKeys& shape, Reading& reading) {
   // The options of a choice may differ in length; the model checks those.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
-  if (exact && size->value.components != wanted) {
+  if (exact && size->value.components != 0 && size->value.components != wanted) {
     reading.findings.Add(Code::kSpecWrongLength, size->value.mark,
                          fmt::format("a {}{} has {} size{}, got {}", shape.type,
                                      fromto != nullptr ? " with 'fromto'" : "", wanted,

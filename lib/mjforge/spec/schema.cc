@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -55,8 +56,7 @@ class SpecSchema : private DrawSchema {
     Describe(field);
     switch (field.slot) {
       case Slot::kNumber:
-        return AnyOf({[&] { Literal(field, "number"); }, [this] { Expression(); },
-                      [this] { Ref("number_draw"); }});
+        return IsBounded(field) ? Number(field) : Ref("number");
       case Slot::kInteger:
         return AnyOf({[&] { Literal(field, "integer"); }, [this] { Expression(); },
                       [this] { Ref("number_draw"); }});
@@ -67,7 +67,7 @@ class SpecSchema : private DrawSchema {
       case Slot::kText:
         return Ref("text");
       case Slot::kNumbers:
-        return Numbers(field);
+        return IsBounded(field) ? Numbers(field) : Ref(NumbersName(field));
       case Slot::kPoints:
         return Points(field);
       case Slot::kPlainText:
@@ -80,11 +80,22 @@ class SpecSchema : private DrawSchema {
     }
   }
 
+  static bool IsBounded(const FieldInfo& field) {
+    return std::isfinite(field.lower) || std::isfinite(field.upper);
+  }
+  static std::string NumbersName(const FieldInfo& field) {
+    return fmt::format("numbers_{}_{}", field.min_count, field.max_count);
+  }
+  void Number(const FieldInfo& field) {
+    AnyOf({[&] { Literal(field, "number"); }, [this] { Expression(); },
+           [this] { Ref("number_draw"); }});
+  }
+
   void Literal(const FieldInfo& field, std::string_view type) {
     Text("type", type);
     if (std::isfinite(field.lower))
-      Number(field.above ? "exclusiveMinimum" : "minimum", field.lower);
-    if (std::isfinite(field.upper)) Number("maximum", field.upper);
+      Bound(field.above ? "exclusiveMinimum" : "minimum", field.lower);
+    if (std::isfinite(field.upper)) Bound("maximum", field.upper);
   }
   void Word(const FieldInfo& field) {
     AnyOf({[&] {
@@ -188,16 +199,25 @@ class SpecSchema : private DrawSchema {
                       }});
       case Slot::kJoints:
         return AnyOf({[this] { Strings("enum", {"free", "none"}); }, [this] { ListOf("joint"); }});
-      case Slot::kFields: {
-        const std::string_view element = field.key;
-        Text("type", "object");
-        return Properties(element == "part"   ? PartElement()
-                          : element == "site" ? SiteElement()
-                                              : JointElement());
-      }
+      case Slot::kFields:
+        return Defaults(field.id == Key::kPart   ? PartElement()
+                        : field.id == Key::kSite ? SiteElement()
+                                                 : JointElement());
       default:
         return;
     }
+  }
+
+  // The element's own fields, none of them required.
+  void Defaults(const ElementInfo& element) {
+    Text("type", "object");
+    SchemaWriter::Key("properties");
+    Object([&] {
+      for (const FieldInfo& field : element.fields) {
+        Define(field.key, [&] { Ref(fmt::format("{}/properties/{}", element.name, field.key)); });
+      }
+    });
+    NoOtherKeys();
   }
 
   // A file with a name and parts is a spec; one with neither is for `import:`.
@@ -227,6 +247,7 @@ class SpecSchema : private DrawSchema {
   void Definitions() {
     Values();
     Draws();
+    NumberLists();
     Parameter();
     Element(MaterialElement(), [] {});
     Element(TextureElement(), [this] {
@@ -274,6 +295,18 @@ class SpecSchema : private DrawSchema {
              },
              [this] { Ref("any_draw"); }});
     });
+  }
+
+  // One definition for each length that some field without bounds has.
+  void NumberLists() {
+    std::set<std::string> done;
+    for (const ElementInfo* element : AllElements()) {
+      for (const FieldInfo& field : element->fields) {
+        if (field.slot != Slot::kNumbers || IsBounded(field)) continue;
+        const std::string name = NumbersName(field);
+        if (done.insert(name).second) Define(name, [&] { Numbers(field); });
+      }
+    }
   }
 
   void DocAndUnit() {

@@ -18,6 +18,8 @@ namespace mjforge::spec {
 
 class SchemaWriter {
  protected:
+  SchemaWriter() { writer_.SetIndent(' ', 2); }
+
   using Body = std::function<void()>;
 
   void Key(std::string_view key) { writer_.Key(key.data(), Size(key)); }
@@ -33,7 +35,7 @@ class SchemaWriter {
     Key(key);
     String(text);
   }
-  void Number(std::string_view key, double value) {
+  void Bound(std::string_view key, double value) {
     Key(key);
     const std::string text = expr::NumberText(value);
     writer_.RawValue(text.data(), text.size(), rapidjson::kNumberType);

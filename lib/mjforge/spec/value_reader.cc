@@ -91,7 +91,7 @@ Value ValueReader::Wrong(const YamlNode& node, std::string_view expected) {
 }
 
 Value ValueReader::Harmless(const YamlNode& node) {
-  return Value{.mark = node.mark, .form = 1.0};
+  return Value{.mark = node.mark, .components = 0, .form = 1.0};
 }
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node) {
@@ -179,6 +179,7 @@ Value ValueReader::ReadExpression(const YamlNode& node) {
   Value value = Harmless(node);
   if (auto expression = Compile(node, 0, node.text.size())) {
     value.type = expression->type();
+    value.components = 1;
     value.form = std::move(*expression);
   }
   return value;
@@ -203,6 +204,7 @@ Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
     draw.arguments.push_back(std::move(end));
   }
   CheckRangeOrder(draw.arguments[0], draw.arguments[1], node.mark);
+  value.components = 1;
   value.form = std::move(draw);
   return value;
 }
@@ -272,6 +274,7 @@ Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
   } else {
     value = ReadNumber(node);
   }
+  if (value.components == 0) return value;
   if (value.components < expected.min_count || value.components > expected.max_count) {
     findings_.Add(Code::kSpecWrongLength, node.mark,
                   fmt::format("expected {} numbers, got {}",

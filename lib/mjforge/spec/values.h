@@ -58,7 +58,7 @@ struct HsvColor {
 struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
-  int components = 1;  // of a vector; a list of points counts its points
+  int components = 1;  // of a vector; a list of points counts its points; 0: it was reported
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
                RotationAbout, PointOnSphere, HsvColor>
       form = 0.0;

@@ -11,6 +11,8 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include "mjforge/expr/expr.h"
+
 namespace mjforge::spec {
 namespace {
 
@@ -337,13 +339,21 @@ std::string_view KindName(const YamlNode& node) {
 
 namespace {
 
+// Whether a plain text would read as something else inside brackets.
+bool NeedsQuotes(std::string_view text) {
+  return text.empty() || text.find_first_of(",[]{}") != std::string_view::npos ||
+         std::string_view("&*!|>'\"%@`#-?: ").find(text.front()) != std::string_view::npos ||
+         text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos ||
+         text.ends_with(':') || text.ends_with(' ');
+}
+
 std::string FlowScalar(const YamlNode& node) {
-  const bool special =
-      node.text.empty() || node.text.find_first_of(",[]{}#&*!|>'\"%@`:") != std::string::npos;
+  const bool special = NeedsQuotes(node.text) && !expr::ParseNumber(node.text);
   if (!node.quoted && !special) return node.text;
   std::string out = "'";
-  for (const char c : node.text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + "'";
+  for (const char c : node.text) out.append(c == '\'' ? 2 : 1, c);
+  out += '\'';
+  return out;
 }
 
 }  // namespace
@@ -360,13 +370,13 @@ std::string FlowText(const YamlNode& node) {
         out += out.empty() ? "" : ", ";
         out += FlowText(item);
       }
-      return "[" + out + "]";
+      return fmt::format("[{}]", out);
     case YamlNode::Kind::kMap:
       for (const auto& pair : node.pairs) {
         out += out.empty() ? "" : ", ";
         out += pair.key + ": " + FlowText(pair.value);
       }
-      return "{" + out + "}";
+      return fmt::format("{{{}}}", out);
   }
   return out;
 }

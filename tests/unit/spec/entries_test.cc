@@ -17,7 +17,8 @@ TEST_CASE("an unknown key gets the nearest one", "[entries]") {
         Strings{"5:5 spec/missing-key: box without 'size'",
                 "5:26 spec/unknown-key: unknown key 'sise' in a part (did you mean 'size'?)"});
   CHECK(ReportPart("{name: a, type: box, size: v, friktion: 1}") ==
-        Strings{"5:35 spec/unknown-key: unknown key 'friktion' in a part (did you mean 'friction'?)"});
+        Strings{
+            "5:35 spec/unknown-key: unknown key 'friktion' in a part (did you mean 'friction'?)"});
 }
 
 TEST_CASE("a part needs a name, a type and what its type needs", "[entries]") {
@@ -27,12 +28,14 @@ TEST_CASE("a part needs a name, a type and what its type needs", "[entries]") {
   CHECK(ReportPart("{name: a, type: prism}") ==
         Strings{"5:5 spec/missing-key: prism without 'polygon'",
                 "5:5 spec/missing-key: prism without 'height'"});
-  CHECK(ReportPart("{name: a, type: bxo, size: v}") ==
-        Strings{"5:21 spec/bad-value: 'bxo' is not one of box, sphere, cylinder, capsule, ellipsoid, "
-                "prism, mesh (did you mean 'box'?)"});
+  CHECK(
+      ReportPart("{name: a, type: bxo, size: v}") ==
+      Strings{"5:21 spec/bad-value: 'bxo' is not one of box, sphere, cylinder, capsule, ellipsoid, "
+              "prism, mesh (did you mean 'box'?)"});
   CHECK(ReportPart("{name: a, type: word, size: v}") ==
-        Strings{"5:21 spec/bad-value: 'word' is not one of box, sphere, cylinder, capsule, ellipsoid, "
-                "prism, mesh (for the parameter's value write ${word})"});
+        Strings{
+            "5:21 spec/bad-value: 'word' is not one of box, sphere, cylinder, capsule, ellipsoid, "
+            "prism, mesh (for the parameter's value write ${word})"});
 }
 
 TEST_CASE("sizes are counted by type", "[entries]") {
@@ -77,17 +80,19 @@ TEST_CASE("loop variables live in their entry only", "[entries]") {
   CHECK(ReportPart("{name: a, type: sphere, size: i}").at(0).find("5:35 expr/unknown-name") == 0);
   CHECK(ReportPart("{name: 'a_${n}', type: sphere, size: 1, for: {n: 2}}") ==
         Strings{"5:51 spec/duplicate-name: loop variable 'n' hides another name"});
-  CHECK(ReportPart("{name: 'a_${i}', type: sphere, size: 1, for: {i: 1 .. 3}}") ==
-        Strings{"5:54 spec/conflict: a loop's count cannot be drawn here (draw it as a parameter and "
-                "name that)"});
+  CHECK(
+      ReportPart("{name: 'a_${i}', type: sphere, size: 1, for: {i: 1 .. 3}}") ==
+      Strings{"5:54 spec/conflict: a loop's count cannot be drawn here (draw it as a parameter and "
+              "name that)"});
 }
 
 TEST_CASE("a frame moves parts and nothing else", "[entries]") {
   CHECK(ReportPart("{frame: {pos: [0, 0, 1]}, parts: [{name: a, type: sphere, size: 1}]}") ==
         Strings{});
   CHECK(ReportPart("{frame: {pos: [0, 0, 1 .. 2]}, parts: []}") ==
-        Strings{"5:5 spec/unnamed-draw: a frame whose pose is drawn needs a 'name' (draws are keyed by "
-                "names, so that moving an entry changes none)"});
+        Strings{
+            "5:5 spec/unnamed-draw: a frame whose pose is drawn needs a 'name' (draws are keyed by "
+            "names, so that moving an entry changes none)"});
   CHECK(ReportPart("{frame: {pos: [0, 0, 1]}, size: 1}") ==
         Strings{"5:5 spec/missing-key: a frame without 'parts'",
                 "5:31 spec/conflict: 'size' has no meaning for a frame"});
@@ -96,8 +101,9 @@ TEST_CASE("a frame moves parts and nothing else", "[entries]") {
 TEST_CASE("joints are a word or a list", "[entries]") {
   CHECK(ReportWithBox("joints: none\n") == Strings{});
   CHECK(ReportWithBox("joints: fre\n") ==
-        Strings{"4:9 spec/bad-value: 'fre' is not one of free, none or a list of joints (did you mean "
-                "'free'?)"});
+        Strings{
+            "4:9 spec/bad-value: 'fre' is not one of free, none or a list of joints (did you mean "
+            "'free'?)"});
   CHECK(ReportWithBox("joints: [{name: h, type: hinge, axis: [0, 0, 1], range: [0, 90deg]}]\n") ==
         Strings{});
   CHECK(ReportWithBox("joints: [{type: hinge}]\n") ==

@@ -41,8 +41,7 @@ Loaded LoadFile(const std::string& reference, std::vector<fs::path> search_path 
   Loaded loaded;
   mjforge::spec::LoadOptions options;
   options.search_path = std::move(search_path);
-  loaded.spec =
-      mjforge::spec::LoadSpec(reference, options, loaded.sources, loaded.findings);
+  loaded.spec = mjforge::spec::LoadSpec(reference, options, loaded.sources, loaded.findings);
   return loaded;
 }
 
@@ -90,7 +89,8 @@ TEST_CASE("imports bring materials and defaults; the spec's own win", "[loader]"
 }
 
 TEST_CASE("the hash of a spec alone is its text's SHA-256", "[loader]") {
-  // Of `printf 'mjforge: 1\nname: ball\nparts:\n  - {name: a, type: sphere, size: 1}\n' | sha256sum`.
+  // Of `printf 'mjforge: 1\nname: ball\nparts:\n  - {name: a, type: sphere, size: 1}\n' |
+  // sha256sum`.
   const Loaded loaded = Load(kBall);
   REQUIRE(loaded.spec != nullptr);
   CHECK(loaded.spec->sha256 == "b5ad1da8e2bba1d76c697897c65b51cefbbb015aa212964f24de805b51145b4c");
@@ -115,15 +115,18 @@ TEST_CASE("a welded spec takes parameters of its own kind", "[loader]") {
                "  - {name: a, type: sphere, size: radius}\n");
   const auto report = [&](const std::string& params) {
     return LoadFile(folder
-                        .Write("a.yaml", "mjforge: 1\nname: a\nparts:\n  - {name: b, spec: ball, "
-                                         "params: {" +
-                                             params + "}}\n")
+                        .Write("a.yaml",
+                               "mjforge: 1\nname: a\nparts:\n  - {name: b, spec: ball, "
+                               "params: {" +
+                                   params + "}}\n")
                         .string())
         .Report();
   };
   CHECK(report("radius: 1 .. 2") == Strings{});
-  CHECK(report("radus: 1") ==
-        Strings{"4:36 spec/unknown-parameter: 'ball' has no parameter 'radus' (did you mean 'radius'?)"});
+  CHECK(
+      report("radus: 1") ==
+      Strings{
+          "4:36 spec/unknown-parameter: 'ball' has no parameter 'radus' (did you mean 'radius'?)"});
   CHECK(report("radius: box") ==
         Strings{"4:44 spec/wrong-type: parameter 'radius' of 'ball' is of another kind"});
 }
@@ -141,8 +144,9 @@ TEST_CASE("a file of another version or shape is refused", "[loader]") {
   CHECK(Load("mjforge: 2\nname: t\nparts: []\n").Report() ==
         Strings{"1:10 spec/version: format version '2' is not known; this program reads 1"});
   CHECK(Load("[1, 2]\n").Report() ==
-        Strings{"1:1 spec/wrong-type: a spec is a mapping of keys, got a list (start with `mjforge: 1` "
-                "and a `name:`)"});
+        Strings{
+            "1:1 spec/wrong-type: a spec is a mapping of keys, got a list (start with `mjforge: 1` "
+            "and a `name:`)"});
   CHECK(Load("nam: t\n").Report() ==
         Strings{"1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)",
                 "1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",

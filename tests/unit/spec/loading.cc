@@ -16,8 +16,8 @@ Loaded Load(const std::string& yaml, std::vector<mjforge::spec::Setting> setting
   Loaded loaded;
   mjforge::spec::LoadOptions options;
   options.settings = std::move(settings);
-  loaded.spec = mjforge::spec::LoadSpecText("test.yaml", yaml, ".", options, loaded.sources,
-                                            loaded.findings);
+  loaded.spec =
+      mjforge::spec::LoadSpecText("test.yaml", yaml, ".", options, loaded.sources, loaded.findings);
   return loaded;
 }
 

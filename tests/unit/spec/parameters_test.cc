@@ -42,8 +42,9 @@ TEST_CASE("a name of the expression language is no parameter's name", "[params]"
   CHECK(report[0] ==
         "4:10 spec/bad-name: 'index' is a word of the expression language; a parameter needs "
         "another name");
-  CHECK(report[2] == "4:28 spec/bad-name: parameter name '2x' is not a name (a letter, then letters, "
-                     "digits and underscores)");
+  CHECK(report[2] ==
+        "4:28 spec/bad-name: parameter name '2x' is not a name (a letter, then letters, "
+        "digits and underscores)");
 }
 
 TEST_CASE("a setting replaces a parameter's value and keeps its meaning", "[params]") {
@@ -63,8 +64,9 @@ TEST_CASE("a setting of an unknown parameter is reported at the setting", "[para
       "mjforge: 1\nname: t\nparams: {radius: 1, shape: {choice: [box, ball]}}\n"
       "parts: [{name: a, type: sphere, size: radius}]\n";
   const Loaded loaded = Load(yaml, {{.name = "radus", .text = "5"}});
-  REQUIRE(loaded.Report() ==
-          Strings{"1:8 spec/unknown-parameter: 't' has no parameter 'radus' (did you mean 'radius'?)"});
+  REQUIRE(
+      loaded.Report() ==
+      Strings{"1:8 spec/unknown-parameter: 't' has no parameter 'radus' (did you mean 'radius'?)"});
   CHECK(loaded.sources.Name(loaded.findings[0].mark.file) == "--set");
   CHECK(Load(yaml, {{.name = "shape", .text = "bal"}}).Report() ==
         Strings{"1:8 spec/bad-value: 'bal' is not one of box, ball (did you mean 'ball'?)"});
@@ -73,6 +75,7 @@ TEST_CASE("a setting of an unknown parameter is reported at the setting", "[para
 TEST_CASE("a requirement is a condition", "[params]") {
   CHECK(ReportWithBox("params: {r: 1}\nrequire: [r > 0, r < 2]\n") == Strings{});
   CHECK(ReportWithBox("params: {r: 1}\nrequire: r + 1\n") ==
-        Strings{"5:10 spec/wrong-type: expected a condition, but 'r + 1' is a number (compare it with "
-                "something, as in `x > 0`)"});
+        Strings{
+            "5:10 spec/wrong-type: expected a condition, but 'r + 1' is a number (compare it with "
+            "something, as in `x > 0`)"});
 }

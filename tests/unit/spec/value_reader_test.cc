@@ -153,10 +153,40 @@ TEST_CASE("draws of a kind that does not fit the slot are refused", "[value]") {
 }
 
 TEST_CASE("an error in an expression points into the expression", "[value]") {
-  CHECK(ReportWithBox("params: {radius: 1}\nmass: 2 * radus\n").at(0).find("5:11 expr/unknown-name") ==
-        0);
-  CHECK(ReportWithBox("params: {radius: 1}\nmass: \"2 * radus\"\n").at(0).find(
-            "5:12 expr/unknown-name") == 0);
-  CHECK(ReportWithBox("params: {radius: 1}\nmass: 1 .. 2 * radus\n").at(0).find(
-            "5:16 expr/unknown-name") == 0);
+  CHECK(ReportWithBox("params: {radius: 1}\nmass: 2 * radus\n")
+            .at(0)
+            .find("5:11 expr/unknown-name") == 0);
+  CHECK(ReportWithBox("params: {radius: 1}\nmass: \"2 * radus\"\n")
+            .at(0)
+            .find("5:12 expr/unknown-name") == 0);
+  CHECK(ReportWithBox("params: {radius: 1}\nmass: 1 .. 2 * radus\n")
+            .at(0)
+            .find("5:16 expr/unknown-name") == 0);
+}
+
+TEST_CASE("one mistake is one finding", "[value]") {
+  CHECK(ReportWithBox("total_size: {a: 1}\n") ==
+        Strings{"4:14 spec/unknown-key: unknown key 'a' in a distribution"});
+  CHECK(
+      Load("mjforge: 1\nname: t\nparts: [{name: a, type: box, size: {a: 1}}]\n").Report().size() ==
+      1);
+  CHECK(Load("mjforge: 1\nname: t\nparts: [{name: a, type: box, size: radus}]\n").Report().size() ==
+        1);
+}
+
+TEST_CASE("settings are kept as YAML that reads back the same", "[value]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {a: 1, b: 2, s: x}\n"
+      "parts: [{name: p, type: sphere, size: a}]\n";
+  for (const std::string text :
+       {"b * 2", "b .. 2 * b", "\"max(1, b)\"", "{choice: [1, 2 * b]}", "-3", "1e-3"}) {
+    const Loaded first = Load(yaml, {{.name = "a", .text = text}});
+    REQUIRE(first.spec != nullptr);
+    const std::string kept = first.spec->settings.at(0).second;
+    const Loaded second = Load(yaml, {{.name = "a", .text = kept}});
+    REQUIRE(second.spec != nullptr);
+    CHECK(second.spec->settings.at(0).second == kept);
+    CHECK(second.spec->parameters[0].value.form.index() ==
+          first.spec->parameters[0].value.form.index());
+  }
 }

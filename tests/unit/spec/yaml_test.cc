@@ -14,7 +14,9 @@ TEST_CASE("bytes that are no UTF-8 text are reported at their place", "[yaml]") 
   const std::string hint = " (a spec is a YAML file in UTF-8; is this another kind of file?)";
   CHECK(Load(std::string("a: 1\nb\0c", 8)).Report() ==
         Strings{"2:2 yaml/not-text: not UTF-8 text" + hint});
-  CHECK(Load("\x7f" "ELF\xff\xfe").Report() == Strings{"1:5 yaml/not-text: not UTF-8 text" + hint});
+  CHECK(Load("\x7f"
+             "ELF\xff\xfe")
+            .Report() == Strings{"1:5 yaml/not-text: not UTF-8 text" + hint});
   CHECK(Load("name: \xC3\xA4\xC3").Report() == Strings{"1:9 yaml/not-text: not UTF-8 text" + hint});
 }
 
