@@ -34,8 +34,8 @@ const std::vector<Unreachable> kUnreachable = {
 
 // Codes of what has no place in a text, such as a file that is not there.
 const std::set<std::string> kWithoutPlace = {
-    "yaml/cannot-read",  "output/exists",       "output/cannot-write",
-    "output/bad-name",   "output/bad-manifest", "output/differs",
+    "yaml/cannot-read", "output/exists",       "output/cannot-write",
+    "output/bad-name",  "output/bad-manifest", "output/differs",
 };
 
 std::vector<std::string> Codes() {
@@ -95,8 +95,7 @@ TEST_CASE("each error case shows the code its folder is named after, with its pl
     const std::string code = CodeOf(golden);
     CHECK(code != "");
     const std::string output = harness::ReadFile(golden.folder / "expected.txt");
-    const std::string place =
-        kWithoutPlace.contains(code) ? "" : "[^\\s:][^:\n]*:[0-9]+:[0-9]+: ";
+    const std::string place = kWithoutPlace.contains(code) ? "" : "[^\\s:][^:\n]*:[0-9]+:[0-9]+: ";
     const std::regex line("(?:^|\n)" + place + "[^\n]*(?:error|warning): [^\n]*\\[(" + code +
                           ")\\]");
     CHECK(std::regex_search(output, line));

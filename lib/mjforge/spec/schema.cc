@@ -160,10 +160,9 @@ class SpecSchema : private DrawSchema {
 
   void MapOf(std::string_view definition) {
     Text("type", "object");
-    Key("propertyNames");
-    Object([this] { Text("pattern", kNamePattern); });
-    Key("additionalProperties");
-    Object([&] { Ref(definition); });
+    Key("patternProperties");
+    Object([&] { Define(kNamePattern, [&] { Ref(definition); }); });
+    NoOtherKeys();
   }
 
   void Structure(const FieldInfo& field) {
