@@ -28,7 +28,7 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 // Files, not pipes, hold what goes in and comes out: nothing blocks, whatever
 // the order in which the program reads and writes.
-File NewFile(std::string_view text = {}) {
+File NewFile(std::string_view text = "") {
   File file(std::tmpfile());
   REQUIRE(file != nullptr);
   REQUIRE(std::fwrite(text.data(), 1, text.size(), file.get()) == text.size());
