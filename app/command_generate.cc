@@ -180,7 +180,9 @@ class Run {
     const forge::Summary summary =
         forge::MakeBatch(generator, batch, [&](const forge::Variant& variant, auto& findings) {
           if (!variant.ok()) return true;
-          if (to_file) return WriteOne(variant.document, findings);
+          if (to_file) {
+            return output::WriteObject(options_.output, variant.document, options_.force, findings);
+          }
           WarnOfAssets(variant.document, findings);
           text = variant.document.text;
           return true;
@@ -191,13 +193,6 @@ class Run {
                                Counts(summary, start)));
     }
     return Worse(StatusOf(summary), Print(text));
-  }
-
-  bool WriteOne(const mjcf::MjcfDocument& document, diag::Findings& findings) const {
-    const std::filesystem::path file = options_.output;
-    return output::MayReplace(file, options_.force, findings) &&
-           output::CopyAssets(document, file.parent_path(), options_.force, findings) &&
-           output::WriteFile(file, document.text, findings);
   }
 
   static void WarnOfAssets(const mjcf::MjcfDocument& document, diag::Findings& findings) {

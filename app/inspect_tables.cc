@@ -83,16 +83,23 @@ std::string Sites(const model::Object& object) {
   return table.empty() ? "" : table.Render() + "\n";
 }
 
+// Sums of numbers of the size `scale` that cancel leave rounding errors behind.
+Eigen::Vector3d WithoutNoise(const Eigen::Vector3d& vector, double scale) {
+  return (vector.array().abs() < 1e-12 * scale).select(0, vector);
+}
+
 std::string Totals(const model::MassProperties& properties, const model::Box3& aabb) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
+  const double length = aabb.empty() ? 0 : (aabb.max - aabb.min).norm();
+  const Eigen::Vector3d products = WithoutNoise({I(0, 1), I(0, 2), I(1, 2)}, I.trace());
   std::string text;
   if (!aabb.empty()) {
     text += fmt::format("bounds   {} to {} m\n", VectorText(aabb.min), VectorText(aabb.max));
   }
   text += fmt::format("mass     {} kg\n", Number(properties.mass));
-  text += fmt::format("com      {} m\n", VectorText(properties.p_FCm));
-  text += fmt::format("inertia  {}  {} {} {} kg m^2 (xx yy zz  xy xz yz)\n",
-                      VectorText(I.diagonal()), Number(I(0, 1)), Number(I(0, 2)), Number(I(1, 2)));
+  text += fmt::format("com      {} m\n", VectorText(WithoutNoise(properties.p_FCm, length)));
+  text += fmt::format("inertia  {}  {} kg m^2 (xx yy zz  xy xz yz)\n", VectorText(I.diagonal()),
+                      VectorText(products));
   return text;
 }
 

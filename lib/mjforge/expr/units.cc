@@ -10,20 +10,21 @@
 namespace mjforge::expr {
 namespace {
 
+// Lengths first: of two names equally near to a slip, the first is suggested.
 constexpr std::array kUnits = {
-    Unit{"N", "newton"},
-    Unit{"Nm", "newton metre"},
+    Unit{"mm", "millimetre, 0.001 m"},
     Unit{"cm", "centimetre, 0.01 m"},
+    Unit{"m", "metre"},
+    Unit{"km", "kilometre, 1000 m"},
+    Unit{"um", "micrometre, 0.000001 m"},
     Unit{"deg", "degree, pi/180 rad"},
+    Unit{"rad", "radian"},
     Unit{"g", "gram, 0.001 kg"},
     Unit{"kg", "kilogram"},
-    Unit{"km", "kilometre, 1000 m"},
-    Unit{"m", "metre"},
-    Unit{"mm", "millimetre, 0.001 m"},
-    Unit{"ms", "millisecond, 0.001 s"},
-    Unit{"rad", "radian"},
     Unit{"s", "second"},
-    Unit{"um", "micrometre, 0.000001 m"},
+    Unit{"ms", "millisecond, 0.001 s"},
+    Unit{"N", "newton"},
+    Unit{"Nm", "newton metre"},
 };
 
 // Two whole numbers rather than a factor: 15 / 1000 is the double nearest to
@@ -35,19 +36,19 @@ struct Ratio {
 
 // In the order of kUnits.
 constexpr std::array<Ratio, kUnits.size()> kRatios = {{
-    {1, 1},    // N
-    {1, 1},    // Nm
-    {1, 100},  // cm
+    {1, 1000},  // mm
+    {1, 100},   // cm
+    {1, 1},     // m
+    {1000, 1},  // km
+    {1, 1e6},   // um
     {std::numbers::pi, 180},
+    {1, 1},     // rad
     {1, 1000},  // g
     {1, 1},     // kg
-    {1000, 1},  // km
-    {1, 1},     // m
-    {1, 1000},  // mm
-    {1, 1000},  // ms
-    {1, 1},     // rad
     {1, 1},     // s
-    {1, 1e6},   // um
+    {1, 1000},  // ms
+    {1, 1},     // N
+    {1, 1},     // Nm
 }};
 
 }  // namespace

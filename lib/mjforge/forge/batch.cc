@@ -19,6 +19,7 @@ Summary MakeBatch(Generator& generator, const Batch& batch, const Sink& sink) {
     ++(variant.ok() ? summary.ok : skip ? summary.skipped : summary.failed);
     digest.Add(variant.findings, !variant.ok() && skip);
     if (sink && !sink(variant, output_findings)) {
+      if (variant.ok()) --summary.ok;  // it is nowhere
       summary.output_failed = true;
       break;
     }

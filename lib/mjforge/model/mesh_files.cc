@@ -158,13 +158,15 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
 
 // Through Assimp. ADMesh, the lighter choice, is not fit for a library: it
 // prints to standard output and error, exits, and reads text with fscanf, that
-// is in the locale of the host program.
+// is in the locale of the host program. (Assimp 5.2 leaks 2.4 kB when it refuses
+// a text file; each file is read at most once a run.)
 std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not) {
   try {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, "stl");
     if (scene == nullptr) {
-      why_not = FirstLine(importer.GetErrorString());
+      // Assimp's own words speak of a made-up file name.
+      why_not = "not an STL file, neither text nor binary";
       return std::nullopt;
     }
     MeshBuilder builder;

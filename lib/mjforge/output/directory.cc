@@ -159,4 +159,13 @@ bool CopyAssets(const mjcf::MjcfDocument& document, const std::filesystem::path&
   return CopyNewAssets(document, {folder, force}, folders, done, findings);
 }
 
+bool WriteObject(const std::filesystem::path& file, const mjcf::MjcfDocument& document, bool force,
+                 diag::Findings& findings) {
+  MadeFolders folders;
+  const std::filesystem::path folder = file.parent_path();
+  if (!folder.empty() && !folders.Make(folder, findings)) return false;
+  return MayReplace(file, force, findings) && CopyAssets(document, folder, force, findings) &&
+         WriteFile(file, document.text, findings);
+}
+
 }  // namespace mjforge::output

@@ -102,6 +102,12 @@ class DirectoryWriter {
 bool CopyAssets(const mjcf::MjcfDocument& document, const std::filesystem::path& folder, bool force,
                 diag::Findings& findings);
 
+/// Writes one object's file with its assets beside it; missing folders are made.
+/// Files that are there and were not made by mjforge, and assets with other
+/// content, are only replaced with `force`.
+bool WriteObject(const std::filesystem::path& file, const mjcf::MjcfDocument& document, bool force,
+                 diag::Findings& findings);
+
 }  // namespace mjforge::output
 
 #endif  // MJFORGE_OUTPUT_OUTPUT_H_

@@ -48,6 +48,15 @@ bool Fits(const DistributionInfo& info, Slot slot) {
   return slot == Slot::kNumber || slot == Slot::kInteger || slot == Slot::kNumbers;
 }
 
+std::string KnownDistributions() {
+  std::string text = "the distributions are";
+  for (const DistributionInfo& info : Distributions()) {
+    text += &info == &Distributions().front() ? " " : ", ";
+    text += info.key;
+  }
+  return text;
+}
+
 std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_keys) {
   std::vector<std::string_view> keys(extra_keys.begin(), extra_keys.end());
   for (const DistributionInfo& info : Distributions()) keys.push_back(info.key);
@@ -114,9 +123,10 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
         std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
+    std::string hint = diag::DidYouMean(pair.key, KnownKeys(extra_keys));
+    if (hint.empty() && main == nullptr) hint = KnownDistributions();
     findings_.Add(Code::kSpecUnknownKey, pair.mark,
-                  fmt::format("unknown key '{}' in a distribution", pair.key),
-                  diag::DidYouMean(pair.key, KnownKeys(extra_keys)));
+                  fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));
     if (main == nullptr) return Harmless(node);
   }
   if (main == nullptr)

@@ -126,9 +126,11 @@ class SpecLoader : public NestedLoader {
       reading.findings.Add(Code::kSpecMissingKey, root.mark, "no format version",
                            "begin the file with `mjforge: 1`");
     } else if (format->kind != YamlNode::Kind::kScalar || format->quoted || format->text != "1") {
-      reading.findings.Add(
-          Code::kSpecVersion, format->mark,
-          fmt::format("format version '{}' is not known; this program reads 1", FlowText(*format)));
+      const bool is_scalar = format->kind == YamlNode::Kind::kScalar;
+      reading.findings.Add(Code::kSpecVersion, format->mark,
+                           fmt::format("format version '{}' is not known; this program reads 1",
+                                       is_scalar ? format->text : FlowText(*format)),
+                           format->quoted && format->text == "1" ? "drop the quotes" : "");
     }
   }
 

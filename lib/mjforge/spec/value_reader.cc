@@ -298,6 +298,7 @@ Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
     if (IsCutAtComma(item) && std::exchange(reported_cut, true)) continue;
     list.items.push_back(ReadNumber(item));
   }
+  if (cut) value.components = 0;
   value.form = std::move(list);
   return value;
 }

@@ -76,6 +76,8 @@ class TreeBuilder : public YAML::EventHandler {
     node.kind = YamlNode::Kind::kScalar;
     node.mark = At(mark);
     node.text = value;
+    // `!hollow` was reported as a tag; read on as if it were the plain word.
+    if (value.empty() && tag.size() > 1 && tag.front() == '!') node.text = tag.substr(1);
     node.quoted = tag == "!";
     node.flow = !open_.empty() && open_.back().flow;
     if (!node.quoted && (value == "~" || value == "null")) node.kind = YamlNode::Kind::kNull;
@@ -246,12 +248,23 @@ std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text
 
 // What yaml-cpp says, in our words where its are obscure.
 std::string Reworded(const std::string& message) {
-  if (message.starts_with("end of map not found") ||
-      message.starts_with("end of sequence not found")) {
-    return message + " (is the indentation even?)";
-  }
-  if (message.starts_with("illegal map value")) {
-    return "a colon where no key may stand (quote the text if it contains ': ')";
+  struct Wording {
+    std::string_view theirs;
+    std::string_view ours;
+  };
+  static constexpr Wording kWordings[] = {
+      {"end of map not found", "this line fits none of the indentations above (are they even?)"},
+      {"end of sequence not found",
+       "this line fits none of the indentations above (are they even?)"},
+      {"end of sequence flow not found", "'[' without ']', or a comma is missing"},
+      {"end of map flow not found", "'{' without '}', or a comma is missing"},
+      {"illegal map value", "a colon where no key may stand (quote the text if it contains ': ')"},
+      {"illegal flow end", "a closing bracket that nothing opened"},
+      {"illegal block entry", "'-' where no list may stand (are there tabs? indent with blanks)"},
+      {"illegal map key", "a key where none may stand (is the indentation even?)"},
+  };
+  for (const Wording& wording : kWordings) {
+    if (message.starts_with(wording.theirs)) return std::string(wording.ours);
   }
   return message;
 }
@@ -260,7 +273,7 @@ bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Finding
   const std::string& text = sources.Text(file);
   if (text.size() > kMaxYamlBytes) {
     findings.Add(Code::kYamlTooLarge, SourceMark{file, 1, 1},
-                 fmt::format("file has {} bytes; the limit is {}", text.size(), kMaxYamlBytes),
+                 fmt::format("file has more than {} bytes", kMaxYamlBytes),
                  "repeat parts with `for:`");
     return false;
   }

@@ -30,7 +30,7 @@ std::optional<std::string> ReadText(const std::filesystem::path& file, diag::Fin
   std::optional<std::string> text;
   if (std::filesystem::is_directory(file, error)) {
     findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': it is a directory", file.string()));
+                 fmt::format("cannot read '{}': it is a folder", file.string()));
     return text;
   }
   std::ifstream stream(file, std::ios::binary);
@@ -40,7 +40,7 @@ std::optional<std::string> ReadText(const std::filesystem::path& file, diag::Fin
     const bool exists = std::filesystem::exists(file, error);
     findings.Add(Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': {}", file.string(),
-                             exists ? "permission denied or a read error" : "no such file"));
+                             exists ? "permission denied or a read error" : "No such file or directory"));
     return std::nullopt;
   }
   return text;
