@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <utility>
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/sections.h"
@@ -35,21 +36,31 @@ void WriteMaterial(const model::Object& object, const model::Material& material,
   writer.Close();
 }
 
-/// MuJoCo makes the faces of inline vertices itself, as their convex hull.
+void WriteInline(const model::MeshAsset& mesh, ElementWriter& writer, std::string& text) {
+  bool first = true;
+  const auto append = [&](double number) {
+    if (!std::exchange(first, false)) text += ' ';
+    expr::AppendNumber(text, number);
+  };
+  writer.Raw(" vertex=\"");
+  for (const Eigen::Vector3d& vertex : mesh.mesh.vertices) {
+    for (const double coordinate : vertex) append(coordinate);
+  }
+  writer.Raw("\"");
+  if (mesh.is_hull) return;
+  first = true;
+  writer.Raw(" face=\"");
+  for (const std::array<int, 3>& triangle : mesh.mesh.triangles) {
+    for (const int corner : triangle) append(corner);
+  }
+  writer.Raw("\"");
+}
+
 void WriteMesh(const model::MeshAsset& mesh, ElementWriter& writer, MjcfDocument& document) {
   writer.Open("mesh", mesh.mark);
   writer.Text("name", mesh.name);
   if (mesh.file.empty()) {
-    writer.Raw(" vertex=\"");
-    bool first = true;
-    for (const Eigen::Vector3d& vertex : mesh.mesh.vertices) {
-      for (const double coordinate : vertex) {
-        if (!first) document.text += ' ';
-        first = false;
-        expr::AppendNumber(document.text, coordinate);
-      }
-    }
-    writer.Raw("\"");
+    WriteInline(mesh, writer, document.text);
   } else {
     WriteFile(mesh.file, mesh.output_file, writer, document);
     writer.Vector("scale", mesh.scale);

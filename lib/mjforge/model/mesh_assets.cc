@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <string_view>
@@ -97,6 +98,7 @@ void Assets::AddPrism(TriangleMesh mesh, Part& part) {
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
   asset->mesh = std::move(mesh);
+  asset->is_hull = true;
   asset->mark = part.mark;
   const int index = static_cast<int>(object_.meshes.size());
   object_.meshes.push_back(std::move(asset));
@@ -171,8 +173,15 @@ std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
 std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
+  // MuJoCo 2.2 folds the case of file names.
+  const auto folded = [](std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) {
+      return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    return text;
+  };
   std::string name = file.filename().string();
-  for (int i = 2; !taken_names_.insert(name).second; ++i) {
+  for (int i = 2; !taken_names_.insert(folded(name)).second; ++i) {
     name = fmt::format("{}_{}{}", file.stem().string(), i, file.extension().string());
   }
   found->second = name;

@@ -39,9 +39,10 @@ struct Attribute {
 struct MeshAsset {
   std::string name;
   TriangleMesh mesh;  // scaled
-  /// Empty: inline, as vertices and triangles (MuJoCo would make a hull of the
-  /// vertices alone).
-  std::filesystem::path file;
+  std::filesystem::path file;  // empty: inline, as vertices and triangles
+  /// The surface is the convex hull of the vertices (a prism's): MuJoCo makes
+  /// the triangles of those itself.
+  bool is_hull = false;
   std::string output_file;  // its name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   diag::SourceMark mark;

@@ -108,6 +108,17 @@ TEST_CASE("textures, materials and meshes are assets with relative files") {
   CHECK(document.Origin(7).line == 31);
 }
 
+TEST_CASE("an inline mesh states its triangles unless it is the hull of its vertices") {
+  model::Object object = hand_made::Wedge();
+  MjcfDocument document;
+  WriteMjcf(object, Target::kMujoco, SomeProvenance(), document);
+  CHECK(document.text.find(" face=\"") == std::string::npos);
+  object.meshes[0]->is_hull = false;
+  object.meshes[0]->mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+  WriteMjcf(object, Target::kMujoco, SomeProvenance(), document);
+  CHECK(document.text.find(" face=\"0 1 2 2 1 3\"/>") != std::string::npos);
+}
+
 TEST_CASE("every target is found by its name") {
   for (const TargetInfo& info : Targets()) CHECK(FindTarget(info.name) == info.target);
   CHECK_FALSE(FindTarget("robot"));

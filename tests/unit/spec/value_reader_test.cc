@@ -166,7 +166,9 @@ TEST_CASE("an error in an expression points into the expression", "[value]") {
 
 TEST_CASE("one mistake is one finding", "[value]") {
   CHECK(ReportWithBox("total_size: {a: 1}\n") ==
-        Strings{"4:14 spec/unknown-key: unknown key 'a' in a distribution"});
+        Strings{"4:14 spec/unknown-key: unknown key 'a' in a distribution (the distributions are "
+                "uniform, log_uniform, triangular, normal, log_normal, beta, exponential, poisson, "
+                "integer, bernoulli, choice, cycle)"});
   CHECK(
       Load("mjforge: 1\nname: t\nparts: [{name: a, type: box, size: {a: 1}}]\n").Report().size() ==
       1);
