@@ -108,9 +108,9 @@ TEST_CASE("the schema accepts every good golden spec", "[schema]") {
 
 TEST_CASE("the schema rejects every structurally bad golden spec", "[schema]") {
   Schema schema;
-  for (const std::string kind : {"spec-unknown-key", "spec-missing-key", "spec-wrong-type",
-                                 "spec-wrong-length", "spec-bad-value", "spec-distribution",
-                                 "spec-version"}) {
+  for (const std::string kind :
+       {"spec-unknown-key", "spec-missing-key", "spec-wrong-type", "spec-wrong-length",
+        "spec-bad-value", "spec-distribution", "spec-version"}) {
     for (const fs::path& file : YamlFiles(kRoot / "tests/golden/errors" / kind)) {
       std::string unused;
       INFO(file);

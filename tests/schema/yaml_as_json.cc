@@ -15,7 +15,8 @@ nlohmann::json Scalar(const YAML::Node& node) {
   if (text == "true" || text == "false") return text == "true";
   if (text == "null" || text == "~") return nullptr;
   if (std::regex_match(text, kInteger)) return std::stoll(text);
-  if (std::regex_match(text, kNumber)) return nlohmann::json::parse(nlohmann::json(std::stod(text)).dump());
+  if (std::regex_match(text, kNumber))
+    return nlohmann::json::parse(nlohmann::json(std::stod(text)).dump());
   return text;
 }
 

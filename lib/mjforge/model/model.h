@@ -38,7 +38,7 @@ struct Attribute {
 /// A mesh asset. Inline vertices (a prism), or a file that is copied beside the output.
 struct MeshAsset {
   std::string name;
-  TriangleMesh mesh;  // scaled
+  TriangleMesh mesh;           // scaled
   std::filesystem::path file;  // empty: inline, as vertices and triangles
   /// The surface is the convex hull of the vertices (a prism's): MuJoCo makes
   /// the triangles of those itself.

@@ -38,9 +38,10 @@ std::optional<std::string> ReadText(const std::filesystem::path& file, diag::Fin
     text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   if (!stream || stream.bad()) {
     const bool exists = std::filesystem::exists(file, error);
-    findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(),
-                             exists ? "permission denied or a read error" : "No such file or directory"));
+    findings.Add(
+        Code::kYamlCannotRead, {},
+        fmt::format("cannot read '{}': {}", file.string(),
+                    exists ? "permission denied or a read error" : "No such file or directory"));
     return std::nullopt;
   }
   return text;
