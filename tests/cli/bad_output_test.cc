@@ -34,12 +34,10 @@ TEST_CASE_METHOD(BadOutputTest, "an output folder that is a file is refused") {
   CHECK(folder().Files() == Files{"crate.yaml", "out"});
 }
 
-TEST_CASE_METHOD(BadOutputTest, "a file in a folder that does not exist is refused") {
-  const auto result = Run({"generate", "crate.yaml", "-q", "-o", "none/x.xml"});
+TEST_CASE_METHOD(BadOutputTest, "a file in a folder that cannot be made is refused") {
+  const auto result = Run({"generate", "crate.yaml", "-q", "-o", "crate.yaml/x.xml"});
   CHECK(result.status == 3);
-  CHECK(result.err ==
-        "mjforge: error: cannot write 'none/x.xml': No such file or directory "
-        "[output/cannot-write]\n");
+  CHECK(result.err.find("[output/cannot-write]") != std::string::npos);
 }
 
 TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {

@@ -32,7 +32,7 @@ TEST_CASE_METHOD(DeterminismTest, "the same command gives the same bytes") {
   CHECK(Object("a", "000000") != Object("a", "000001"));
 }
 
-TEST_CASE_METHOD(DeterminismTest, "--first 41 -n 1 is item 41 of -n 100") {
+TEST_CASE_METHOD(DeterminismTest, "with --first 41 -n 1 is item 41 of -n 100") {
   Generate({"hammer", "-n", "100", "-o", "all"});
   Generate({"hammer", "-n", "1", "--first", "41", "-o", "one"});
   CHECK(Object("all", "000041") == Object("one", "000041"));

@@ -23,14 +23,14 @@ TEST_CASE_METHOD(CrateTest, "without -o a batch goes into a folder of the object
                                   "crate/manifest.jsonl"});
 }
 
-TEST_CASE_METHOD(CrateTest, "-o x.xml writes exactly that file") {
+TEST_CASE_METHOD(CrateTest, "with -o x.xml writes exactly that file") {
   const auto result = Run({"generate", "crate.yaml", "-o", "x.xml"});
   CHECK(result.status == 0);
   CHECK(WithoutSeconds(result.err) == "1 variant of crate in x.xml: 1 ok (T s)\n");
   CHECK(folder().Files() == Files{"crate.yaml", "x.xml"});
 }
 
-TEST_CASE_METHOD(CrateTest, "-o - writes the object to standard output and says nothing") {
+TEST_CASE_METHOD(CrateTest, "with -o - writes the object to standard output and says nothing") {
   const auto result = Run({"generate", "crate.yaml", "-o", "-"});
   CHECK(result.status == 0);
   CHECK(result.out.starts_with("<!--"));
@@ -78,7 +78,7 @@ TEST_CASE_METHOD(CrateTest, "the same command twice replaces its own files") {
   CHECK(folder().Files() == files);
 }
 
-TEST_CASE_METHOD(CrateTest, "--set pins and re-ranges a parameter, --params many") {
+TEST_CASE_METHOD(CrateTest, "with --set pins and re-ranges a parameter, --params many") {
   folder().Write("p.yaml", "height: 0.5\n");
   const auto params = Run({"generate", "crate.yaml", "--params", "p.yaml", "-o", "-"});
   const auto set = Run({"generate", "crate.yaml", "--set", "height=0.5", "-o", "-"});
@@ -91,14 +91,14 @@ TEST_CASE_METHOD(CrateTest, "--set pins and re-ranges a parameter, --params many
   CHECK(both.out.find("size=\"0.1 0.1 0.02\"") != std::string::npos);
 }
 
-TEST_CASE_METHOD(CrateTest, "--name renames the object and its files") {
+TEST_CASE_METHOD(CrateTest, "with --name renames the object and its files") {
   REQUIRE(Run({"generate", "crate.yaml", "-q", "-n", "2", "--name", "b${index}x"}).status == 0);
   CHECK(folder().Files() == Files{"crate.yaml", "crate/b0x_000000.xml", "crate/b1x_000001.xml",
                                   "crate/manifest.jsonl"});
   CHECK(folder().Read("crate/b1x_000001.xml").find("\"b1x_body\"") != std::string::npos);
 }
 
-TEST_CASE_METHOD(CrateTest, "--name with characters that names cannot have is wrong usage") {
+TEST_CASE_METHOD(CrateTest, "with --name with characters that names cannot have is wrong usage") {
   for (const char* name : {"a b", "../up", "a/b", "a\"b", "a\nb", "1a"}) {
     const auto result = Run({"generate", "crate.yaml", "--name", name, "-o", "out"});
     CHECK(result.status == 2);
@@ -107,13 +107,13 @@ TEST_CASE_METHOD(CrateTest, "--name with characters that names cannot have is wr
   }
 }
 
-TEST_CASE_METHOD(CrateTest, "--target scene adds a floor") {
+TEST_CASE_METHOD(CrateTest, "with --target scene adds a floor") {
   const auto result = Run({"generate", "crate.yaml", "--target", "scene", "-o", "-"});
   CHECK(result.status == 0);
   CHECK(result.out.find("type=\"plane\"") != std::string::npos);
 }
 
-TEST_CASE_METHOD(CrateTest, "-v says a line about each variant") {
+TEST_CASE_METHOD(CrateTest, "with -v says a line about each variant") {
   const auto result = Run({"generate", "crate.yaml", "-v", "-n", "2", "-o", "out"});
   CHECK(WithoutSeconds(result.err) ==
         "out/crate_000000.xml: ok, attempt 0\n"
@@ -130,7 +130,7 @@ TEST_CASE_METHOD(UnluckyCrateTest, "failed variants are reported and cost only t
   CHECK(folder().Read("out/manifest.jsonl").find("\"status\":\"ok\"") != std::string::npos);
 }
 
-TEST_CASE_METHOD(UnluckyCrateTest, "--on-invalid skip makes them warnings") {
+TEST_CASE_METHOD(UnluckyCrateTest, "with --on-invalid skip makes them warnings") {
   const auto result =
       Run({"generate", "crate.yaml", "-n", "20", "-o", "out", "--on-invalid", "skip"});
   CHECK(result.status == 0);
@@ -139,7 +139,7 @@ TEST_CASE_METHOD(UnluckyCrateTest, "--on-invalid skip makes them warnings") {
   CHECK(folder().Read("out/manifest.jsonl").find("\"status\":\"skipped\"") != std::string::npos);
 }
 
-TEST_CASE_METHOD(UnluckyCrateTest, "--on-invalid resample draws them again") {
+TEST_CASE_METHOD(UnluckyCrateTest, "with --on-invalid resample draws them again") {
   const auto result =
       Run({"generate", "crate.yaml", "-q", "-n", "20", "-o", "out", "--on-invalid", "resample"});
   CHECK(result.status == 0);

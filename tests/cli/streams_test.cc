@@ -24,7 +24,7 @@ TEST_CASE_METHOD(WordsTest, "findings go to standard error and results to standa
   CHECK_FALSE(good.out.empty());
 }
 
-TEST_CASE_METHOD(WordsTest, "-q leaves only errors") {
+TEST_CASE_METHOD(WordsTest, "with -q leaves only errors") {
   CHECK(Run({"generate", "crate.yaml", "-q"}).err.empty());
   CHECK(Run({"check", "crate.yaml", "-q"}).err.empty());
   CHECK_FALSE(Run({"check", "bad.yaml", "-q"}).err.empty());
@@ -58,7 +58,7 @@ TEST_CASE_METHOD(WordsTest, "NO_COLOR is heard on a terminal") {
   CHECK_FALSE(on_terminal("TERM=dumb"));
 }
 
-TEST_CASE_METHOD(WordsTest, "--findings json gives one object a line") {
+TEST_CASE_METHOD(WordsTest, "with --findings json gives one object a line") {
   const auto result = Run({"check", "bad.yaml", "--findings", "json"});
   CHECK(result.status == 1);
   CHECK(result.err.starts_with("{\"severity\":\"error\",\"code\":\"spec/"));

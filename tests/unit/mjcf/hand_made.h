@@ -94,6 +94,7 @@ inline model::Object Wedge() {
   auto mesh = std::make_unique<model::MeshAsset>();
   mesh->name = "wedge_body";
   mesh->mesh = *model::MakePrism(polygon, 0.04, why_not);
+  mesh->is_hull = true;
   mesh->mark = Line(31);
   object.meshes.push_back(std::move(mesh));
   model::Part part;

@@ -124,9 +124,9 @@ TEST_CASE("a file that is not there or is a folder cannot be read") {
   const TemporaryFolder folder;
   const std::string path = folder.path().string();
   CHECK(Only(LoadFile(folder.path() / "no.xml")) ==
-        "0:0: yaml/cannot-read: cannot read '" + path + "/no.xml': no such file");
+        "0:0: yaml/cannot-read: cannot read '" + path + "/no.xml': No such file or directory");
   CHECK(Only(LoadFile(folder.path())) ==
-        "0:0: yaml/cannot-read: cannot read '" + path + "': it is a directory");
+        "0:0: yaml/cannot-read: cannot read '" + path + "': it is a folder");
 }
 
 TEST_CASE("what is not XML is reported where it stops being XML") {
