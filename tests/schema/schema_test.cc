@@ -12,7 +12,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "mjforge/spec/spec.h"
+#include "mjforge/forge/forge.h"
 #include "yaml_as_json.h"
 
 namespace {
@@ -40,7 +40,8 @@ void CheckFresh(const fs::path& file, const std::string& made) {
 
 class Schema {
  public:
-  Schema() : json_(nlohmann::json::parse(mjforge::spec::JsonSchema())) {
+  explicit Schema(const std::string& text = mjforge::spec::JsonSchema())
+      : json_(nlohmann::json::parse(text)) {
     valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
     parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(json_), schema_);
   }
@@ -117,4 +118,34 @@ TEST_CASE("the schema rejects every structurally bad golden spec", "[schema]") {
       CHECK_FALSE(schema.Accepts(YamlAsJson(file.string()), unused));
     }
   }
+}
+
+TEST_CASE("the manifest's schema accepts the records of made and of failed variants", "[schema]") {
+  Schema schema(mjforge::output::ManifestSchema());
+  const std::string yaml =
+      "mjforge: 1\nname: thing\nparams: {r: -1cm .. 1cm, label: x, v: [1, r], yes: r > 0}\n"
+      "parts: [{name: a, type: sphere, size: r}]\n";
+  mjforge::diag::Sources sources;
+  mjforge::diag::Findings findings;
+  mjforge::forge::Recipe recipe;
+  recipe.spec = mjforge::spec::LoadSpecText("thing.yaml", yaml, ".", {}, sources, findings);
+  REQUIRE(recipe.spec != nullptr);
+  recipe.reference = "thing.yaml";
+  mjforge::forge::Generator generator(recipe, sources, {}, nullptr);
+  mjforge::forge::Variant variant;
+  int failed = 0;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    generator.Make(index, variant);
+    failed += variant.ok() ? 0 : 1;
+    std::string line;
+    mjforge::output::AppendRecord(line, variant.record);
+    std::string why_not;
+    const bool accepted = schema.Accepts(nlohmann::json::parse(line), why_not);
+    INFO(line << why_not);
+    CHECK(accepted);
+  }
+  CHECK(failed > 0);
+  CHECK(failed < 20);
+  std::string unused;
+  CHECK_FALSE(schema.Accepts(nlohmann::json::parse(R"({"file": "a.xml"})"), unused));
 }
