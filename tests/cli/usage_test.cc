@@ -94,7 +94,8 @@ TEST_CASE_METHOD(UsageTest, "the first help names every command") {
   }
 }
 
-TEST_CASE_METHOD(UsageTest, "with --version names mjforge and the libraries that shape its output") {
+TEST_CASE_METHOD(UsageTest,
+                 "with --version names mjforge and the libraries that shape its output") {
   const auto result = Run({"--version"});
   CHECK(result.status == 0);
   CHECK(result.out.starts_with("mjforge "));

@@ -18,6 +18,7 @@ const MaterialState* Assembly::UseMaterial(Scope& scope, FieldReader& reader,
   const auto found = std::ranges::find(materials, *name, &spec::Material::name);
   if (found == materials.end()) {
     std::vector<std::string_view> names;
+    names.reserve(materials.size());
     for (const spec::Material& material : materials) names.push_back(material.name);
     findings_.Add(Code::kSpecUnknownMaterial, field.value.mark,
                   fmt::format("no material {}", Quoted(*name)), diag::DidYouMean(*name, names));

@@ -64,10 +64,10 @@ class FileDescriptor {
 
 std::optional<fs::path> Locate(const std::string& reference, const fs::path& folder,
                                std::span<const fs::path> search_path) {
-  if (const auto own = InFolder(folder, reference)) return own;
+  if (auto own = InFolder(folder, reference)) return own;
   if (fs::path(reference).is_absolute()) return std::nullopt;
   for (const fs::path& shelf : search_path) {
-    if (const auto found = InFolder(shelf, reference)) return found;
+    if (auto found = InFolder(shelf, reference)) return found;
   }
   if (reference.find('/') != std::string::npos) return std::nullopt;
   for (const fs::path& shelf : search_path) {
