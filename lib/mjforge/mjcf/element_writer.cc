@@ -26,14 +26,14 @@ ElementWriter::ElementWriter(MjcfDocument& document)
     : text_(document.text), origins_(document.origins) {}
 
 void ElementWriter::Line(std::string_view text) {
-  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_.append(2 * depth_, ' ');
   text_ += text;
   Finish("\n");
 }
 
 void ElementWriter::Open(std::string_view tag, diag::SourceMark mark) {
   if (mark) origins_.push_back({line_, mark});
-  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_.append(2 * depth_, ' ');
   text_ += '<';
   text_ += tag;
 }
@@ -45,7 +45,7 @@ void ElementWriter::Content() {
 
 void ElementWriter::End(std::string_view tag) {
   --depth_;
-  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_.append(2 * depth_, ' ');
   text_ += "</";
   text_ += tag;
   Finish(">\n");

@@ -55,7 +55,7 @@ class ElementWriter {
   std::string& text_;
   std::vector<LineOrigin>& origins_;
   int line_ = 1;  // being written
-  int depth_ = 0;
+  std::size_t depth_ = 0;
 };
 
 }  // namespace mjforge::mjcf
