@@ -27,8 +27,8 @@ class BadOutputTest : public CrateTest {
         .program = "/bin/sh",
         .arguments = {"-c", before + " '" + harness::MjforgeProgram().string() +
                                 "' generate crate.yaml " + after},
-        .folder = folder().path(),
-        .environment = {{"GCOV_PREFIX", profiles.path().string()}}};
+        .environment = {{"GCOV_PREFIX", profiles.path().string()}},
+        .folder = folder().path()};
     auto result = command.Run();
     result.err = WithoutProfiling(result.err);
     return result;
