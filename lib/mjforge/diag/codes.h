@@ -43,6 +43,7 @@ enum class Code {
   kSpecNotFound,
   kSpecImportCycle,
   kSpecUnnamedDraw,
+  kSpecBadParent,
   // Drawing one variant's values.
   kSampleEmptyRange,
   kSampleBadArgument,
@@ -60,11 +61,19 @@ enum class Code {
   kModelBadMesh,
   kModelFileNotFound,
   kModelBadTexture,
+  kModelUnknownReference,
+  // Reading an attached MJCF file.
+  kAttachBadInclude,
+  kAttachNoBody,
+  kAttachNotCarried,
+  // Fitting an object to its target.
+  kTargetDropped,
   // MuJoCo's verdict.
   kMujocoNotMjcf,
   kMujocoError,
   kMujocoWarning,
   kMujocoMismatch,
+  kMujocoSelfCollision,
   // Files written and read back.
   kOutputExists,
   kOutputCannotWrite,

@@ -35,7 +35,7 @@ std::string OperatorHint(const Word& before, const Word& word, const Names& name
 
 std::string ClosestName(std::string_view word, const Names& names) {
   std::vector<std::string_view> candidates;
-  for (const auto& variable : names.variables()) candidates.push_back(variable.name);
+  for (const auto* variable : names.variables()) candidates.push_back(variable->name);
   for (const Function& function : Functions()) candidates.push_back(function.name);
   return diag::DidYouMean(word, candidates);
 }

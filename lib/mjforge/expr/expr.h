@@ -5,6 +5,8 @@
 // Nothing here depends on the locale.
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -55,11 +57,12 @@ class Names {
   /// Ends a name's scope (a loop's variable).
   void Forget(std::string_view name);
   const Variable* Find(std::string_view name) const;
-  std::span<const Variable> variables() const { return variables_; }
+  /// Those in scope, sorted by name.
+  std::vector<const Variable*> variables() const;
   int slot_count() const { return slot_count_; }
 
  private:
-  std::vector<Variable> variables_;
+  std::map<std::string, Variable, std::less<>> variables_;
   int slot_count_ = 0;
 };
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include "mjforge/expr/expr.h"
@@ -20,18 +19,26 @@ std::string_view TypeName(Type type) {
 int Names::Declare(std::string name, Type type, int components) {
   const int slot = slot_count_;
   slot_count_ += components;
-  variables_.push_back({std::move(name), type, slot, components});
+  std::string key = name;
+  variables_.insert_or_assign(std::move(key), Variable{std::move(name), type, slot, components});
   return slot;
 }
 
 void Names::Forget(std::string_view name) {
-  std::erase_if(variables_, [name](const Variable& variable) { return variable.name == name; });
+  const auto found = variables_.find(name);
+  if (found != variables_.end()) variables_.erase(found);
 }
 
 const Names::Variable* Names::Find(std::string_view name) const {
-  const auto found = std::find_if(variables_.begin(), variables_.end(),
-                                  [name](const Variable& v) { return v.name == name; });
-  return found == variables_.end() ? nullptr : &*found;
+  const auto found = variables_.find(name);
+  return found == variables_.end() ? nullptr : &found->second;
+}
+
+std::vector<const Names::Variable*> Names::variables() const {
+  std::vector<const Variable*> sorted;
+  sorted.reserve(variables_.size());
+  for (const auto& [name, variable] : variables_) sorted.push_back(&variable);
+  return sorted;
 }
 
 }  // namespace mjforge::expr

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -50,14 +51,35 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
   const double result = expression.Evaluate(variables_);
   if (std::isfinite(result)) return result;
   for (const expr::Expression::Input& input : expression.inputs()) {
-    // The failure of the input is the cause; it has its finding already.
-    if (std::isnan(variables_[static_cast<std::size_t>(input.slot)])) return kNoNumber;
+    if (!std::isnan(variables_[static_cast<std::size_t>(input.slot)])) continue;
+    // The failure of the input is the cause; it has its finding already, unless
+    // it never got a value: a property of a body that `if` left out.
+    if (failed_) return kNoNumber;
+    return Fail(Code::kExprNotFinite, mark,
+                fmt::format("expression '{}' uses '{}', which has no value in this variant",
+                            expression.text(), input.name),
+                "its body was left out by 'if'");
   }
   const std::string inputs = InputsText(expression);
   return Fail(Code::kExprNotFinite, mark,
               fmt::format("expression '{}' is {}{}{}", expression.text(),
                           std::isnan(result) ? "not a number" : "infinite",
                           inputs.empty() ? "" : ": ", inputs));
+}
+
+void Evaluator::SetVariable(int slot, const ParameterValue& value) {
+  const auto first = static_cast<std::size_t>(slot);
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    texts_[first] = *text;
+    variables_[first] = expr::TextKey(*text);
+  } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    std::copy(numbers->begin(), numbers->end(),
+              variables_.begin() + static_cast<std::ptrdiff_t>(first));
+  } else if (const auto* boolean = std::get_if<bool>(&value)) {
+    variables_[first] = *boolean ? 1 : 0;
+  } else {
+    variables_[first] = std::get<double>(value);
+  }
 }
 
 StreamId Evaluator::ItemStream(const spec::Value& item, StreamId path, std::size_t i) {

@@ -77,6 +77,8 @@ class Evaluator {
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
 
   void SetVariable(int slot, double value) { variables_[static_cast<std::size_t>(slot)] = value; }
+  /// Sets what a name stands for that the assembly defines, at its first slot.
+  void SetVariable(int slot, const ParameterValue& value);
   StreamId root() const { return root_; }
   const DrawKey& key() const { return key_; }
   const spec::ObjectSpec& spec() const { return spec_; }

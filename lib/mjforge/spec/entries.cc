@@ -5,206 +5,17 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/entry_reader.h"
 
 namespace mjforge::spec {
 namespace {
 
 using diag::Code;
 
-bool HasDraw(const Value& value) {
-  if (const auto* list = std::get_if<List>(&value.form)) {
-    return std::ranges::any_of(list->items, HasDraw);
-  }
-  return std::holds_alternative<Draw>(value.form) ||
-         std::holds_alternative<RandomRotation>(value.form) ||
-         std::holds_alternative<RotationAbout>(value.form) ||
-         std::holds_alternative<PointOnSphere>(value.form);
+diag::SourceMark MarkOf(const YamlNode& map, std::string_view key) {
+  const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
+  return found == map.pairs.end() ? map.mark : found->mark;
 }
-
-class EntryReader {
- public:
-  explicit EntryReader(Reading& reading) : reading_(reading) {}
-
-  void ReadList(const ElementInfo& element, const YamlNode& list, std::vector<Entry>& out) {
-    if (!IsList(list, fmt::format("{}s", element.name), reading_)) return;
-    for (const YamlNode& item : list.items) {
-      if (IsMap(item, fmt::format("a {}'s keys", element.name), reading_)) {
-        out.push_back(ReadEntry(element, item));
-      }
-    }
-  }
-
- private:
-  Entry ReadEntry(const ElementInfo& element, const YamlNode& map) {
-    CheckKeys(element, map, reading_);
-    Entry entry;
-    entry.element = &element;
-    entry.mark = map.mark;
-    if (const YamlNode* loops = map.Find("for")) ReadLoops(*loops, entry);
-    if (const YamlNode* condition = map.Find("if")) {
-      entry.condition = reading_.values.ReadCondition(*condition);
-    }
-    ReadName(map, entry);
-    if (const YamlNode* frame = map.Find("frame"); frame && &element == &PartElement()) {
-      ReadFrame(map, *frame, entry);
-    } else if (const YamlNode* spec = map.Find("spec"); spec && &element == &PartElement()) {
-      ReadWeld(map, *spec, entry);
-    } else {
-      ReadPlain(element, map, entry);
-    }
-    for (const Loop& loop : entry.loops) reading_.spec.names.Forget(loop.variable);
-    return entry;
-  }
-
-  void ReadLoops(const YamlNode& loops, Entry& entry) {
-    if (!IsMap(loops, "loop variables, as in {i: 8}", reading_)) return;
-    for (const auto& pair : loops.pairs) {
-      CheckName("loop variable", pair.key, pair.mark, reading_.findings);
-      if (reading_.spec.names.Find(pair.key) != nullptr) {
-        reading_.findings.Add(Code::kSpecDuplicateName, pair.mark,
-                              fmt::format("loop variable '{}' hides another name", pair.key));
-        continue;
-      }
-      Loop loop{.slot = 0, .count = reading_.values.ReadNumber(pair.value), .variable = pair.key};
-      if (HasDraw(loop.count)) {
-        reading_.findings.Add(Code::kSpecConflict, loop.count.mark,
-                              "a loop's count cannot be drawn here",
-                              "draw it as a parameter and name that");
-      }
-      loop.slot = reading_.spec.names.Declare(pair.key, expr::Type::kNumber);
-      entry.loops.push_back(std::move(loop));
-    }
-  }
-
-  void ReadName(const YamlNode& map, Entry& entry) {
-    entry.name.type = expr::Type::kText;
-    entry.name.mark = map.mark;
-    entry.name.form = Text{};
-    const YamlNode* name = map.Find("name");
-    if (name == nullptr) {
-      const bool is_frame = map.Find("frame") != nullptr;
-      if (!is_frame) {
-        reading_.findings.Add(Code::kSpecMissingKey, map.mark,
-                              fmt::format("{} without a 'name'", entry.element->name));
-      }
-      return;
-    }
-    if (name->kind == YamlNode::Kind::kMap) {
-      reading_.findings.Add(Code::kSpecWrongType, name->mark, "a name cannot be drawn");
-      return;
-    }
-    entry.name = reading_.values.ReadText(*name);
-    if (const auto literal = LiteralText(entry.name)) {
-      CheckName(entry.element->name, *literal, name->mark, reading_.findings);
-    }
-  }
-
-  void ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry) {
-    entry.fields = ReadFields(element, map, reading_);
-    for (const Key id : {Key::kParams, Key::kParts}) {
-      const FieldInfo* info = &element == &PartElement() ? element.Find(id) : nullptr;
-      if (info == nullptr || map.Find(info->key) == nullptr) continue;
-      reading_.findings.Add(Code::kSpecConflict, MarkOf(map, info->key),
-                            fmt::format("'{}' needs '{}' beside it", info->key,
-                                        id == Key::kParams ? "spec" : "frame"));
-    }
-    CheckMaterial(entry);
-    if (&element == &PartElement()) CheckPart(entry, reading_);
-  }
-
-  void ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry) {
-    entry.is_frame = true;
-    RejectKeys(map, {"name", "if", "for", "frame", "parts"}, "a frame");
-    if (IsMap(frame, "a pose", reading_)) {
-      CheckKeys(FrameElement(), frame, reading_);
-      entry.fields = ReadFields(FrameElement(), frame, reading_);
-    }
-    const bool drawn =
-        std::ranges::any_of(entry.fields, [](const Field& field) { return HasDraw(field.value); });
-    if (drawn && map.Find("name") == nullptr) {
-      reading_.findings.Add(Code::kSpecUnnamedDraw, map.mark,
-                            "a frame whose pose is drawn needs a 'name'",
-                            "draws are keyed by names, so that moving an entry changes none");
-    }
-    const YamlNode* parts = map.Find("parts");
-    if (parts == nullptr) {
-      reading_.findings.Add(Code::kSpecMissingKey, map.mark, "a frame without 'parts'");
-    } else {
-      ReadList(PartElement(), *parts, entry.children);
-    }
-  }
-
-  void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry) {
-    RejectKeys(map,
-               {"name", "if", "for", "spec", "params", "pos", "quat", "euler", "axisangle",
-                "xyaxes", "zaxis"},
-               "a part with 'spec'");
-    entry.fields = ReadFields(FrameElement(), map, reading_);
-    const std::string reference = reading_.values.ReadPlainText("spec", spec);
-    if (!reference.empty()) entry.nested = reading_.loader.LoadNested(reference, spec.mark);
-    if (const YamlNode* params = map.Find("params");
-        params && IsMap(*params, "parameters", reading_)) {
-      for (const auto& pair : params->pairs) ReadOverride(pair, entry);
-    }
-  }
-
-  void ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
-    Value value = reading_.values.ReadAnything(pair.value);
-    if (entry.nested != nullptr) {
-      const Parameter* parameter = entry.nested->FindParameter(pair.key);
-      if (parameter == nullptr) {
-        std::vector<std::string_view> names;
-        for (const Parameter& known : entry.nested->parameters) names.push_back(known.name);
-        reading_.findings.Add(
-            Code::kSpecUnknownParameter, pair.mark,
-            fmt::format("'{}' has no parameter '{}'", entry.nested->name, pair.key),
-            diag::DidYouMean(pair.key, names));
-        return;
-      }
-      if (value.components == 0) return;
-      if (parameter->value.type != value.type || parameter->value.components != value.components) {
-        reading_.findings.Add(
-            Code::kSpecWrongType, value.mark,
-            fmt::format("parameter '{}' of '{}' is of another kind", pair.key, entry.nested->name));
-        return;
-      }
-    }
-    entry.overrides.emplace_back(pair.key, std::move(value));
-  }
-
-  void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
-                  std::string_view what) {
-    for (const auto& pair : map.pairs) {
-      if (PartElement().Find(pair.key) == nullptr) continue;  // reported already
-      if (std::ranges::find(allowed, pair.key) != allowed.end()) continue;
-      reading_.findings.Add(Code::kSpecConflict, pair.mark,
-                            fmt::format("'{}' has no meaning for {}", pair.key, what));
-    }
-  }
-
-  void CheckMaterial(const Entry& entry) {
-    const Field* field = entry.Find(Key::kMaterial);
-    const auto name = field != nullptr ? LiteralText(field->value) : std::nullopt;
-    if (!name) return;
-    std::vector<std::string_view> names;
-    for (const Material& material : reading_.spec.materials) names.push_back(material.name);
-    if (std::ranges::find(names, *name) != names.end()) return;
-    std::string hint = diag::DidYouMean(*name, names);
-    if (reading_.spec.names.Find(*name) != nullptr) {
-      hint = fmt::format("for the parameter's value write ${{{}}}", *name);
-    }
-    reading_.findings.Add(Code::kSpecUnknownMaterial, field->value.mark,
-                          fmt::format("no material '{}'", *name), std::move(hint));
-  }
-
-  static diag::SourceMark MarkOf(const YamlNode& map, std::string_view key) {
-    const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
-    return found == map.pairs.end() ? map.mark : found->mark;
-  }
-
-  Reading& reading_;
-};
 
 void CollectSure(std::string_view what, std::span<const Entry> entries,
                  std::map<std::string_view, diag::SourceMark>& seen, Reading& reading) {
@@ -226,6 +37,199 @@ void CollectSure(std::string_view what, std::span<const Entry> entries,
 }
 
 }  // namespace
+
+bool HasDraw(const Value& value) {
+  if (const auto* list = std::get_if<List>(&value.form)) {
+    return std::ranges::any_of(list->items, HasDraw);
+  }
+  return std::holds_alternative<Draw>(value.form) ||
+         std::holds_alternative<RandomRotation>(value.form) ||
+         std::holds_alternative<RotationAbout>(value.form) ||
+         std::holds_alternative<PointOnSphere>(value.form);
+}
+
+void EntryReader::ReadList(const ElementInfo& element, const YamlNode& list,
+                           std::vector<Entry>& out) {
+  if (!IsList(list, fmt::format("{}s", element.name), reading_)) return;
+  for (const YamlNode& item : list.items) {
+    if (IsMap(item, fmt::format("a {}'s keys", element.name), reading_)) {
+      out.push_back(ReadEntry(element, item));
+    }
+  }
+}
+
+Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map) {
+  Entry entry;
+  entry.element = &element;
+  entry.mark = map.mark;
+  if (const YamlNode* loops = map.Find("for")) ReadLoops(*loops, entry);
+  if (const YamlNode* condition = map.Find("if")) {
+    entry.condition = reading_.values.ReadCondition(*condition);
+  }
+  return entry;
+}
+
+void EntryReader::EndLoops(const Entry& entry) {
+  for (const Loop& loop : entry.loops) reading_.spec.names.Forget(loop.variable);
+}
+
+Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
+  CheckKeys(element, map, reading_);
+  Entry entry = Begin(element, map);
+  ReadName(map, map.Find("frame") == nullptr, entry);
+  if (const YamlNode* frame = map.Find("frame"); frame && &element == &PartElement()) {
+    ReadFrame(map, *frame, entry);
+  } else if (const YamlNode* spec = map.Find("spec"); spec && &element == &PartElement()) {
+    ReadWeld(map, *spec, entry);
+  } else {
+    ReadPlain(element, map, entry);
+  }
+  EndLoops(entry);
+  return entry;
+}
+
+void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
+  if (!IsMap(loops, "loop variables, as in {i: 8}", reading_)) return;
+  for (const auto& pair : loops.pairs) {
+    CheckName("loop variable", pair.key, pair.mark, reading_.findings);
+    if (reading_.spec.names.Find(pair.key) != nullptr) {
+      reading_.findings.Add(Code::kSpecDuplicateName, pair.mark,
+                            fmt::format("loop variable '{}' hides another name", pair.key));
+      continue;
+    }
+    Loop loop{.slot = 0, .count = reading_.values.ReadNumber(pair.value), .variable = pair.key};
+    if (HasDraw(loop.count)) {
+      reading_.findings.Add(Code::kSpecConflict, loop.count.mark,
+                            "a loop's count cannot be drawn here",
+                            "draw it as a parameter and name that");
+    }
+    loop.slot = reading_.spec.names.Declare(pair.key, expr::Type::kNumber);
+    entry.loops.push_back(std::move(loop));
+  }
+}
+
+void EntryReader::ReadName(const YamlNode& map, bool required, Entry& entry) {
+  entry.name.type = expr::Type::kText;
+  entry.name.mark = map.mark;
+  entry.name.form = Text{};
+  const YamlNode* name = map.Find("name");
+  if (name == nullptr) {
+    if (required) {
+      reading_.findings.Add(Code::kSpecMissingKey, map.mark,
+                            fmt::format("{} without a 'name'", entry.element->name));
+    }
+    return;
+  }
+  if (name->kind == YamlNode::Kind::kMap) {
+    reading_.findings.Add(Code::kSpecWrongType, name->mark, "a name cannot be drawn");
+    return;
+  }
+  entry.name = reading_.values.ReadText(*name);
+  if (const auto literal = LiteralText(entry.name)) {
+    CheckName(entry.element->name, *literal, name->mark, reading_.findings);
+  }
+}
+
+void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry) {
+  entry.fields = ReadFields(element, map, reading_);
+  for (const Key id : {Key::kParams, Key::kParts}) {
+    const FieldInfo* info = &element == &PartElement() ? element.Find(id) : nullptr;
+    if (info == nullptr || map.Find(info->key) == nullptr) continue;
+    reading_.findings.Add(
+        Code::kSpecConflict, MarkOf(map, info->key),
+        fmt::format("'{}' needs '{}' beside it", info->key, id == Key::kParams ? "spec" : "frame"));
+  }
+  CheckMaterial(entry);
+  if (&element == &PartElement()) CheckPart(entry, reading_);
+}
+
+void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry) {
+  entry.is_frame = true;
+  RejectKeys(map, {"name", "if", "for", "frame", "parts"}, PartElement(), "a frame");
+  if (IsMap(frame, "a pose", reading_)) {
+    CheckKeys(FrameElement(), frame, reading_);
+    entry.fields = ReadFields(FrameElement(), frame, reading_);
+  }
+  const bool drawn =
+      std::ranges::any_of(entry.fields, [](const Field& field) { return HasDraw(field.value); });
+  if (drawn && map.Find("name") == nullptr) {
+    reading_.findings.Add(Code::kSpecUnnamedDraw, map.mark,
+                          "a frame whose pose is drawn needs a 'name'",
+                          "draws are keyed by names, so that moving an entry changes none");
+  }
+  const YamlNode* parts = map.Find("parts");
+  if (parts == nullptr) {
+    reading_.findings.Add(Code::kSpecMissingKey, map.mark, "a frame without 'parts'");
+  } else {
+    ReadList(PartElement(), *parts, entry.children);
+  }
+}
+
+void EntryReader::ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry) {
+  RejectKeys(map,
+             {"name", "if", "for", "spec", "params", "pos", "quat", "euler", "axisangle", "xyaxes",
+              "zaxis"},
+             PartElement(), "a part with 'spec'");
+  entry.fields = ReadFields(FrameElement(), map, reading_);
+  ReadNested(map, spec, entry);
+}
+
+void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry) {
+  const std::string reference = reading_.values.ReadPlainText("spec", spec);
+  if (!reference.empty()) entry.nested = reading_.loader.LoadNested(reference, spec.mark);
+  if (const YamlNode* params = map.Find("params");
+      params && IsMap(*params, "parameters", reading_)) {
+    for (const auto& pair : params->pairs) ReadOverride(pair, entry);
+  }
+}
+
+void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
+  Value value = reading_.values.ReadAnything(pair.value);
+  if (entry.nested != nullptr) {
+    const Parameter* parameter = entry.nested->FindParameter(pair.key);
+    if (parameter == nullptr) {
+      std::vector<std::string_view> names;
+      for (const Parameter& known : entry.nested->parameters) names.push_back(known.name);
+      reading_.findings.Add(Code::kSpecUnknownParameter, pair.mark,
+                            fmt::format("'{}' has no parameter '{}'", entry.nested->name, pair.key),
+                            diag::DidYouMean(pair.key, names));
+      return;
+    }
+    if (value.components == 0) return;
+    if (parameter->value.type != value.type || parameter->value.components != value.components) {
+      reading_.findings.Add(
+          Code::kSpecWrongType, value.mark,
+          fmt::format("parameter '{}' of '{}' is of another kind", pair.key, entry.nested->name));
+      return;
+    }
+  }
+  entry.overrides.emplace_back(pair.key, std::move(value));
+}
+
+void EntryReader::RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
+                             const ElementInfo& element, std::string_view what) {
+  for (const auto& pair : map.pairs) {
+    if (element.Find(pair.key) == nullptr) continue;  // reported already
+    if (std::ranges::find(allowed, pair.key) != allowed.end()) continue;
+    reading_.findings.Add(Code::kSpecConflict, pair.mark,
+                          fmt::format("'{}' has no meaning for {}", pair.key, what));
+  }
+}
+
+void EntryReader::CheckMaterial(const Entry& entry) {
+  const Field* field = entry.Find(Key::kMaterial);
+  const auto name = field != nullptr ? LiteralText(field->value) : std::nullopt;
+  if (!name) return;
+  std::vector<std::string_view> names;
+  for (const Material& material : reading_.spec.materials) names.push_back(material.name);
+  if (std::ranges::find(names, *name) != names.end()) return;
+  std::string hint = diag::DidYouMean(*name, names);
+  if (reading_.spec.names.Find(*name) != nullptr) {
+    hint = fmt::format("for the parameter's value write ${{{}}}", *name);
+  }
+  reading_.findings.Add(Code::kSpecUnknownMaterial, field->value.mark,
+                        fmt::format("no material '{}'", *name), std::move(hint));
+}
 
 void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading) {
   EntryReader(reading).ReadList(PartElement(), parts, out);

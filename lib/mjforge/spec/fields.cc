@@ -59,6 +59,19 @@ constexpr FieldInfo kObjectFields[] = {
      .default_text = "free",
      .words = "free none",
      .doc = "Joints of the root body: `free` (one free joint named joint0), `none`, or a list."},
+    {.key = "bodies",
+     .id = Key::kBodies,
+     .slot = Slot::kBodies,
+     .doc = "Further bodies: parts, other specs and MJCF files, each with its joints."},
+    {.key = "contact",
+     .id = Key::kContact,
+     .slot = Slot::kContact,
+     .doc = "Pairs of bodies that do not collide with each other."},
+    {.key = "mjcf",
+     .id = Key::kMjcf,
+     .slot = Slot::kSections,
+     .doc =
+         "Any other MJCF section (sensor, actuator, tendon, equality, ...), element by element."},
     {.key = "mass",
      .id = Key::kMass,
      .slot = Slot::kNumber,
@@ -71,9 +84,9 @@ constexpr FieldInfo kObjectFields[] = {
      .slot = Slot::kWord,
      .default_text = "center",
      .words = "center corner",
-     .doc =
-         "`corner`: positions of parts count from the lower corner of the box of `total_size`, and "
-         "place each part by its own lower corner."},
+     .doc = "`corner`: positions of parts and of the root's bodies count from the lower corner of "
+            "the box "
+            "of `total_size`, and place each by its own lower corner."},
     {.key = "total_size",
      .id = Key::kTotalSize,
      .slot = Slot::kNumbers,
@@ -598,6 +611,78 @@ constexpr FieldInfo kJointFields[] = {
     kUser,
 };
 
+constexpr FieldInfo kBodyFields[] = {
+    {.key = "name", .id = Key::kName, .slot = Slot::kText, .required = true, .doc = kNameDoc},
+    kIf,
+    kFor,
+    {.key = "parent",
+     .id = Key::kParent,
+     .slot = Slot::kText,
+     .default_text = "the root body",
+     .doc = "Name of the body it hangs on, one of an earlier entry: its own, or BODY_INNER for a "
+            "body inside what BODY brings."},
+    {.key = "parts",
+     .id = Key::kParts,
+     .slot = Slot::kParts,
+     .doc = "The solid parts of the body."},
+    {.key = "spec",
+     .id = Key::kSpec,
+     .slot = Slot::kPlainText,
+     .doc =
+         "Another spec in place of parts, with all its bodies; a path or a bundled spec's name."},
+    {.key = "params",
+     .id = Key::kParams,
+     .slot = Slot::kOverrides,
+     .doc = "Parameters set for that spec."},
+    {.key = "mjcf",
+     .id = Key::kMjcf,
+     .slot = Slot::kText,
+     .doc = "An MJCF file in place of parts, relative to the spec: one body of it and all below."},
+    {.key = "body",
+     .id = Key::kBody,
+     .slot = Slot::kText,
+     .default_text = "the first",
+     .doc = "Which body of the MJCF file."},
+    kPos,
+    kQuat,
+    kEuler,
+    kAxisAngle,
+    kXyAxes,
+    kZAxis,
+    {.key = "joints",
+     .id = Key::kJoints,
+     .slot = Slot::kJoints,
+     .default_text = "none",
+     .doc = "Its joints; without any it is fixed to its parent. Top-level joints that a spec or an "
+            "MJCF file brings are taken away."},
+    {.key = "sites", .id = Key::kSites, .slot = Slot::kSites, .doc = "Sites of the body."},
+    {.key = "mass",
+     .id = Key::kMass,
+     .slot = Slot::kNumber,
+     .unit = "kg",
+     .lower = 0,
+     .above = true,
+     .doc = "Mass of the body with all that a spec or an MJCF file brings; scaled to it."},
+    kUser,
+};
+
+constexpr FieldInfo kContactFields[] = {
+    {.key = "exclude",
+     .id = Key::kExclude,
+     .slot = Slot::kExcludes,
+     .doc = "Pairs [BODY, BODY] of names that may touch; the object's own name is its root body."},
+};
+
+constexpr FieldInfo kExcludeFields[] = {
+    {.key = "name", .id = Key::kName, .slot = Slot::kText, .doc = kNameDoc},
+    kIf,
+    kFor,
+    {.key = "bodies",
+     .slot = Slot::kBodyPair,
+     .required = true,
+     .doc = "The two: a body's name, or BODY_INNER for a body inside what BODY brings."},
+};
+
 constexpr FieldInfo kDefaultsFields[] = {
     {.key = "part", .id = Key::kPart, .slot = Slot::kFields, .doc = "Values for parts."},
     {.key = "site", .id = Key::kSite, .slot = Slot::kFields, .doc = "Values for sites."},
@@ -620,13 +705,19 @@ constexpr ElementInfo kFrame = {"frame", "A rigid offset in the body's frame.", 
 constexpr ElementInfo kSite = {"site", "A named place on the body.", kSiteFields};
 constexpr ElementInfo kJoint = {"joint", "A degree of freedom of the body in its parent.",
                                 kJointFields};
+constexpr ElementInfo kBody = {
+    "body", "A body of an object of several: parts, another spec, or an MJCF file.", kBodyFields};
+constexpr ElementInfo kContact = {"contact", "Contacts between the bodies.", kContactFields};
+constexpr ElementInfo kExclude = {
+    "exclude", "Two bodies that do not collide: the long form of [BODY, BODY].", kExcludeFields};
 constexpr ElementInfo kDefaults = {
     "defaults",
     "Values for keys that entries leave out; an entry's own and its material's values win.",
     kDefaultsFields};
 
-constexpr const ElementInfo* kElements[] = {&kObject, &kParameter, &kMaterial, &kTexture, &kPart,
-                                            &kFrame,  &kSite,      &kJoint,    &kDefaults};
+constexpr const ElementInfo* kElements[] = {&kObject, &kParameter, &kMaterial, &kTexture,
+                                            &kPart,   &kFrame,     &kSite,     &kJoint,
+                                            &kBody,   &kContact,   &kExclude,  &kDefaults};
 
 constexpr DistributionInfo kDistributions[] = {
     {"uniform",
@@ -693,6 +784,9 @@ const ElementInfo& PartElement() { return kPart; }
 const ElementInfo& FrameElement() { return kFrame; }
 const ElementInfo& SiteElement() { return kSite; }
 const ElementInfo& JointElement() { return kJoint; }
+const ElementInfo& BodyElement() { return kBody; }
+const ElementInfo& ContactElement() { return kContact; }
+const ElementInfo& ExcludeElement() { return kExclude; }
 const ElementInfo& DefaultsElement() { return kDefaults; }
 std::span<const ElementInfo* const> AllElements() { return kElements; }
 std::span<const DistributionInfo> Distributions() { return kDistributions; }

@@ -26,6 +26,9 @@ enum class Key {
   kParts,
   kSites,
   kJoints,
+  kBodies,
+  kContact,
+  kMjcf,
   kPlacement,
   kTotalSize,
   // parameters
@@ -62,6 +65,10 @@ enum class Key {
   kAxis,
   kRange,
   kLimited,
+  // bodies
+  kParent,
+  kBody,
+  kExclude,
   // materials, textures
   kTexture,
   kBuiltin,
@@ -97,6 +104,11 @@ enum class Slot {
   kTexture,
   kOverrides,
   kFields,
+  kBodies,
+  kContact,
+  kExcludes,
+  kBodyPair,
+  kSections,
   kAnything,
 };
 
@@ -117,6 +129,9 @@ struct FieldInfo {
   bool above = false;                                       // value must be greater than `lower`
   bool required = false;
   Applies applies = Applies::kBoth;
+  /// What the text names: "joint", "body", "geom", ...; "@objtype": the kind that the
+  /// attribute objtype beside it says. Empty: nothing.
+  std::string_view refers = {};
   std::string_view doc = {};  // one sentence
 };
 
@@ -124,6 +139,7 @@ struct ElementInfo {
   std::string_view name;  // "part", "site", ...; as messages say it
   std::string_view doc;
   std::span<const FieldInfo> fields;
+  std::span<const ElementInfo> children = {};  // elements it may hold, of a section's
 
   const FieldInfo* Find(std::string_view key) const;
   const FieldInfo* Find(Key id) const;
@@ -137,8 +153,27 @@ const ElementInfo& PartElement();
 const ElementInfo& FrameElement();  // the mapping under `frame:`
 const ElementInfo& SiteElement();
 const ElementInfo& JointElement();
+const ElementInfo& BodyElement();
+const ElementInfo& ContactElement();
+const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
 const ElementInfo& DefaultsElement();
 std::span<const ElementInfo* const> AllElements();
+
+/// One section of MJCF beside asset and worldbody, as `mjcf:` takes it.
+struct SectionInfo {
+  std::string_view name;  // "sensor"
+  /// The section is one element with attributes of its own (`option`), not a list.
+  bool is_element = false;
+  /// Those it may hold; of an element the first stands for itself.
+  std::span<const ElementInfo> elements;
+
+  const ElementInfo* Find(std::string_view element) const;
+};
+/// In the order MJCF files have them. Source: mj_printSchema of MuJoCo 2.2.2.
+std::span<const SectionInfo> Sections();
+const SectionInfo* FindSection(std::string_view name);
+/// What a body may hold besides geoms, joints and sites: camera, light.
+const ElementInfo* FindBodyChild(std::string_view name);
 
 /// One kind of random draw, as a mapping's first key.
 enum class Distribution {

@@ -101,6 +101,9 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, reading);
     if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, reading);
     if (const YamlNode* joints = root.Find("joints")) ReadJoints(*joints, reading);
+    if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
+    if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
+    if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadWhole(root, reading);
   }
 
@@ -115,8 +118,8 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* description = root.Find("description")) {
       reading.spec.description = reading.values.ReadPlainText("description", *description);
     }
-    if (root.Find("parts") == nullptr) {
-      reading.findings.Add(Code::kSpecMissingKey, root.mark, "spec without 'parts'");
+    if (root.Find("parts") == nullptr && root.Find("bodies") == nullptr) {
+      reading.findings.Add(Code::kSpecMissingKey, root.mark, "spec without 'parts' or 'bodies'");
     }
   }
 

@@ -68,6 +68,13 @@ void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading)
 void ReadSites(const YamlNode& sites, Reading& reading);
 void ReadJoints(const YamlNode& joints, Reading& reading);
 
+/// bodies: in order, since each may use what earlier ones are.
+void ReadBodies(const YamlNode& bodies, Reading& reading);
+
+/// contact: and mjcf:, as sections of the spec.
+void ReadContact(const YamlNode& contact, Reading& reading);
+void ReadSections(const YamlNode& sections, Reading& reading);
+
 /// What can be told of a part's fields from its literal type: which must be
 /// there, which mean nothing, how many sizes.
 void CheckPart(const Entry& part, Reading& reading);

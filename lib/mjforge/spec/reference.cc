@@ -60,6 +60,16 @@ std::string SlotText(const FieldInfo& field) {
       return "texture";
     case Slot::kFields:
       return "keys";
+    case Slot::kBodies:
+      return "list of bodies";
+    case Slot::kContact:
+      return "contact";
+    case Slot::kExcludes:
+      return "list of pairs";
+    case Slot::kBodyPair:
+      return "two names";
+    case Slot::kSections:
+      return "section: elements";
     case Slot::kAnything:
       return "any value";
   }
@@ -100,6 +110,38 @@ std::string ElementTable(const ElementInfo& element) {
   return out + "\n";
 }
 
+// `name`, `joint` (a joint), `cutoff`, ...: MuJoCo's own manual says what they mean.
+std::string AttributeList(const ElementInfo& element) {
+  std::string out;
+  for (const FieldInfo& field : element.fields) {
+    out += fmt::format("{}`{}`", out.empty() ? "" : ", ", field.key);
+    if (field.refers.starts_with('@')) {
+      out += fmt::format(" (what `{}` says)", field.refers.substr(1));
+    } else if (!field.refers.empty()) {
+      out += fmt::format(" ({})", field.refers);
+    }
+  }
+  return out;
+}
+
+std::string SectionTables() {
+  std::string out =
+      "## Sections of `mjcf:`\n\n"
+      "Attributes as in MuJoCo's XML reference. In brackets: the kind of element that is named.\n\n"
+      "| section | element | attributes |\n| --- | --- | --- |\n";
+  for (const SectionInfo& section : Sections()) {
+    for (const ElementInfo& element : section.elements) {
+      out += fmt::format("| `{}` | {} | {} |\n", section.name,
+                         section.is_element ? "" : fmt::format("`{}`", element.name),
+                         AttributeList(element));
+      for (const ElementInfo& child : element.children) {
+        out += fmt::format("| | in it `{}` | {} |\n", child.name, AttributeList(child));
+      }
+    }
+  }
+  return out + "\n";
+}
+
 }  // namespace
 
 std::string FieldReference() {
@@ -107,6 +149,7 @@ std::string FieldReference() {
       "# Reference\n\n"
       "Made from the program's field table; a test fails when this page is stale.\n\n";
   for (const ElementInfo* element : AllElements()) out += ElementTable(*element);
+  out += SectionTables();
 
   out += "## Distributions\n\n| form | meaning |\n| --- | --- |\n";
   out += "| `lo .. hi` | The same as `{uniform: [lo, hi]}`. |\n";

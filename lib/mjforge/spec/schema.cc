@@ -9,14 +9,14 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/schema_draws.h"
+#include "mjforge/spec/schema_sections.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
 namespace {
 
 constexpr const char* kNamePattern = "^[A-Za-z][A-Za-z0-9_]*$";
-class SpecSchema : private DrawSchema {
+class SpecSchema : private SectionSchema {
  public:
   std::string Write() {
     Object([this] {
@@ -185,6 +185,16 @@ class SpecSchema : private DrawSchema {
         return ListOf("part");
       case Slot::kSites:
         return ListOf("site");
+      case Slot::kBodies:
+        return ListOf("body");
+      case Slot::kContact:
+        return Ref("contacts");
+      case Slot::kExcludes:
+        return Excludes();
+      case Slot::kBodyPair:
+        return BodyPair();
+      case Slot::kSections:
+        return SectionProperties();
       case Slot::kCondition:
         return Ref("condition");
       case Slot::kConditions:
@@ -219,22 +229,28 @@ class SpecSchema : private DrawSchema {
     NoOtherKeys();
   }
 
-  // A file with a name and parts is a spec; one with neither is for `import:`.
+  // A file with a name and parts or bodies is a spec; one with neither is for `import:`.
   void SpecOrLibrary() {
     AnyOf({[this] {
-             Strings("required", {"name", "parts"});
+             Strings("required", {"name"});
+             AnyOf({[this] { Strings("required", {"parts"}); },
+                    [this] { Strings("required", {"bodies"}); }});
            },
            [this] {
              Key("not");
              Object([this] {
                AnyOf({[this] { Strings("required", {"name"}); },
-                      [this] { Strings("required", {"parts"}); }});
+                      [this] { Strings("required", {"parts"}); },
+                      [this] { Strings("required", {"bodies"}); }});
              });
            }});
   }
 
   void Element(const ElementInfo& element, const Body& more) {
-    Key(element.name);
+    Element(element, element.name, more);
+  }
+  void Element(const ElementInfo& element, std::string_view definition, const Body& more) {
+    Key(definition);
     Object([&] {
       Text("type", "object");
       Text("description", element.doc);
@@ -262,7 +278,12 @@ class SpecSchema : private DrawSchema {
     Element(FrameElement(), [] {});
     Element(SiteElement(), [this] { Strings("required", {"name"}); });
     Element(JointElement(), [this] { Strings("required", {"name"}); });
+    Element(BodyElement(), [this] { Strings("required", {"name"}); });
+    // `contact` alone is the definition of MJCF's section.
+    Element(ContactElement(), "contacts", [] {});
+    Element(ExcludeElement(), [this] { Strings("required", {"bodies"}); });
     Element(DefaultsElement(), [] {});
+    SectionDefinitions();
   }
 
   void Values() {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,7 +36,7 @@ struct Loop {
   std::string variable;
 };
 
-/// One entry of `parts:`, `sites:` or `joints:`.
+/// One entry of `parts:`, `sites:`, `joints:`, `contact: exclude:` or of a section of `mjcf:`.
 struct Entry {
   const ElementInfo* element = nullptr;
   diag::SourceMark mark;
@@ -43,14 +44,37 @@ struct Entry {
   std::vector<Loop> loops;    // outermost first
   Value name;                 // text; empty for a frame without a name
   std::vector<Field> fields;  // all but if, for, name and structure
-  // A frame: its pose is in `fields`, the parts it moves are here.
+  // A frame: its pose is in `fields`, the parts it moves are here. Of a section's
+  // element: the elements in it.
   bool is_frame = false;
   std::vector<Entry> children;
-  // A part with `spec:`: the spec welded in, and the parameters set for it.
+  // A part or a body with `spec:`: the spec welded in, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
 
   const Field* Find(Key id) const;
+};
+
+/// What `NAME.top` and the like read of a body, in the order of their slots.
+enum class BodyProperty { kTop, kBottom, kRadius, kHalfX, kHalfY, kHalfZ, kMass };
+/// "top", "bottom", ... in that order.
+std::span<const std::string_view> BodyPropertyNames();
+
+/// One entry of `bodies:`: inline parts, another spec, or an MJCF file.
+struct BodyEntry {
+  Entry head;  // name, if, for; spec and overrides; parent, pose, mass, mjcf, body as fields
+  std::vector<Entry> parts;
+  std::vector<Entry> sites;
+  std::vector<Entry> joints;
+  /// Slot of NAME.top; the other properties follow. -1: the name is composed.
+  int first_property = -1;
+  std::vector<int> parameter_slots;  // of NAME.param, as head.nested->parameters
+};
+
+/// One section of `mjcf:`, or of what `contact:` says.
+struct Section {
+  const SectionInfo* info = nullptr;
+  std::vector<Entry> entries;  // of an element section: one
 };
 
 struct Parameter {
@@ -108,6 +132,8 @@ struct ObjectSpec {
   std::vector<Entry> sites;
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
+  std::vector<BodyEntry> bodies;
+  std::vector<Section> sections;
   std::optional<Field> mass;  // kg, of the whole object
   Placement placement = Placement::kCenter;
   std::optional<Field> total_size;  // half sizes, m

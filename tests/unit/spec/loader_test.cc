@@ -125,5 +125,5 @@ TEST_CASE("a file of another version or shape is refused", "[loader]") {
         Strings{"1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)",
                 "1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",
                 "1:1 spec/missing-key: spec without a 'name'",
-                "1:1 spec/missing-key: spec without 'parts'"});
+                "1:1 spec/missing-key: spec without 'parts' or 'bodies'"});
 }

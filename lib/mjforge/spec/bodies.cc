@@ -1,0 +1,245 @@
+// bodies: the tree of an object of several.
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/entry_reader.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+// What a body's content may be: one of these.
+constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
+
+class BodyReader {
+ public:
+  explicit BodyReader(Reading& reading) : reading_(reading), entries_(reading) {}
+
+  void Read(const YamlNode& map) {
+    CheckKeys(BodyElement(), map, reading_);
+    BodyEntry body;
+    body.head = entries_.Begin(BodyElement(), map);
+    entries_.ReadName(map, true, body.head);
+    CheckContents(map);
+    if (const YamlNode* parts = map.Find("parts")) {
+      entries_.ReadList(PartElement(), *parts, body.parts);
+      CheckUniqueNames("part", body.parts, reading_);
+    }
+    if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
+    // From here on its own properties are known.
+    DeclareProperties(body);
+    body.head.fields = ReadFields(BodyElement(), map, reading_);
+    if (const YamlNode* sites = map.Find("sites")) {
+      entries_.ReadList(SiteElement(), *sites, body.sites);
+      CheckUniqueNames("site", body.sites, reading_);
+    }
+    if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
+    entries_.EndLoops(body.head);
+    reading_.spec.bodies.push_back(std::move(body));
+  }
+
+ private:
+  void CheckContents(const YamlNode& map) {
+    const YamlNode::Pair* first = nullptr;
+    for (const YamlNode::Pair& pair : map.pairs) {
+      if (std::ranges::find(kContents, pair.key) == kContents.end()) continue;
+      if (first == nullptr) {
+        first = &pair;
+        continue;
+      }
+      reading_.findings
+          .Add(Code::kSpecConflict, pair.mark,
+               fmt::format("'{}' beside '{}': a body holds one of the two", pair.key, first->key))
+          .notes.push_back({first->mark, "first here"});
+    }
+    NeedsBeside(map, "params", "spec");
+    NeedsBeside(map, "body", "mjcf");
+  }
+
+  void NeedsBeside(const YamlNode& map, std::string_view key, std::string_view other) {
+    const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
+    if (found == map.pairs.end() || map.Find(other) != nullptr) return;
+    reading_.findings.Add(Code::kSpecConflict, found->mark,
+                          fmt::format("'{}' needs '{}' beside it", key, other));
+  }
+
+  // NAME.top and the like, and NAME.param.
+  void DeclareProperties(BodyEntry& body) {
+    const auto name = LiteralText(body.head.name);
+    if (!name || !IsElementName(*name)) return;
+    expr::Names& names = reading_.spec.names;
+    const std::string prefix = std::string(*name) + ".";
+    if (names.Find(prefix + "top") != nullptr) return;  // of another body of that name
+    for (const std::string_view property : BodyPropertyNames()) {
+      const int slot = names.Declare(prefix + std::string(property), expr::Type::kNumber);
+      if (body.first_property < 0) body.first_property = slot;
+    }
+    if (body.head.nested == nullptr) return;
+    for (const Parameter& parameter : body.head.nested->parameters) {
+      const bool hidden =
+          std::ranges::find(BodyPropertyNames(), parameter.name) != BodyPropertyNames().end();
+      // A property wins over a parameter of its name.
+      body.parameter_slots.push_back(
+          hidden ? -1
+                 : names.Declare(prefix + parameter.name, parameter.value.type,
+                                 std::clamp(parameter.value.components, 1, 4)));
+    }
+  }
+
+  void ReadBodyJoints(const YamlNode& joints, BodyEntry& body) {
+    if (joints.kind == YamlNode::Kind::kScalar) {
+      if (joints.text == "none") return;
+      reading_.findings.Add(Code::kSpecBadValue, joints.mark,
+                            fmt::format("'{}' is not one of none or a list of joints", joints.text),
+                            joints.text == "free"
+                                ? "only the root body may move freely: `joints:` of the object"
+                                : "");
+      return;
+    }
+    entries_.ReadList(JointElement(), joints, body.joints);
+    CheckUniqueNames("joint", body.joints, reading_);
+  }
+
+  Reading& reading_;
+  EntryReader entries_;
+};
+
+// Parents that can be told before any draw: those with plain names.
+class ParentChecker {
+ public:
+  explicit ParentChecker(Reading& reading) : reading_(reading), bodies_(reading.spec.bodies) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const auto name = LiteralText(bodies_[i].head.name);
+      if (!name) composed_before_ = std::min(composed_before_, i);
+      if (name && !name->empty()) by_name_[*name].push_back(i);
+    }
+  }
+
+  void Check() {
+    for (const auto& [name, entries] : by_name_) CheckName(name, entries);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) CheckParent(i);
+  }
+
+ private:
+  void CheckName(std::string_view name, const std::vector<std::size_t>& entries) {
+    const diag::SourceMark mark = bodies_[entries[0]].head.name.mark;
+    if (name == reading_.spec.name) {
+      reading_.findings.Add(Code::kSpecDuplicateName, mark,
+                            fmt::format("body '{}' has the name of the object, which is that of "
+                                        "its root body",
+                                        name),
+                            "an object has one root; give the body a name of its own");
+    }
+    const Entry* sure = nullptr;
+    for (const std::size_t i : entries) {
+      const Entry& entry = bodies_[i].head;
+      if (entry.condition || !entry.loops.empty()) continue;
+      if (sure != nullptr) {
+        reading_.findings
+            .Add(Code::kSpecDuplicateName, entry.name.mark,
+                 fmt::format("two bodies are named '{}'", name))
+            .notes.push_back({sure->name.mark, "the other one"});
+        return;
+      }
+      sure = &entry;
+    }
+  }
+
+  std::optional<std::string_view> ParentOf(std::size_t i) const {
+    const Field* parent = bodies_[i].head.Find(Key::kParent);
+    return parent == nullptr ? std::nullopt : LiteralText(parent->value);
+  }
+
+  void CheckParent(std::size_t i) {
+    const auto parent = ParentOf(i);
+    if (!parent || *parent == reading_.spec.name) return;
+    const diag::SourceMark mark = bodies_[i].head.Find(Key::kParent)->value.mark;
+    const auto found = by_name_.find(*parent);
+    if (found == by_name_.end()) {
+      if (!MayComeLater(*parent, i)) ReportUnknown(*parent, mark);
+      return;
+    }
+    if (found->second.front() < i) return;
+    if (found->second.front() == i) {
+      reading_.findings.Add(Code::kSpecBadParent, mark,
+                            fmt::format("body '{}' is its own parent", *parent));
+      return;
+    }
+    ReportForward(i, found->second.front(), mark);
+  }
+
+  // A body that a composed name or the content of an earlier entry may make.
+  bool MayComeLater(std::string_view parent, std::size_t i) const {
+    if (composed_before_ < i) return true;
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto name = LiteralText(bodies_[k].head.name);
+      if (name && parent.starts_with(*name) && parent.substr(name->size()).starts_with("_")) {
+        return true;  // the model knows what is in it
+      }
+    }
+    return false;
+  }
+
+  void ReportUnknown(std::string_view parent, diag::SourceMark mark) {
+    std::vector<std::string_view> names = {reading_.spec.name};
+    for (const auto& [name, entries] : by_name_) names.push_back(name);
+    reading_.findings.Add(Code::kSpecBadParent, mark, fmt::format("no body '{}'", parent),
+                          diag::DidYouMean(parent, names));
+  }
+
+  // A parent must come first; where it leads back here it never can.
+  void ReportForward(std::size_t i, std::size_t parent, diag::SourceMark mark) {
+    const std::string name(LiteralText(bodies_[i].head.name).value_or("?"));
+    std::string circle = name;
+    std::size_t at = parent;
+    for (std::size_t steps = 0; steps <= bodies_.size(); ++steps) {
+      const auto next = ParentOf(at);
+      circle += fmt::format(" -> {}", LiteralText(bodies_[at].head.name).value_or("?"));
+      if (at == i) {
+        reading_.findings
+            .Add(Code::kSpecBadParent, mark,
+                 fmt::format("bodies hang on each other in a circle: {}", circle))
+            .notes.push_back({bodies_[parent].head.name.mark, "the other one"});
+        return;
+      }
+      const auto found = next ? by_name_.find(*next) : by_name_.end();
+      if (found == by_name_.end()) break;
+      at = found->second.front();
+    }
+    reading_.findings
+        .Add(Code::kSpecBadParent, mark,
+             fmt::format("body '{}' comes after '{}', which hangs on it",
+                         LiteralText(bodies_[parent].head.name).value_or("?"), name),
+             "put parents before children")
+        .notes.push_back({bodies_[parent].head.name.mark, "it is here"});
+  }
+
+  Reading& reading_;
+  const std::vector<BodyEntry>& bodies_;
+  std::map<std::string_view, std::vector<std::size_t>> by_name_;
+  std::size_t composed_before_ = static_cast<std::size_t>(-1);  // the first composed name
+};
+
+}  // namespace
+
+std::span<const std::string_view> BodyPropertyNames() {
+  static constexpr std::array<std::string_view, 7> kNames = {"top",    "bottom", "radius", "half_x",
+                                                             "half_y", "half_z", "mass"};
+  return kNames;
+}
+
+void ReadBodies(const YamlNode& bodies, Reading& reading) {
+  if (!IsList(bodies, "bodies", reading)) return;
+  BodyReader reader(reading);
+  for (const YamlNode& item : bodies.items) {
+    if (IsMap(item, "a body's keys", reading)) reader.Read(item);
+  }
+  ParentChecker(reading).Check();
+}
+
+}  // namespace mjforge::spec

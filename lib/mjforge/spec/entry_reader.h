@@ -1,0 +1,52 @@
+#ifndef MJFORGE_SPEC_ENTRY_READER_H_
+#define MJFORGE_SPEC_ENTRY_READER_H_
+
+// What the entries of all lists have in common: `if`, `for`, a name, value
+// fields, and specs they bring.
+
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/spec/reading.h"
+
+namespace mjforge::spec {
+
+class EntryReader {
+ public:
+  explicit EntryReader(Reading& reading) : reading_(reading) {}
+
+  /// Appends the entries of a list of parts, sites or joints.
+  void ReadList(const ElementInfo& element, const YamlNode& list, std::vector<Entry>& out);
+
+  /// The loops and the condition of an entry; the loops' variables stay
+  /// declared until EndLoops.
+  Entry Begin(const ElementInfo& element, const YamlNode& map);
+  void EndLoops(const Entry& entry);
+
+  /// The entry's name, empty where it has none; `required`: then a finding says so.
+  void ReadName(const YamlNode& map, bool required, Entry& entry);
+  /// `spec:` and `params:` beside it.
+  void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
+  /// Reports those of the element's keys that are not allowed for what it is here.
+  void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
+                  const ElementInfo& element, std::string_view what);
+
+ private:
+  Entry ReadEntry(const ElementInfo& element, const YamlNode& map);
+  void ReadLoops(const YamlNode& loops, Entry& entry);
+  void ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry);
+  void ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry);
+  void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry);
+  void ReadOverride(const YamlNode::Pair& pair, Entry& entry);
+  void CheckMaterial(const Entry& entry);
+
+  Reading& reading_;
+};
+
+/// Is any number in it drawn?
+bool HasDraw(const Value& value);
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_ENTRY_READER_H_

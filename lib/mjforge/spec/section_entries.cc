@@ -1,0 +1,264 @@
+// contact: and mjcf:, elements of MJCF sections with values of ours.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/entry_reader.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+// Why a section that MJCF has is none of a spec's.
+struct Elsewhere {
+  std::string_view section;
+  std::string_view hint;
+};
+constexpr Elsewhere kElsewhere[] = {
+    {"compiler", "a spec is in SI units and rad; nothing of it depends on compiler settings"},
+    {"default", "use `defaults:` of the spec"},
+    {"asset", "assets come from `materials:` and the parts that use them"},
+    {"worldbody", "use `parts:` and `bodies:`"},
+    {"keyframe", "its numbers count all joints of a host's world, so it belongs there"},
+    {"include", "use `import:` for YAML, or a body with `mjcf:`"},
+};
+
+class SectionReader {
+ public:
+  explicit SectionReader(Reading& reading) : reading_(reading), entries_(reading) {}
+
+  void Read(const YamlNode& sections) {
+    if (!IsMap(sections, "MJCF sections", reading_)) return;
+    for (const YamlNode::Pair& pair : sections.pairs) {
+      const SectionInfo* info = FindSection(pair.key);
+      if (info == nullptr) {
+        ReportUnknown(pair);
+      } else if (info->is_element) {
+        ReadElementSection(*info, pair);
+      } else {
+        ReadList(*info, pair.value);
+      }
+    }
+  }
+
+  // Pairs [a, b], and {if, for, name, bodies: [a, b]}.
+  void ReadExcludes(const YamlNode& list) {
+    if (!IsList(list, "pairs of bodies", reading_)) return;
+    for (const YamlNode& item : list.items) {
+      if (item.kind == YamlNode::Kind::kList) {
+        Entry entry;
+        entry.mark = item.mark;
+        ReadPair(item, entry);
+        AddExclude(std::move(entry));
+      } else if (IsMap(item, "a pair's keys", reading_)) {
+        CheckKeys(ExcludeElement(), item, reading_);
+        Entry entry = entries_.Begin(ExcludeElement(), item);
+        entries_.ReadName(item, false, entry);
+        if (const YamlNode* bodies = item.Find("bodies")) {
+          ReadPair(*bodies, entry);
+        } else {
+          reading_.findings.Add(Code::kSpecMissingKey, item.mark, "a pair without 'bodies'");
+        }
+        entries_.EndLoops(entry);
+        AddExclude(std::move(entry));
+      }
+    }
+  }
+
+ private:
+  static const ElementInfo& Exclude() { return *FindSection("contact")->Find("exclude"); }
+
+  void ReadPair(const YamlNode& pair, Entry& entry) {
+    if (pair.kind != YamlNode::Kind::kList || pair.items.size() != 2) {
+      reading_.findings.Add(Code::kSpecWrongLength, pair.mark,
+                            "expected the names of two bodies: [BODY, BODY]");
+      return;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const FieldInfo* info = Exclude().Find(i == 0 ? "body1" : "body2");
+      entry.fields.push_back(
+          {info, reading_.values.Read(*info, pair.items[i]), pair.items[i].mark});
+    }
+  }
+
+  void AddExclude(Entry entry) {
+    entry.element = &Exclude();
+    SectionOf(*FindSection("contact")).entries.push_back(std::move(entry));
+  }
+
+  Section& SectionOf(const SectionInfo& info) {
+    auto& sections = reading_.spec.sections;
+    const auto found = std::ranges::find(sections, &info, &Section::info);
+    if (found != sections.end()) return *found;
+    return sections.emplace_back(Section{&info, {}});
+  }
+
+  void ReportUnknown(const YamlNode::Pair& pair) {
+    const auto* elsewhere = std::ranges::find(kElsewhere, pair.key, &Elsewhere::section);
+    if (elsewhere != std::end(kElsewhere)) {
+      reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+                            fmt::format("section '{}' has no place in a spec", pair.key),
+                            std::string(elsewhere->hint));
+      return;
+    }
+    std::vector<std::string_view> names;
+    for (const SectionInfo& section : Sections()) names.push_back(section.name);
+    reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+                          fmt::format("MJCF has no section '{}'", pair.key),
+                          diag::DidYouMean(pair.key, names));
+  }
+
+  // option, size, ...: attributes, and elements in it by their name.
+  void ReadElementSection(const SectionInfo& info, const YamlNode::Pair& pair) {
+    const ElementInfo& element = info.elements.front();
+    if (!IsMap(pair.value, fmt::format("the attributes of '{}'", info.name), reading_)) return;
+    Entry entry;
+    entry.element = &element;
+    entry.mark = pair.mark;
+    YamlNode own = pair.value;
+    std::erase_if(own.pairs, [&](const YamlNode::Pair& inner) {
+      const auto child = std::ranges::find(element.children, inner.key, &ElementInfo::name);
+      if (child == element.children.end()) return false;
+      ReadChild(*child, inner, entry);
+      return true;
+    });
+    CheckKeys(element, own, reading_);
+    entry.fields = ReadFields(element, own, reading_);
+    SectionOf(info).entries.push_back(std::move(entry));
+  }
+
+  void ReadChild(const ElementInfo& element, const YamlNode::Pair& pair, Entry& parent) {
+    if (!IsMap(pair.value, fmt::format("the attributes of '{}'", element.name), reading_)) return;
+    Entry entry;
+    entry.element = &element;
+    entry.mark = pair.mark;
+    CheckKeys(element, pair.value, reading_);
+    entry.fields = ReadFields(element, pair.value, reading_);
+    parent.children.push_back(std::move(entry));
+  }
+
+  void ReadList(const SectionInfo& info, const YamlNode& list) {
+    if (!IsList(list,
+                fmt::format("elements, as in `{}: [{{{}: {{...}}}}]`", info.name,
+                            info.elements.front().name),
+                reading_)) {
+      return;
+    }
+    for (const YamlNode& item : list.items) {
+      if (IsMap(item, fmt::format("one element of '{}'", info.name), reading_)) {
+        ReadElement(info, item);
+      }
+    }
+  }
+
+  // {if, for, TAG: {attributes, children}}
+  void ReadElement(const SectionInfo& info, const YamlNode& item) {
+    const YamlNode::Pair* found = OnlyElement(info.elements, info.name, item);
+    if (found == nullptr) return;
+    const ElementInfo& element = *info.Find(found->key);
+    if (!IsMap(found->value, fmt::format("the attributes of '{}'", element.name), reading_)) return;
+    Entry entry = entries_.Begin(element, item);
+    entry.mark = found->mark;
+    const bool needs_name = info.name != "contact";
+    entries_.ReadName(found->value, needs_name, entry);
+    YamlNode own = found->value;
+    std::erase_if(own.pairs, [&](const YamlNode::Pair& inner) {
+      if (inner.key != "children" || element.children.empty()) return false;
+      ReadChildren(element, inner.value, entry);
+      return true;
+    });
+    RejectRepetition(own);
+    CheckKeys(element, own, reading_);
+    entry.fields = ReadFields(element, own, reading_);
+    if (found->value.Find("name") == nullptr) RejectDraws(entry);
+    entries_.EndLoops(entry);
+    SectionOf(info).entries.push_back(std::move(entry));
+  }
+
+  void ReadChildren(const ElementInfo& element, const YamlNode& list, Entry& parent) {
+    if (!IsList(list, "elements", reading_)) return;
+    for (const YamlNode& item : list.items) {
+      if (!IsMap(item, fmt::format("one element of '{}'", element.name), reading_)) continue;
+      const YamlNode::Pair* found = OnlyElement(element.children, element.name, item);
+      if (found == nullptr) continue;
+      ReadChild(*std::ranges::find(element.children, found->key, &ElementInfo::name), *found,
+                parent);
+      if (item.Find("for") == nullptr && item.Find("if") == nullptr) continue;
+      reading_.findings.Add(Code::kSpecConflict, item.mark,
+                            "'if' and 'for' have no meaning for an element within another",
+                            "repeat the outer element");
+    }
+  }
+
+  // Takes them out, too.
+  void RejectRepetition(YamlNode& attributes) {
+    std::erase_if(attributes.pairs, [this](const YamlNode::Pair& pair) {
+      if (pair.key != "if" && pair.key != "for") return false;
+      reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+                            fmt::format("'{}' is no attribute of MJCF", pair.key),
+                            "it stands beside the element: `- {if: ..., joint: {...}}`");
+      return true;
+    });
+  }
+
+  // The one key beside `if` and `for` that names an element; null after a finding.
+  const YamlNode::Pair* OnlyElement(std::span<const ElementInfo> known, std::string_view owner,
+                                    const YamlNode& item) {
+    const YamlNode::Pair* only = nullptr;
+    for (const YamlNode::Pair& pair : item.pairs) {
+      if (pair.key == "if" || pair.key == "for") continue;
+      if (std::ranges::find(known, pair.key, &ElementInfo::name) == known.end()) {
+        std::vector<std::string_view> names;
+        for (const ElementInfo& element : known) names.push_back(element.name);
+        reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+                              fmt::format("MJCF has no element '{}' in '{}'", pair.key, owner),
+                              diag::DidYouMean(pair.key, names));
+        return nullptr;
+      }
+      if (only != nullptr) {
+        reading_.findings.Add(
+            Code::kSpecConflict, pair.mark,
+            fmt::format("'{}' beside '{}': one element an entry", pair.key, only->key));
+        return nullptr;
+      }
+      only = &pair;
+    }
+    if (only == nullptr) {
+      reading_.findings.Add(Code::kSpecMissingKey, item.mark,
+                            fmt::format("no element of '{}' here", owner));
+    }
+    return only;
+  }
+
+  void RejectDraws(const Entry& entry) {
+    for (const Field& field : entry.fields) {
+      if (!HasDraw(field.value)) continue;
+      reading_.findings.Add(
+          Code::kSpecUnnamedDraw, field.value.mark,
+          fmt::format("a draw in an element '{}' without a name", entry.element->name),
+          "draws are keyed by names; give it a 'name'");
+      return;
+    }
+  }
+
+  Reading& reading_;
+  EntryReader entries_;
+};
+
+}  // namespace
+
+void ReadSections(const YamlNode& sections, Reading& reading) {
+  SectionReader(reading).Read(sections);
+}
+
+void ReadContact(const YamlNode& contact, Reading& reading) {
+  if (!IsMap(contact, "contact's keys", reading)) return;
+  CheckKeys(ContactElement(), contact, reading);
+  if (const YamlNode* exclude = contact.Find("exclude")) {
+    SectionReader(reading).ReadExcludes(*exclude);
+  }
+}
+
+}  // namespace mjforge::spec

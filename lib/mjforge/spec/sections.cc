@@ -1,0 +1,249 @@
+// The MJCF sections that a spec may pass through, as one table: which elements,
+// which attributes, and which of those name another element. Source:
+// mj_printSchema of MuJoCo 2.2.2, with the kinds of references from its XML
+// reference; a test compares the two. The equality `distance` is left out:
+// MuJoCo 3 refuses it.
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mjforge/spec/fields.h"
+
+namespace mjforge::spec {
+namespace {
+
+// One line an element: its name, then its attributes. `#` stands for one number
+// or more, `?` for true or false, `=kind` for the name of another element; the
+// rest is text. Deeper lines are elements it may hold. `class` is left out:
+// files are flat.
+struct Line {
+  std::string_view section;  // empty: as the line before
+  int depth;
+  std::string_view element;
+  std::string_view attributes;
+};
+
+#define MJFORGE_EQUALITY " active? solref# solimp#"
+#define MJFORGE_TENDON                                                                     \
+  "name group# limited? range# solreflimit# solimplimit# solreffriction# solimpfriction# " \
+  "frictionloss# springlength# margin# stiffness# damping# user#"
+#define MJFORGE_TRANSMISSION                                                                \
+  "name group# forcelimited? ctrlrange# forcerange# lengthrange# gear# cranklength# user# " \
+  "joint=joint jointinparent=joint tendon=tendon slidersite=site cranksite=site "
+#define MJFORGE_ACTUATOR MJFORGE_TRANSMISSION "site=site refsite=site ctrllimited? "
+#define MJFORGE_SENSED " cutoff# noise# user#"
+#define MJFORGE_FRAME "name objtype objname=@objtype reftype refname=@reftype" MJFORGE_SENSED
+
+constexpr Line kLines[] = {
+    {"option", 0, "option",
+     "timestep# apirate# impratio# tolerance# noslip_tolerance# mpr_tolerance# gravity# wind# "
+     "magnetic# density# viscosity# o_margin# o_solref# o_solimp# integrator collision cone "
+     "jacobian solver iterations# noslip_iterations# mpr_iterations#"},
+    {"", 1, "flag",
+     "constraint equality frictionloss limit contact passive gravity clampctrl warmstart "
+     "filterparent actuation refsafe sensor override energy fwdinv sensornoise multiccd"},
+    {"size", 0, "size",
+     "njmax# nconmax# nstack# nuserdata# nkey# nuser_body# nuser_jnt# nuser_geom# nuser_site# "
+     "nuser_cam# nuser_tendon# nuser_actuator# nuser_sensor#"},
+    {"visual", 0, "visual", ""},
+    {"", 1, "global", "fovy# ipd# azimuth# elevation# linewidth# glow# offwidth# offheight#"},
+    {"", 1, "quality", "shadowsize# offsamples# numslices# numstacks# numquads#"},
+    {"", 1, "headlight", "ambient# diffuse# specular# active#"},
+    {"", 1, "map",
+     "stiffness# stiffnessrot# force# torque# alpha# fogstart# fogend# znear# zfar# haze# "
+     "shadowclip# shadowscale# actuatortendon#"},
+    {"", 1, "scale",
+     "forcewidth# contactwidth# contactheight# connect# com# camera# light# selectpoint# "
+     "jointlength# jointwidth# actuatorlength# actuatorwidth# framelength# framewidth# "
+     "constraint# slidercrank#"},
+    {"", 1, "rgba",
+     "fog# haze# force# inertia# joint# actuator# actuatornegative# actuatorpositive# com# "
+     "camera# light# selectpoint# connect# contactpoint# contactforce# contactfriction# "
+     "contacttorque# contactgap# rangefinder# constraint# slidercrank# crankbroken#"},
+    {"statistic", 0, "statistic", "meaninertia# meanmass# meansize# extent# center#"},
+    {"custom", 0, "numeric", "name size# data#"},
+    {"", 0, "text", "name data"},
+    {"", 0, "tuple", "name"},
+    {"", 1, "element", "objtype objname=@objtype prm#"},
+    {"contact", 0, "pair",
+     "name geom1=geom geom2=geom condim# friction# solref# solimp# gap# margin#"},
+    {"", 0, "exclude", "name body1=body body2=body"},
+    {"equality", 0, "connect", "name body1=body body2=body anchor#" MJFORGE_EQUALITY},
+    {"", 0, "weld", "name body1=body body2=body relpose# anchor# torquescale#" MJFORGE_EQUALITY},
+    {"", 0, "joint", "name joint1=joint joint2=joint polycoef#" MJFORGE_EQUALITY},
+    {"", 0, "tendon", "name tendon1=tendon tendon2=tendon polycoef#" MJFORGE_EQUALITY},
+    {"tendon", 0, "spatial", MJFORGE_TENDON " width# material=material rgba#"},
+    {"", 1, "site", "site=site"},
+    {"", 1, "geom", "geom=geom sidesite=site"},
+    {"", 1, "pulley", "divisor#"},
+    {"", 0, "fixed", MJFORGE_TENDON},
+    {"", 1, "joint", "joint=joint coef#"},
+    {"actuator", 0, "general",
+     MJFORGE_ACTUATOR "actlimited? actrange# body=body dyntype gaintype biastype dynprm# gainprm# "
+                      "biasprm#"},
+    {"", 0, "motor", MJFORGE_ACTUATOR},
+    {"", 0, "position", MJFORGE_ACTUATOR "kp#"},
+    {"", 0, "velocity", MJFORGE_ACTUATOR "kv#"},
+    {"", 0, "intvelocity", MJFORGE_ACTUATOR "actrange# kp#"},
+    {"", 0, "damper", MJFORGE_TRANSMISSION "site=site refsite=site kv#"},
+    {"", 0, "cylinder", MJFORGE_ACTUATOR "timeconst# area# diameter# bias#"},
+    {"", 0, "muscle",
+     MJFORGE_TRANSMISSION
+     "ctrllimited? timeconst# range# force# scale# lmin# lmax# vmax# fpmax# fvmax#"},
+    {"", 0, "adhesion", "name group# forcelimited? ctrlrange# forcerange# user# body=body gain#"},
+    {"sensor", 0, "touch", "name site=site" MJFORGE_SENSED},
+    {"", 0, "accelerometer", "name site=site" MJFORGE_SENSED},
+    {"", 0, "velocimeter", "name site=site" MJFORGE_SENSED},
+    {"", 0, "gyro", "name site=site" MJFORGE_SENSED},
+    {"", 0, "force", "name site=site" MJFORGE_SENSED},
+    {"", 0, "torque", "name site=site" MJFORGE_SENSED},
+    {"", 0, "magnetometer", "name site=site" MJFORGE_SENSED},
+    {"", 0, "rangefinder", "name site=site" MJFORGE_SENSED},
+    {"", 0, "jointpos", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "jointvel", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "tendonpos", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "tendonvel", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "actuatorpos", "name actuator=actuator" MJFORGE_SENSED},
+    {"", 0, "actuatorvel", "name actuator=actuator" MJFORGE_SENSED},
+    {"", 0, "actuatorfrc", "name actuator=actuator" MJFORGE_SENSED},
+    {"", 0, "ballquat", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "ballangvel", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "jointlimitpos", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "jointlimitvel", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "jointlimitfrc", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "tendonlimitpos", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "tendonlimitvel", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "tendonlimitfrc", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "framepos", MJFORGE_FRAME},
+    {"", 0, "framequat", MJFORGE_FRAME},
+    {"", 0, "framexaxis", MJFORGE_FRAME},
+    {"", 0, "frameyaxis", MJFORGE_FRAME},
+    {"", 0, "framezaxis", MJFORGE_FRAME},
+    {"", 0, "framelinvel", MJFORGE_FRAME},
+    {"", 0, "frameangvel", MJFORGE_FRAME},
+    {"", 0, "framelinacc", "name objtype objname=@objtype" MJFORGE_SENSED},
+    {"", 0, "frameangacc", "name objtype objname=@objtype" MJFORGE_SENSED},
+    {"", 0, "subtreecom", "name body=body" MJFORGE_SENSED},
+    {"", 0, "subtreelinvel", "name body=body" MJFORGE_SENSED},
+    {"", 0, "subtreeangmom", "name body=body" MJFORGE_SENSED},
+    {"", 0, "clock", "name" MJFORGE_SENSED},
+    {"", 0, "user", "name objtype objname=@objtype datatype needstage dim#" MJFORGE_SENSED},
+};
+
+// What bodies hold besides geoms, joints and sites; poses as MJCF files of ours
+// have them.
+constexpr Line kBodyLines[] = {
+    {"body", 0, "camera", "name fovy# ipd# pos# quat# mode target=body user#"},
+    {"", 0, "light",
+     "name directional? castshadow? active? pos# dir# attenuation# cutoff# exponent# ambient# "
+     "diffuse# specular# mode target=body"},
+};
+
+#undef MJFORGE_EQUALITY
+#undef MJFORGE_TENDON
+#undef MJFORGE_TRANSMISSION
+#undef MJFORGE_ACTUATOR
+#undef MJFORGE_SENSED
+#undef MJFORGE_FRAME
+
+// MJCF's longest list of fixed length is shorter; data and user may be long.
+constexpr int kMostNumbers = 500;
+
+FieldInfo Parse(std::string_view word) {
+  FieldInfo field;
+  const std::size_t end = word.find_first_of("#?=");
+  field.key = word.substr(0, end);
+  field.slot = Slot::kText;
+  if (field.key == "name") field.id = Key::kName;
+  if (end == std::string_view::npos) return field;
+  if (word[end] == '#') {
+    field.slot = Slot::kNumbers;
+    field.max_count = kMostNumbers;
+  } else if (word[end] == '?') {
+    field.slot = Slot::kBoolean;
+  } else {
+    field.refers = word.substr(end + 1);
+  }
+  return field;
+}
+
+/// The lines, taken apart once; everything in it stays where it is.
+class Table {
+ public:
+  explicit Table(std::span<const Line> lines) {
+    std::vector<std::pair<SectionInfo, std::vector<ElementInfo>>> made;
+    std::vector<std::vector<ElementInfo>> children;  // of each element of the last section
+    const auto close = [&] {
+      if (made.empty()) return;
+      auto& elements = made.back().second;
+      for (std::size_t i = 0; i < elements.size(); ++i) {
+        elements[i].children = elements_.emplace_back(std::move(children[i]));
+      }
+      made.back().first.elements = elements_.emplace_back(std::move(elements));
+      sections_.push_back(made.back().first);
+      made.clear();
+      children.clear();
+    };
+    for (const Line& line : lines) {
+      if (!line.section.empty()) {
+        close();
+        SectionInfo& section = made.emplace_back().first;
+        section.name = line.section;
+        section.is_element = line.section == line.element;
+      }
+      const ElementInfo element = {line.element, {}, FieldsOf(line.attributes), {}};
+      if (line.depth == 0) {
+        made.back().second.push_back(element);
+        children.emplace_back();
+      } else {
+        children.back().push_back(element);
+      }
+    }
+    close();
+  }
+
+  std::span<const SectionInfo> sections() const { return sections_; }
+
+ private:
+  std::span<const FieldInfo> FieldsOf(std::string_view attributes) {
+    std::vector<FieldInfo>& fields = fields_.emplace_back();
+    while (!attributes.empty()) {
+      const std::size_t end = std::min(attributes.find(' '), attributes.size());
+      if (end > 0) fields.push_back(Parse(attributes.substr(0, end)));
+      attributes.remove_prefix(std::min(end + 1, attributes.size()));
+    }
+    return fields;
+  }
+
+  std::deque<std::vector<FieldInfo>> fields_;
+  std::deque<std::vector<ElementInfo>> elements_;
+  std::vector<SectionInfo> sections_;
+};
+
+}  // namespace
+
+const ElementInfo* SectionInfo::Find(std::string_view element) const {
+  const auto found = std::ranges::find(elements, element, &ElementInfo::name);
+  return found == elements.end() ? nullptr : &*found;
+}
+
+std::span<const SectionInfo> Sections() {
+  static const Table table(kLines);
+  return table.sections();
+}
+
+const SectionInfo* FindSection(std::string_view name) {
+  const auto sections = Sections();
+  const auto found = std::ranges::find(sections, name, &SectionInfo::name);
+  return found == sections.end() ? nullptr : &*found;
+}
+
+const ElementInfo* FindBodyChild(std::string_view name) {
+  static const Table table(kBodyLines);
+  return table.sections().front().Find(name);
+}
+
+}  // namespace mjforge::spec

@@ -1,0 +1,122 @@
+#include <catch2/catch.hpp>
+
+#include "loading.h"
+
+namespace {
+
+constexpr const char* kRod = "parts: [{name: rod, type: sphere, size: 0.1}]";
+
+// The entries of `bodies:` begin at line 4.
+Strings ReportBodies(const std::string& entries) {
+  return Load("mjforge: 1\nname: t\nbodies:\n" + entries).Report();
+}
+
+}  // namespace
+
+TEST_CASE("a body holds parts, a spec or an MJCF file, one of the three", "[bodies]") {
+  CHECK(ReportBodies(std::string("- {name: a, ") + kRod + ", mjcf: a.xml}\n") ==
+        Strings{"4:60 spec/conflict: 'mjcf' beside 'parts': a body holds one of the two"});
+  CHECK(ReportBodies("- {name: a, params: {r: 1}}\n- {name: b, body: knob}\n") ==
+        Strings{"4:13 spec/conflict: 'params' needs 'spec' beside it",
+                "5:13 spec/conflict: 'body' needs 'mjcf' beside it"});
+  CHECK(ReportBodies("- {name: a}\n- {parent: a}\n") ==
+        Strings{"5:3 spec/missing-key: body without a 'name'"});
+}
+
+TEST_CASE("a spec needs parts or bodies", "[bodies]") {
+  CHECK(Load("mjforge: 1\nname: t\n").Report() ==
+        Strings{"1:1 spec/missing-key: spec without 'parts' or 'bodies'"});
+}
+
+TEST_CASE("parents come first, exist, and form a tree", "[bodies]") {
+  CHECK(ReportBodies("- {name: a}\n- {name: b, parent: a}\n- {name: c, parent: t}\n").empty());
+  CHECK(ReportBodies("- {name: lid}\n- {name: b, parent: lod}\n") ==
+        Strings{"5:21 spec/bad-parent: no body 'lod' (did you mean 'lid'?)"});
+  CHECK(ReportBodies("- {name: a, parent: b}\n- {name: b}\n") ==
+        Strings{"4:21 spec/bad-parent: body 'b' comes after 'a', which hangs on it (put parents "
+                "before children)"});
+  CHECK(ReportBodies("- {name: a, parent: a}\n") ==
+        Strings{"4:21 spec/bad-parent: body 'a' is its own parent"});
+  CHECK(ReportBodies("- {name: a, parent: c}\n- {name: b, parent: a}\n- {name: c, parent: b}\n") ==
+        Strings{"4:21 spec/bad-parent: bodies hang on each other in a circle: a -> c -> b -> a"});
+}
+
+TEST_CASE("the second place of a bad parent is a note", "[bodies]") {
+  const Loaded loaded = Load("mjforge: 1\nname: t\nbodies:\n- {name: a, parent: b}\n- {name: b}\n");
+  REQUIRE(loaded.findings.size() == 1);
+  REQUIRE(loaded.findings[0].notes.size() == 1);
+  CHECK(loaded.findings[0].notes[0].mark.line == 5);
+}
+
+TEST_CASE("names of bodies are their own, and not the root's", "[bodies]") {
+  CHECK(ReportBodies("- {name: a}\n- {name: a}\n") ==
+        Strings{"5:10 spec/duplicate-name: two bodies are named 'a'"});
+  CHECK(ReportBodies("- {name: t}\n") ==
+        Strings{"4:10 spec/duplicate-name: body 't' has the name of the object, which is that of "
+                "its root body (an object has one root; give the body a name of its own)"});
+}
+
+TEST_CASE("a body's properties can be used from its own pose on", "[bodies]") {
+  const std::string a = std::string("- {name: a, ") + kRod + ", pos: [0, 0, -a.bottom]}\n";
+  CHECK(ReportBodies(a + "- {name: b, pos: [a.half_x, a.mass, a.radius + a.top]}\n").empty());
+  CHECK(ReportBodies("- {name: b, pos: [0, 0, a.top]}\n" + a) ==
+        Strings{"4:25 expr/unknown-name: unknown name 'a.top' (did you mean 'b.top'?)"});
+  CHECK(ReportBodies(a + "- {name: b, pos: [0, 0, a.tip]}\n") ==
+        Strings{"5:25 expr/unknown-name: unknown name 'a.tip' (did you mean 'a.top'?)"});
+}
+
+TEST_CASE("only the root moves freely", "[bodies]") {
+  CHECK(ReportBodies("- {name: a, joints: none}\n").empty());
+  CHECK(ReportBodies("- {name: a, joints: free}\n") ==
+        Strings{"4:21 spec/bad-value: 'free' is not one of none or a list of joints (only the root "
+                "body may move freely: `joints:` of the object)"});
+}
+
+TEST_CASE("contact: exclude takes pairs of names", "[bodies]") {
+  const std::string bodies = "bodies: [{name: a}, {name: b}]\n";
+  const auto report = [&](const std::string& contact) {
+    return Load("mjforge: 1\nname: t\n" + bodies + contact).Report();
+  };
+  CHECK(report("contact: {exclude: [[a, b], {bodies: [a, t], if: 1 > 0}]}\n").empty());
+  CHECK(report("contact: {exclude: [[a]]}\n") ==
+        Strings{"4:21 spec/wrong-length: expected the names of two bodies: [BODY, BODY]"});
+  CHECK(report("contact: {exclude: [{name: x}]}\n") ==
+        Strings{"4:21 spec/missing-key: a pair without 'bodies'"});
+  CHECK(report("contact: {exlude: []}\n") ==
+        Strings{"4:11 spec/unknown-key: unknown key 'exlude' in a contact (did you mean "
+                "'exclude'?)"});
+}
+
+TEST_CASE("mjcf: takes sections, elements and attributes that MuJoCo knows", "[bodies]") {
+  const auto report = [](const std::string& mjcf) {
+    return Load("mjforge: 1\nname: t\nbodies: [{name: a}]\nmjcf:\n  " + mjcf + "\n").Report();
+  };
+  CHECK(
+      report("sensor: [{jointpos: {name: q, joint: hinge}}, {for: {i: 2}, clock: {name: 'c${i}'}}]")
+          .empty());
+  CHECK(report("option: {timestep: 1e-3, flag: {gravity: disable}}").empty());
+  CHECK(report("tendon: [{fixed: {name: f, children: [{joint: {joint: a, coef: 1 .. 2}}]}}]")
+            .empty());
+  CHECK(report("senor: []") ==
+        Strings{"5:3 spec/unknown-key: MJCF has no section 'senor' (did you mean 'sensor'?)"});
+  CHECK(report("worldbody: []") ==
+        Strings{"5:3 spec/unknown-key: section 'worldbody' has no place in a spec (use `parts:` "
+                "and `bodies:`)"});
+  CHECK(report("sensor: [{jointpo: {name: q}}]") ==
+        Strings{"5:13 spec/unknown-key: MJCF has no element 'jointpo' in 'sensor' (did you mean "
+                "'jointpos'?)"});
+  CHECK(report("sensor: [{jointpos: {name: q, joynt: h}}]") ==
+        Strings{"5:33 spec/unknown-key: unknown key 'joynt' in a jointpos (did you mean "
+                "'joint'?)"});
+  CHECK(report("sensor: [{jointpos: {joint: h}}]") ==
+        Strings{"5:23 spec/missing-key: jointpos without a 'name'"});
+  CHECK(report("contact: [{exclude: {body1: a, body2: t}}, {pair: {geom1: g, geom2: h, condim: "
+               "{choice: [1, 3]}}}]") ==
+        Strings{"5:82 spec/unnamed-draw: a draw in an element 'pair' without a name (draws are "
+                "keyed by names; give it a 'name')"});
+  CHECK(report("option: [1]") ==
+        Strings{"5:11 spec/wrong-type: expected a mapping of the attributes of 'option', got a "
+                "list"});
+  CHECK(report("sensor: [{gyro: {name: a, site: s}, clock: {name: b}}]") ==
+        Strings{"5:39 spec/conflict: 'clock' beside 'gyro': one element an entry"});
+}
