@@ -22,36 +22,44 @@ void MakeRoom(std::size_t count, std::vector<Part>& parts) {
 
 }  // namespace
 
-Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, const Pose& X_BodyS)
+Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, const Pose& X_BodyS)
     : values(evaluator),
       prefix(std::move(name_prefix)),
+      body(root),
       X_BS(X_BodyS),
       parts(sample::Child(evaluator.root(), "parts")),
       materials(evaluator.spec().materials.size()) {}
 
 std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::Options& options) {
   const std::size_t before = findings_.size();
-  object_.name = options.name.empty() ? values.spec().name : options.name;
+  const spec::ObjectSpec& spec = values.spec();
+  spec_ = &spec;
+  object_.name = options.name.empty() ? spec.name : options.name;
   if (!IsName(object_.name)) {
     findings_.Add(Code::kModelBadName, {},
                   fmt::format("object name {} is not a name", Quoted(object_.name)),
                   std::string(kNameRule));
   }
-  object_.bodies.emplace_back().name = object_.name;
-  Scope scope(values, options.prefix ? object_.name + "_" : std::string(), Pose());
-  const std::vector<spec::Entry>& parts = values.spec().parts;
-  if (!parts.empty()) body().mark = parts.front().mark;
-  body().parts.reserve(parts.size());
+  Body& root = object_.bodies.emplace_back();
+  root.name = options.root.empty() ? object_.name : options.root;
+  bodies_.emplace(root.name, 0);
+  Scope scope(values, options.prefix ? object_.name + "_" : std::string(), 0, Pose());
+  if (!spec.parts.empty()) {
+    root.mark = spec.parts.front().mark;
+  } else if (!spec.bodies.empty()) {
+    root.mark = spec.bodies.front().head.mark;
+  }
+  root.parts.reserve(spec.parts.size());
   AddSpec(scope);
   AddRootJoints(scope);
-  if (!HasErrorsSince(before)) Finish(scope);
-  if (HasErrorsSince(before) || values.failed()) return std::nullopt;
+  if (!HasErrorsSince(findings_, before)) Finish(scope);
+  if (HasErrorsSince(findings_, before) || values.failed()) return std::nullopt;
   return std::move(object_);
 }
 
-bool Assembly::HasErrorsSince(std::size_t first) const {
+bool HasErrorsSince(const diag::Findings& findings, std::size_t first) {
   return std::any_of(
-      findings_.begin() + static_cast<std::ptrdiff_t>(first), findings_.end(),
+      findings.begin() + static_cast<std::ptrdiff_t>(first), findings.end(),
       [](const diag::Finding& finding) { return finding.severity == diag::Severity::kError; });
 }
 
@@ -68,11 +76,15 @@ std::optional<std::string> Assembly::ReadName(Scope& scope, const spec::Entry& e
 }
 
 void Assembly::AddSpec(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
   const std::size_t first_part = body().parts.size();
+  const std::size_t first_body = object_.bodies.size();
   ReadTotalSize(scope);
-  AddParts(scope, scope.values.spec().parts, Pose());
-  AddSites(scope);
-  ScaleMass(scope, first_part);
+  AddParts(scope, spec.parts, Pose());
+  AddSites(scope, spec.sites, sample::Child(scope.values.root(), "sites"));
+  if (!spec.bodies.empty()) AddBodies(scope);
+  if (!spec.sections.empty()) AddSections(scope);
+  if (spec.mass) ScaleObject(scope, first_part, first_body);
 }
 
 void Assembly::ReadTotalSize(Scope& scope) {
@@ -87,7 +99,7 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, c
   for (const spec::Entry& entry : entries) {
     const bool is_plain = !entry.is_frame && entry.nested == nullptr;
     const FieldSet fields(entry.fields, is_plain ? defaults : std::span<const spec::Field>());
-    const auto count = repetition_.Count(entry, scope.values, body().parts.size());
+    const auto count = repetition_.Count(entry, scope.values, part_count_);
     if (!count) continue;
     if (is_plain && !entry.condition) MakeRoom(*count, body().parts);
     repetition_.ForEach(entry, scope.values, [&] {
@@ -122,25 +134,19 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& f
   FieldReader reader(scope.values, findings_, "part", *name, path);
   const std::optional<Pose> X_FW = ReadPose(reader, fields);
 
-  const std::size_t before = findings_.size();
-  const sample::StreamId params = sample::Child(path, "params");
-  std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
-  overrides.reserve(entry.overrides.size());
-  for (const auto& [parameter, value] : entry.overrides) {
-    overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
-  }
-  if (findings_.size() != before || !X_FW) return;
-  // Its own requirements are retried on their own, from this attempt on.
-  std::optional<sample::Evaluator> nested =
-      sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_);
+  if (!X_FW) return;
+  std::optional<sample::Evaluator> nested = SampleNested(scope, entry, path);
   if (!nested) return;
 
   const Pose X_SW = X_SF * *X_FW;
   const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
-  Scope inner(*nested, scope.prefix + *name + "_", corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
+  Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(at_),
+              corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
   const std::size_t first_part = body().parts.size();
   const std::size_t first_site = body().sites.size();
+  const std::size_t first_body = object_.bodies.size();
   AddSpec(inner);
+  TakeAwayJoints(inner);
   if (!corner) return;
   // Placed by its own lower corner, which is known only now.
   const Box3 box = BoundsOf(body().parts, first_part).aabb;
@@ -152,25 +158,43 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& f
   for (std::size_t i = first_site; i < body().sites.size(); ++i) {
     body().sites[i].X_BS = X_BC * body().sites[i].X_BS;
   }
+  for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
+    Body& inner_body = object_.bodies[i];
+    if (inner_body.parent == inner.body) inner_body.X_PB = X_BC * inner_body.X_PB;
+  }
 }
 
-void Assembly::ScaleMass(Scope& scope, std::size_t first_part) {
+std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec::Entry& entry,
+                                                        sample::StreamId path) {
+  const std::size_t before = findings_.size();
+  const sample::StreamId params = sample::Child(path, "params");
+  std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
+  overrides.reserve(entry.overrides.size());
+  for (const auto& [parameter, value] : entry.overrides) {
+    overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
+  }
+  if (findings_.size() != before) return std::nullopt;
+  // Its own requirements are retried on their own, from this attempt on.
+  return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_);
+}
+
+// mass: of a spec.
+void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body) {
   const spec::ObjectSpec& spec = scope.values.spec();
-  if (!spec.mass) return;
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
   const std::optional<double> mass = reader.Number(*spec.mass);
   if (!mass) return;
   double sum = 0;
   for (std::size_t i = first_part; i < body().parts.size(); ++i) sum += body().parts[i].mass;
+  for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
+    sum += object_.bodies[i].mass_properties.mass;
+  }
   if (!(sum > 0)) {
-    if (body().parts.size() == first_part) return;  // reported as such
+    if (part_count_ == 0) return;  // reported as such
     reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
     return;
   }
-  for (std::size_t i = first_part; i < body().parts.size(); ++i) {
-    body().parts[i].mass *= *mass / sum;
-    body().parts[i].density = 0;  // no longer the number that says it
-  }
+  ScaleMass(*mass / sum, first_part, first_body);
 }
 
 }  // namespace mjforge::model

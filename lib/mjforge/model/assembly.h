@@ -3,15 +3,19 @@
 
 // One object in the making.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "mjforge/model/assets.h"
 #include "mjforge/model/field_reader.h"
 #include "mjforge/model/field_set.h"
 #include "mjforge/model/model.h"
+#include "mjforge/model/references.h"
 #include "mjforge/model/repetition.h"
 
 namespace mjforge::model {
@@ -25,13 +29,14 @@ struct MaterialState {
   std::vector<Attribute> contact;
 };
 
-/// One spec whose elements go into the body: the object's own or a welded one.
+/// One spec in the object: its own, one welded into a body, or one that is a body.
 struct Scope {
-  Scope(sample::Evaluator& evaluator, std::string name_prefix, const Pose& X_BodyS);
+  Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, const Pose& X_BodyS);
 
   sample::Evaluator& values;
   std::string prefix;  // of its elements' names
-  Pose X_BS;           // of the spec's root S in the body B
+  int body;            // in Object::bodies, that holds the spec's root
+  Pose X_BS;           // of the spec's root S in the body B at hand
   sample::StreamId parts;
   std::vector<MaterialState> materials;  // as spec.materials
   std::optional<Eigen::Vector3d> total_size;
@@ -40,7 +45,11 @@ struct Scope {
 class Assembly {
  public:
   Assembly(Assembler& assembler, diag::Findings& findings)
-      : findings_(findings), repetition_(findings), assets_(assembler, object_, findings) {}
+      : findings_(findings),
+        repetition_(findings),
+        assets_(assembler, object_, findings),
+        references_(object_, findings),
+        attachments_(assembler.attachments()) {}
 
   std::optional<Object> Run(sample::Evaluator& values, const Assembler::Options& options);
 
@@ -50,12 +59,49 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
+  /// The values of the spec that an entry brings, its parameters overridden.
+  std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
+                                                sample::StreamId path);
   void ReadTotalSize(Scope& scope);
-  void ScaleMass(Scope& scope, std::size_t first_part);
+  void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
+
+  // bodies.cc
+  void AddBodies(Scope& scope);
+  void AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSet& fields,
+               sample::StreamId bodies);
+  /// What the entry holds goes into the body `index`, the last one so far.
+  void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader, const FieldSet& fields,
+            const std::string& name, std::size_t index, sample::StreamId path);
+  void PlaceBody(Scope& scope, FieldReader& reader, const FieldSet& fields, const Bounds& bounds,
+                 Body& body);
+  int ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields, diag::SourceMark mark);
+  /// Gives NAME.top and the like their values.
+  void SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
+                     std::size_t index);
+
+  // attached.cc
+  void AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& fields,
+                     const std::string& name, std::size_t index);
+  void AddReferences(References::Place place, const Element& own, const Element& element);
+
+  // sections.cc
+  void AddSections(Scope& scope);
+  void AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,
+                  sample::StreamId path);
+  bool ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry, Element& element,
+                   References::Place place);
+  std::vector<Element>& SectionOf(const spec::SectionInfo& info);
+  bool IsOutermost(const Scope& scope) const { return &scope.values.spec() == spec_; }
 
   // finish.cc
   void Finish(const Scope& scope);
-  MassProperties MassOfBody();
+  /// Sums up the parts of a body, unless it is known from elsewhere.
+  void SetMass(std::size_t body);
+  void ScaleMass(double factor, std::size_t first_part, std::size_t first_body);
+  /// Of the bodies from `first` on, all below it, in its frame at the joints' zero.
+  Bounds BoundsFrom(std::size_t first) const;
+  MassProperties MassFrom(std::size_t first) const;
+  bool CheckMass();
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
@@ -67,28 +113,41 @@ class Assembly {
   bool SetDensity(FieldReader& reader, const spec::Field& field, double density, Part& part);
 
   // sites.cc, joints.cc
-  void AddSites(Scope& scope);
+  void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
                sample::StreamId sites);
   void AddRootJoints(Scope& scope);
+  void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
                 sample::StreamId joints);
+  /// The names of a spec's own joints, which attaching it takes away.
+  void TakeAwayJoints(Scope& scope);
 
   // materials.cc
   /// The material's state, evaluated; null after a finding.
   const MaterialState* UseMaterial(Scope& scope, FieldReader& reader, const spec::Field& field);
   void EvaluateMaterial(Scope& scope, const spec::Material& material, MaterialState& state);
+  /// The index of an equal material of that own name, or of this one, added.
+  int ShareMaterial(const std::string& own_name, Material material);
 
   /// The entry's own name, checked; nothing after a finding.
   std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry,
                                       sample::StreamId list);
-  bool HasErrorsSince(std::size_t first) const;
-  Body& body() { return object_.bodies.front(); }
+  Body& body() { return object_.bodies[at_]; }
+  Body& BodyAt(int index) { return object_.bodies[static_cast<std::size_t>(index)]; }
 
   Object object_;
   diag::Findings& findings_;
   Repetition repetition_;
   Assets assets_;
+  References references_;
+  AttachmentSource* attachments_;
+  const spec::ObjectSpec* spec_ = nullptr;       // the object's own
+  std::size_t at_ = 0;                           // the body that parts, sites and joints go into
+  std::size_t part_count_ = 0;                   // of all bodies
+  std::unordered_map<std::string, int> bodies_;  // by full name
+  std::unordered_multimap<std::string, int> materials_;  // by own name
+  std::map<std::pair<std::filesystem::path, std::string>, const Attachment*> attached_;
 };
 
 /// Reads attributes into `out`; false after a finding.
@@ -97,6 +156,8 @@ bool ReadAttributes(FieldReader& reader, const FieldSet::Attributes& fields,
 
 /// The extents of the parts from `first` on, those that collide if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
+
+bool HasErrorsSince(const diag::Findings& findings, std::size_t first);
 
 }  // namespace mjforge::model
 

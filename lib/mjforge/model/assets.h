@@ -36,6 +36,12 @@ class Assets {
   /// Adds a material's texture. Returns its index, or nothing after a finding.
   std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
                                 const std::string& name);
+  /// The index of an equal texture of that own name, or of this one, added.
+  int ShareTexture(const std::string& own_name, Texture texture);
+  /// The same of a mesh that an attached file brings, renamed to `name`.
+  int ShareMesh(const MeshAsset& mesh, const std::string& name);
+  /// The name of the file's copy: its own, or with _2, _3, ... where that is taken.
+  std::string OutputName(const std::filesystem::path& file);
 
  private:
   struct Source {  // of a mesh read from a file
@@ -49,8 +55,6 @@ class Assets {
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, Part& part);
   void Share(int index, Part& part);
-  /// The name of the file's copy: its own, or with _2, _3, ... where that is taken.
-  std::string OutputName(const std::filesystem::path& file);
   bool ReadPicture(FieldReader& reader, const spec::Field& field,
                    const std::filesystem::path& folder, Texture& texture);
 
@@ -59,6 +63,7 @@ class Assets {
   diag::Findings& findings_;
   std::vector<Source> sources_;  // as Object::meshes
   std::unordered_multimap<std::size_t, int> by_hash_;
+  std::unordered_multimap<std::string, int> textures_;  // by own name
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

@@ -47,7 +47,10 @@ std::vector<std::string_view> Split(std::string_view words) {
 
 }  // namespace
 
-std::string FieldReader::Owner() const { return fmt::format("{} {}", element_, Quoted(name_)); }
+std::string FieldReader::Owner() const {
+  if (name_.empty()) return std::string(element_);
+  return fmt::format("{} {}", element_, Quoted(name_));
+}
 
 void FieldReader::Report(Code code, const spec::Field& field, std::string_view what,
                          std::string hint) {
@@ -152,6 +155,7 @@ std::optional<bool> FieldReader::Boolean(const spec::Field& field) {
 bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
   out.name = field.info->key;
   out.applies = field.info->applies;
+  out.refers = field.info->refers;
   switch (field.info->slot) {
     case spec::Slot::kNumber:
     case spec::Slot::kInteger: {

@@ -1,5 +1,7 @@
 // What follows from the parts: bounds, mass, and whether the object can exist.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "mjforge/model/assembly.h"
@@ -43,35 +45,133 @@ Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first) {
   return bounds;
 }
 
-MassProperties Assembly::MassOfBody() {
+void Assembly::SetMass(std::size_t index) {
+  Body& body = object_.bodies[index];
+  if (body.explicit_inertial) return;  // an attached file's
   MassProperties sum;
-  for (const Part& part : body().parts) {
+  for (const Part& part : body.parts) {
     if (!(part.mass > 0)) continue;
     MassProperties properties = *assets_.UnitMassOf(part.shape, part.mesh);
     properties.I_Cm_F *= part.mass / properties.mass;
     properties.mass = part.mass;
     sum = Combine(sum, InFrame(part.X_BG, properties));
-    body().explicit_inertial |= part.shape.type == GeomType::kMesh;
+    body.explicit_inertial |= part.shape.type == GeomType::kMesh;
+  }
+  body.mass_properties = sum;
+}
+
+void Assembly::ScaleMass(double factor, std::size_t first_part, std::size_t first_body) {
+  const auto scale = [factor](std::vector<Part>& parts, std::size_t first) {
+    for (std::size_t i = first; i < parts.size(); ++i) {
+      parts[i].mass *= factor;
+      parts[i].density = 0;  // no longer the number that says it
+    }
+  };
+  scale(body().parts, first_part);
+  for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
+    scale(object_.bodies[i].parts, 0);
+    object_.bodies[i].mass_properties.mass *= factor;
+    object_.bodies[i].mass_properties.I_Cm_F *= factor;
+  }
+}
+
+Bounds Assembly::BoundsFrom(std::size_t first) const {
+  const std::vector<Body>& bodies = object_.bodies;
+  if (first + 1 == bodies.size()) return BoundsOf(bodies[first].parts);
+  bool some_collide = false;
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    for (const Part& part : bodies[i].parts) some_collide |= part.role != Role::kVisual;
+  }
+  Bounds bounds;
+  std::vector<Pose> X_FB(bodies.size() - first);  // F: the first body
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    Pose& X = X_FB[i - first];
+    if (i > first) X = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
+    for (const Part& part : bodies[i].parts) {
+      if (some_collide && part.role == Role::kVisual) continue;
+      const Pose X_FG = X * part.X_BG;
+      bounds.aabb.Add(BoundsOf(part.shape, X_FG));
+      bounds.horizontal_radius =
+          std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
+    }
+  }
+  if (bounds.aabb.empty()) return bounds;
+  bounds.top_offset = bounds.aabb.max.z();
+  bounds.bottom_offset = bounds.aabb.min.z();
+  return bounds;
+}
+
+MassProperties Assembly::MassFrom(std::size_t first) const {
+  const std::vector<Body>& bodies = object_.bodies;
+  MassProperties sum = bodies[first].mass_properties;
+  if (first + 1 == bodies.size()) return sum;
+  std::vector<Pose> X_FB(bodies.size() - first);  // F: the first body
+  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
+    X_FB[i - first] = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
+    sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
   }
   return sum;
 }
 
+// What moves as one with a body that has joints must have a mass.
+bool Assembly::CheckMass() {
+  std::vector<double> rigid;  // mass of the body and of all that is fixed to it
+  for (const Body& body : object_.bodies) rigid.push_back(body.mass_properties.mass);
+  for (std::size_t i = object_.bodies.size(); i-- > 1;) {
+    const Body& body = object_.bodies[i];
+    if (body.joints.empty()) rigid[static_cast<std::size_t>(body.parent)] += rigid[i];
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
+    const Body& body = object_.bodies[i];
+    if (body.joints.empty() || rigid[i] > kSmallestMass) continue;
+    good = false;
+    if (i == 0) {
+      findings_.Add(Code::kModelNoMass, body.mark,
+                    fmt::format("object '{}' can move but has no mass", object_.name),
+                    "give a part a mass, or write `joints: none`");
+    } else {
+      findings_.Add(Code::kModelNoMass, body.mark,
+                    fmt::format("body '{}' can move but has no mass", body.name),
+                    "give a part of it a mass, or take its joints away");
+    }
+  }
+  return good;
+}
+
 void Assembly::Finish(const Scope& scope) {
-  const std::vector<spec::Entry>& entries = scope.values.spec().parts;
-  if (body().parts.empty()) {
-    findings_.Add(Code::kModelNoParts, entries.empty() ? diag::SourceMark() : entries.front().mark,
-                  "no part is left", "the 'if' or 'for' of every part leaves it out");
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (part_count_ == 0) {
+    const diag::SourceMark mark = !spec.parts.empty()    ? spec.parts.front().mark
+                                  : !spec.bodies.empty() ? spec.bodies.front().head.mark
+                                                         : diag::SourceMark();
+    findings_.Add(Code::kModelNoParts, mark, "no part is left",
+                  "the 'if' or 'for' of every part leaves it out");
     return;
   }
   CheckUniqueNames(object_, findings_);
-  body().mass_properties = MassOfBody();
-  object_.mass_properties = body().mass_properties;
-  if (!body().joints.empty() && !(body().mass_properties.mass > kSmallestMass)) {
-    findings_.Add(Code::kModelNoMass, body().mark,
-                  fmt::format("object '{}' can move but has no mass", object_.name),
-                  "give a part a mass, or write `joints: none`");
+  references_.Check();
+  SetMass(0);
+  CheckMass();
+  object_.mass_properties = MassFrom(0);
+  object_.bounds = scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsFrom(0);
+  std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
+}
+
+std::vector<Pose> BodyPoses(const Object& object) {
+  std::vector<Pose> X_RootB(object.bodies.size());
+  for (std::size_t i = 1; i < object.bodies.size(); ++i) {
+    const Body& body = object.bodies[i];
+    X_RootB[i] = X_RootB[static_cast<std::size_t>(body.parent)] * body.X_PB;
   }
-  object_.bounds = scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsOf(body().parts);
+  return X_RootB;
+}
+
+std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
+  for (const Section& one : object.sections) {
+    if (one.info->name == section) return one.elements;
+  }
+  return {};
 }
 
 }  // namespace mjforge::model

@@ -87,13 +87,11 @@ bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) 
 }
 
 bool Contains(const Object& object, const Eigen::Vector3d& p_Root) {
-  std::vector<Pose> X_RootB(object.bodies.size());
+  // The root's own pose in the world does not count: points are in its frame.
+  const std::vector<Pose> X_RootB = BodyPoses(object);
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    const Body& body = object.bodies[i];
-    // The root's own pose in the world does not count: points are in its frame.
-    if (body.parent >= 0) X_RootB[i] = X_RootB[static_cast<std::size_t>(body.parent)] * body.X_PB;
     const Eigen::Vector3d p_B = X_RootB[i].Inverse() * p_Root;
-    for (const Part& part : body.parts) {
+    for (const Part& part : object.bodies[i].parts) {
       if (part.role != Role::kVisual && Contains(part.shape, part.X_BG, p_B)) return true;
     }
   }

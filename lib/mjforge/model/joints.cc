@@ -73,12 +73,7 @@ void Assembly::AddRootJoints(Scope& scope) {
     joint.name = scope.prefix + "joint0";
   }
   if (spec.root_joints != spec::RootJoints::kList) return;
-  const sample::StreamId joints = sample::Child(scope.values.root(), "joints");
-  for (const spec::Entry& entry : spec.joints) {
-    const FieldSet fields(entry.fields, spec.defaults.joint);
-    if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
-    repetition_.ForEach(entry, scope.values, [&] { AddJoint(scope, entry, fields, joints); });
-  }
+  AddJoints(scope, spec.joints, sample::Child(scope.values.root(), "joints"));
   if (body().joints.size() < 2) return;
   for (const Joint& joint : body().joints) {
     if (joint.type != "free") continue;
@@ -86,6 +81,29 @@ void Assembly::AddRootJoints(Scope& scope) {
                   fmt::format("free joint '{}' is not the only joint of its body", joint.name),
                   "a free joint lets everything move already");
     return;
+  }
+}
+
+void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
+                         sample::StreamId joints) {
+  for (const spec::Entry& entry : entries) {
+    const FieldSet fields(entry.fields, scope.values.spec().defaults.joint);
+    if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
+    repetition_.ForEach(entry, scope.values, [&] { AddJoint(scope, entry, fields, joints); });
+  }
+}
+
+void Assembly::TakeAwayJoints(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const std::string origin = fmt::format("spec '{}'", spec.name);
+  if (spec.root_joints == spec::RootJoints::kFree) {
+    references_.TakeAway(scope.prefix + "joint0", origin);
+  }
+  for (const spec::Entry& entry : spec.joints) {
+    repetition_.ForEach(entry, scope.values, [&] {
+      const auto name = ReadName(scope, entry, scope.values.root());
+      if (name) references_.TakeAway(scope.prefix + *name, origin);
+    });
   }
 }
 
@@ -99,6 +117,11 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& 
   joint.name = scope.prefix + *name;
   joint.mark = entry.mark;
   bool good = ReadType(reader, fields, joint);
+  if (good && joint.type == "free" && at_ != 0) {
+    reader.ReportElement(Code::kModelBadValue, entry.mark, "is free, but its body is not the root",
+                         "MuJoCo lets only bodies of the world move freely");
+    return;
+  }
   if (const spec::Field* field = fields[Key::kPos]) {
     const auto pos = reader.Vector<3>(*field);
     if (pos) joint.pos = *pos;

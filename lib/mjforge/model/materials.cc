@@ -52,8 +52,21 @@ void Assembly::EvaluateMaterial(Scope& scope, const spec::Material& material,
     look.texture = assets_.AddTexture(scope.values, material, look.name).value_or(-1);
   }
   if (look.attributes.empty() && look.texture < 0) return;
-  state.index = static_cast<int>(object_.materials.size());
-  object_.materials.push_back(std::move(look));
+  state.index = ShareMaterial(material.name, std::move(look));
+}
+
+int Assembly::ShareMaterial(const std::string& own_name, Material material) {
+  const auto [begin, end] = materials_.equal_range(own_name);
+  for (auto it = begin; it != end; ++it) {
+    const Material& other = object_.materials[static_cast<std::size_t>(it->second)];
+    if (other.texture == material.texture && other.attributes == material.attributes) {
+      return it->second;
+    }
+  }
+  const int index = static_cast<int>(object_.materials.size());
+  object_.materials.push_back(std::move(material));
+  materials_.emplace(own_name, index);
+  return index;
 }
 
 }  // namespace mjforge::model

@@ -162,6 +162,26 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
   Share(index, part);
 }
 
+int Assets::ShareMesh(const MeshAsset& mesh, const std::string& name) {
+  const std::size_t hash = HashOf(mesh.file, mesh.scale) + mesh.attributes.size();
+  const auto [begin, end] = by_hash_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
+    if (other.file == mesh.file && other.scale == mesh.scale && !other.is_hull &&
+        other.attributes == mesh.attributes) {
+      return it->second;
+    }
+  }
+  auto asset = std::make_unique<MeshAsset>(mesh);
+  asset->name = name;
+  if (!mesh.file.empty()) asset->output_file = OutputName(mesh.file);
+  const int index = static_cast<int>(object_.meshes.size());
+  object_.meshes.push_back(std::move(asset));
+  sources_.push_back({.file = mesh.file, .scale = mesh.scale, .is_solid = false});
+  by_hash_.emplace(hash, index);
+  return index;
+}
+
 std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
   if (shape.type != GeomType::kMesh) return MassOf(shape, 1);
   Source& source = sources_[static_cast<std::size_t>(mesh)];

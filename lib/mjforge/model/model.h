@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,24 @@ struct Attribute {
   spec::Applies applies = spec::Applies::kBoth;
   sample::Numbers numbers;
   std::string text;
+  std::string_view refers = {};  // kind of element the text names; see spec::FieldInfo
+
+  bool operator==(const Attribute&) const = default;
+};
+
+/// An MJCF element that mjforge carries whole: a sensor, a camera.
+struct Element {
+  std::string_view tag;  // of the section table: lives forever
+  std::string name;      // empty: it has none
+  std::vector<Attribute> attributes;
+  std::vector<Element> children;
+  diag::SourceMark mark;
+};
+
+/// The elements of one section (contact, sensor, ...).
+struct Section {
+  const spec::SectionInfo* info = nullptr;
+  std::vector<Element> elements;
 };
 
 /// A mesh asset. Inline vertices (a prism), or a file that is copied beside the output.
@@ -45,13 +64,23 @@ struct MeshAsset {
   bool is_hull = false;
   std::string output_file;  // its name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  /// Of an attached file's mesh: what else its element says (refpos, refquat,
+  /// inline vertices); `mesh` is what all of it comes to.
+  std::vector<Attribute> attributes;
   diag::SourceMark mark;
+};
+
+struct TextureFile {
+  std::string_view attribute = "file";  // or fileright, fileup, ...
+  std::filesystem::path file;
+  std::string output_file;  // its name in assets/
+
+  bool operator==(const TextureFile&) const = default;
 };
 
 struct Texture {
   std::string name;
-  std::filesystem::path file;  // empty: builtin
-  std::string output_file;
+  std::vector<TextureFile> files;  // none: builtin
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -77,6 +106,9 @@ struct Part {
   double mass = 0;
   double density = 0;
   int material = -1;  // in Object::materials
+  /// A geom of an attached file: written under its own name and with no more
+  /// attributes than it has; the role only says whether it collides.
+  bool as_is = false;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -108,9 +140,12 @@ struct Body {
   std::vector<Joint> joints;
   std::vector<Part> parts;
   std::vector<Site> sites;
-  MassProperties mass_properties;  // in B
+  std::vector<Element> elements;      // cameras and lights
+  std::vector<Attribute> attributes;  // of the body itself
+  MassProperties mass_properties;     // in B
   /// Whether MJCF states the inertia instead of leaving it to MuJoCo: bodies
-  /// with mesh parts, whose mass MuJoCo's versions compute differently.
+  /// with mesh parts, whose mass MuJoCo's versions compute differently, and
+  /// attached ones, which keep the inertia of their own file.
   bool explicit_inertial = false;
   diag::SourceMark mark;
 };
@@ -130,20 +165,60 @@ struct Object {
   std::vector<Material> materials;  // those in use
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // shared where equal
+  std::vector<Section> sections;                   // in the order of spec::Sections()
   Bounds bounds;
-  MassProperties mass_properties;  // in the root frame
+  MassProperties mass_properties;  // in the root frame, at the joints' zero
+};
+
+/// X_RootB of every body at the joints' zero; the root's is the identity.
+std::vector<Pose> BodyPoses(const Object& object);
+
+/// The elements of a section, none if the object has none.
+std::span<const Element> ElementsOf(const Object& object, std::string_view section);
+
+/// One body of an MJCF file with all below it, each with the numbers MuJoCo
+/// compiled in that file (autolimits, classes, angles, inertia options and the
+/// rest resolved). Names are the file's, made names; references go to them.
+struct Attachment {
+  /// The first is the body asked for, with parent -1; parents before children.
+  /// Every body states its inertia (explicit_inertial, mass_properties).
+  std::vector<Body> bodies;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<std::unique_ptr<MeshAsset>> meshes;
+  /// contact, equality, tendon, actuator and sensor elements that refer to
+  /// nothing outside; unnamed ones stay so.
+  std::vector<Section> sections;
+  /// Names of the first body's joints, which attaching takes away.
+  std::vector<std::string> root_joints;
+};
+
+/// Reads MJCF files; implemented where MuJoCo is.
+class AttachmentSource {
+ public:
+  virtual ~AttachmentSource() = default;
+  /// The body called `body` in `file` (empty: the first). Findings stand at
+  /// `mark`, with notes in the XML, at every call, the warnings, too; null after
+  /// an error. Reads each file once and keeps the result as long as it lives.
+  virtual const Attachment* Attach(const std::filesystem::path& file, const std::string& body,
+                                   diag::SourceMark mark, diag::Findings& findings) = 0;
 };
 
 /// Is the point in a collision part?
 bool Contains(const Object& object, const Eigen::Vector3d& p_Root);
 
-/// Builds objects; keeps what variants share (meshes read from files).
+/// Builds objects; keeps what variants share (files read).
 class Assembler {
  public:
   struct Options {
-    std::string name;    // of the object; empty: the spec's
-    bool prefix = true;  // put `name_` before every element's name
+    std::string name;       // of the object; empty: the spec's
+    bool prefix = true;     // put `name_` before every element's name
+    std::string root = {};  // name of the root body; empty: the object's
   };
+
+  /// `attachments` reads MJCF files; it must outlive the assembler. Without one
+  /// an `mjcf:` body is an error.
+  explicit Assembler(AttachmentSource* attachments = nullptr) : attachments_(attachments) {}
 
   /// Nothing when there was an error; then findings say what.
   std::optional<Object> Assemble(sample::Evaluator& values, const Options& options,
@@ -166,7 +241,10 @@ class Assembler {
   /// What a picture's file is, looked at once at most.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);
 
+  AttachmentSource* attachments() const { return attachments_; }
+
  private:
+  AttachmentSource* attachments_;
   std::map<std::filesystem::path, CachedMesh> files_;
   std::map<std::filesystem::path, CachedTexture> textures_;
 };

@@ -1,6 +1,7 @@
 #include "mjforge/model/names.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -23,21 +24,55 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
   if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 
-// The elements by name; repeats are reported, one for each place.
-template <typename Element>
-std::unordered_map<std::string_view, const Element*> Check(std::string_view kind,
-                                                           const std::vector<Element>& elements,
-                                                           diag::Findings& findings) {
-  std::unordered_map<std::string_view, const Element*> by_name;
-  by_name.reserve(elements.size());
-  diag::SourceMark reported;
-  for (const Element& element : elements) {
-    const auto [found, is_new] = by_name.try_emplace(element.name, &element);
-    if (is_new || (reported && reported == element.mark)) continue;
-    reported = element.mark;
-    ReportTwice(kind, element.name, element.mark, found->second->mark, {}, findings);
+// The names of one kind with the places of their elements; repeats are
+// reported, one for each place.
+class Kind {
+ public:
+  Kind(std::string_view kind, diag::Findings& findings) : kind_(kind), findings_(findings) {}
+
+  void Add(std::string_view name, diag::SourceMark mark, const Part* part = nullptr) {
+    if (name.empty()) return;
+    const auto [found, is_new] = by_name_.try_emplace(name, Place{mark, part});
+    if (is_new || (reported_ && reported_ == mark)) return;
+    reported_ = mark;
+    ReportTwice(kind_, std::string(name), mark, found->second.mark, {}, findings_);
   }
-  return by_name;
+  template <typename Elements>
+  void AddAll(const Elements& elements) {
+    for (const auto& element : elements) Add(element.name, element.mark);
+  }
+
+  struct Place {
+    diag::SourceMark mark;
+    const Part* part;
+  };
+  const Place* Find(std::string_view name) const {
+    const auto found = by_name_.find(name);
+    return found == by_name_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  std::string_view kind_;
+  diag::Findings& findings_;
+  std::unordered_map<std::string_view, Place> by_name_;
+  diag::SourceMark reported_;
+};
+
+// A part whose name is that of another part's visual twin.
+void CheckTwins(const Object& object, const Kind& parts, diag::Findings& findings) {
+  for (const Body& body : object.bodies) {
+    for (const Part& part : body.parts) {
+      if (!part.name.ends_with(kTwin)) continue;
+      std::string_view stem = part.name;
+      stem.remove_suffix(kTwin.size());
+      const Kind::Place* twin = parts.Find(stem);
+      if (twin == nullptr || twin->part->role == Role::kCollision || twin->part->as_is) continue;
+      // A visual part has no geom of its own name.
+      if (!part.as_is && part.role == Role::kVisual) continue;
+      ReportTwice("part", part.name, part.mark, twin->mark,
+                  fmt::format("part '{}' has a visual twin of that name", stem), findings);
+    }
+  }
 }
 
 }  // namespace
@@ -62,20 +97,32 @@ std::string Quoted(std::string_view text) {
 }
 
 void CheckUniqueNames(const Object& object, diag::Findings& findings) {
-  Check("material", object.materials, findings);
+  Kind materials("material", findings);
+  Kind textures("texture", findings);
+  Kind meshes("mesh", findings);
+  Kind bodies("body", findings);
+  Kind joints("joint", findings);
+  Kind sites("site", findings);
+  Kind parts("part", findings);
+  materials.AddAll(object.materials);
+  textures.AddAll(object.textures);
+  for (const auto& mesh : object.meshes) meshes.Add(mesh->name, mesh->mark);
+  bodies.AddAll(object.bodies);
+  std::map<std::string_view, Kind> others;  // cameras, lights
   for (const Body& body : object.bodies) {
-    Check("site", body.sites, findings);
-    Check("joint", body.joints, findings);
-    const auto parts = Check("part", body.parts, findings);
-    for (const Part& part : body.parts) {
-      if (!part.name.ends_with(kTwin)) continue;
-      std::string_view stem = part.name;
-      stem.remove_suffix(kTwin.size());
-      const auto twin = parts.find(stem);
-      if (twin == parts.end() || twin->second->role != Role::kBoth) continue;
-      ReportTwice("part", part.name, part.mark, twin->second->mark,
-                  fmt::format("part '{}' has a visual twin of that name", stem), findings);
+    joints.AddAll(body.joints);
+    sites.AddAll(body.sites);
+    for (const Part& part : body.parts) parts.Add(part.name, part.mark, &part);
+    for (const Element& element : body.elements) {
+      others.try_emplace(element.tag, element.tag, findings)
+          .first->second.Add(element.name, element.mark);
     }
+  }
+  CheckTwins(object, parts, findings);
+  for (const Section& section : object.sections) {
+    if (section.info->is_element) continue;
+    Kind elements(section.info->name, findings);
+    elements.AddAll(section.elements);
   }
 }
 

@@ -66,7 +66,7 @@ bool ReadAttributes(FieldReader& reader, const FieldSet::Attributes& fields,
 
 void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
                        const Pose& X_SF) {
-  if (body().parts.size() >= static_cast<std::size_t>(kMaxParts)) {
+  if (part_count_ >= static_cast<std::size_t>(kMaxParts)) {
     findings_.Add(Code::kModelTooManyParts, entry.mark,
                   fmt::format("the object has more than {} parts", kMaxParts));
     return;
@@ -94,6 +94,7 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& f
   }
   part.X_BG = scope.X_BS * X_SG;
   body().parts.push_back(std::move(part));
+  ++part_count_;
 }
 
 bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const FieldSet& fields, Part& part,

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/model/assembly.h"
+
 namespace mjforge::model {
 namespace {
 
@@ -66,7 +68,7 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
   if (depth == entry.loops.size()) {
     const bool exists = !entry.condition || values.Condition(*entry.condition, entry.mark);
     if (exists && findings_.size() == before) visit();
-    return findings_.size() == before;
+    return !HasErrorsSince(findings_, before);
   }
   const spec::Loop& loop = entry.loops[depth];
   const long count = CountOf(loop, values);

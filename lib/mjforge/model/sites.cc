@@ -8,11 +8,11 @@ namespace mjforge::model {
 
 using spec::Key;
 
-void Assembly::AddSites(Scope& scope) {
-  const spec::ObjectSpec& spec = scope.values.spec();
-  const sample::StreamId sites = sample::Child(scope.values.root(), "sites");
-  for (const spec::Entry& entry : spec.sites) {
-    const FieldSet fields(entry.fields, spec.defaults.site);
+void Assembly::AddSites(Scope& scope, const std::vector<spec::Entry>& entries,
+                        sample::StreamId sites) {
+  const std::vector<spec::Field>& defaults = scope.values.spec().defaults.site;
+  for (const spec::Entry& entry : entries) {
+    const FieldSet fields(entry.fields, defaults);
     if (!repetition_.Count(entry, scope.values, body().sites.size())) continue;
     repetition_.ForEach(entry, scope.values, [&] { AddSite(scope, entry, fields, sites); });
   }

@@ -38,8 +38,8 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
                          const std::filesystem::path& folder, Texture& texture) {
   const std::optional<std::string> name = reader.Text(field);
   if (!name) return false;
-  texture.file = (folder / *name).lexically_normal();
-  const Assembler::CachedTexture& content = assembler_.ReadTexture(texture.file);
+  const std::filesystem::path file = (folder / *name).lexically_normal();
+  const Assembler::CachedTexture& content = assembler_.ReadTexture(file);
   if (!content.exists) {
     findings_.Add(Code::kModelFileNotFound, field.value.mark,
                   fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
@@ -51,7 +51,7 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
                   fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name)));
     return false;
   }
-  texture.output_file = OutputName(texture.file);
+  texture.files.push_back({.file = file, .output_file = OutputName(file)});
   return true;
 }
 
@@ -74,8 +74,19 @@ std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Mat
   }
   if (!good) return std::nullopt;
   if (generated) FillInPixels(texture.attributes);
+  return ShareTexture(material.name, std::move(texture));
+}
+
+int Assets::ShareTexture(const std::string& own_name, Texture texture) {
+  const auto [begin, end] = textures_.equal_range(own_name);
+  for (auto it = begin; it != end; ++it) {
+    const Texture& other = object_.textures[static_cast<std::size_t>(it->second)];
+    if (other.files == texture.files && other.attributes == texture.attributes) return it->second;
+  }
+  const int index = static_cast<int>(object_.textures.size());
   object_.textures.push_back(std::move(texture));
-  return static_cast<int>(object_.textures.size()) - 1;
+  textures_.emplace(own_name, index);
+  return index;
 }
 
 }  // namespace mjforge::model

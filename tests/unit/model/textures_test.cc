@@ -28,8 +28,8 @@ TEST_CASE("a picture is a PNG file that exists") {
                       folder.path());
   };
   const Assembling good = with("wood.png");
-  CHECK(good.object().textures.at(0).output_file == "wood.png");
-  CHECK(good.object().textures.at(0).file == folder.path() / "wood.png");
+  CHECK(good.object().textures.at(0).files.at(0).output_file == "wood.png");
+  CHECK(good.object().textures.at(0).files.at(0).file == folder.path() / "wood.png");
   CHECK(with("wood.jpg").findings() ==
         std::vector<std::string>{"3:33 texture of material 'm': 'wood.jpg' is not a PNG file"});
   CHECK(with("none.png").findings() ==

@@ -1,0 +1,159 @@
+// A body of an MJCF file becomes one of the object: names get the prefix,
+// assets are shared.
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Gives the copy of an attachment's elements their place in the object.
+class Renamer {
+ public:
+  Renamer(const Attachment& attachment, std::string prefix, const std::string& root)
+      : attachment_(attachment), prefix_(std::move(prefix)), root_(root) {}
+
+  /// Material and mesh indices in the object, by those in the attachment.
+  std::vector<int> materials;
+  std::vector<int> meshes;
+
+  std::string Name(const std::string& own) const { return own.empty() ? own : prefix_ + own; }
+  std::string Reference(std::string_view kind, const std::string& own) const {
+    const bool is_root = kind.ends_with("body") && own == attachment_.bodies.front().name;
+    return is_root ? root_ : prefix_ + own;
+  }
+  void Rename(Element& element) const {
+    element.name = Name(element.name);
+    for (Attribute& attribute : element.attributes) {
+      if (attribute.refers.empty()) continue;
+      attribute.text = Reference(KindOf(attribute, element), attribute.text);
+    }
+    for (Element& child : element.children) Rename(child);
+  }
+  int Material(int own) const { return own < 0 ? own : materials[static_cast<std::size_t>(own)]; }
+
+  /// What an attribute refers to: its kind, or the one another attribute says.
+  static std::string_view KindOf(const Attribute& attribute, const Element& element) {
+    if (!attribute.refers.starts_with('@')) return attribute.refers;
+    for (const Attribute& other : element.attributes) {
+      if (other.name == attribute.refers.substr(1)) return other.text;
+    }
+    return attribute.refers;
+  }
+
+ private:
+  const Attachment& attachment_;
+  std::string prefix_;
+  const std::string& root_;
+};
+
+}  // namespace
+
+void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& fields,
+                             const std::string& name, std::size_t index) {
+  const spec::Field& field = *fields[Key::kMjcf];
+  const std::optional<std::string> file = reader.Text(field);
+  std::optional<std::string> body_name = std::string();
+  if (const spec::Field* body = fields[Key::kBody]) body_name = reader.Text(*body);
+  if (!file || !body_name) return;
+  const spec::Field* asked = fields[Key::kBody] != nullptr ? fields[Key::kBody] : &field;
+  const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
+  // Findings come once an object, however often the file is in it.
+  const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
+  if (is_new && attachments_ == nullptr) {
+    reader.Report(Code::kAttachNoBody, field, "cannot be read: nothing reads MJCF files here");
+  } else if (is_new) {
+    found->second = attachments_->Attach(path, *body_name, asked->value.mark, findings_);
+  }
+  if (found->second == nullptr) return;
+  const Attachment& attachment = *found->second;
+
+  Renamer renamer(attachment, scope.prefix + name + "_", object_.bodies[index].name);
+  std::vector<int> textures;
+  for (const Texture& own : attachment.textures) {
+    Texture texture = own;
+    texture.name = renamer.Name(own.name);
+    for (TextureFile& picture : texture.files)
+      picture.output_file = assets_.OutputName(picture.file);
+    textures.push_back(assets_.ShareTexture(own.name, std::move(texture)));
+  }
+  for (const Material& own : attachment.materials) {
+    Material material = own;
+    material.name = renamer.Name(own.name);
+    if (own.texture >= 0) material.texture = textures[static_cast<std::size_t>(own.texture)];
+    renamer.materials.push_back(ShareMaterial(own.name, std::move(material)));
+  }
+  for (const auto& mesh : attachment.meshes) {
+    renamer.meshes.push_back(assets_.ShareMesh(*mesh, renamer.Name(mesh->name)));
+  }
+
+  for (std::size_t i = 0; i < attachment.bodies.size(); ++i) {
+    Body body = attachment.bodies[i];
+    if (i == 0) {
+      const Body& entry = object_.bodies[index];
+      body.name = entry.name;
+      body.parent = entry.parent;
+      body.mark = entry.mark;
+      body.joints.clear();
+    } else {
+      body.name = renamer.Name(body.name);
+      body.parent += static_cast<int>(index);
+    }
+    for (Joint& joint : body.joints) joint.name = renamer.Name(joint.name);
+    for (Site& site : body.sites) {
+      site.name = renamer.Name(site.name);
+      site.material = renamer.Material(site.material);
+    }
+    for (Element& element : body.elements) renamer.Rename(element);
+    for (Part& part : body.parts) {
+      part.name = renamer.Name(part.name);
+      part.material = renamer.Material(part.material);
+      if (part.mesh < 0) continue;
+      part.mesh = renamer.meshes[static_cast<std::size_t>(part.mesh)];
+      part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
+    }
+    part_count_ += body.parts.size();
+    if (i == 0) {
+      object_.bodies[index] = std::move(body);
+    } else {
+      bodies_.emplace(body.name, static_cast<int>(object_.bodies.size()));
+      object_.bodies.push_back(std::move(body));
+    }
+  }
+  for (const std::string& joint : attachment.root_joints) {
+    references_.TakeAway(renamer.Name(joint), fmt::format("'{}'", *file));
+  }
+  for (const Section& section : attachment.sections) {
+    std::vector<Element>& elements = SectionOf(*section.info);
+    for (const Element& own : section.elements) {
+      const References::Place place = {section.info, elements.size()};
+      Element& element = elements.emplace_back(own);
+      if (own.name.empty() && section.info->name != "contact") {
+        element.name = fmt::format("{}{}", own.tag, place.position);
+      }
+      renamer.Rename(element);
+      AddReferences(place, own, element);
+    }
+  }
+}
+
+void Assembly::AddReferences(References::Place place, const Element& own, const Element& element) {
+  for (std::size_t i = 0; i < own.attributes.size(); ++i) {
+    const Attribute& attribute = own.attributes[i];
+    if (attribute.refers.empty()) continue;
+    references_.Add(place, Renamer::KindOf(attribute, own), element.attributes[i].text,
+                    attribute.text, fmt::format("{} of {} '{}'", attribute.name, own.tag, own.name),
+                    own.mark);
+  }
+  for (std::size_t i = 0; i < own.children.size(); ++i) {
+    AddReferences(place, own.children[i], element.children[i]);
+  }
+}
+
+}  // namespace mjforge::model

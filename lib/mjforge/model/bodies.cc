@@ -1,0 +1,178 @@
+// bodies: each an inline one, another spec, or a body of an MJCF file.
+
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+#include "mjforge/model/pose_reader.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+sample::ParameterValue NoValue(const spec::Parameter& parameter) {
+  if (parameter.value.type == expr::Type::kText) return std::string();
+  return std::vector<double>(static_cast<std::size_t>(std::max(parameter.value.components, 1)),
+                             kNoValue);
+}
+
+// Until its body is there a property has no value: `if` may leave the body out.
+void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
+  if (entry.first_property < 0) return;
+  const int count = static_cast<int>(spec::BodyPropertyNames().size());
+  for (int i = 0; i < count; ++i) values.SetVariable(entry.first_property + i, kNoValue);
+  for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
+    if (entry.parameter_slots[i] < 0) continue;
+    values.SetVariable(entry.parameter_slots[i], NoValue(entry.head.nested->parameters[i]));
+  }
+}
+
+// The box of a turned box.
+Box3 Turned(const Box3& box, const Eigen::Quaterniond& q) {
+  const Eigen::Matrix3d R = q.toRotationMatrix();
+  const Eigen::Vector3d center = R * ((box.min + box.max) / 2);
+  const Eigen::Vector3d half = R.cwiseAbs() * ((box.max - box.min) / 2);
+  return {.min = center - half, .max = center + half};
+}
+
+}  // namespace
+
+void Assembly::AddBodies(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
+  for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
+  for (const spec::BodyEntry& entry : spec.bodies) {
+    const FieldSet fields(entry.head.fields, {});
+    if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
+    repetition_.ForEach(entry.head, scope.values, [&] { AddBody(scope, entry, fields, bodies); });
+  }
+}
+
+void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSet& fields,
+                       sample::StreamId bodies) {
+  if (object_.bodies.size() >= static_cast<std::size_t>(kMaxParts)) {
+    findings_.Add(Code::kModelTooManyParts, entry.head.mark,
+                  fmt::format("the object has more than {} bodies", kMaxParts));
+    return;
+  }
+  const std::optional<std::string> name = ReadName(scope, entry.head, bodies);
+  if (!name) return;
+  const sample::StreamId path = sample::Child(bodies, std::string_view(*name));
+  FieldReader reader(scope.values, findings_, "body", *name, path);
+  const std::size_t index = object_.bodies.size();
+  {
+    Body& body = object_.bodies.emplace_back();
+    body.name = scope.prefix + *name;
+    body.mark = entry.head.mark;
+  }
+  // A body without a good parent still shows what else is wrong with it.
+  object_.bodies[index].parent = ParentOf(scope, reader, fields, entry.head.mark);
+  bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
+
+  // The parts, sites and joints that follow go into this body.
+  const std::size_t outer = std::exchange(at_, index);
+  const Pose X_BS = std::exchange(scope.X_BS, Pose());
+  const auto total_size = std::exchange(scope.total_size, std::nullopt);
+  Fill(scope, entry, reader, fields, *name, index, path);
+  const Bounds bounds = BoundsFrom(index);
+  SetProperties(scope, entry, bounds, index);
+  AddSites(scope, entry.sites, sample::Child(path, "sites"));
+  AddJoints(scope, entry.joints, sample::Child(path, "joints"));
+  ReadAttributes(reader, fields.own_attributes(), object_.bodies[index].attributes);
+  at_ = outer;
+  scope.X_BS = X_BS;
+  scope.total_size = total_size;
+  PlaceBody(scope, reader, fields, bounds, object_.bodies[index]);
+}
+
+void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+                    const FieldSet& fields, const std::string& name, std::size_t index,
+                    sample::StreamId path) {
+  if (entry.head.nested != nullptr) {
+    std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
+    if (!nested) return;
+    Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
+    AddSpec(inner);
+    TakeAwayJoints(inner);
+    for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
+      const int slot = entry.parameter_slots[i];
+      if (slot >= 0) scope.values.SetVariable(slot, nested->Parameter(i));
+    }
+  } else if (fields[Key::kMjcf] != nullptr) {
+    AddAttachment(scope, reader, fields, name, index);
+  } else {
+    const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
+    AddParts(scope, entry.parts, Pose());
+    scope.parts = outer;
+  }
+  SetMass(index);
+  const spec::Field* field = fields[Key::kMass];
+  if (field == nullptr) return;
+  const std::optional<double> mass = reader.Number(*field);
+  if (!mass) return;
+  const double sum = MassFrom(index).mass;
+  if (sum > 0) {
+    ScaleMass(*mass / sum, body().parts.size(), index);
+  } else {
+    reader.Report(Code::kModelNoMass, *field, "cannot be reached: no part has mass");
+  }
+}
+
+int Assembly::ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields,
+                       diag::SourceMark mark) {
+  const spec::Field* field = fields[Key::kParent];
+  if (field == nullptr) return scope.body;
+  const std::optional<std::string> name = reader.Text(*field);
+  if (!name || *name == scope.values.spec().name) return scope.body;
+  const auto found = bodies_.find(scope.prefix + *name);
+  const auto own = static_cast<int>(object_.bodies.size()) - 1;
+  if (found != bodies_.end() && found->second != own) return found->second;
+  std::vector<std::string_view> names = {scope.values.spec().name};
+  for (const auto& [full, index] : bodies_) {
+    if (full.starts_with(scope.prefix) && index != scope.body) {
+      names.push_back(std::string_view(full).substr(scope.prefix.size()));
+    }
+  }
+  diag::Finding& finding =
+      findings_.Add(Code::kSpecBadParent, field->value.mark,
+                    fmt::format("{}: no body {} before it", reader.Owner(), Quoted(*name)),
+                    diag::DidYouMean(*name, names));
+  finding.notes.push_back({mark, "parents come before children; this one is here"});
+  return scope.body;
+}
+
+// Of the object itself: its sites, parts and bodies, the root's pose aside.
+void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
+                             std::size_t index) {
+  if (entry.first_property < 0) return;
+  const Eigen::Vector3d half =
+      bounds.aabb.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : bounds.half_size();
+  const double values[] = {
+      bounds.top_offset, bounds.bottom_offset, bounds.horizontal_radius, half.x(), half.y(),
+      half.z(),          MassFrom(index).mass};
+  for (std::size_t i = 0; i < std::size(values); ++i) {
+    scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
+  }
+}
+
+void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const FieldSet& fields,
+                         const Bounds& bounds, Body& body) {
+  const std::optional<Pose> X_PB = ReadPose(reader, fields);
+  if (!X_PB) return;
+  body.X_PB = *X_PB;
+  if (body.parent != scope.body) return;
+  const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
+  if (corner && !bounds.aabb.empty()) {
+    body.X_PB.p -= *scope.total_size + Turned(bounds.aabb, X_PB->q).min;
+  }
+  body.X_PB = scope.X_BS * body.X_PB;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,59 @@
+#ifndef MJFORGE_MODEL_REFERENCES_H_
+#define MJFORGE_MODEL_REFERENCES_H_
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+/// The names that elements of sections refer to, checked when all are there.
+class References {
+ public:
+  References(Object& object, diag::Findings& findings) : object_(object), findings_(findings) {}
+
+  /// An element: its section and its number in it.
+  struct Place {
+    const spec::SectionInfo* section = nullptr;
+    std::size_t position = 0;
+  };
+  /// The element at `place` says `attribute` of `owner`: an element of that kind.
+  void Add(Place place, std::string_view kind, std::string full_name, std::string shown,
+           std::string owner, diag::SourceMark mark);
+  /// A joint that attaching took away, of what was attached as `origin`.
+  void TakeAway(std::string joint, std::string origin);
+
+  /// Takes out elements that refer to what was taken away, with a warning each;
+  /// reports names that no element has.
+  void Check();
+
+ private:
+  struct Reference {
+    Place place;
+    std::string_view kind;
+    std::string name;
+    std::string shown;  // as the spec or the file says it
+    std::string owner;  // "joint of jointpos 'angle'"
+    diag::SourceMark mark;
+  };
+  using Names = std::map<std::string_view, std::set<std::string_view>>;  // by kind
+
+  Names Collect() const;
+  bool TakeOutOne(const Reference& reference);
+  void Report(const Reference& reference, const std::set<std::string_view>& names);
+
+  Object& object_;
+  diag::Findings& findings_;
+  std::vector<Reference> references_;
+  // By kind: a name that is gone, and why.
+  std::map<std::string, std::map<std::string, std::string>, std::less<>> gone_;
+  std::set<std::pair<const spec::SectionInfo*, std::size_t>> taken_out_;
+};
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_REFERENCES_H_

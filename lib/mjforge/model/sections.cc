@@ -1,0 +1,125 @@
+// contact: and mjcf:, once the bodies are there.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+
+// The kind of element that an attribute names; `@objtype`: what that one says.
+std::string_view KindOf(const Attribute& attribute, const std::vector<Attribute>& all) {
+  if (!attribute.refers.starts_with('@')) return attribute.refers;
+  const auto found = std::ranges::find(all, attribute.refers.substr(1), &Attribute::name);
+  return found == all.end() ? attribute.refers : std::string_view(found->text);
+}
+
+// A range holds where it is given, unless its `limited` says otherwise. MuJoCo
+// versions differ where it is silent, so it never is.
+struct Limit {
+  std::string_view range;
+  std::string_view limited;
+};
+constexpr Limit kLimits[] = {{"range", "limited"},
+                             {"ctrlrange", "ctrllimited"},
+                             {"forcerange", "forcelimited"},
+                             {"actrange", "actlimited"}};
+
+void SayLimits(const spec::ElementInfo& info, std::vector<Attribute>& attributes) {
+  const auto says = [&](std::string_view name) {
+    return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
+  };
+  for (const Limit& limit : kLimits) {
+    const spec::FieldInfo* limited = info.Find(limit.limited);
+    if (limited == nullptr || !says(limit.range) || says(limit.limited)) continue;
+    Attribute& attribute = attributes.emplace_back();
+    attribute.name = limited->key;
+    attribute.text = "true";
+  }
+}
+
+}  // namespace
+
+std::vector<Element>& Assembly::SectionOf(const spec::SectionInfo& info) {
+  const auto found = std::ranges::find(object_.sections, &info, &Section::info);
+  if (found != object_.sections.end()) return found->elements;
+  return object_.sections.emplace_back(Section{&info, {}}).elements;
+}
+
+void Assembly::AddSections(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const sample::StreamId mjcf = sample::Child(scope.values.root(), "mjcf");
+  for (const spec::Section& section : spec.sections) {
+    const sample::StreamId path = sample::Child(mjcf, section.info->name);
+    // Settings of the whole model are the outermost object's to make.
+    if (section.info->is_element && !IsOutermost(scope)) {
+      diag::Finding& finding = findings_.Add(
+          Code::kAttachNotCarried, section.entries.front().mark,
+          fmt::format("'{}' of spec '{}' is left out: it would hold for the whole object",
+                      section.info->name, spec.name),
+          "write it in the outermost spec");
+      finding.severity = diag::Severity::kWarning;
+      continue;
+    }
+    for (const spec::Entry& entry : section.entries) {
+      if (!repetition_.Count(entry, scope.values, SectionOf(*section.info).size())) continue;
+      repetition_.ForEach(entry, scope.values,
+                          [&] { AddElement(scope, *section.info, entry, path); });
+    }
+  }
+}
+
+void Assembly::AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,
+                          sample::StreamId path) {
+  std::string name;
+  const auto* text = std::get_if<spec::Text>(&entry.name.form);
+  if (text != nullptr && !text->pieces.empty()) {
+    const std::optional<std::string> read = ReadName(scope, entry, path);
+    if (!read) return;
+    name = *read;
+  }
+  FieldReader reader(scope.values, findings_, entry.element->name, name,
+                     sample::Child(path, std::string_view(name)));
+  std::vector<Element>& elements = SectionOf(section);
+  Element element;
+  if (!name.empty()) element.name = scope.prefix + name;
+  if (ReadElement(scope, reader, entry, element, {&section, elements.size()})) {
+    elements.push_back(std::move(element));
+  }
+}
+
+bool Assembly::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                           Element& element, References::Place place) {
+  element.tag = entry.element->name;
+  element.mark = entry.mark;
+  bool good = true;
+  for (const spec::Field& field : entry.fields) {
+    good &= reader.ReadAttribute(field, element.attributes.emplace_back());
+  }
+  if (!good) return false;
+  const spec::ObjectSpec& spec = scope.values.spec();
+  for (std::size_t i = 0; i < element.attributes.size(); ++i) {
+    Attribute& attribute = element.attributes[i];
+    if (attribute.refers.empty()) continue;
+    const std::string_view kind = KindOf(attribute, element.attributes);
+    std::string shown = attribute.text;
+    const bool is_root = kind.ends_with("body") && shown == spec.name;
+    attribute.text = is_root ? BodyAt(scope.body).name : scope.prefix + shown;
+    references_.Add(place, kind, attribute.text, std::move(shown),
+                    fmt::format("{} of {}", attribute.name, reader.Owner()),
+                    entry.fields[i].value.mark);
+  }
+  SayLimits(*entry.element, element.attributes);
+  for (const spec::Entry& child : entry.children) {
+    good &= ReadElement(scope, reader, child, element.children.emplace_back(), place);
+  }
+  return good;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,253 @@
+#include <catch2/catch.hpp>
+
+#include "assembling.h"
+
+namespace mjforge::model {
+namespace {
+
+const Body& BodyOf(const Assembling& thing, const std::string& name) {
+  for (const Body& body : thing.object().bodies) {
+    if (body.name == name) return body;
+  }
+  FAIL("no body " << name);
+  return thing.body();
+}
+
+// A box 0.2 x 0.4 x 0.6 m on the floor of its frame.
+constexpr const char* kBox =
+    "parts: [{name: 'g', type: box, size: [0.1, 0.2, 0.3], pos: [0, 0, 0.3], density: 1000}]";
+
+}  // namespace
+
+TEST_CASE("bodies hang on the root or on earlier ones") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: a, parts: [{name: g, type: sphere, size: 1}], pos: [1, 0, 0]}\n"
+      "- {name: b, parent: a, parts: [{name: h, type: sphere, size: 1}], pos: [0, 2, 0]}\n"
+      "- {name: c, parent: thing}\n");
+  const auto& bodies = thing.object().bodies;
+  REQUIRE(bodies.size() == 4);
+  CHECK(bodies[0].name == "thing");
+  CHECK(bodies[1].name == "thing_a");
+  CHECK(bodies[1].parent == 0);
+  CHECK(bodies[2].parent == 1);
+  CHECK(bodies[3].parent == 0);
+  CHECK(bodies[2].parts.at(0).name == "thing_h");
+  CHECK(BodyPoses(thing.object())[2].p == Eigen::Vector3d(1, 2, 0));
+}
+
+TEST_CASE("parents are found by composed names, too") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: 'link_${i}', for: {i: 3}, parent: '${i == 0}', parts: []}\n");
+  CHECK(thing.failed());
+  const Assembling chain(
+      "bodies:\n"
+      "- {name: link_0, parts: [{name: g0, type: sphere, size: 1}]}\n"
+      "- {name: 'link_${i + 1}', for: {i: 3}, parent: 'link_${i}', pos: [1, 0, 0],\n"
+      "   parts: [{name: 'g${i + 1}', type: sphere, size: 1}]}\n");
+  CHECK(chain.object().bodies.size() == 5);
+  CHECK(BodyPoses(chain.object())[4].p == Eigen::Vector3d(3, 0, 0));
+}
+
+TEST_CASE("a parent that no body before it makes is reported at both places") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: 'link_${i}', for: {i: 2}}\n"
+      "- {name: hand, parent: lnk_1}\n");
+  CHECK(thing.findings() ==
+        std::vector<std::string>{"5:24 body 'hand': no body 'lnk_1' before it (did you mean "
+                                 "'link_1'?)"});
+  CHECK(thing.raw_findings()[0].notes.size() == 1);
+}
+
+TEST_CASE("rotated poses compose") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: a, pos: [1, 0, 0], euler: [0, 0, 90deg]}\n"
+      "- {name: b, parent: a, pos: [1, 0, 0], euler: [90deg, 0, 0],\n"
+      "   parts: [{name: g, type: box, size: [1, 2, 3]}]}\n");
+  const Pose X = BodyPoses(thing.object())[2];
+  CHECK((X.p - Eigen::Vector3d(1, 1, 0)).norm() < 1e-15);
+  // Its z axis is along -y of a, which is along x of the root.
+  CHECK((X.q * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm() < 1e-15);
+  const Box3& box = thing.object().bounds.aabb;
+  CHECK((box.max - Eigen::Vector3d(1 + 3, 1 + 1, 2)).norm() < 1e-12);
+}
+
+TEST_CASE("a body's properties are those of what it holds, at its own origin") {
+  const Assembling thing(std::string("bodies:\n- {name: a, pos: [5, 5, 5], ") + kBox +
+                         "}\n"
+                         "- {name: b, pos: [a.half_x, a.half_y, a.half_z]}\n"
+                         "- {name: c, pos: [a.top, a.bottom, a.radius]}\n"
+                         "- {name: d, pos: [a.mass, 0, 0]}\n");
+  CHECK((BodyOf(thing, "thing_b").X_PB.p - Eigen::Vector3d(0.1, 0.2, 0.3)).norm() < 1e-15);
+  CHECK((BodyOf(thing, "thing_c").X_PB.p - Eigen::Vector3d(0.6, 0, std::hypot(0.1, 0.2))).norm() <
+        1e-15);
+  CHECK(BodyOf(thing, "thing_d").X_PB.p.x() == Approx(48).epsilon(1e-12));
+}
+
+TEST_CASE("a property of a body that is left out has no value") {
+  const Assembling thing(std::string("bodies:\n- {name: a, if: 1 > 2, ") + kBox +
+                         "}\n- {name: b, pos: [a.top, 0, 0], parts: [{name: h, type: sphere, size: "
+                         "1}]}\n");
+  CHECK(thing.findings() ==
+        std::vector<std::string>{"5:19 expression 'a.top' uses 'a.top', which has no value in this "
+                                 "variant (its body was left out by 'if')"});
+}
+
+TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deeper ones") {
+  const TemporaryFolder folder;
+  folder.Write("arm.yaml",
+               "mjforge: 1\nname: arm\nparams: {length: 1 .. 2}\n"
+               "parts: [{name: base, type: sphere, size: 0.1}]\n"
+               "joints: [{name: swing, type: hinge}]\n"
+               "bodies:\n"
+               "- {name: hand, pos: [length, 0, 0], joints: [{name: wrist}],\n"
+               "   parts: [{name: palm, type: sphere, size: 0.1}]}\n"
+               "contact: {exclude: [[arm, hand]]}\n"
+               "mjcf:\n"
+               "  sensor:\n"
+               "  - {jointpos: {name: angle, joint: wrist}}\n"
+               "  - {jointpos: {name: lost, joint: swing}}\n");
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: left, spec: arm.yaml, params: {length: 1.5}, pos: [0, left.length, 0]}\n"
+      "- {name: right, spec: arm.yaml, parent: left_hand}\n"
+      "joints: none\n",
+      1, 0, folder.path());
+  const auto& bodies = thing.object().bodies;
+  REQUIRE(bodies.size() == 5);
+  CHECK(bodies[1].name == "thing_left");
+  CHECK(bodies[1].joints.empty());
+  CHECK(bodies[1].X_PB.p.y() == 1.5);
+  CHECK(bodies[1].parts.at(0).name == "thing_left_base");
+  CHECK(bodies[2].name == "thing_left_hand");
+  CHECK(bodies[2].joints.at(0).name == "thing_left_wrist");
+  CHECK(bodies[2].X_PB.p.x() == 1.5);
+  CHECK(bodies[3].parent == 2);
+  const auto excludes = ElementsOf(thing.object(), "contact");
+  REQUIRE(excludes.size() == 2);
+  CHECK(Find(excludes[0].attributes, "body1")->text == "thing_left");
+  CHECK(Find(excludes[1].attributes, "body2")->text == "thing_right_hand");
+  const auto sensors = ElementsOf(thing.object(), "sensor");
+  REQUIRE(sensors.size() == 2);
+  CHECK(sensors[0].name == "thing_left_angle");
+  CHECK(Find(sensors[0].attributes, "joint")->text == "thing_left_wrist");
+  // The other two are left out with a word.
+  REQUIRE(thing.raw_findings().size() == 2);
+  CHECK(thing.raw_findings()[0].severity == diag::Severity::kWarning);
+  CHECK(thing.findings()[0] ==
+        "13:36 jointpos 'thing_left_lost' is left out: its joint 'swing' is gone, attaching spec "
+        "'arm' takes it away");
+}
+
+TEST_CASE("names that no element has are reported with the closest one") {
+  const std::string bodies =
+      "joints: none\nbodies:\n- {name: lid, parts: [{name: g, type: sphere, size: 1}], joints: "
+      "[{name: "
+      "hinge}]}\n";
+  CHECK(OnlyFinding(bodies + "mjcf: {sensor: [{jointpos: {name: q, joint: hing}}]}\n") ==
+        "6:45 joint of jointpos 'q' is 'hing', but the object has no joint of that name (did you "
+        "mean 'hinge'?)");
+  CHECK(OnlyFinding(bodies + "contact: {exclude: [[lid, led]]}\n") ==
+        "6:27 body2 of exclude is 'led', but the object has no body of that name (did you mean "
+        "'lid'?)");
+  CHECK(OnlyFinding(bodies +
+                    "mjcf: {sensor: [{framepos: {name: q, objtype: site, objname: lid}}]}\n") ==
+        "6:62 objname of framepos 'q' is 'lid', but the object has no site of that name");
+}
+
+TEST_CASE("a range in a section holds unless it says otherwise") {
+  const Assembling thing(
+      "joints: none\nbodies:\n"
+      "- {name: a, parts: [{name: g, type: sphere, size: 1}], joints: [{name: j}]}\n"
+      "mjcf:\n  actuator:\n"
+      "  - {motor: {name: m, joint: j, ctrlrange: [-1, 1]}}\n"
+      "  - {motor: {name: n, joint: j, ctrlrange: [-1, 1], ctrllimited: false}}\n");
+  const auto motors = ElementsOf(thing.object(), "actuator");
+  CHECK(Find(motors[0].attributes, "ctrllimited")->text == "true");
+  CHECK(Find(motors[1].attributes, "ctrllimited")->text == "false");
+}
+
+TEST_CASE("names must differ in the whole object") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: a, parts: [{name: g, type: sphere, size: 1}]}\n"
+      "- {name: b, parts: [{name: g, type: sphere, size: 1}]}\n");
+  CHECK(thing.findings() == std::vector<std::string>{"5:21 two parts are named 'thing_g'"});
+  CHECK(thing.raw_findings()[0].notes.at(0).mark.line == 4);
+}
+
+TEST_CASE("a body's mass is scaled with all it brings") {
+  const Assembling thing(
+      "mass: 12\n"
+      "bodies:\n"
+      "- {name: a, mass: 4, parts: [{name: g, type: sphere, size: 1}, {name: h, type: box, size: "
+      "[1, 1, 1]}]}\n"
+      "- {name: b, parent: a, mass: a.mass, parts: [{name: k, type: sphere, size: 1}]}\n");
+  CHECK(BodyOf(thing, "thing_a").mass_properties.mass == Approx(6));
+  CHECK(BodyOf(thing, "thing_b").mass_properties.mass == Approx(6));
+  CHECK(thing.object().mass_properties.mass == Approx(12));
+}
+
+TEST_CASE("what moves needs a mass, of its own or of what is fixed to it") {
+  const std::string moving = "- {name: a, joints: [{name: j}]}\n";
+  CHECK(OnlyFinding("joints: none\nbodies:\n" + moving +
+                    "- {name: b, parts: [{name: g, type: sphere, size: 1}]}\n") ==
+        "5:3 body 'thing_a' can move but has no mass (give a part of it a mass, or take its joints "
+        "away)");
+  CHECK_FALSE(Assembling("joints: none\nbodies:\n" + moving +
+                         "- {name: b, parent: a, parts: [{name: g, type: sphere, size: 1}]}\n")
+                  .failed());
+}
+
+TEST_CASE("only the root may be free") {
+  CHECK(OnlyFinding("bodies: [{name: a, parts: [{name: g, type: sphere, size: 1}], joints: [{name: "
+                    "j, type: free}]}]\n") ==
+        "3:72 joint 'j' is free, but its body is not the root (MuJoCo lets only bodies of the "
+        "world move freely)");
+}
+
+TEST_CASE("placement: corner puts bodies of the root by their own lower corner") {
+  const Assembling thing(
+      "placement: corner\ntotal_size: [1, 1, 1]\n"
+      "bodies:\n"
+      "- {name: a, parts: [{name: g, type: box, size: [0.1, 0.2, 0.3]}]}\n"
+      "- {name: b, euler: [0, 0, 90deg], parts: [{name: h, type: box, size: [0.1, 0.2, 0.3]}]}\n"
+      "- {name: c, parent: b, pos: [0, 0, 0.5], parts: [{name: k, type: box, size: [0.1, 0.2, "
+      "0.3]}]}\n");
+  CHECK((BodyOf(thing, "thing_a").X_PB.p - Eigen::Vector3d(-0.9, -0.8, -0.7)).norm() < 1e-12);
+  CHECK((BodyOf(thing, "thing_b").X_PB.p - Eigen::Vector3d(-0.8, -0.9, -0.7)).norm() < 1e-12);
+  CHECK((BodyOf(thing, "thing_c").X_PB.p - Eigen::Vector3d(0, 0, 0.5)).norm() < 1e-12);
+}
+
+TEST_CASE("equal materials of attached specs are one") {
+  const TemporaryFolder folder;
+  folder.Write("knob.yaml",
+               "mjforge: 1\nname: knob\nparams: {red: 0.5}\n"
+               "materials: {paint: {rgba: [red, 0, 0, 1], texture: {builtin: flat}}}\n"
+               "parts: [{name: g, type: sphere, size: 0.1, material: paint}]\n");
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: a, spec: knob.yaml}\n"
+      "- {name: b, spec: knob.yaml}\n"
+      "- {name: c, spec: knob.yaml, params: {red: 0.7}}\n",
+      1, 0, folder.path());
+  REQUIRE(thing.object().materials.size() == 2);
+  CHECK(thing.object().textures.size() == 1);
+  CHECK(thing.object().materials[0].name == "thing_a_paint");
+  CHECK(thing.object().materials[1].name == "thing_c_paint");
+}
+
+TEST_CASE("a draw in a body is keyed by its path alone") {
+  const auto height = [](const std::string& before) {
+    const Assembling thing("bodies:\n" + before +
+                           "- {name: b, pos: [0, 0, 0 .. 1], parts: [{name: h, type: sphere, size: "
+                           "1}]}\n");
+    return BodyOf(thing, "thing_b").X_PB.p.z();
+  };
+  CHECK(height("") == height("- {name: a, pos: [0, 0, 0 .. 1]}\n"));
+}
+
+}  // namespace mjforge::model
