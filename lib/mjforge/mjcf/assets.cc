@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "mjforge/expr/expr.h"
@@ -9,11 +11,11 @@ namespace {
 
 constexpr std::string_view kFolder = "assets/";
 
-void WriteFile(const std::filesystem::path& file, const std::string& output_file,
-               ElementWriter& writer, MjcfDocument& document) {
+void WriteFile(std::string_view attribute, const std::filesystem::path& file,
+               const std::string& output_file, ElementWriter& writer, MjcfDocument& document) {
   std::string name(kFolder);
   name += output_file;
-  writer.Text("file", name);
+  writer.Text(attribute, name);
   document.assets.emplace_back(std::move(name), file);
 }
 
@@ -21,7 +23,9 @@ void WriteTexture(const model::Texture& texture, ElementWriter& writer, MjcfDocu
   writer.Open("texture", texture.mark);
   writer.Text("name", texture.name);
   for (const model::Attribute& attribute : texture.attributes) writer.Attribute(attribute);
-  if (!texture.file.empty()) WriteFile(texture.file, texture.output_file, writer, document);
+  for (const model::TextureFile& picture : texture.files) {
+    WriteFile(picture.attribute, picture.file, picture.output_file, writer, document);
+  }
   writer.Close();
 }
 
@@ -59,12 +63,18 @@ void WriteInline(const model::MeshAsset& mesh, ElementWriter& writer, std::strin
 void WriteMesh(const model::MeshAsset& mesh, ElementWriter& writer, MjcfDocument& document) {
   writer.Open("mesh", mesh.mark);
   writer.Text("name", mesh.name);
-  if (mesh.file.empty()) {
-    WriteInline(mesh, writer, document.text);
-  } else {
-    WriteFile(mesh.file, mesh.output_file, writer, document);
+  // An attached file's inline vertices are among its attributes.
+  const bool says_vertices = std::ranges::find(mesh.attributes, "vertex",
+                                               &model::Attribute::name) != mesh.attributes.end();
+  if (!mesh.file.empty()) {
+    WriteFile("file", mesh.file, mesh.output_file, writer, document);
     writer.Vector("scale", mesh.scale);
+  } else if (says_vertices) {
+    writer.Vector("scale", mesh.scale);
+  } else {
+    WriteInline(mesh, writer, document.text);
   }
+  for (const model::Attribute& attribute : mesh.attributes) writer.Attribute(attribute);
   writer.Close();
 }
 

@@ -21,14 +21,16 @@ class BodyWriter {
   /// The body's start and everything in it but child bodies and the end.
   void Begin(const model::Body& body, double lift) {
     writer_.Open("body", body.mark);
-    writer_.Text("name", body.name);
+    if (!body.name.empty()) writer_.Text("name", body.name);
     model::Pose pose = body.X_PB;
     if (body.parent < 0) pose.p.z() += lift;
     writer_.Pose(pose);
+    for (const model::Attribute& attribute : body.attributes) writer_.Attribute(attribute);
     writer_.Content();
     Inertial(body);
     for (const model::Joint& joint : body.joints) Joint(joint);
     for (const model::Site& site : body.sites) Site(site);
+    for (const model::Element& element : body.elements) WriteElement(element, writer_);
     for (const model::Part& part : body.parts) Part(part);
   }
 
@@ -80,6 +82,7 @@ class BodyWriter {
   }
 
   void Part(const model::Part& part) {
+    if (part.as_is) return AsItIs(part);
     std::size_t shape_begin = 0;
     std::size_t shape_end = 0;
     if (part.role != Role::kVisual) {
@@ -101,6 +104,17 @@ class BodyWriter {
       Shape(part);
     }
     VisualRest(part);
+    writer_.Close();
+  }
+
+  // Its body states the inertia.
+  void AsItIs(const model::Part& part) {
+    writer_.Open("geom", part.mark);
+    writer_.Text("name", part.name);
+    Shape(part);
+    writer_.Raw(" mass=\"0\"");
+    Material(part.material);
+    for (const model::Attribute& attribute : part.attributes) writer_.Attribute(attribute);
     writer_.Close();
   }
 

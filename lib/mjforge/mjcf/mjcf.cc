@@ -30,6 +30,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   writer.Line("<compiler angle=\"radian\"/>");
   document.size_position = scene ? std::string::npos : document.text.size();
   if (scene) WriteSceneSize(object, writer);
+  WriteSettings(object, writer);
 
   if (scene || !object.textures.empty() || !object.materials.empty() || !object.meshes.empty()) {
     writer.Open("asset");
@@ -43,6 +44,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   if (scene) WriteSceneWorld(object, writer);
   WriteBodies(object, GroupsOf(target), document.lift, writer);
   writer.End("worldbody");
+  WriteSections(object, writer);
   writer.End("mujoco");
 }
 

@@ -11,10 +11,12 @@
 
 namespace mjforge::mjcf {
 
-/// The groups geoms are shown and filtered by, as attributes.
+/// How a target has its geoms written.
 struct GeomGroups {
+  // The groups they are shown and filtered by, as attributes.
   std::string_view collision;
   std::string_view visual;
+  int sphere_sizes = 1;  // numbers in a sphere's size: 1, or 3 equal ones
 };
 const GeomGroups& GroupsOf(Target target);
 
@@ -25,6 +27,13 @@ void WriteAssets(const model::Object& object, ElementWriter& writer, MjcfDocumen
 /// The tree of bodies. `lift`, m, is added to the height of root bodies.
 void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
                  ElementWriter& writer);
+
+/// An element with its attributes and all in it.
+void WriteElement(const model::Element& element, ElementWriter& writer);
+/// Settings of the whole model (option, size, visual, statistic, custom).
+void WriteSettings(const model::Object& object, ElementWriter& writer);
+/// What refers to bodies (contact, equality, tendon, actuator, sensor).
+void WriteSections(const model::Object& object, ElementWriter& writer);
 
 /// How far a scene lifts the object so that it rests on the floor at z = 0, m.
 double LiftOntoFloor(const model::Object& object);
