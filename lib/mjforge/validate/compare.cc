@@ -9,13 +9,12 @@
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/validate/compare_sections.h"
 
 namespace mjforge::validate {
 namespace {
 
 constexpr double kRelative = 1e-9;
-constexpr const char* kHint =
-    "the file does not say what was meant: please report this with the spec and the seed";
 
 // mju_eig3 (2.2.2) stops at off-diagonal terms of 1e-12 kg m^2, or when the next
 // turn is below 1.4e-6 rad (cosine within 1e-12 of 1): principal moments are good
@@ -49,9 +48,18 @@ double ScaleOf(const model::Object& object) {
 
 std::size_t GeomCount(const model::Body& body) {
   std::size_t count = 0;
-  for (const model::Part& part : body.parts) count += part.role == model::Role::kBoth ? 2 : 1;
+  for (const model::Part& part : body.parts) {
+    count += part.role == model::Role::kBoth && !part.as_is ? 2 : 1;
+  }
   return count;
 }
+
+/// Those of the world come first; a scene has its own there.
+int CountOfWorld(const int* bodies, int count) {
+  return static_cast<int>(std::count(bodies, bodies + count, 0));
+}
+
+bool IsCamera(const model::Element& element) { return element.tag == "camera"; }
 
 }  // namespace
 
@@ -64,10 +72,13 @@ Comparison::Comparison(const mjModel& compiled, const model::Object& object,
 void Comparison::Run(double lift) {
   if (!SameCounts()) return;
   next_site_ = 0;
+  next_camera_ = CountOfWorld(m_.cam_bodyid, m_.ncam);
+  next_light_ = CountOfWorld(m_.light_bodyid, m_.nlight);
   int id = 0;  // the world
   for (const int i : mjcf::DepthFirst(object_)) {
     CompareBody(++id, object_.bodies[static_cast<std::size_t>(i)], lift);
   }
+  CompareSections(m_, object_, findings_);
 }
 
 bool Comparison::SameCounts() {
@@ -76,15 +87,21 @@ bool Comparison::SameCounts() {
   std::size_t joints = 0;
   std::size_t sites = 0;
   std::size_t geoms = 0;
+  std::size_t cameras = 0;
+  std::size_t lights = 0;
   for (const model::Body& body : object_.bodies) {
     joints += body.joints.size();
     sites += body.sites.size();
     geoms += GeomCount(body);
+    for (const model::Element& element : body.elements) ++(IsCamera(element) ? cameras : lights);
   }
-  // A scene has geoms of its own in the world.
+  // A scene has geoms, a camera and a light of its own in the world.
   bool same = Count("bodies", m_.nbody - 1, object_.bodies.size(), mark);
   same = Count("joints", m_.njnt, joints, mark) && same;
   same = Count("sites", m_.nsite, sites, mark) && same;
+  same = Count("cameras", m_.ncam - CountOfWorld(m_.cam_bodyid, m_.ncam), cameras, mark) && same;
+  same =
+      Count("lights", m_.nlight - CountOfWorld(m_.light_bodyid, m_.nlight), lights, mark) && same;
   return Count("geoms", m_.ngeom - m_.body_geomnum[0], geoms, mark) && same;
 }
 
@@ -106,6 +123,13 @@ void Comparison::CompareBody(int id, const model::Body& body, double lift) {
   int joint = m_.body_jntadr[id];
   for (const model::Joint& meant : body.joints) CompareJoint(joint++, meant);
   for (const model::Site& site : body.sites) CompareSite(next_site_++, site);
+  for (const model::Element& element : body.elements) CompareElement(element);
+}
+
+void Comparison::CompareElement(const model::Element& element) {
+  const int address =
+      IsCamera(element) ? m_.name_camadr[next_camera_++] : m_.name_lightadr[next_light_++];
+  Name(m_.names + address, {element.tag, element.name, {}, element.mark});
 }
 
 void Comparison::CompareMass(int id, const model::Body& body) {
@@ -151,7 +175,7 @@ bool Comparison::Count(std::string_view what, int compiled, std::size_t meant,
                        diag::SourceMark mark) {
   if (compiled == static_cast<int>(meant)) return true;
   findings_.Add(diag::Code::kMujocoMismatch, mark,
-                fmt::format("MuJoCo compiled {} {}, not {}", compiled, what, meant), kHint);
+                fmt::format("MuJoCo compiled {} {}, not {}", compiled, what, meant), kMismatchHint);
   return false;
 }
 
@@ -164,7 +188,7 @@ bool Comparison::Name(const char* compiled, const Subject& subject) {
   findings_.Add(diag::Code::kMujocoMismatch, subject.mark,
                 fmt::format("MuJoCo compiled {} '{}' where '{}{}' was meant", subject.kind, name,
                             subject.name, subject.suffix),
-                kHint);
+                kMismatchHint);
   return false;
 }
 
@@ -207,7 +231,7 @@ void Comparison::Difference(const Subject& subject, std::string_view what, int p
   findings_.Add(diag::Code::kMujocoMismatch, subject.mark,
                 fmt::format("MuJoCo compiled {}{} of {} '{}{}' as {}, not {}", what, place,
                             subject.kind, subject.name, subject.suffix, compiled_text, meant_text),
-                kHint);
+                kMismatchHint);
 }
 
 }  // namespace mjforge::validate

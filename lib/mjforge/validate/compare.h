@@ -18,6 +18,10 @@
 
 namespace mjforge::validate {
 
+/// What to do about a difference.
+inline constexpr const char* kMismatchHint =
+    "the file does not say what was meant: please report this with the spec and the seed";
+
 class Comparison {
  public:
   Comparison(const mjModel& compiled, const model::Object& object, diag::Findings& findings);
@@ -45,6 +49,7 @@ class Comparison {
   void CompareJoint(int id, const model::Joint& joint);
   void CompareJointAttributes(int id, const model::Joint& joint, const Subject& subject);
   void CompareSite(int id, const model::Site& site);
+  void CompareElement(const model::Element& element);
 
   bool Count(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark);
   bool Name(const char* compiled, const Subject& subject);
@@ -62,6 +67,8 @@ class Comparison {
   double length_tolerance_ = 0;  // m
   double scale_ = 0;             // m
   int next_site_ = 0;
+  int next_camera_ = 0;
+  int next_light_ = 0;
 };
 
 }  // namespace mjforge::validate

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "mjforge/validate/compare.h"
+#include "mjforge/validate/geoms.h"
 
 namespace mjforge::validate {
 namespace {
@@ -59,31 +60,42 @@ constexpr GeomField kGeomFields[] = {
     {.name = "rgba", .count = 4, .floats = &mjModel::geom_rgba},
 };
 
+/// Where a compiled joint keeps an attribute.
+enum class Index { kJoint, kDof, kQpos };
+struct JointField {
+  std::string_view name;
+  std::size_t count;  // numbers a row
+  Index index;
+  mjtNum* mjModel::*numbers;
+};
+constexpr JointField kJointFields[] = {
+    {"stiffness", 1, Index::kJoint, &mjModel::jnt_stiffness},
+    {"margin", 1, Index::kJoint, &mjModel::jnt_margin},
+    {"solreflimit", mjNREF, Index::kJoint, &mjModel::jnt_solref},
+    {"solimplimit", mjNIMP, Index::kJoint, &mjModel::jnt_solimp},
+    {"damping", 1, Index::kDof, &mjModel::dof_damping},
+    {"armature", 1, Index::kDof, &mjModel::dof_armature},
+    {"frictionloss", 1, Index::kDof, &mjModel::dof_frictionloss},
+    {"solreffriction", mjNREF, Index::kDof, &mjModel::dof_solref},
+    {"solimpfriction", mjNIMP, Index::kDof, &mjModel::dof_solimp},
+    {"ref", 1, Index::kQpos, &mjModel::qpos0},
+    {"springref", 1, Index::kQpos, &mjModel::qpos_spring},
+};
+
 double Stored(const mjModel& m, const GeomField& field, std::size_t at) {
   if (field.numbers != nullptr) return (m.*field.numbers)[at];
   if (field.integers != nullptr) return (m.*field.integers)[at];
   return static_cast<double>((m.*field.floats)[at]);
 }
 
-/// The box around a compiled mesh geom in its body's frame.
-model::Box3 MeshBox(const mjModel& m, int geom) {
-  const mjtNum* p = m.geom_pos + 3 * geom;
-  const mjtNum* q = m.geom_quat + 4 * geom;
-  const model::Pose X_BG{{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
-  const int mesh = m.geom_dataid[geom];
-  model::Box3 box;
-  for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
-    const float* v = m.mesh_vert + 3 * (m.mesh_vertadr[mesh] + i);
-    const Eigen::Vector3d point =
-        X_BG * Eigen::Vector3d(Eigen::Vector3f(v[0], v[1], v[2]).cast<double>());
-    box.Add({point, point});
-  }
-  return box;
-}
-
 }  // namespace
 
 void Comparison::ComparePart(int& geom, const model::Part& part) {
+  if (part.as_is) {
+    CompareGeom(geom++, part, {"geom", part.name, {}, part.mark},
+                part.role != model::Role::kVisual);
+    return;
+  }
   if (part.role != model::Role::kVisual) {
     CompareGeom(geom++, part, {"geom", part.name, {}, part.mark}, true);
   }
@@ -113,8 +125,8 @@ void Comparison::CompareGeom(int id, const model::Part& part, const Subject& sub
   }
   const spec::Applies other = collides ? spec::Applies::kVisual : spec::Applies::kCollision;
   for (const model::Attribute& attribute : part.attributes) {
-    const bool written =
-        attribute.applies != other || (collides && part.role == model::Role::kCollision);
+    const bool written = part.as_is || attribute.applies != other ||
+                         (collides && part.role == model::Role::kCollision);
     if (written) CompareGeomAttribute(id, attribute, subject);
   }
 }
@@ -123,7 +135,7 @@ void Comparison::CompareGeom(int id, const model::Part& part, const Subject& sub
 /// principal axes, so only where its vertices are can be compared.
 void Comparison::CompareMesh(int id, const model::Part& part, const Subject& subject) {
   if (part.shape.mesh == nullptr) return;
-  const model::Box3 compiled = MeshBox(m_, id);
+  const model::Box3 compiled = GeomBox(m_, id, PoseAt(m_.geom_pos, m_.geom_quat, id));
   const model::Box3 meant = model::BoundsOf(part.shape, part.X_BG);
   const double tolerance = kFloatRelative * scale_;
   Vector(subject, "lower corner", compiled.min.data(), meant.min, tolerance);
@@ -165,20 +177,24 @@ void Comparison::CompareJoint(int id, const model::Joint& joint) {
 }
 
 void Comparison::CompareJointAttributes(int id, const model::Joint& joint, const Subject& subject) {
-  const int dof = m_.jnt_dofadr[id];
+  const bool scalar = joint.type == "hinge" || joint.type == "slide";
   for (const model::Attribute& attribute : joint.attributes) {
     if (attribute.name == "springdamper") return;  // MuJoCo sets the two from it
   }
   for (const model::Attribute& attribute : joint.attributes) {
-    const mjtNum* stored = nullptr;
-    if (attribute.name == "stiffness") stored = m_.jnt_stiffness + id;
-    if (attribute.name == "margin") stored = m_.jnt_margin + id;
-    if (attribute.name == "damping") stored = m_.dof_damping + dof;
-    if (attribute.name == "armature") stored = m_.dof_armature + dof;
-    if (attribute.name == "frictionloss") stored = m_.dof_frictionloss + dof;
-    if (stored == nullptr || attribute.numbers.empty()) continue;
-    const double meant = attribute.numbers[0];
-    Number(subject, attribute.name, -1, *stored, meant, kRelative * std::abs(meant));
+    for (const JointField& field : kJointFields) {
+      if (field.name != attribute.name || (field.index == Index::kQpos && !scalar)) continue;
+      const int row = field.index == Index::kJoint ? id
+                      : field.index == Index::kDof ? m_.jnt_dofadr[id]
+                                                   : m_.jnt_qposadr[id];
+      const mjtNum* stored = m_.*field.numbers + field.count * static_cast<std::size_t>(row);
+      const std::size_t count = std::min(field.count, attribute.numbers.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        const double meant = attribute.numbers[i];
+        Number(subject, field.name, field.count == 1 ? -1 : static_cast<int>(i), stored[i], meant,
+               kRelative * std::abs(meant));
+      }
+    }
   }
 }
 

@@ -4,14 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "mjforge/validate/geoms.h"
+
 namespace mjforge::validate {
 namespace {
-
-model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id) {
-  const mjtNum* p = pos + 3 * id;
-  const mjtNum* q = quat + 4 * id;
-  return {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
-}
 
 /// X_WB of every body with the joints at their reference; parents come first.
 std::vector<model::Pose> BodyPoses(const mjModel& m) {
@@ -36,43 +32,6 @@ std::string_view JointType(int type) {
   }
 }
 
-/// Empty for planes and height fields, which belong to scenes.
-model::Box3 GeomBox(const mjModel& m, int id, const model::Pose& X_WG) {
-  model::Shape shape;
-  shape.size = Eigen::Map<const Eigen::Vector3d>(m.geom_size + 3 * id);
-  model::Box3 box;
-  switch (m.geom_type[id]) {
-    case mjGEOM_SPHERE:
-      shape.type = model::GeomType::kSphere;
-      break;
-    case mjGEOM_CAPSULE:
-      shape.type = model::GeomType::kCapsule;
-      break;
-    case mjGEOM_ELLIPSOID:
-      shape.type = model::GeomType::kEllipsoid;
-      break;
-    case mjGEOM_CYLINDER:
-      shape.type = model::GeomType::kCylinder;
-      break;
-    case mjGEOM_BOX:
-      shape.type = model::GeomType::kBox;
-      break;
-    case mjGEOM_MESH: {
-      const int mesh = m.geom_dataid[id];
-      for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
-        const float* v = m.mesh_vert + 3 * (m.mesh_vertadr[mesh] + i);
-        const Eigen::Vector3d p =
-            X_WG * Eigen::Vector3d(Eigen::Vector3f(v[0], v[1], v[2]).cast<double>());
-        box.Add({p, p});
-      }
-      return box;
-    }
-    default:
-      return box;
-  }
-  return model::BoundsOf(shape, X_WG);
-}
-
 model::MassProperties MassOfBody(const mjModel& m, int id) {
   const model::Pose X_BI = PoseAt(m.body_ipos, m.body_iquat, id);
   model::MassProperties properties;
@@ -93,6 +52,25 @@ void DescribeJoints(const mjModel& m, CompiledModel& compiled) {
   }
 }
 
+/// The names of what stands beside the bodies.
+void DescribeElements(const mjModel& m, CompiledModel& compiled) {
+  struct Kind {
+    std::string_view kind;
+    const int* names;
+    int count;
+  };
+  const Kind kinds[] = {
+      {"camera", m.name_camadr, m.ncam},      {"light", m.name_lightadr, m.nlight},
+      {"pair", m.name_pairadr, m.npair},      {"exclude", m.name_excludeadr, m.nexclude},
+      {"equality", m.name_eqadr, m.neq},      {"tendon", m.name_tendonadr, m.ntendon},
+      {"actuator", m.name_actuatoradr, m.nu}, {"sensor", m.name_sensoradr, m.nsensor}};
+  for (const Kind& kind : kinds) {
+    for (int i = 0; i < kind.count; ++i) {
+      compiled.elements.push_back({std::string(kind.kind), m.names + kind.names[i]});
+    }
+  }
+}
+
 }  // namespace
 
 CompiledModel Describe(const mjModel& m) {
@@ -108,19 +86,21 @@ CompiledModel Describe(const mjModel& m) {
     body.mass = m.body_mass[i];
     body.inertia = Eigen::Map<const Eigen::Vector3d>(m.body_inertia + 3 * i);
     body.geoms = m.body_geomnum[i];
+    body.X_PB = PoseAt(m.body_pos, m.body_quat, i);
+    body.mass_properties = MassOfBody(m, i);
     if (body.mass <= 0) continue;
     const model::MassProperties in_world =
-        model::InFrame(poses[static_cast<std::size_t>(i)], MassOfBody(m, i));
+        model::InFrame(poses[static_cast<std::size_t>(i)], body.mass_properties);
     compiled.mass_properties = compiled.mass_properties.mass > 0
                                    ? model::Combine(compiled.mass_properties, in_world)
                                    : in_world;
   }
   DescribeJoints(m, compiled);
+  DescribeElements(m, compiled);
   for (int i = 0; i < m.ngeom; ++i) {
-    const int body = m.geom_bodyid[i];
-    if (body == 0 || (m.geom_contype[i] == 0 && m.geom_conaffinity[i] == 0)) continue;
+    if (!CollidesInBody(m, i)) continue;
     const model::Pose X_WG =
-        poses[static_cast<std::size_t>(body)] * PoseAt(m.geom_pos, m.geom_quat, i);
+        poses[static_cast<std::size_t>(m.geom_bodyid[i])] * PoseAt(m.geom_pos, m.geom_quat, i);
     compiled.aabb.Add(GeomBox(m, i, X_WG));
   }
   return compiled;

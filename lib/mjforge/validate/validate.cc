@@ -2,22 +2,27 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "mjforge/engine/engine.h"
+#include "mjforge/validate/collisions.h"
 #include "mjforge/validate/compare.h"
 #include "mjforge/validate/describe.h"
-#include "mjforge/validate/engine.h"
-#include "mjforge/validate/refusal.h"
-#include "mjforge/validate/xml_file.h"
+#include "mjforge/validate/sweep.h"
 
 namespace mjforge::validate {
 namespace {
 
 using diag::Code;
+using engine::Engine;
+using engine::Loaded;
+using engine::OneLine;
+using engine::Refusal;
 
 diag::SourceMark MarkOf(const model::Object& object) {
   return object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
@@ -37,10 +42,11 @@ int CountConstraints(const model::Body& body) {
 
 /// Default-sized arenas take most of a load's time to clear. One body alone
 /// makes no contacts, and MuJoCo's stack follows njmax. Of several bodies the
-/// contacts are not known beforehand, so they get MuJoCo's own sizes. Without a
-/// line end, to keep the line numbers.
+/// contacts are not known beforehand, nor are the rows of equalities and
+/// tendons, so they get MuJoCo's own sizes. Without a line end, to keep the line
+/// numbers.
 std::string SizeHint(const model::Object& object) {
-  if (object.bodies.size() != 1) return {};
+  if (object.bodies.size() != 1 || !object.sections.empty()) return {};
   return fmt::format("<size njmax=\"{}\" nconmax=\"0\"/>", CountConstraints(object.bodies.front()));
 }
 
@@ -50,10 +56,42 @@ int LineOf(std::string_view text, std::string_view needle) {
   return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
 }
 
-void AddWarnings(const std::vector<std::string>& warnings, diag::SourceMark mark,
+/// `crowded`: so many bodies touch that there may be no room for their contacts,
+/// which needs no second finding.
+void AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
   for (const std::string& warning : warnings) {
+    if (crowded && warning.find("buffer is full") != std::string::npos) continue;
     findings.Add(Code::kMujocoWarning, mark, fmt::format("MuJoCo warns: {}", OneLine(warning)));
+  }
+}
+
+/// MuJoCo gave up where it is asked for poses and contacts.
+void AddFailure(const std::exception& error, diag::SourceMark mark, diag::Findings& findings) {
+  findings.Add(Code::kMujocoError, mark,
+               fmt::format("MuJoCo cannot place the bodies: {}", OneLine(error.what())));
+}
+
+/// Adds what touches at the joints' zero; true if there is any.
+bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findings) {
+  if (object.bodies.size() < 2) return false;
+  const std::size_t before = findings.size();
+  try {
+    CheckSelfCollision(m, object, findings);
+  } catch (const std::exception& error) {
+    AddFailure(error, MarkOf(object), findings);
+  }
+  return findings.size() > before;
+}
+
+/// Nothing, and a finding, if MuJoCo gives up.
+std::optional<Sweep> TrySweep(mjModel& m, int frame, diag::SourceMark mark,
+                              diag::Findings& findings) {
+  try {
+    return SweepModel(m, frame);
+  } catch (const std::exception& error) {
+    AddFailure(error, mark, findings);
+    return std::nullopt;
   }
 }
 
@@ -69,8 +107,12 @@ struct Loader::State {
   std::string text;  // the validated copy
 
   bool SetAssets(const mjcf::MjcfDocument& document, diag::Findings& findings);
-  void AddError(const std::string& error, const mjcf::MjcfDocument& document,
-                const model::Object& object, diag::Findings& findings);
+  /// What MuJoCo says to `text`, which is the document's; a refusal is a finding.
+  Loaded LoadDocument(const mjcf::MjcfDocument& document, const model::Object& object,
+                      diag::Findings& findings);
+  /// Without a model there is a finding. `start` is set once the file is read.
+  engine::Model LoadFile(const std::filesystem::path& file, diag::Sources& sources,
+                         diag::SourceMark& start, diag::Findings& findings);
 };
 
 Loader::Loader() : state_(std::make_unique<State>()) {}
@@ -86,56 +128,91 @@ bool Loader::State::SetAssets(const mjcf::MjcfDocument& document, diag::Findings
   return false;
 }
 
-void Loader::State::AddError(const std::string& error, const mjcf::MjcfDocument& document,
-                             const model::Object& object, diag::Findings& findings) {
-  const Refusal refusal = ParseRefusal(error);
+Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const model::Object& object,
+                                   diag::Findings& findings) {
+  if (!SetAssets(document, findings)) return {};
+  Loaded loaded = engine.LoadText(text);
+  if (loaded.model) return loaded;
+  AddWarnings(loaded.warnings, false, MarkOf(object), findings);
+  const Refusal refusal = engine::ParseRefusal(loaded.error);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
   diag::Finding& finding =
       findings.Add(Code::kMujocoError, mark,
-                   fmt::format("MuJoCo refused {}: {}", ElementOnLine(document.text, refusal.line),
-                               refusal.reason));
-  finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(error))});
+                   fmt::format("MuJoCo refused {}: {}",
+                               engine::ElementOnLine(document.text, refusal.line), refusal.reason));
+  finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
+  return loaded;
 }
 
 bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                       diag::Findings& findings) {
-  if (!state_->SetAssets(document, findings)) return false;
   state_->text = document.text;
   if (document.size_position != std::string::npos) {
     state_->text.insert(document.size_position, SizeHint(object));
   }
-  const Loaded loaded = state_->engine.LoadText(state_->text);
+  const Loaded loaded = state_->LoadDocument(document, object, findings);
+  if (!loaded.model) return false;
+  diag::Findings found;
+  Comparison(*loaded.model, object, found).Run(document.lift);
+  const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
+  const bool as_meant = !found.HasErrors();
   const std::size_t before = findings.size();
-  AddWarnings(loaded.warnings, MarkOf(object), findings);
-  if (!loaded.model) {
-    state_->AddError(loaded.error, document, object, findings);
-    return false;
+  AddWarnings(loaded.warnings, crowded, MarkOf(object), findings);
+  const bool warned = findings.size() > before;
+  findings.Append(std::move(found));
+  return as_meant && !warned;
+}
+
+std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
+                                         const model::Object& object, diag::Findings& findings) {
+  state_->text = document.text;
+  const Loaded loaded = state_->LoadDocument(document, object, findings);
+  if (!loaded.model) return std::nullopt;
+  constexpr int kRoot = 1;
+  return TrySweep(*loaded.model, kRoot, MarkOf(object), findings);
+}
+
+engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::Sources& sources,
+                                      diag::SourceMark& start, diag::Findings& findings) {
+  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
+  if (!xml) return nullptr;
+  start = {xml->source, 1, 1};
+  Loaded loaded = engine.LoadFile(file);
+  AddWarnings(loaded.warnings, false, start, findings);
+  if (loaded.model) {
+    CheckFinite(*loaded.model, start, findings);
+    return std::move(loaded.model);
   }
-  Comparison(*loaded.model, object, findings).Run(document.lift);
-  return findings.size() == before;
+  const Refusal refusal = engine::ParseRefusal(loaded.error);
+  const std::string element = xml->has_includes
+                                  ? "the model"
+                                  : engine::ElementOnLine(sources.Text(xml->source), refusal.line);
+  diag::Finding& finding =
+      findings.Add(Code::kMujocoError, engine::MarkOfLine(sources, xml->source, refusal.line),
+                   fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
+                   xml->has_includes ? "the line may be one of an included file" : "");
+  finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
+  return nullptr;
 }
 
 std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings) {
-  const std::optional<XmlFile> xml = ReadXmlFile(file, sources, findings);
-  if (!xml) return std::nullopt;
-  const diag::SourceMark start{xml->source, 1, 1};
-  const Loaded loaded = state_->engine.LoadFile(file);
-  AddWarnings(loaded.warnings, start, findings);
-  if (!loaded.model) {
-    const Refusal refusal = ParseRefusal(loaded.error);
-    const std::string element =
-        xml->has_includes ? "the model" : ElementOnLine(sources.Text(xml->source), refusal.line);
-    diag::Finding& finding =
-        findings.Add(Code::kMujocoError, MarkOfLine(sources, xml->source, refusal.line),
-                     fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
-                     xml->has_includes ? "the line may be one of an included file" : "");
-    finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
-    return std::nullopt;
-  }
-  CheckFinite(*loaded.model, start, findings);
-  return Describe(*loaded.model);
+  diag::SourceMark start;
+  const engine::Model model = state_->LoadFile(file, sources, start, findings);
+  if (!model) return std::nullopt;
+  return Describe(*model);
+}
+
+std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
+                                         diag::Findings& findings) {
+  diag::SourceMark start;
+  const std::size_t before = findings.size();
+  const engine::Model model = state_->LoadFile(file, sources, start, findings);
+  // Numbers that are none would go round and round.
+  if (!model || findings.size() > before) return std::nullopt;
+  constexpr int kWorld = 0;
+  return TrySweep(*model, kWorld, start, findings);
 }
 
 }  // namespace mjforge::validate

@@ -22,8 +22,10 @@ struct CompiledModel {
   struct Body {
     std::string name;
     std::string parent;
+    model::Pose X_PB;
     double mass = 0;
     Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  // principal
+    model::MassProperties mass_properties;              // in B
     int geoms = 0;
   };
   struct Joint {
@@ -34,13 +36,47 @@ struct CompiledModel {
     Eigen::Vector2d range = Eigen::Vector2d::Zero();
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   };
+  struct Element {
+    std::string kind;  // camera light pair exclude equality tendon actuator sensor
+    std::string name;  // may be empty
+  };
   std::string name;
   std::vector<Body> bodies;  // without the world
   std::vector<Joint> joints;
+  std::vector<Element> elements;
   int geoms = 0;
   int sites = 0;
   model::MassProperties mass_properties;  // of all but the world, in the world frame
   model::Box3 aabb;  // of all geoms that can collide and belong to a body but the world
+};
+
+/// What the joints do to a model, by trying. Each hinge and slide moves through
+/// its range, an unlimited hinge through a full turn, in kSteps steps while the
+/// others are at their zero; a ball joint turns about 13 axes up to its range
+/// both ways. With several joints all of them move at once, too, to
+/// kCombinations low-discrepancy points of their ranges (Sobol), and to all
+/// combinations of their ends if they are few. Free joints do not move.
+/// Equalities are not kept. All of it says what is so in those poses, not between.
+struct Sweep {
+  static constexpr int kSteps = 65;
+  static constexpr int kCombinations = 512;
+
+  /// The deepest contact of two bodies, of those that a joint makes.
+  struct Contact {
+    std::string joint;  // empty: none alone; several together, or the zero of all
+    double value = 0;   // the joint's there; rad, m; of a ball joint the angle from its zero
+    std::string body1;
+    std::string geom1;  // of body1
+    std::string body2;
+    std::string geom2;
+    double depth = 0;  // m
+  };
+  std::vector<Contact> contacts;  // by joint, then body; what several do comes last
+  /// Unlimited slides, which have no range to move through.
+  std::vector<std::string> held;
+  /// Of all geoms that can collide (all, if none can), over all poses. In the
+  /// frame of an object's root, or of a file's world.
+  model::Box3 aabb;
 };
 
 /// The version of the MuJoCo library in use: "2.2.2".
@@ -56,14 +92,22 @@ class Loader {
   Loader& operator=(const Loader&) = delete;
 
   /// Loads a document made from `object` and compares counts, names, masses,
-  /// inertias, sizes and poses. Adds a finding, at the place in the spec, for
-  /// each error, warning and difference. True: loaded, and all as meant.
+  /// inertias, sizes, poses and references. If all is as meant, looks for bodies
+  /// that touch at the joints' zero. Adds a finding, at the place in the spec,
+  /// for each error, warning, difference and such pair. True: no error.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                 diag::Findings& findings);
 
   /// Loads any MJCF file. Findings point into the XML.
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
+
+  /// Loads either and moves its joints. Nothing, and a finding, if MuJoCo
+  /// refuses it or warns.
+  std::optional<Sweep> SweepJoints(const mjcf::MjcfDocument& document, const model::Object& object,
+                                   diag::Findings& findings);
+  std::optional<Sweep> SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
+                                   diag::Findings& findings);
 
  private:
   struct State;

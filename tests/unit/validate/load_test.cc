@@ -104,6 +104,38 @@ TEST_CASE("mass and bounds are of the whole model in the world") {
   CHECK(m.aabb.max.isApprox(Eigen::Vector3d(1.1, 0.2, 1.5), 1e-12));
 }
 
+TEST_CASE("bodies have their pose, mass and tensor in their own frame, elements their names") {
+  const TemporaryFolder folder;
+  const Result result = LoadText(folder, R"(<mujoco>
+  <worldbody>
+    <camera name="eye"/>
+    <body name="a" pos="1 2 3" quat="0 1 0 0">
+      <joint name="turn"/>
+      <inertial pos="0.1 0.2 0.3" quat="0.7071067811865476 0 0 0.7071067811865476" mass="2"
+                diaginertia="3 4 5"/>
+    </body>
+    <body name="b"><joint/><geom name="ball" size="1"/></body>
+  </worldbody>
+  <contact><exclude name="apart" body1="a" body2="b"/></contact>
+  <equality><weld body1="a"/></equality>
+  <tendon><fixed name="sum"><joint joint="turn" coef="1"/></fixed></tendon>
+  <actuator><motor name="drive" joint="turn"/></actuator>
+  <sensor><jointpos name="angle" joint="turn"/></sensor>
+</mujoco>)");
+  REQUIRE(result.model);
+  const CompiledModel::Body& a = result.model->bodies[0];
+  CHECK(a.X_PB.p == Eigen::Vector3d(1, 2, 3));
+  CHECK(a.X_PB.q.coeffs() == Eigen::Vector4d(1, 0, 0, 0));  // x y z w
+  CHECK(a.mass_properties.mass == 2);
+  CHECK(a.mass_properties.p_FCm.isApprox(Eigen::Vector3d(0.1, 0.2, 0.3), 1e-15));
+  CHECK(a.mass_properties.I_Cm_F.isApprox(Eigen::Matrix3d(Eigen::Vector3d(4, 3, 5).asDiagonal()),
+                                          1e-12));
+  std::vector<std::string> elements;
+  for (const auto& [kind, name] : result.model->elements) elements.push_back(kind + " " + name);
+  CHECK(elements == std::vector<std::string>{"camera eye", "exclude apart", "equality ",
+                                             "tendon sum", "actuator drive", "sensor angle"});
+}
+
 TEST_CASE("files beside the model are found") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "assets");

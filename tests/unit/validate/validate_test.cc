@@ -214,8 +214,7 @@ TEST_CASE("a texture that is no picture is refused at its entry") {
   model::Object object = hand_made::Mallet();
   model::Texture texture;
   texture.name = "oak";
-  texture.file = folder.path() / "oak.png";
-  texture.output_file = "oak.png";
+  texture.files.push_back({"file", folder.path() / "oak.png", "oak.png"});
   texture.mark = Line(40);
   object.textures.push_back(texture);
   const Texts texts = FindingsOf(Written(object), object);

@@ -1,12 +1,12 @@
-#ifndef MJFORGE_VALIDATE_REFUSAL_H_
-#define MJFORGE_VALIDATE_REFUSAL_H_
+#ifndef MJFORGE_ENGINE_REFUSAL_H_
+#define MJFORGE_ENGINE_REFUSAL_H_
 
 // MuJoCo's error texts, taken apart.
 
 #include <string>
 #include <string_view>
 
-namespace mjforge::validate {
+namespace mjforge::engine {
 
 struct Refusal {
   std::string reason;  // one line, without MuJoCo's "Error: " and final stop
@@ -21,6 +21,6 @@ std::string OneLine(std::string_view text);
 /// geom on line 7" if it has no name, "the model" if there is none.
 std::string ElementOnLine(std::string_view xml, int line);
 
-}  // namespace mjforge::validate
+}  // namespace mjforge::engine
 
-#endif  // MJFORGE_VALIDATE_REFUSAL_H_
+#endif  // MJFORGE_ENGINE_REFUSAL_H_

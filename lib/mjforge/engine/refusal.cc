@@ -1,4 +1,4 @@
-#include "mjforge/validate/refusal.h"
+#include "mjforge/engine/refusal.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace mjforge::validate {
+namespace mjforge::engine {
 namespace {
 
 // How the compiler (mjCError), the reader (mjXError) and tinyxml2 say a line.
@@ -79,4 +79,4 @@ std::string ElementOnLine(std::string_view xml, int line) {
   return fmt::format("{} '{}'", tag, value.substr(0, value.find('"')));
 }
 
-}  // namespace mjforge::validate
+}  // namespace mjforge::engine

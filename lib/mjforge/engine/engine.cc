@@ -1,4 +1,4 @@
-#include "mjforge/validate/engine.h"
+#include "mjforge/engine/engine.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace mjforge::validate {
+namespace mjforge::engine {
 namespace {
 
 constexpr const char* kTextName = "mjforge-object.xml";
@@ -121,4 +121,4 @@ Loaded Engine::LoadText(const std::string& text) {
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) { return Load(file.c_str(), nullptr); }
 
-}  // namespace mjforge::validate
+}  // namespace mjforge::engine

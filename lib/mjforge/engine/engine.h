@@ -1,5 +1,5 @@
-#ifndef MJFORGE_VALIDATE_ENGINE_H_
-#define MJFORGE_VALIDATE_ENGINE_H_
+#ifndef MJFORGE_ENGINE_ENGINE_H_
+#define MJFORGE_ENGINE_ENGINE_H_
 
 // MuJoCo's loader without its habits: it neither exits, prints, nor writes a log.
 
@@ -14,7 +14,10 @@
 
 #include <mujoco/mujoco.h>
 
-namespace mjforge::validate {
+#include "mjforge/engine/refusal.h"
+#include "mjforge/engine/xml_file.h"
+
+namespace mjforge::engine {
 
 struct DeleteModel {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -66,6 +69,6 @@ class Engine {
   std::map<std::filesystem::path, std::string> files_;
 };
 
-}  // namespace mjforge::validate
+}  // namespace mjforge::engine
 
-#endif  // MJFORGE_VALIDATE_ENGINE_H_
+#endif  // MJFORGE_ENGINE_ENGINE_H_

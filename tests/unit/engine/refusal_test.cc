@@ -1,8 +1,8 @@
-#include "mjforge/validate/refusal.h"
+#include "mjforge/engine/refusal.h"
 
 #include <catch2/catch.hpp>
 
-namespace mjforge::validate {
+namespace mjforge::engine {
 namespace {
 
 TEST_CASE("a compiler's error says its reason and line") {
@@ -40,4 +40,4 @@ TEST_CASE("an element is called by its tag and name") {
 }
 
 }  // namespace
-}  // namespace mjforge::validate
+}  // namespace mjforge::engine

@@ -1,4 +1,4 @@
-#include "mjforge/validate/engine.h"
+#include "mjforge/engine/engine.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace mjforge::validate {
+namespace mjforge::engine {
 namespace {
 
 const std::string kBox =
@@ -51,4 +51,4 @@ TEST_CASE("warnings are collected for the load they belong to and no log is writ
 }
 
 }  // namespace
-}  // namespace mjforge::validate
+}  // namespace mjforge::engine

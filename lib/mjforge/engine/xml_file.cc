@@ -1,0 +1,108 @@
+#include "mjforge/engine/xml_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+namespace mjforge::engine {
+namespace {
+
+using diag::Code;
+
+std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
+  if (result) return std::nullopt;
+  std::string reason = result.description();
+  if (!reason.empty() && reason[0] >= 'A' && reason[0] <= 'Z') {
+    reason[0] = static_cast<char>(reason[0] - 'A' + 'a');
+  }
+  // A text without any element is wrong from its start on.
+  const bool empty = result.status == pugi::status_no_document_element;
+  const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
+  return XmlFault{empty ? 0 : offset, fmt::format("not an XML file: {}", reason), {}};
+}
+
+}  // namespace
+
+std::optional<std::string> ReadText(const std::filesystem::path& file, std::string& why_not) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    why_not = "it is a folder";
+    return std::nullopt;
+  }
+  std::optional<std::string> text;
+  std::ifstream stream(file, std::ios::binary);
+  if (stream)
+    text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  if (!stream || stream.bad()) {
+    const bool exists = std::filesystem::exists(file, error);
+    why_not = exists ? "permission denied or a read error" : "No such file or directory";
+    return std::nullopt;
+  }
+  return text;
+}
+
+std::optional<XmlFault> WhyNotXml(std::string_view text) {
+  pugi::xml_document document;
+  return FaultOf(document.load_buffer(text.data(), text.size()));
+}
+
+std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes) {
+  pugi::xml_document document;
+  auto fault = FaultOf(document.load_buffer(text.data(), text.size()));
+  if (fault) return fault;
+  if (has_includes != nullptr) *has_includes = !document.select_node("//include").node().empty();
+  const pugi::xml_node root = document.document_element();
+  const std::string_view name = root.name();
+  if (name == "mujoco") return std::nullopt;
+  const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(root.offset_debug(), 0));
+  if (name == "robot") {
+    return XmlFault{offset, "the root element is <robot>, not <mujoco>: this is a URDF file",
+                    "convert it to MJCF first: load it in MuJoCo and save it with mj_saveLastXML"};
+  }
+  return XmlFault{offset, fmt::format("the root element is <{}>, not <mujoco>", name),
+                  "an MJCF file has the root element <mujoco>"};
+}
+
+std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
+                                   diag::Findings& findings) {
+  std::string why_not;
+  std::optional<std::string> text = ReadText(file, why_not);
+  if (!text) {
+    findings.Add(Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", file.string(), why_not));
+    return std::nullopt;
+  }
+  const std::uint32_t source = sources.Add(file.string(), *std::move(text));
+  bool has_includes = false;
+  const std::optional<XmlFault> fault = WhyNotMjcf(sources.Text(source), &has_includes);
+  if (fault) {
+    findings.Add(Code::kMujocoNotMjcf, MarkAt(sources, source, fault->offset), fault->message,
+                 fault->hint);
+    return std::nullopt;
+  }
+  return XmlFile{source, has_includes};
+}
+
+diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset) {
+  const std::string_view text = sources.Text(source);
+  const std::string_view before = text.substr(0, std::min(text.size(), offset));
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  return {source, static_cast<std::uint32_t>(1 + std::ranges::count(before, '\n')),
+          static_cast<std::uint32_t>(1 + before.size() - line_start)};
+}
+
+diag::SourceMark MarkOfLine(const diag::Sources& sources, std::uint32_t source, int line) {
+  diag::SourceMark mark{source, static_cast<std::uint32_t>(std::max(line, 1)), 1};
+  const std::size_t start = sources.Line(mark).find_first_not_of(" \t");
+  if (start != std::string_view::npos) mark.column = static_cast<std::uint32_t>(start + 1);
+  return mark;
+}
+
+}  // namespace mjforge::engine

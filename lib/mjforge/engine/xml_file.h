@@ -1,0 +1,47 @@
+#ifndef MJFORGE_ENGINE_XML_FILE_H_
+#define MJFORGE_ENGINE_XML_FILE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::engine {
+
+/// A file that is XML with a root element <mujoco>.
+struct XmlFile {
+  std::uint32_t source = 0;  // its number in Sources
+  bool has_includes = false;
+};
+
+/// What is wrong with a text, and at which byte.
+struct XmlFault {
+  std::size_t offset = 0;
+  std::string message;
+  std::string hint;
+};
+std::optional<XmlFault> WhyNotXml(std::string_view text);
+/// The same of a text whose root element must be <mujoco>.
+std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes = nullptr);
+
+/// The whole file; nothing, and the reason ("No such file or directory"), if it
+/// cannot be read.
+std::optional<std::string> ReadText(const std::filesystem::path& file, std::string& why_not);
+
+/// Reads the file into `sources`; nothing and a finding if it is not MJCF.
+std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
+                                   diag::Findings& findings);
+
+/// The place of a byte of a source.
+diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset);
+
+/// The first text on a line of a source, for marks.
+diag::SourceMark MarkOfLine(const diag::Sources& sources, std::uint32_t source, int line);
+
+}  // namespace mjforge::engine
+
+#endif  // MJFORGE_ENGINE_XML_FILE_H_

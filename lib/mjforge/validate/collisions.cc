@@ -1,0 +1,120 @@
+#include "mjforge/validate/collisions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/validate/contacts.h"
+
+namespace mjforge::validate {
+namespace {
+
+// What touches everywhere need not be listed to the end.
+constexpr std::size_t kMostPairs = 50;
+constexpr double kRounding = 1e-12;  // m; less is rounding
+
+class SelfCollisions {
+ public:
+  SelfCollisions(mjModel& m, const model::Object& object, diag::Findings& findings)
+      : m_(m), object_(object), findings_(findings), order_(mjcf::DepthFirst(object)) {}
+
+  void Check() {
+    ContactFinder finder(m_);
+    std::size_t more = 0;
+    for (const BodyContact& contact : finder.Find()) {
+      const bool attached = AreParentAndChild(contact.body1, contact.body2);
+      if (attached && InHost()) continue;
+      if (findings_.size() < before_ + kMostPairs) {
+        Report(contact, attached);
+      } else {
+        ++more;
+      }
+    }
+    if (more == 0) return;
+    findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
+                  fmt::format("{} more pairs of bodies touch at the joints' zero", more));
+  }
+
+ private:
+  const model::Body& BodyOf(int id) const {
+    return object_.bodies[static_cast<std::size_t>(order_[static_cast<std::size_t>(id - 1)])];
+  }
+
+  /// The first body of those that move as one with it.
+  int RigidGroup(int id) const {
+    while (m_.body_jntnum[id] == 0 && m_.body_parentid[id] != 0) id = m_.body_parentid[id];
+    return id;
+  }
+
+  bool AreParentAndChild(int a, int b) const {
+    const int group_a = RigidGroup(a);
+    const int group_b = RigidGroup(b);
+    const auto is_child = [&](int child, int parent) {
+      const int above = m_.body_parentid[child];
+      return above != 0 && RigidGroup(above) == parent;
+    };
+    return is_child(group_b, group_a) || is_child(group_a, group_b);
+  }
+
+  bool InHost() const { return object_.bodies.front().name.empty(); }
+
+  /// As the author of the spec names it: without the object's prefix, and the
+  /// root by the object's name, whatever a host calls it.
+  std::string_view AuthorsName(const model::Body& body) const {
+    if (InHost() && body.parent == 0) return object_.name;
+    std::string_view name = body.name;
+    if (name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_')) {
+      name.remove_prefix(object_.name.size() + 1);
+    }
+    return name;
+  }
+
+  void Report(const BodyContact& contact, bool attached) {
+    const model::Body* first = &BodyOf(contact.body1);
+    const model::Body* second = &BodyOf(contact.body2);
+    int first_geom = contact.geom1;
+    int second_geom = contact.geom2;
+    if (second < first) {  // MuJoCo goes depth first, a spec need not
+      std::swap(first, second);
+      std::swap(first_geom, second_geom);
+    }
+    std::string message =
+        fmt::format("bodies '{}' and '{}' touch at the joints' zero: geoms '{}' and '{}', {}",
+                    first->name, second->name, m_.names + m_.name_geomadr[first_geom],
+                    m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
+    if (attached) message += "; MuJoCo lets parent and child collide as the parent is fixed";
+    std::string hint = fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
+                                   AuthorsName(*first), AuthorsName(*second));
+    constexpr auto kCode = diag::Code::kMujocoSelfCollision;
+    diag::Finding& finding =
+        attached ? findings_.Warn(kCode, second->mark, std::move(message), std::move(hint))
+                 : findings_.Add(kCode, second->mark, std::move(message), std::move(hint));
+    if (first->mark) finding.notes.push_back({first->mark, fmt::format("'{}'", first->name)});
+  }
+
+  mjModel& m_;
+  const model::Object& object_;
+  diag::Findings& findings_;
+  const std::vector<int> order_;  // MuJoCo's body number less one -> place in the object
+  const std::size_t before_ = findings_.size();
+};
+
+}  // namespace
+
+std::string DepthText(double distance) {
+  const double mm = std::abs(distance) < kRounding ? 0 : 1000 * std::abs(distance);
+  const std::string text = mm < 100 ? fmt::format("{:.3g}", mm) : fmt::format("{:.0f}", mm);
+  return text + (distance > kRounding ? " mm apart, within the margin" : " mm deep");
+}
+
+void CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings& findings) {
+  SelfCollisions(m, object, findings).Check();
+}
+
+}  // namespace mjforge::validate

@@ -1,0 +1,26 @@
+#ifndef MJFORGE_VALIDATE_COLLISIONS_H_
+#define MJFORGE_VALIDATE_COLLISIONS_H_
+
+#include <string>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::validate {
+
+/// Adds an error for each pair of bodies that touch at the joints' zero, at the
+/// second of them. A body and its parent never count as a pair: MuJoCo lets
+/// them collide if the parent is fixed to the world, which is a warning, unless
+/// the root has no name: then it stands for a host, which lets the object move.
+/// `m` was compiled from the object, compared with it, and is used up. May throw
+/// std::exception.
+void CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings& findings);
+
+/// "1.2 mm deep", "0.5 mm apart, within the margin".
+std::string DepthText(double distance);
+
+}  // namespace mjforge::validate
+
+#endif  // MJFORGE_VALIDATE_COLLISIONS_H_

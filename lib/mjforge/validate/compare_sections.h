@@ -1,0 +1,18 @@
+#ifndef MJFORGE_VALIDATE_COMPARE_SECTIONS_H_
+#define MJFORGE_VALIDATE_COMPARE_SECTIONS_H_
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::validate {
+
+/// Adds a finding for each difference between the compiled sensors, actuators,
+/// tendons, equalities, pairs and excludes and those meant: how many, their
+/// names, and the elements they refer to.
+void CompareSections(const mjModel& m, const model::Object& object, diag::Findings& findings);
+
+}  // namespace mjforge::validate
+
+#endif  // MJFORGE_VALIDATE_COMPARE_SECTIONS_H_

@@ -1,0 +1,87 @@
+#include "mjforge/validate/contacts.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+namespace mjforge::validate {
+namespace {
+
+constexpr int kContactsAtFirst = 200;
+// MuJoCo's contact has about 600 bytes: at most some 120 MB.
+constexpr int kMostContacts = 200'000;
+
+/// What mj_kinematics to mj_collision (2.2.2) use at most: three lists with a
+/// number for each pair of bodies, and some numbers a body.
+int StackSize(const mjModel& m) {
+  const double bodies = m.nbody;
+  const double numbers = 1.5 * bodies * bodies + 200 * bodies + 20'000;
+  constexpr double kMost = std::numeric_limits<int>::max() / 16.0;  // MuJoCo counts bytes in an int
+  return static_cast<int>(std::min(numbers, kMost));
+}
+
+}  // namespace
+
+ContactFinder::ContactFinder(mjModel& model) : model_(model) {
+  // No constraint is made here, and rows for them are most of the memory.
+  model_.njmax = 0;
+  model_.nconmax = kContactsAtFirst;
+  model_.nstack = StackSize(model);
+  MakeData();
+  Move();
+}
+
+void ContactFinder::MakeData() {
+  data_.reset(mj_makeData(&model_));
+  if (!data_) throw std::runtime_error("there is not enough memory for this model");
+}
+
+void ContactFinder::Move() {
+  mj_kinematics(&model_, data_.get());
+  mj_comPos(&model_, data_.get());
+}
+
+void ContactFinder::Collide() {
+  mj_collision(&model_, data_.get());
+  while (data_->warning[mjWARN_CONTACTFULL].number > 0 && model_.nconmax < kMostContacts) {
+    const std::vector<mjtNum> here(qpos().begin(), qpos().end());
+    model_.nconmax = std::min(8 * model_.nconmax, kMostContacts);
+    MakeData();
+    std::ranges::copy(here, qpos().begin());
+    Move();
+    mj_collision(&model_, data_.get());
+  }
+}
+
+const std::vector<BodyContact>& ContactFinder::Find() {
+  contacts_.clear();
+  // With fewer bodies there is nothing to touch but the world.
+  if (model_.nbody <= 2) return contacts_;
+  Collide();
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    // MuJoCo excludes a contact at distance 0, or within the gap; the first touches.
+    if (contact.dist > 0 && contact.exclude != 0) continue;
+    BodyContact found = {model_.geom_bodyid[contact.geom1], model_.geom_bodyid[contact.geom2],
+                         contact.geom1, contact.geom2, contact.dist};
+    if (found.body1 == 0 || found.body2 == 0) continue;
+    if (found.body1 > found.body2) {
+      std::swap(found.body1, found.body2);
+      std::swap(found.geom1, found.geom2);
+    }
+    contacts_.push_back(found);
+  }
+  std::ranges::sort(contacts_, [](const BodyContact& a, const BodyContact& b) {
+    return std::tie(a.body1, a.body2, a.distance, a.geom1, a.geom2) <
+           std::tie(b.body1, b.body2, b.distance, b.geom1, b.geom2);
+  });
+  const auto same_bodies = [](const BodyContact& a, const BodyContact& b) {
+    return a.body1 == b.body1 && a.body2 == b.body2;
+  };
+  contacts_.erase(std::unique(contacts_.begin(), contacts_.end(), same_bodies), contacts_.end());
+  return contacts_;
+}
+
+}  // namespace mjforge::validate

@@ -1,0 +1,58 @@
+#ifndef MJFORGE_VALIDATE_CONTACTS_H_
+#define MJFORGE_VALIDATE_CONTACTS_H_
+
+// The contacts that MuJoCo finds between the bodies of a compiled model.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+namespace mjforge::validate {
+
+/// The deepest contact of two bodies, by MuJoCo's numbers.
+struct BodyContact {
+  int body1 = 0;  // below body2
+  int body2 = 0;
+  int geom1 = 0;  // of body1
+  int geom2 = 0;
+  double distance = 0;  // m; below 0: they are that deep in each other
+};
+
+/// Places a model's bodies and finds what touches. Who may touch whom is for
+/// MuJoCo to say: its filters for parents and welded bodies, excludes, pairs,
+/// contact bits. Its functions throw std::exception where MuJoCo gives up.
+class ContactFinder {
+ public:
+  /// The model must outlive the finder, which changes how much room it has for
+  /// contacts. The joints are at their zero.
+  explicit ContactFinder(mjModel& model);
+
+  /// As MuJoCo has them. After a change Move() is due.
+  std::span<mjtNum> qpos() { return {data_->qpos, static_cast<std::size_t>(model_.nq)}; }
+  /// Takes the bodies to where qpos says.
+  void Move();
+  const mjData& data() const { return *data_; }
+
+  /// The pairs of bodies that touch, the deepest contact of each, in the order
+  /// of their numbers: penetrating, at distance 0, or within a margin where
+  /// MuJoCo pushes already. Contacts with the world are not of them. Good until
+  /// the next call.
+  const std::vector<BodyContact>& Find();
+
+ private:
+  struct DeleteData {
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+  void MakeData();
+  void Collide();
+
+  mjModel& model_;
+  std::unique_ptr<mjData, DeleteData> data_;
+  std::vector<BodyContact> contacts_;
+};
+
+}  // namespace mjforge::validate
+
+#endif  // MJFORGE_VALIDATE_CONTACTS_H_

@@ -1,0 +1,277 @@
+#include "mjforge/validate/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "mjforge/validate/contacts.h"
+#include "mjforge/validate/geoms.h"
+
+namespace mjforge::validate {
+namespace {
+
+constexpr int kTogether = -1;  // in place of a joint: several at once
+// With so many numbers all combinations of the ends of ranges are tried, too.
+constexpr std::size_t kMostCorners = 8;
+// Of two depths that differ by less the first one stays.
+constexpr double kSameDepth = 1e-9;  // m
+// Numbers one point of Boost's Sobol sequence can have.
+constexpr std::size_t kMostDimensions = boost::random::default_sobol_table::max_dimension;
+
+/// Directions a ball joint is turned about: edges, faces and corners of a cube,
+/// one of each opposite pair.
+constexpr std::array<std::array<int, 3>, 13> kBallAxes = {{{1, 0, 0},
+                                                           {0, 1, 0},
+                                                           {0, 0, 1},
+                                                           {1, 1, 0},
+                                                           {1, -1, 0},
+                                                           {1, 0, 1},
+                                                           {1, 0, -1},
+                                                           {0, 1, 1},
+                                                           {0, 1, -1},
+                                                           {1, 1, 1},
+                                                           {1, 1, -1},
+                                                           {1, -1, 1},
+                                                           {-1, 1, 1}}};
+
+struct MovedJoint {
+  int id = 0;
+  bool ball = false;
+  double low = 0;  // rad or m; of a ball joint 0
+  double high = 0;
+  std::size_t dimensions() const { return ball ? 3 : 1; }
+};
+
+/// The unlimited slides, which have no range to move through, go to `held`.
+std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& held) {
+  std::vector<MovedJoint> joints;
+  for (int i = 0; i < m.njnt; ++i) {
+    const bool limited = m.jnt_limited[i] != 0;
+    const mjtNum* range = m.jnt_range + 2 * i;
+    const double zero = m.qpos0[m.jnt_qposadr[i]];
+    switch (m.jnt_type[i]) {
+      case mjJNT_BALL:
+        joints.push_back({i, true, 0, limited ? range[1] : std::numbers::pi});
+        break;
+      case mjJNT_HINGE:
+        joints.push_back({i, false, limited ? range[0] : zero - std::numbers::pi,
+                          limited ? range[1] : zero + std::numbers::pi});
+        break;
+      case mjJNT_SLIDE:
+        if (limited) {
+          joints.push_back({i, false, range[0], range[1]});
+        } else {
+          held.emplace_back(m.names + m.name_jntadr[i]);
+        }
+        break;
+      default:
+        break;
+    }
+  }
+  return joints;
+}
+
+class Sweeper {
+ public:
+  Sweeper(mjModel& m, int frame) : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.held)) {
+    X_AW_ = PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
+    // Where nothing collides the looks are the body, as for model::Bounds.
+    for (int i = 0; i < m.ngeom; ++i) any_collides_ |= CollidesInBody(m, i);
+    body_end_.resize(static_cast<std::size_t>(m.nbody));
+    for (int i = m.nbody - 1; i >= 0; --i) {
+      int& end = body_end_[static_cast<std::size_t>(i)];
+      end = std::max(end, i + 1);
+      int& parent_end = body_end_[static_cast<std::size_t>(m.body_parentid[i])];
+      parent_end = std::max(parent_end, end);
+    }
+  }
+
+  Sweep Run() {
+    Look(kTogether, 0);
+    for (const MovedJoint& joint : joints_) {
+      if (joint.ball) {
+        TurnBall(joint);
+      } else {
+        MoveJoint(joint);
+      }
+      Reset();
+    }
+    if (joints_.size() > 1) Combine();
+    Collect();
+    return std::move(sweep_);
+  }
+
+ private:
+  using BodyPair = std::pair<int, int>;
+  struct Deepest {
+    BodyContact contact;
+    double value = 0;
+  };
+
+  mjtNum* QposOf(const MovedJoint& joint) {
+    return finder_.qpos().data() + m_.jnt_qposadr[joint.id];
+  }
+
+  void Reset() { std::copy_n(m_.qpos0, m_.nq, finder_.qpos().begin()); }
+
+  /// Bodies are numbered depth first: those a joint moves have a row of numbers.
+  bool Moves(int joint, int body) const {
+    const int first = m_.jnt_bodyid[joint];
+    return body >= first && body < body_end_[static_cast<std::size_t>(first)];
+  }
+
+  void MoveJoint(const MovedJoint& joint) {
+    for (int i = 0; i < Sweep::kSteps; ++i) {
+      const double share = static_cast<double>(i) / (Sweep::kSteps - 1);
+      const double value = std::lerp(joint.low, joint.high, share);
+      *QposOf(joint) = value;
+      Look(joint.id, value);
+    }
+  }
+
+  void TurnBall(const MovedJoint& joint) {
+    for (const auto& [x, y, z] : kBallAxes) {
+      for (int i = 0; i < Sweep::kSteps; ++i) {
+        const double angle = joint.high * (2.0 * i / (Sweep::kSteps - 1) - 1);
+        SetBall(joint, Eigen::Vector3d(x, y, z).normalized(), angle);
+        Look(joint.id, std::abs(angle));
+      }
+    }
+  }
+
+  void SetBall(const MovedJoint& joint, const Eigen::Vector3d& axis, double angle) {
+    const int address = m_.jnt_qposadr[joint.id];
+    mju_axisAngle2Quat(QposOf(joint), axis.data(), angle);
+    mjtNum turned[4];
+    mju_mulQuat(turned, m_.qpos0 + address, QposOf(joint));
+    mju_copy4(QposOf(joint), turned);
+  }
+
+  /// All joints at once: `point` has numbers from 0 to 1.
+  void SetAll(std::span<const double> point) {
+    std::size_t at = 0;
+    const auto next = [&] { return point[at++ % point.size()]; };
+    for (const MovedJoint& joint : joints_) {
+      if (!joint.ball) {
+        *QposOf(joint) = std::lerp(joint.low, joint.high, next());
+        continue;
+      }
+      const double z = 2 * next() - 1;
+      const double around = 2 * std::numbers::pi * next();
+      const double across = std::sqrt(std::max(1 - z * z, 0.0));
+      SetBall(joint, {across * std::cos(around), across * std::sin(around), z},
+              joint.high * next());
+    }
+  }
+
+  void Combine() {
+    std::size_t dimensions = 0;
+    for (const MovedJoint& joint : joints_) dimensions += joint.dimensions();
+    std::vector<double> point(std::min(dimensions, kMostDimensions));
+    boost::random::sobol sequence(point.size());
+    for (int i = 0; i < Sweep::kCombinations; ++i) {
+      // The sequence keeps this far from 0 and 1, which are worth a look.
+      constexpr double kEdge = 0.5 / Sweep::kCombinations;
+      for (double& number : point) {
+        const double share = std::ldexp(static_cast<double>(sequence()), -64);
+        number = std::clamp((share - kEdge) / (1 - 2 * kEdge), 0.0, 1.0);
+      }
+      SetAll(point);
+      Look(kTogether, 0);
+    }
+    if (point.size() > kMostCorners) return;
+    for (std::size_t corner = 0; corner < std::size_t{1} << point.size(); ++corner) {
+      for (std::size_t i = 0; i < point.size(); ++i) point[i] = corner >> i & 1 ? 1 : 0;
+      SetAll(point);
+      Look(kTogether, 0);
+    }
+  }
+
+  /// Adds what is to be seen with the joints as they are.
+  void Look(int joint, double value) {
+    finder_.Move();
+    const int first = joint == kTogether ? 1 : m_.jnt_bodyid[joint];
+    const int end = joint == kTogether ? m_.nbody : body_end_[static_cast<std::size_t>(first)];
+    for (int body = first; body < end; ++body) AddBoxOf(body);
+    for (const BodyContact& contact : finder_.Find()) {
+      // Two bodies a joint moves alike, or not at all, are as they were before.
+      if (joint != kTogether && Moves(joint, contact.body1) == Moves(joint, contact.body2)) {
+        continue;
+      }
+      if (contact.distance > 0) continue;  // within a margin, not inside
+      const auto [found, is_new] =
+          deepest_.try_emplace({joint, contact.body1, contact.body2}, Deepest{contact, value});
+      if (is_new || contact.distance >= found->second.contact.distance - kSameDepth) continue;
+      found->second = {contact, value};
+    }
+  }
+
+  void AddBoxOf(int body) {
+    const mjData& data = finder_.data();
+    for (int i = 0; i < m_.body_geomnum[body]; ++i) {
+      const int geom = m_.body_geomadr[body] + i;
+      if (any_collides_ && !CollidesInBody(m_, geom)) continue;
+      using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+      const model::Pose X_WG = {
+          Eigen::Map<const Eigen::Vector3d>(data.geom_xpos + 3 * geom),
+          Eigen::Quaterniond(Eigen::Map<const RowMajor>(data.geom_xmat + 9 * geom))};
+      sweep_.aabb.Add(GeomBox(m_, geom, X_AW_ * X_WG));
+    }
+  }
+
+  /// What several joints do to a pair is told only of pairs that no joint alone
+  /// brings together.
+  void Collect() {
+    std::set<BodyPair> of_one;
+    for (const auto& [key, deepest] : deepest_) {
+      if (std::get<0>(key) != kTogether) of_one.emplace(std::get<1>(key), std::get<2>(key));
+    }
+    std::vector<Sweep::Contact> together;
+    for (const auto& [key, deepest] : deepest_) {
+      const auto [joint, body1, body2] = key;
+      if (joint != kTogether) {
+        sweep_.contacts.push_back(Told(joint, deepest));
+      } else if (!of_one.contains({body1, body2})) {
+        together.push_back(Told(joint, deepest));
+      }
+    }
+    std::ranges::move(together, std::back_inserter(sweep_.contacts));
+  }
+
+  Sweep::Contact Told(int joint, const Deepest& deepest) const {
+    const BodyContact& contact = deepest.contact;
+    const auto name = [&](const int* names, int id) { return std::string(m_.names + names[id]); };
+    return {joint == kTogether ? std::string() : name(m_.name_jntadr, joint),
+            deepest.value,
+            name(m_.name_bodyadr, contact.body1),
+            name(m_.name_geomadr, contact.geom1),
+            name(m_.name_bodyadr, contact.body2),
+            name(m_.name_geomadr, contact.geom2),
+            std::max(-contact.distance, 0.0)};
+  }
+
+  mjModel& m_;
+  Sweep sweep_;
+  ContactFinder finder_;
+  std::vector<MovedJoint> joints_;
+  model::Pose X_AW_;
+  bool any_collides_ = false;
+  std::vector<int> body_end_;                             // one past the last body below each body
+  std::map<std::tuple<int, int, int>, Deepest> deepest_;  // joint, bodies
+};
+
+}  // namespace
+
+Sweep SweepModel(mjModel& m, int frame) { return Sweeper(m, frame).Run(); }
+
+}  // namespace mjforge::validate
