@@ -214,7 +214,7 @@ class Run {
 
 std::vector<std::string> TargetNames() {
   std::vector<std::string> names;
-  for (const mjcf::TargetInfo& info : mjcf::Targets()) names.emplace_back(info.name);
+  for (const mjcf::TargetRules& info : mjcf::Targets()) names.emplace_back(info.name);
   return names;
 }
 

@@ -58,7 +58,8 @@ TEST_CASE_METHOD(UsageTest, "values that an option cannot take are wrong usage")
   }
   CHECK(WrongUsage({"generate"}).starts_with("mjforge: error: "));
   CHECK(WrongUsage({"generate", "crate.yaml", "--target", "secne"}) ==
-        "mjforge: error: --target: 'secne' is not one of mujoco, scene; did you mean 'scene'?");
+        "mjforge: error: --target: 'secne' is not one of mujoco, scene, robosuite, robocasa, mjx; "
+        "did you mean 'scene'?");
 }
 
 TEST_CASE_METHOD(UsageTest, "a number with a leading zero is decimal") {

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/attach/attach.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -96,8 +97,9 @@ inline constexpr int kMaxResamples = 100;
 class Generator {
  public:
   /// The recipe, its sources and the loader must outlive the generator. Without
-  /// a loader MuJoCo is not asked.
-  Generator(const Recipe& recipe, const diag::Sources& sources, const Options& options,
+  /// a loader MuJoCo is not asked for its verdict. Attached XML files are added
+  /// to the sources.
+  Generator(const Recipe& recipe, diag::Sources& sources, const Options& options,
             validate::Loader* loader);
 
   /// Replaces the content of `variant`. A pure function of the index.
@@ -108,13 +110,16 @@ class Generator {
  private:
   enum class Outcome { kMade, kFailed, kHopeless };
   Outcome Attempt(std::uint64_t attempt, Variant& variant);
+  void NameSources();
   void Describe(const model::Object& object, output::Record& record) const;
 
   const Recipe& recipe_;
   Options options_;
   validate::Loader* loader_;
+  const diag::Sources& sources_;
   diag::Sources record_sources_;  // names as records show them
   mjcf::Provenance provenance_;
+  attach::MjcfReader attachments_;
   model::Assembler assembler_;
 };
 

@@ -5,13 +5,6 @@
 namespace mjforge::forge {
 namespace {
 
-std::string_view TargetName(mjcf::Target target) {
-  for (const mjcf::TargetInfo& info : mjcf::Targets()) {
-    if (info.target == target) return info.name;
-  }
-  return {};
-}
-
 bool HasCode(const diag::Findings& findings, diag::Code code) {
   return std::any_of(findings.begin(), findings.end(),
                      [&](const diag::Finding& finding) { return finding.code == code; });
@@ -19,7 +12,9 @@ bool HasCode(const diag::Findings& findings, diag::Code code) {
 
 int GeomCount(const model::Body& body) {
   int count = 0;
-  for (const model::Part& part : body.parts) count += part.role == model::Role::kBoth ? 2 : 1;
+  for (const model::Part& part : body.parts) {
+    count += part.role == model::Role::kBoth && !part.as_is ? 2 : 1;
+  }
   return count;
 }
 
@@ -38,18 +33,28 @@ void Clear(Variant& variant) {
 
 }  // namespace
 
-Generator::Generator(const Recipe& recipe, const diag::Sources& sources, const Options& options,
+Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options& options,
                      validate::Loader* loader)
-    : recipe_(recipe), options_(options), loader_(loader) {
-  for (std::uint32_t file = 1; file <= sources.size(); ++file) {
-    record_sources_.Add(std::filesystem::path(sources.Name(file)).filename().string(), {});
-  }
+    : recipe_(recipe),
+      options_(options),
+      loader_(loader),
+      sources_(sources),
+      attachments_(sources),
+      assembler_(&attachments_) {
   provenance_.version = Version();
   provenance_.spec = recipe.reference;
   provenance_.spec_sha256 = recipe.spec->sha256;
   provenance_.settings = recipe.settings;
   provenance_.seed = options.seed;
-  provenance_.target = TargetName(options.target);
+  provenance_.target = mjcf::RulesOf(options.target).name;
+}
+
+// Of the sources there are by now.
+void Generator::NameSources() {
+  for (auto file = static_cast<std::uint32_t>(record_sources_.size() + 1); file <= sources_.size();
+       ++file) {
+    record_sources_.Add(std::filesystem::path(sources_.Name(file)).filename().string(), {});
+  }
 }
 
 void Generator::Make(std::uint64_t index, Variant& variant) {
@@ -74,6 +79,7 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
     record.sha256 = output::Sha256(variant.document.text);
   }
   variant.findings.SetVariant(options_.seed, index);
+  NameSources();
   for (const diag::Finding& finding : variant.findings) {
     record.findings.push_back(diag::RenderJson(finding, record_sources_));
   }
@@ -95,8 +101,13 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
     record.params.emplace_back(spec.parameters[i].name, values->Parameter(i));
   }
-  variant.object = assembler_.Assemble(*values, {.name = record.name}, variant.findings);
+  const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
+  variant.object = assembler_.Assemble(
+      *values, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
+      variant.findings);
   if (!variant.object) return Outcome::kFailed;
+  mjcf::Adapt(*variant.object, options_.target, variant.findings);
+  if (variant.findings.HasErrors()) return Outcome::kFailed;
   Describe(*variant.object, record);
   mjcf::WriteMjcf(*variant.object, options_.target, provenance_, variant.document);
   if (loader_ != nullptr) loader_->Validate(variant.document, *variant.object, variant.findings);
@@ -106,8 +117,8 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
 void Generator::Describe(const model::Object& object, output::Record& record) const {
   record.mass_properties = object.mass_properties;
   record.bounds = object.bounds;
-  record.nbody = 1;                                                // the world
-  record.ngeom = options_.target == mjcf::Target::kScene ? 1 : 0;  // the floor
+  record.nbody = 1;                                             // the world
+  record.ngeom = mjcf::RulesOf(options_.target).scene ? 1 : 0;  // the floor
   for (const model::Body& body : object.bodies) {
     ++record.nbody;
     record.njnt += static_cast<int>(body.joints.size());

@@ -129,6 +129,10 @@ class BodyWriter {
   }
 
   void Size(model::GeomType type, const Eigen::Vector3d& size) {
+    if (type == model::GeomType::kSphere && groups_.sphere_sizes == 3) {
+      writer_.Vector("size", Eigen::Vector3d::Constant(size.x()));
+      return;
+    }
     writer_.Numbers("size", {size.data(), static_cast<std::size_t>(model::SizeCount(type))});
   }
 

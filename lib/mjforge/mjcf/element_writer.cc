@@ -15,6 +15,9 @@ namespace {
 /// that part of a turn) nothing is meant.
 double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
+/// Levels of indentation: bodies deep in a chain would be mostly blanks.
+constexpr std::size_t kDeepest = 24;
+
 bool NeedsEscape(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == '&' || c == '<' || c == '>' || c == '"' ||
          c == 0x7f;
@@ -26,17 +29,19 @@ ElementWriter::ElementWriter(MjcfDocument& document)
     : text_(document.text), origins_(document.origins) {}
 
 void ElementWriter::Line(std::string_view text) {
-  text_.append(2 * depth_, ' ');
+  Indent();
   text_ += text;
   Finish("\n");
 }
 
 void ElementWriter::Open(std::string_view tag, diag::SourceMark mark) {
   if (mark) origins_.push_back({line_, mark});
-  text_.append(2 * depth_, ' ');
+  Indent();
   text_ += '<';
   text_ += tag;
 }
+
+void ElementWriter::Indent() { text_.append(2 * std::min(depth_, kDeepest), ' '); }
 
 void ElementWriter::Content() {
   Finish(">\n");
@@ -45,7 +50,7 @@ void ElementWriter::Content() {
 
 void ElementWriter::End(std::string_view tag) {
   --depth_;
-  text_.append(2 * depth_, ' ');
+  Indent();
   text_ += "</";
   text_ += tag;
   Finish(">\n");

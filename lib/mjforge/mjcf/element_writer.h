@@ -1,8 +1,9 @@
 #ifndef MJFORGE_MJCF_ELEMENT_WRITER_H_
 #define MJFORGE_MJCF_ELEMENT_WRITER_H_
 
-// Streams XML elements into a string: one element a line, two spaces a level.
-// By hand because writing is the hot path of a batch (a DOM costs twice as much).
+// Streams XML elements into a string: one element a line, two spaces a level, up
+// to a depth. By hand because writing is the hot path of a batch (a DOM costs
+// twice as much).
 
 #include <span>
 #include <string>
@@ -49,6 +50,7 @@ class ElementWriter {
   void Repeat(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
 
  private:
+  void Indent();
   void Finish(std::string_view end);
   void Escaped(std::string_view value);
 

@@ -15,7 +15,8 @@ diag::SourceMark MjcfDocument::Origin(int line) const {
 
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,
                MjcfDocument& document) {
-  const bool scene = target == Target::kScene;
+  const TargetRules& rules = RulesOf(target);
+  const bool scene = rules.scene;
   document.text.clear();
   document.origins.clear();
   document.assets.clear();
@@ -29,10 +30,10 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   writer.Content();
   writer.Line("<compiler angle=\"radian\"/>");
   document.size_position = scene ? std::string::npos : document.text.size();
-  if (scene) WriteSceneSize(object, writer);
+  WriteSizes(object, scene, writer);
   WriteSettings(object, writer);
 
-  if (scene || !object.textures.empty() || !object.materials.empty() || !object.meshes.empty()) {
+  if (scene || rules.always_assets || !object.textures.empty() || !object.materials.empty() || !object.meshes.empty()) {
     writer.Open("asset");
     writer.Content();
     WriteAssets(object, writer, document);

@@ -13,23 +13,10 @@
 #include <vector>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/mjcf/targets.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::mjcf {
-
-/// Who reads the file.
-enum class Target {
-  kMujoco,  // complete, flat, simulates by itself
-  kScene,   // the same with floor, light and camera; the object rests on the floor
-};
-
-struct TargetInfo {
-  Target target;
-  std::string_view name;
-  std::string_view doc;
-};
-std::span<const TargetInfo> Targets();
-std::optional<Target> FindTarget(std::string_view name);
 
 /// What the opening comment says: enough to make the file again.
 struct Provenance {
@@ -69,6 +56,12 @@ inline constexpr std::string_view kVisualSuffix = "_vis";
 
 /// Object::bodies in the order of the text, which is MuJoCo's: depth first.
 std::vector<int> DepthFirst(const model::Object& object);
+
+/// Changes the object into what its target reads: see TargetRules. What the
+/// target has no place for is dropped with a warning; what would break there is
+/// an error. Comes before WriteMjcf, so that a comparison of the object with
+/// what MuJoCo compiles still holds.
+void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
 /// Replaces the content of `document`, reusing its memory.
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,

@@ -9,9 +9,6 @@ namespace {
 
 // Names of the scene's own elements have a hyphen, which an object's cannot have.
 
-/// MuJoCo's defaults take 100 contacts; a geom flat on the floor makes up to four.
-constexpr std::size_t kGeomsThatFit = 24;
-
 bool Finite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
 
 /// Looking from `eye` at `target`, upright: a camera looks along its -z, its y is up.
@@ -28,22 +25,6 @@ Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& tar
 double LiftOntoFloor(const model::Object& object) {
   if (object.bodies.empty() || !std::isfinite(object.bounds.aabb.min.z())) return 0;
   return -object.bounds.aabb.min.z() - object.bodies.front().X_PB.p.z();
-}
-
-void WriteSceneSize(const model::Object& object, ElementWriter& writer) {
-  std::size_t geoms = 0;
-  for (const model::Body& body : object.bodies) {
-    for (const model::Part& part : body.parts) geoms += part.role != model::Role::kVisual;
-  }
-  if (geoms <= kGeomsThatFit) return;
-  // Four contacts a geom, four pyramid edges a contact (condim 3). The stack, in
-  // numbers, is linear in them for the six degrees of freedom of one body.
-  const auto contacts = static_cast<double>(4 * geoms);
-  writer.Open("size");
-  writer.Number("njmax", 4 * contacts);
-  writer.Number("nconmax", contacts);
-  writer.Number("nstack", 400 * contacts + 1e6);
-  writer.Close();
 }
 
 void WriteSceneAssets(ElementWriter& writer) {

@@ -37,9 +37,9 @@ void WriteSections(const model::Object& object, ElementWriter& writer);
 
 /// How far a scene lifts the object so that it rests on the floor at z = 0, m.
 double LiftOntoFloor(const model::Object& object);
-/// Room for the contacts of an object of many geoms with the floor, if
-/// MuJoCo's own sizes might not do.
-void WriteSceneSize(const model::Object& object, ElementWriter& writer);
+/// Room for the contacts and constraints of a large object, if MuJoCo's own sizes
+/// might not do.
+void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);
 void WriteSceneAssets(ElementWriter& writer);
 /// Floor, light and camera.
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer);

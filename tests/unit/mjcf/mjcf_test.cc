@@ -72,8 +72,7 @@ TEST_CASE("textures, materials and meshes are assets with relative files") {
   model::Object object = hand_made::Wedge();
   model::Texture texture;
   texture.name = "wedge_oak";
-  texture.file = "/somewhere/Oak.png";
-  texture.output_file = "Oak.png";
+  texture.files.push_back({.file = "/somewhere/Oak.png", .output_file = "Oak.png"});
   texture.attributes = {hand_made::Word("type", spec::Applies::kBoth, "cube")};
   texture.mark = hand_made::Line(40);
   object.textures.push_back(texture);
@@ -120,7 +119,7 @@ TEST_CASE("an inline mesh states its triangles unless it is the hull of its vert
 }
 
 TEST_CASE("every target is found by its name") {
-  for (const TargetInfo& info : Targets()) CHECK(FindTarget(info.name) == info.target);
+  for (const TargetRules& info : Targets()) CHECK(FindTarget(info.name) == info.target);
   CHECK_FALSE(FindTarget("robot"));
 }
 

@@ -1,0 +1,30 @@
+#include "mjforge/mjcf/adapt.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "mjforge/mjcf/mjcf.h"
+
+namespace mjforge::mjcf {
+
+std::string Listed(std::span<const std::string_view> names) {
+  constexpr std::size_t kShown = 5;
+  const std::size_t shown = std::min(names.size(), kShown);
+  std::string text = fmt::format("{}", fmt::join(names.first(shown), ", "));
+  if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
+  return text;
+}
+
+void Adapt(model::Object& object, Target target, diag::Findings& findings) {
+  const TargetRules& rules = RulesOf(target);
+  if (!rules.adapts() || object.bodies.empty()) return;
+  AdaptSections(object, rules, findings);
+  AdaptShapes(object, rules, findings);
+  AdaptGeoms(object, rules, findings);
+  CheckNames(object, rules, findings);
+  AdaptBodies(object, rules, findings);
+}
+
+}  // namespace mjforge::mjcf

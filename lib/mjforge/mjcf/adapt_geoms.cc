@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/mjcf/adapt.h"
+
+namespace mjforge::mjcf {
+namespace {
+
+using diag::Code;
+using model::Part;
+using model::Role;
+using spec::Applies;
+
+/// Parts with something that the target overrides or drops.
+struct Lost {
+  std::vector<std::string_view> names;
+  diag::SourceMark first;
+  void Add(const Part& part) {
+    if (names.empty()) first = part.mark;
+    if (names.empty() || names.back() != part.name) names.push_back(part.name);
+  }
+};
+
+bool Contradicts(const Part& part, const model::Attribute& group, const TargetRules& rules) {
+  const double number = group.numbers.empty() ? -1 : group.numbers[0];
+  const bool on_collision = part.role != Role::kVisual && group.applies != Applies::kVisual;
+  const bool on_visual = part.role != Role::kCollision && group.applies != Applies::kCollision;
+  return (on_collision && number != rules.collision_group) ||
+         (on_visual && number != rules.visual_group);
+}
+
+void SetGroup(Part& part, const TargetRules& rules, Lost& lost) {
+  const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
+  if (group != part.attributes.end()) {
+    // An attached file's groups are for its own viewers.
+    if (!part.as_is && Contradicts(part, *group, rules)) lost.Add(part);
+    part.attributes.erase(group);
+  }
+  if (!part.as_is) return;  // WriteMjcf says it
+  const int number = part.role == Role::kVisual ? rules.visual_group : rules.collision_group;
+  part.attributes.push_back({"group", Applies::kBoth, {static_cast<double>(number)}, {}});
+}
+
+void DropMargins(Part& part, Lost& lost) {
+  const auto is_margin = [](const model::Attribute& attribute) {
+    return attribute.name == "margin" || attribute.name == "gap";
+  };
+  for (const model::Attribute& attribute : part.attributes) {
+    const bool nonzero = !attribute.numbers.empty() && attribute.numbers[0] != 0;
+    if (is_margin(attribute) && nonzero) lost.Add(part);
+  }
+  std::erase_if(part.attributes, is_margin);
+}
+
+// Two parts instead of one with both roles: the first then has the look, too.
+void SplitRoles(std::vector<Part>& parts) {
+  std::vector<Part> split;
+  split.reserve(2 * parts.size());
+  for (Part& part : parts) {
+    const bool both = part.role == Role::kBoth && !part.as_is;
+    Part& first = split.emplace_back(std::move(part));
+    if (!both) continue;
+    first.role = Role::kCollision;
+    Part second = first;
+    second.role = Role::kVisual;
+    second.mass = second.density = 0;
+    const auto rgba = std::ranges::find(first.attributes, "rgba", &model::Attribute::name);
+    if (first.material < 0 && rgba == first.attributes.end()) {
+      first.attributes.push_back({"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's
+    }
+    split.push_back(std::move(second));
+  }
+  parts = std::move(split);
+}
+
+}  // namespace
+
+void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  Lost groups;
+  Lost margins;
+  for (model::Body& body : object.bodies) {
+    for (Part& part : body.parts) {
+      if (!rules.own_groups) SetGroup(part, rules, groups);
+      if (!rules.margins && part.role != Role::kVisual) DropMargins(part, margins);
+      if (rules.states_mass) part.density = 0;
+    }
+  }
+  if (!groups.names.empty()) {
+    findings.Warn(
+        Code::kTargetDropped, groups.first,
+        fmt::format("{} tells collision geoms ({}) from visual ones ({}) by the group: "
+                    "'group' of {} is overridden",
+                    rules.name, rules.collision_group, rules.visual_group, Listed(groups.names)),
+        "say which it is with 'role'");
+  }
+  if (!margins.names.empty()) {
+    findings.Warn(Code::kTargetDropped, margins.first,
+                  fmt::format("{} has no margins where meshes collide: 'margin' and 'gap' of {} "
+                              "are dropped",
+                              rules.name, Listed(margins.names)));
+  }
+  if (!rules.same_look) return;
+  for (model::Body& body : object.bodies) SplitRoles(body.parts);
+}
+
+}  // namespace mjforge::mjcf

@@ -1,0 +1,94 @@
+#include <set>
+
+#include <fmt/format.h>
+
+#include "mjforge/mjcf/adapt.h"
+#include "mjforge/mjcf/mjcf.h"
+
+namespace mjforge::mjcf {
+namespace {
+
+using diag::Code;
+
+class NameCheck {
+ public:
+  NameCheck(const model::Object& object, const TargetRules& rules, diag::Findings& findings)
+      : rules_(rules), own_(object.name + "_"), findings_(findings) {}
+
+  /// `word` is what a spec calls the element, `kind` what MJCF calls it.
+  void Check(std::string_view word, std::string_view kind, std::string_view name,
+             diag::SourceMark mark) {
+    if (!rules_.prefix && name.starts_with(own_)) {
+      findings_.Add(Code::kModelBadName, mark,
+                    fmt::format("{} '{}' begins with the object's name: {} puts '{}' before names "
+                                "that do not have it yet",
+                                word, name, rules_.name, own_),
+                    "rename it, or the object (--name)");
+    }
+    for (const HostName& host : rules_.host_names) {
+      if (host.kind != kind || host.name != name) continue;
+      findings_.Add(Code::kModelDuplicateName, mark,
+                    fmt::format("{} '{}' has the name of a {} that {} needs for itself", word, name,
+                                kind, rules_.name),
+                    "rename it");
+    }
+    if (kind == "geom" && !rules_.region_prefix.empty() && name.starts_with(rules_.region_prefix)) {
+      findings_.Add(Code::kModelBadName, mark,
+                    fmt::format("{} '{}' would be a region: {} takes every geom for one whose name "
+                                "begins with '{}'",
+                                word, name, rules_.name, rules_.region_prefix),
+                    "rename it");
+    }
+  }
+
+  /// Geoms that the host makes beside those that collide.
+  void CheckTwins(const model::Object& object) {
+    if (rules_.twin_suffix.empty()) return;
+    std::set<std::string, std::less<>> colliding;
+    for (const model::Body& body : object.bodies) {
+      for (const model::Part& part : body.parts) {
+        if (part.role != model::Role::kVisual) colliding.insert(part.name);
+      }
+    }
+    for (const model::Body& body : object.bodies) {
+      for (const model::Part& part : body.parts) {
+        const std::string_view name = part.name;
+        const bool same_name = part.as_is || part.role != model::Role::kVisual;
+        if (!same_name || !name.ends_with(rules_.twin_suffix)) continue;
+        const auto base = name.substr(0, name.size() - rules_.twin_suffix.size());
+        if (!colliding.contains(base)) continue;
+        findings_.Add(Code::kModelDuplicateName, part.mark,
+                      fmt::format("part '{}' is beside '{}', of which {} makes a geom of that name",
+                                  name, base, rules_.name),
+                      "rename it");
+      }
+    }
+  }
+
+ private:
+  const TargetRules& rules_;
+  std::string own_;
+  diag::Findings& findings_;
+};
+
+}  // namespace
+
+void CheckNames(const model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  NameCheck check(object, rules, findings);
+  for (const model::Body& body : object.bodies) {
+    check.Check("body", "body", body.name, body.mark);
+    for (const model::Joint& joint : body.joints) {
+      const bool is_hosts = &body == &object.bodies.front() && joint.type == "free";
+      if (!is_hosts) check.Check("joint", "joint", joint.name, joint.mark);
+    }
+    for (const model::Site& site : body.sites) check.Check("site", "site", site.name, site.mark);
+    std::string_view last;  // one finding for the two geoms of a part
+    for (const model::Part& part : body.parts) {
+      if (part.name != last) check.Check("part", "geom", part.name, part.mark);
+      last = part.name;
+    }
+  }
+  check.CheckTwins(object);
+}
+
+}  // namespace mjforge::mjcf

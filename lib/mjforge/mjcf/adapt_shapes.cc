@@ -1,0 +1,256 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/mjcf/adapt.h"
+#include "mjforge/mjcf/mjcf.h"
+
+namespace mjforge::mjcf {
+namespace {
+
+using diag::Code;
+using model::GeomType;
+using model::Part;
+using model::Role;
+using model::TriangleMesh;
+
+// MJX halves the corners of a face with 20 or more. The corners lie on the true
+// surface, some of them on the axes: the mesh has the same extents along those
+// and is nowhere outside; at the middle of a side it is 2 % of the radius inside.
+constexpr int kSides = 16;
+
+double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
+
+TriangleMesh Prism(const Eigen::Vector3d& size) {
+  std::array<double, 2 * kSides> polygon;
+  for (std::size_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kSides;
+    polygon[2 * i] = size.x() * WithoutNoise(std::cos(angle));
+    polygon[2 * i + 1] = size.x() * WithoutNoise(std::sin(angle));
+  }
+  std::string why_not;
+  return model::MakePrism(polygon, 2 * size.y(), why_not).value_or(TriangleMesh());
+}
+
+// An icosahedron, each face cut into four; its corners on the unit sphere. Six
+// of the cuts are on the axes.
+TriangleMesh UnitBall() {
+  constexpr double kGolden = std::numbers::phi;
+  TriangleMesh ball;
+  for (const double a : {-1.0, 1.0}) {
+    for (const double b : {-kGolden, kGolden}) {
+      ball.vertices.emplace_back(0, a, b);
+      ball.vertices.emplace_back(a, b, 0);
+      ball.vertices.emplace_back(b, 0, a);
+    }
+  }
+  const std::vector<Eigen::Vector3d> corners = ball.vertices;
+  const auto is_edge = [&](int i, int j) {
+    const auto at = [&](int k) { return corners[static_cast<std::size_t>(k)]; };
+    return (at(i) - at(j)).norm() < 2.1;  // 2; the next distance is 2 phi
+  };
+  std::map<std::pair<int, int>, int> middles;
+  const auto middle = [&](int i, int j) {
+    const auto [found, is_new] = middles.try_emplace(std::minmax(i, j), 0);
+    if (is_new) {
+      found->second = static_cast<int>(ball.vertices.size());
+      const Eigen::Vector3d sum =
+          corners[static_cast<std::size_t>(i)] + corners[static_cast<std::size_t>(j)];
+      ball.vertices.push_back(sum);
+    }
+    return found->second;
+  };
+  for (int i = 0; i < 12; ++i) {
+    for (int j = i + 1; j < 12; ++j) {
+      for (int k = j + 1; k < 12; ++k) {
+        if (!is_edge(i, j) || !is_edge(j, k) || !is_edge(i, k)) continue;
+        const int ij = middle(i, j);
+        const int jk = middle(j, k);
+        const int ik = middle(i, k);
+        for (const auto& triangle : {std::array{i, ij, ik}, std::array{j, jk, ij},
+                                     std::array{k, ik, jk}, std::array{ij, jk, ik}}) {
+          ball.triangles.push_back(triangle);
+        }
+      }
+    }
+  }
+  for (Eigen::Vector3d& vertex : ball.vertices) vertex.normalize();
+  for (std::array<int, 3>& t : ball.triangles) {
+    const auto at = [&](int k) { return ball.vertices[static_cast<std::size_t>(k)]; };
+    if (at(t[0]).cross(at(t[1])).dot(at(t[2])) < 0) std::swap(t[1], t[2]);
+  }
+  return ball;
+}
+
+TriangleMesh Ellipsoid(const Eigen::Vector3d& size) {
+  static const TriangleMesh kUnit = UnitBall();
+  TriangleMesh mesh = kUnit;
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = vertex.cwiseProduct(size);
+  return mesh;
+}
+
+bool IsRound(GeomType type) { return type == GeomType::kCylinder || type == GeomType::kEllipsoid; }
+
+class Replacement {
+ public:
+  explicit Replacement(model::Object& object) : object_(object) {
+    for (const auto& mesh : object.meshes) mesh_names_.insert(mesh->name);
+    for (const model::Section& section : object.sections) {
+      if (section.info->name == "contact") continue;
+      for (const model::Element& element : section.elements) FindReferences(element);
+    }
+  }
+
+  void Run() {
+    for (model::Body& body : object_.bodies) {
+      const auto is_replaced = [](const Part& part) {
+        return part.role != Role::kVisual && IsRound(part.shape.type);
+      };
+      if (std::ranges::none_of(body.parts, is_replaced)) continue;
+      std::vector<Part> parts;
+      for (Part& part : body.parts) {
+        if (is_replaced(part)) {
+          Replace(std::move(part), parts);
+        } else {
+          parts.push_back(std::move(part));
+        }
+      }
+      body.parts = std::move(parts);
+      // MuJoCo would take it from the mesh.
+      body.explicit_inertial = true;
+    }
+    if (twins_.empty()) return;
+    for (model::Section& section : object_.sections) {
+      if (section.info->name == "contact") continue;
+      for (model::Element& element : section.elements) Redirect(element);
+    }
+  }
+
+  int cylinders = 0;
+  int ellipsoids = 0;
+  diag::SourceMark first;
+
+ private:
+  static std::string_view KindOf(const model::Attribute& attribute, const model::Element& element) {
+    if (!attribute.refers.starts_with('@')) return attribute.refers;
+    for (const model::Attribute& other : element.attributes) {
+      if (other.name == attribute.refers.substr(1)) return other.text;
+    }
+    return {};
+  }
+
+  void FindReferences(const model::Element& element) {
+    for (const model::Attribute& attribute : element.attributes) {
+      if (KindOf(attribute, element) == "geom") referred_.insert(attribute.text);
+    }
+    for (const model::Element& child : element.children) FindReferences(child);
+  }
+
+  // A tendon wraps around the true shape, a sensor wants its frame.
+  void Redirect(model::Element& element) {
+    for (model::Attribute& attribute : element.attributes) {
+      if (KindOf(attribute, element) != "geom") continue;
+      const auto twin = twins_.find(attribute.text);
+      if (twin != twins_.end()) attribute.text = twin->second;
+    }
+    for (model::Element& child : element.children) Redirect(child);
+  }
+
+  void Replace(Part part, std::vector<Part>& parts) {
+    int& count = part.shape.type == GeomType::kCylinder ? cylinders : ellipsoids;
+    if (cylinders + ellipsoids == 0) first = part.mark;
+    ++count;
+    Part twin = part;
+    const bool has_look = part.role == Role::kBoth && !part.as_is;
+    part.mesh = MeshOf(part);
+    part.shape = {GeomType::kMesh, Eigen::Vector3d::Zero(),
+                  &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh};
+    part.density = 0;  // of the true shape
+    if (has_look) {
+      part.role = Role::kCollision;
+      part.material = -1;
+      std::erase_if(part.attributes, [](const model::Attribute& attribute) {
+        return attribute.applies == spec::Applies::kVisual;
+      });
+    }
+    const std::string name = part.name;
+    parts.push_back(std::move(part));
+    if (!has_look && !referred_.contains(name)) return;
+    AddTwin(std::move(twin), parts);
+  }
+
+  /// The true shape, without contacts.
+  void AddTwin(Part twin, std::vector<Part>& parts) {
+    twin.role = Role::kVisual;
+    twin.mass = twin.density = 0;
+    std::string name = twin.name + std::string(kVisualSuffix);
+    if (twin.as_is) {
+      std::swap(twin.name, name);
+      for (const std::string_view bits : {"contype", "conaffinity"}) {
+        std::erase_if(twin.attributes,
+                      [&](const model::Attribute& attribute) { return attribute.name == bits; });
+        twin.attributes.push_back({bits, spec::Applies::kBoth, {0}, {}});
+      }
+      twins_.emplace(name, twin.name);
+    } else {
+      twins_.emplace(twin.name, name);
+    }
+    parts.push_back(std::move(twin));
+  }
+
+  int MeshOf(const Part& part) {
+    const Eigen::Vector3d& size = part.shape.size;
+    const auto [found, is_new] = meshes_.try_emplace(
+        {part.shape.type, size.x(), size.y(), size.z()}, static_cast<int>(object_.meshes.size()));
+    if (!is_new) return found->second;
+    auto mesh = std::make_unique<model::MeshAsset>();
+    mesh->name = part.name + "_convex";
+    while (!mesh_names_.insert(mesh->name).second) mesh->name += '_';
+    mesh->mesh = part.shape.type == GeomType::kCylinder ? Prism(size) : Ellipsoid(size);
+    mesh->is_hull = true;
+    mesh->mark = part.mark;
+    object_.meshes.push_back(std::move(mesh));
+    return found->second;
+  }
+
+  model::Object& object_;
+  std::set<std::string, std::less<>> mesh_names_;
+  std::set<std::string, std::less<>> referred_;            // geoms
+  std::map<std::string, std::string, std::less<>> twins_;  // of those replaced
+  std::map<std::tuple<GeomType, double, double, double>, int> meshes_;
+};
+
+}  // namespace
+
+void AdaptShapes(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  if (rules.round_shapes) return;
+  Replacement replacement(object);
+  replacement.Run();
+  const auto text = [](int count, std::string_view word, std::string_view mesh,
+                       std::string_view meshes) {
+    return count == 1 ? fmt::format("1 {} collides as a {}", word, mesh)
+                      : fmt::format("{} {}s collide as {}", count, word, meshes);
+  };
+  std::string what;
+  if (replacement.cylinders > 0)
+    what = text(replacement.cylinders, "cylinder", "16-sided prism", "16-sided prisms");
+  if (replacement.ellipsoids > 0) {
+    if (!what.empty()) what += ", ";
+    what += text(replacement.ellipsoids, "ellipsoid", "42-cornered mesh", "42-cornered meshes");
+  }
+  if (what.empty()) return;
+  findings.Warn(
+      Code::kTargetDropped, replacement.first,
+      fmt::format("{} does not collide cylinders and ellipsoids with boxes and meshes: {}",
+                  rules.name, what),
+      "mass and look stay those of the true shapes; capsules and spheres need no stand-in");
+}
+
+}  // namespace mjforge::mjcf

@@ -1,0 +1,82 @@
+#ifndef MJFORGE_MJCF_TARGETS_H_
+#define MJFORGE_MJCF_TARGETS_H_
+
+// Who reads the files, and what that reader adds, needs and refuses.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace mjforge::mjcf {
+
+enum class Target {
+  kMujoco,     // complete, flat, simulates by itself
+  kScene,      // the same with floor, light and camera; the object rests on the floor
+  kRobosuite,  // its MujocoXMLObject
+  kRobocasa,   // its MJCFObject
+  kMjx,        // MuJoCo XLA, with nothing in it that cannot collide there
+};
+
+/// A name that the host gives to something of its own.
+struct HostName {
+  std::string_view kind;  // body, joint, site
+  std::string_view name;
+};
+
+/// An element, or an attribute of one, that the host does not take. Empty words
+/// stand for any.
+struct Refusal {
+  std::string_view section;
+  std::string_view element = {};
+  std::string_view attribute = {};
+  std::string_view word = {};  // the attribute's text
+  bool whole = true;           // the element is dropped; else the attribute
+};
+
+/// One row of the table of targets.
+struct TargetRules {
+  Target target;
+  std::string_view name;  // of --target
+  std::string_view doc;
+
+  // How geoms are written.
+  int collision_group = 3;  // MuJoCo's viewer hides it
+  int visual_group = 2;
+  bool own_groups = true;    // a part's own `group` comes before these
+  bool same_look = false;    // collision geoms look like the visual ones
+  bool states_mass = false;  // never the density, which the host overwrites
+  int sphere_sizes = 1;      // numbers in a sphere's size
+  bool round_shapes = true;  // cylinders and ellipsoids collide with boxes and meshes
+  bool margins = true;       // geoms may have a margin
+
+  // What the file has around the object.
+  bool scene = false;          // floor, light and camera
+  bool always_assets = false;  // <asset>, even without any in it
+  bool outer_body = false;     // an unnamed body around the root, with sites at the bounds
+  bool region_box = false;     // a geom `reg_bbox` around the object
+
+  // What the host adds, so that the file has not.
+  bool prefix = true;                   // `NAME_` before every name
+  std::string_view root = {};           // name of the root body; empty: the object's
+  bool free_joint = true;               // the root's
+  std::string_view twin_suffix = {};    // the host makes geoms NAME + this
+  std::string_view region_prefix = {};  // geoms named so mean something to the host
+  std::span<const HostName> host_names = {};
+
+  // What is dropped, with a warning.
+  bool sections = true;       // contact, sensor, ...: all of them
+  bool picture_sides = true;  // textures made of several files
+  std::span<const Refusal> refusals = {};
+
+  /// Whether anything of an object may have to change.
+  bool adapts() const { return target != Target::kMujoco && target != Target::kScene; }
+};
+
+/// In the order of the enumeration.
+std::span<const TargetRules> Targets();
+const TargetRules& RulesOf(Target target);
+std::optional<Target> FindTarget(std::string_view name);
+
+}  // namespace mjforge::mjcf
+
+#endif  // MJFORGE_MJCF_TARGETS_H_

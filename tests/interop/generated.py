@@ -1,0 +1,21 @@
+"""The files under test, made by generate.py: FOLDER/TARGET/SPEC/manifest.jsonl."""
+
+import json
+import pathlib
+
+
+class Variant:
+    def __init__(self, folder, record):
+        self.record = record
+        self.file = folder / record["file"]
+
+    def __str__(self):
+        return self.record["file"]
+
+
+def specs(folder, target):
+    """(name, variants) of every spec that was generated for the target."""
+    for manifest in sorted(pathlib.Path(folder, target).rglob("manifest.jsonl")):
+        with open(manifest, encoding="utf-8") as lines:
+            variants = [Variant(manifest.parent, json.loads(line)) for line in lines]
+        yield str(manifest.parent.relative_to(pathlib.Path(folder, target))), variants

@@ -1,0 +1,31 @@
+"""What the checks say: one line each, `ok NAME` or `FAILED NAME: why`."""
+
+import sys
+import traceback
+
+_failed = 0
+
+
+def check(name, action, *arguments):
+    """Runs an action; it passes unless it raises. Says which, and goes on.
+
+    The action may return a few words that are said after the name.
+    """
+    global _failed
+    try:
+        words = action(*arguments)
+    except Exception as error:  # whatever the host throws is a failure of the check
+        _failed += 1
+        where = traceback.extract_tb(error.__traceback__)[-1]
+        print(f"FAILED {name}: {error} ({where.name}, line {where.lineno})", flush=True)
+    else:
+        print(f"ok {name}" + (f" ({words})" if words else ""), flush=True)
+
+
+def expect(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def finish():
+    sys.exit(1 if _failed else 0)
