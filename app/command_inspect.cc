@@ -19,6 +19,7 @@ struct InspectOptions {
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
   std::string contains;
+  bool sweep = false;
   bool json = false;
   SpecOptions spec;
   ReportOptions report;
@@ -61,12 +62,16 @@ ExitStatus InspectSpec(const InspectOptions& options) {
     forge::Generator(*recipe, sources, generator_options, nullptr).Make(options.index, variant);
     findings.Append(variant.findings);
   }
+  std::optional<validate::Sweep> sweep;
+  if (options.sweep && variant.object) {
+    sweep = validate::Loader().SweepJoints(variant.document, *variant.object, findings);
+  }
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
   if (!variant.object) return status;
   if (!options.contains.empty()) return Worse(status, PrintContains(*variant.object, options));
-  return Worse(status, Print(options.json ? InspectJson(*recipe, variant)
-                                          : InspectTables(*recipe, variant)));
+  return Worse(status, Print(options.json ? InspectJson(*recipe, variant, sweep)
+                                          : InspectTables(*recipe, variant, sweep)));
 }
 
 ExitStatus InspectFile(const InspectOptions& options) {
@@ -75,10 +80,15 @@ ExitStatus InspectFile(const InspectOptions& options) {
   diag::Findings findings;
   validate::Loader loader;
   const std::optional<validate::CompiledModel> model = loader.Load(options.what, sources, findings);
+  std::optional<validate::Sweep> sweep;
+  if (options.sweep && model && findings.empty()) {
+    sweep = loader.SweepJoints(options.what, sources, findings);
+  }
   const ExitStatus status = StatusOf(findings);
   Console(options.report).Show(std::move(findings), sources);
   if (!model) return Worse(status, ExitStatus::kFindings);
-  return Worse(status, Print(options.json ? InspectJson(*model) : InspectTables(*model)));
+  return Worse(status,
+               Print(options.json ? InspectJson(*model, sweep) : InspectTables(*model, sweep)));
 }
 
 }  // namespace
@@ -90,14 +100,22 @@ Action AddInspect(CLI::App& app) {
   AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
   AddWholeNumber(command, "--index", options->index, "The variant to show");
   AddSpecOptions(command, options->spec);
-  command.add_option("--contains", options->contains, "Say whether a point (m) is inside a part")
-      ->option_text("X,Y,Z");
+  CLI::Option* contains =
+      command
+          .add_option("--contains", options->contains, "Say whether a point (m) is inside a part")
+          ->option_text("X,Y,Z");
+  command
+      .add_flag("--sweep", options->sweep,
+                "Move the joints through their ranges; show what touches, and the box swept")
+      ->option_text(" ")
+      ->excludes(contains);
   command.add_flag("--json", options->json, "One JSON object");
   AddReportOptions(command, options->report);
   AddExamples(command,
               "  mjforge inspect hammer\n"
               "  mjforge inspect hammer --index 41 --seed 7 --json\n"
               "  mjforge inspect hammer --contains 0,0,0.05\n"
+              "  mjforge inspect robot.xml --sweep\n"
               "  mjforge inspect out/hammer_000041.xml");
   return [options] {
     if (!options->contains.empty() && !ParsePoint(options->contains)) {

@@ -1,18 +1,23 @@
 #ifndef MJFORGE_APP_INSPECT_H_
 #define MJFORGE_APP_INSPECT_H_
 
+#include <optional>
 #include <string>
 
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::app {
 
-/// The variant's object is there.
-std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant);
-std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant);
+/// The variant's object is there; the sweep if it was asked for.
+std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant,
+                          const std::optional<validate::Sweep>& sweep);
+std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,
+                        const std::optional<validate::Sweep>& sweep);
 
-std::string InspectTables(const validate::CompiledModel& model);
-std::string InspectJson(const validate::CompiledModel& model);
+std::string InspectTables(const validate::CompiledModel& model,
+                          const std::optional<validate::Sweep>& sweep);
+std::string InspectJson(const validate::CompiledModel& model,
+                        const std::optional<validate::Sweep>& sweep);
 
 }  // namespace mjforge::app
 

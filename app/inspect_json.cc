@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "inspect.h"
 #include "json.h"
 
@@ -83,22 +85,102 @@ void Sites(Json& json, const model::Body& body) {
   json.EndArray();
 }
 
-void Totals(Json& json, const model::MassProperties& properties, const model::Box3& aabb) {
-  const Eigen::Matrix3d& I = properties.I_Cm_F;
+void Box(Json& json, const model::Box3& aabb) {
   json.Key("aabb");
   json.StartObject();
   json.Member("min", aabb.min);
   json.Member("max", aabb.max);
   json.EndObject();
+}
+
+// Inertia as in the manifest: xx yy zz xy xz yz.
+void Mass(Json& json, const model::MassProperties& properties) {
+  const Eigen::Matrix3d& I = properties.I_Cm_F;
   json.Member("mass", properties.mass);
   json.Member("com", properties.p_FCm);
   json.Member("inertia",
               Eigen::Vector<double, 6>(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
 }
 
+void Totals(Json& json, const model::MassProperties& properties, const model::Box3& aabb) {
+  Box(json, aabb);
+  Mass(json, properties);
+}
+
+void Element(Json& json, std::string_view kind, std::string_view name) {
+  json.StartObject();
+  json.Member("kind", kind);
+  json.Member("name", name);
+  json.EndObject();
+}
+
+void Elements(Json& json, std::string_view key, const std::vector<model::Element>& elements) {
+  json.Key(key);
+  json.StartArray();
+  for (const model::Element& element : elements) Element(json, element.tag, element.name);
+  json.EndArray();
+}
+
+void Sections(Json& json, const model::Object& object) {
+  json.Key("sections");
+  json.StartObject();
+  for (const model::Section& section : object.sections) {
+    Elements(json, section.info->name, section.elements);
+  }
+  json.EndObject();
+}
+
+void Body(Json& json, const model::Object& object, const model::Body& body) {
+  json.StartObject();
+  json.Member("name", body.name);
+  json.Member("parent", body.parent < 0
+                            ? std::string_view("world")
+                            : object.bodies[static_cast<std::size_t>(body.parent)].name);
+  Pose(json, body.X_PB);
+  Mass(json, body.mass_properties);
+  Parts(json, body);
+  Joints(json, body);
+  Sites(json, body);
+  Elements(json, "elements", body.elements);
+  json.EndObject();
+}
+
+// What several joints do has neither joint nor value.
+void Sweep(Json& json, const std::optional<validate::Sweep>& sweep) {
+  if (!sweep) return;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  json.Key("sweep");
+  json.StartObject();
+  json.Key("contacts");
+  json.StartArray();
+  for (const validate::Sweep::Contact& contact : sweep->contacts) {
+    json.StartObject();
+    if (contact.joint.empty()) {
+      json.Member("joint", kNone);
+    } else {
+      json.Member("joint", contact.joint);
+    }
+    json.Member("value", contact.joint.empty() ? kNone : contact.value);
+    json.Member("body1", contact.body1);
+    json.Member("geom1", contact.geom1);
+    json.Member("body2", contact.body2);
+    json.Member("geom2", contact.geom2);
+    json.Member("depth", contact.depth);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.Key("held");
+  json.StartArray();
+  for (const std::string& joint : sweep->held) json.Value(joint);
+  json.EndArray();
+  Box(json, sweep->aabb);
+  json.EndObject();
+}
+
 }  // namespace
 
-std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant) {
+std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,
+                        const std::optional<validate::Sweep>& sweep) {
   const model::Object& object = *variant.object;
   const output::Record& record = variant.record;
   Json json;
@@ -113,25 +195,20 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
   json.Member("attempt", record.attempt);
   json.Key("bodies");
   json.StartArray();
-  for (const model::Body& body : object.bodies) {
-    json.StartObject();
-    json.Member("name", body.name);
-    json.Member("mass", body.mass_properties.mass);
-    Parts(json, body);
-    Joints(json, body);
-    Sites(json, body);
-    json.EndObject();
-  }
+  for (const model::Body& body : object.bodies) Body(json, object, body);
   json.EndArray();
+  Sections(json, object);
   Totals(json, object.mass_properties, object.bounds.aabb);
   json.Member("top_offset", object.bounds.top_offset);
   json.Member("bottom_offset", object.bounds.bottom_offset);
   json.Member("horizontal_radius", object.bounds.horizontal_radius);
+  Sweep(json, sweep);
   json.EndObject();
   return json.Line();
 }
 
-std::string InspectJson(const validate::CompiledModel& model) {
+std::string InspectJson(const validate::CompiledModel& model,
+                        const std::optional<validate::Sweep>& sweep) {
   Json json;
   json.StartObject();
   json.Member("name", model.name);
@@ -141,8 +218,8 @@ std::string InspectJson(const validate::CompiledModel& model) {
     json.StartObject();
     json.Member("name", body.name);
     json.Member("parent", body.parent);
-    json.Member("mass", body.mass);
-    json.Member("inertia", body.inertia);
+    Pose(json, body.X_PB);
+    Mass(json, body.mass_properties);
     json.Member("geoms", static_cast<std::size_t>(body.geoms));
     json.EndObject();
   }
@@ -159,9 +236,14 @@ std::string InspectJson(const validate::CompiledModel& model) {
     json.EndObject();
   }
   json.EndArray();
+  json.Key("elements");
+  json.StartArray();
+  for (const auto& [kind, name] : model.elements) Element(json, kind, name);
+  json.EndArray();
   json.Member("ngeom", static_cast<std::size_t>(model.geoms));
   json.Member("nsite", static_cast<std::size_t>(model.sites));
   Totals(json, model.mass_properties, model.aabb);
+  Sweep(json, sweep);
   json.EndObject();
   return json.Line();
 }

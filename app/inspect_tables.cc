@@ -30,10 +30,11 @@ std::string ValueText(const sample::ParameterValue& value) {
   return NumbersText(std::get<std::vector<double>>(value));
 }
 
-std::string_view RoleName(model::Role role) {
-  return role == model::Role::kBoth        ? "both"
-         : role == model::Role::kCollision ? "collision"
-                                           : "visual";
+// A geom of an attached file is one geom: it does not come with a visual twin.
+std::string_view RoleName(const model::Part& part) {
+  return part.role == model::Role::kVisual                ? "visual"
+         : part.role == model::Role::kBoth && !part.as_is ? "both"
+                                                          : "collision";
 }
 
 std::string SizeText(const model::Shape& shape) {
@@ -51,24 +52,69 @@ std::string Parameters(const forge::Recipe& recipe, const forge::Variant& varian
   return table.empty() ? "" : table.Render() + "\n";
 }
 
+// Sums of numbers of the size `scale` that cancel leave rounding errors behind.
+Eigen::Vector3d WithoutNoise(const Eigen::Vector3d& vector, double scale) {
+  return (vector.array().abs() < 1e-12 * scale).select(0, vector);
+}
+
+double LengthOf(const model::Box3& aabb) { return aabb.empty() ? 0 : (aabb.max - aabb.min).norm(); }
+
+std::string ComText(const model::MassProperties& properties, const model::Box3& aabb) {
+  return VectorText(WithoutNoise(properties.p_FCm, LengthOf(aabb)));
+}
+
+// xx yy zz  xy xz yz
+std::string InertiaText(const model::MassProperties& properties) {
+  const Eigen::Matrix3d& I = properties.I_Cm_F;
+  const Eigen::Vector3d products = WithoutNoise({I(0, 1), I(0, 2), I(1, 2)}, I.trace());
+  return fmt::format("{}  {}", VectorText(I.diagonal()), VectorText(products));
+}
+
+// Empty where the axes are the parent's.
+std::string QuatText(const Eigen::Quaterniond& q) {
+  if (q.vec().norm() < 1e-12) return "";
+  return fmt::format("{} {}", Number(q.w()), VectorText(q.vec()));
+}
+
+// What tells the bodies of an object apart, if there are several.
+std::string BodyText(const model::Object& object, const model::Body& body) {
+  return object.bodies.size() > 1 ? body.name : "";
+}
+
+std::string Bodies(const model::Object& object) {
+  if (object.bodies.size() < 2) return "";
+  Table table({"body", "parent", "pos", "quat", "kg", "com", "inertia, kg m^2"});
+  for (const int i : mjcf::DepthFirst(object)) {
+    const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
+    const model::MassProperties& mass = body.mass_properties;
+    table.Add({body.name,
+               body.parent < 0 ? "" : object.bodies[static_cast<std::size_t>(body.parent)].name,
+               VectorText(body.X_PB.p), QuatText(body.X_PB.q), Number(mass.mass),
+               mass.mass > 0 ? ComText(mass, object.bounds.aabb) : "",
+               mass.mass > 0 ? InertiaText(mass) : ""});
+  }
+  return table.Render() + "\n";
+}
+
 std::string Parts(const model::Object& object) {
-  Table table({"part", "type", "role", "size", "pos", "kg"});
+  Table table({"part", "body", "type", "role", "size", "pos", "kg"});
   for (const model::Body& body : object.bodies) {
     for (const model::Part& part : body.parts) {
-      table.Add({part.name, std::string(model::GeomTypeName(part.shape.type)),
-                 std::string(RoleName(part.role)), SizeText(part.shape), VectorText(part.X_BG.p),
-                 Number(part.mass)});
+      table.Add({part.name, BodyText(object, body),
+                 std::string(model::GeomTypeName(part.shape.type)), std::string(RoleName(part)),
+                 SizeText(part.shape), VectorText(part.X_BG.p), Number(part.mass)});
     }
   }
   return table.Render() + "\n";
 }
 
 std::string Joints(const model::Object& object) {
-  Table table({"joint", "type", "axis", "range"});
+  Table table({"joint", "body", "type", "axis", "range"});
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
       const bool has_axis = joint.type == "hinge" || joint.type == "slide";
-      table.Add({joint.name, std::string(joint.type), has_axis ? VectorText(joint.axis) : "",
+      table.Add({joint.name, BodyText(object, body), std::string(joint.type),
+                 has_axis ? VectorText(joint.axis) : "",
                  joint.range ? NumbersText(*joint.range) : ""});
     }
   }
@@ -76,36 +122,67 @@ std::string Joints(const model::Object& object) {
 }
 
 std::string Sites(const model::Object& object) {
-  Table table({"site", "pos"});
+  Table table({"site", "body", "pos"});
   for (const model::Body& body : object.bodies) {
-    for (const model::Site& site : body.sites) table.Add({site.name, VectorText(site.X_BS.p)});
+    for (const model::Site& site : body.sites) {
+      table.Add({site.name, BodyText(object, body), VectorText(site.X_BS.p)});
+    }
   }
   return table.empty() ? "" : table.Render() + "\n";
 }
 
-// Sums of numbers of the size `scale` that cancel leave rounding errors behind.
-Eigen::Vector3d WithoutNoise(const Eigen::Vector3d& vector, double scale) {
-  return (vector.array().abs() < 1e-12 * scale).select(0, vector);
+// Cameras and lights of bodies, then the sections.
+std::string Elements(const model::Object& object) {
+  Table table({"element", "kind", "of"});
+  for (const model::Body& body : object.bodies) {
+    for (const model::Element& element : body.elements) {
+      table.Add({element.name, std::string(element.tag), body.name});
+    }
+  }
+  for (const model::Section& section : object.sections) {
+    for (const model::Element& element : section.elements) {
+      table.Add({element.name, std::string(element.tag), std::string(section.info->name)});
+    }
+  }
+  return table.empty() ? "" : table.Render() + "\n";
 }
 
 std::string Totals(const model::MassProperties& properties, const model::Box3& aabb) {
-  const Eigen::Matrix3d& I = properties.I_Cm_F;
-  const double length = aabb.empty() ? 0 : (aabb.max - aabb.min).norm();
-  const Eigen::Vector3d products = WithoutNoise({I(0, 1), I(0, 2), I(1, 2)}, I.trace());
   std::string text;
   if (!aabb.empty()) {
     text += fmt::format("bounds   {} to {} m\n", VectorText(aabb.min), VectorText(aabb.max));
   }
   text += fmt::format("mass     {} kg\n", Number(properties.mass));
-  text += fmt::format("com      {} m\n", VectorText(WithoutNoise(properties.p_FCm, length)));
-  text += fmt::format("inertia  {}  {} kg m^2 (xx yy zz  xy xz yz)\n", VectorText(I.diagonal()),
-                      VectorText(products));
+  text += fmt::format("com      {} m\n", ComText(properties, aabb));
+  text += fmt::format("inertia  {} kg m^2 (xx yy zz  xy xz yz)\n", InertiaText(properties));
+  return text;
+}
+
+// What the joints do: contacts of bodies, deepest first seen, and the box of all poses.
+std::string SweepText(const std::optional<validate::Sweep>& sweep) {
+  if (!sweep) return "";
+  Table table({"joint", "at", "body", "geom", "body", "geom", "mm deep"});
+  for (const validate::Sweep::Contact& contact : sweep->contacts) {
+    const bool alone = !contact.joint.empty();
+    table.Add({alone ? contact.joint : "several", alone ? Number(contact.value) : "", contact.body1,
+               contact.geom1, contact.body2, contact.geom2,
+               fmt::format("{:.3g}", 1000 * contact.depth)});
+  }
+  std::string text = "\n" + (table.empty() ? "no inside contacts\n" : table.Render()) + "\n";
+  for (const std::string& joint : sweep->held) {
+    text += fmt::format("held     {}, a slide without a range\n", joint);
+  }
+  const model::Box3& box = sweep->aabb;
+  if (!box.empty()) {
+    text += fmt::format("swept    {} to {} m\n", VectorText(box.min), VectorText(box.max));
+  }
   return text;
 }
 
 }  // namespace
 
-std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant) {
+std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant,
+                          const std::optional<validate::Sweep>& sweep) {
   const spec::ObjectSpec& spec = *recipe.spec;
   const model::Object& object = *variant.object;
   const output::Record& record = variant.record;
@@ -115,17 +192,21 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   text += Parameters(recipe, variant);
   text +=
       fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
-  text += Parts(object) + Joints(object) + Sites(object);
+  text += Bodies(object) + Parts(object) + Joints(object) + Sites(object) + Elements(object);
   text += Totals(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
-  return text;
+  return text + SweepText(sweep);
 }
 
-std::string InspectTables(const validate::CompiledModel& model) {
-  Table bodies({"body", "parent", "geoms", "kg", "principal inertia, kg m^2"});
+std::string InspectTables(const validate::CompiledModel& model,
+                          const std::optional<validate::Sweep>& sweep) {
+  Table bodies({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
   for (const validate::CompiledModel::Body& body : model.bodies) {
-    bodies.Add({body.name, body.parent, fmt::format("{}", body.geoms), Number(body.mass),
-                VectorText(body.inertia)});
+    const bool heavy = body.mass > 0;
+    bodies.Add({body.name, body.parent, VectorText(body.X_PB.p), QuatText(body.X_PB.q),
+                fmt::format("{}", body.geoms), Number(body.mass),
+                heavy ? ComText(body.mass_properties, model.aabb) : "",
+                heavy ? InertiaText(body.mass_properties) : ""});
   }
   Table joints({"joint", "body", "type", "axis", "range"});
   for (const validate::CompiledModel::Joint& joint : model.joints) {
@@ -133,9 +214,12 @@ std::string InspectTables(const validate::CompiledModel& model) {
     joints.Add({joint.name, joint.body, joint.type, has_axis ? VectorText(joint.axis) : "",
                 joint.limited ? NumbersText(joint.range) : ""});
   }
+  Table elements({"element", "kind"});
+  for (const auto& [kind, name] : model.elements) elements.Add({name, kind});
   std::string text = fmt::format("{}\n\n{}\n", model.name, bodies.Render());
   if (!joints.empty()) text += joints.Render() + "\n";
-  return text + Totals(model.mass_properties, model.aabb);
+  if (!elements.empty()) text += elements.Render() + "\n";
+  return text + Totals(model.mass_properties, model.aabb) + SweepText(sweep);
 }
 
 }  // namespace mjforge::app

@@ -18,6 +18,8 @@ constexpr Ratio kRatios[] = {
     {"validated / bare load with tight sizes", "BM_GenerateValidated", "BM_LoadTight", 1.3},
     {"validated / bare load with default sizes", "BM_GenerateValidated", "BM_LoadDefault", 0.8},
     {"10,000 parts / 1,000 parts", "BM_Parts/10000", "BM_Parts/1000", 12},
+    {"a chain of 1,000 bodies / of 100", "BM_Chain/1000", "BM_Chain/100", 12},
+    {"1,000 attached copies of a file / 100", "BM_Attached/1000", "BM_Attached/100", 12},
 };
 
 }  // namespace

@@ -43,11 +43,15 @@ LoadedRecipe Row(int parts) {
       "    pos: [i * step, 0, 0]\n"
       "    density: 500\n",
       parts);
+  return FromText(yaml);
+}
+
+LoadedRecipe FromText(const std::string& yaml) {
   LoadedRecipe loaded;
   diag::Findings findings;
-  loaded.recipe.spec = spec::LoadSpecText("row.yaml", yaml, ".", {}, loaded.sources, findings);
+  loaded.recipe.spec = spec::LoadSpecText("bench.yaml", yaml, ".", {}, loaded.sources, findings);
   if (loaded.recipe.spec == nullptr) Quit(findings, loaded.sources);
-  loaded.recipe.reference = "row";
+  loaded.recipe.reference = "bench";
   return loaded;
 }
 
@@ -57,6 +61,7 @@ void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uin
   auto values =
       sample::Sample(*recipe.spec, {.seed = 7, .index = index}, sample::kRootStream, {}, findings);
   const auto object = assembler.Assemble(*values, {}, findings);
+  if (!object) std::abort();
   mjcf::Provenance provenance;
   provenance.seed = 7;
   provenance.index = index;

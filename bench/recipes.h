@@ -19,6 +19,9 @@ const LoadedRecipe& Hammer();
 /// An object of `parts` boxes in a row, sizes drawn, from one `for` entry.
 LoadedRecipe Row(int parts);
 
+/// The spec of a text.
+LoadedRecipe FromText(const std::string& yaml);
+
 /// One variant of a recipe through sample, model and mjcf, into `document`.
 void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
               mjcf::MjcfDocument& document);

@@ -1,6 +1,8 @@
 // What follows from the parts: bounds, mass, and whether the object can exist.
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -22,6 +24,13 @@ Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   bounds.bottom_offset = -total_size.z();
   bounds.horizontal_radius = total_size.head<2>().norm();
   return bounds;
+}
+
+bool HasState(const Element& actuator) {
+  constexpr std::string_view kStateful[] = {"intvelocity", "cylinder", "muscle"};
+  if (std::ranges::find(kStateful, actuator.tag) != std::end(kStateful)) return true;
+  const auto dyntype = std::ranges::find(actuator.attributes, "dyntype", &Attribute::name);
+  return dyntype != actuator.attributes.end() && dyntype->text != "none";
 }
 
 }  // namespace
@@ -156,6 +165,11 @@ void Assembly::Finish(const Scope& scope) {
   object_.mass_properties = MassFrom(0);
   object_.bounds = scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsFrom(0);
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
+  for (Section& section : object_.sections) {
+    // MuJoCo 2.2 wants actuators with a state behind those without.
+    if (section.info->name == "actuator")
+      std::ranges::stable_partition(section.elements, std::not_fn(HasState));
+  }
 }
 
 std::vector<Pose> BodyPoses(const Object& object) {

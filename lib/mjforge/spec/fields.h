@@ -159,22 +159,6 @@ const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
 const ElementInfo& DefaultsElement();
 std::span<const ElementInfo* const> AllElements();
 
-/// One section of MJCF beside asset and worldbody, as `mjcf:` takes it.
-struct SectionInfo {
-  std::string_view name;  // "sensor"
-  /// The section is one element with attributes of its own (`option`), not a list.
-  bool is_element = false;
-  /// Those it may hold; of an element the first stands for itself.
-  std::span<const ElementInfo> elements;
-
-  const ElementInfo* Find(std::string_view element) const;
-};
-/// In the order MJCF files have them. Source: mj_printSchema of MuJoCo 2.2.2.
-std::span<const SectionInfo> Sections();
-const SectionInfo* FindSection(std::string_view name);
-/// What a body may hold besides geoms, joints and sites: camera, light.
-const ElementInfo* FindBodyChild(std::string_view name);
-
 /// One kind of random draw, as a mapping's first key.
 enum class Distribution {
   kUniform,

@@ -136,7 +136,11 @@ std::vector<std::string> ListSpecs(const fs::path& folder) {
     std::string why_not;
     const auto text = ReadText(file, kMaxYamlBytes, why_not);
     // A library of materials makes no object.
-    if (!text || text->find("\nparts:") == std::string::npos) continue;
+    if (!text) continue;
+    if (text->find("\nparts:") == std::string::npos &&
+        text->find("\nbodies:") == std::string::npos) {
+      continue;
+    }
     names.push_back(file.lexically_relative(folder).replace_extension().string());
   }
   return names;

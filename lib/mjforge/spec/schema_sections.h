@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mjforge/spec/schema_draws.h"
+#include "mjforge/spec/sections.h"
 
 namespace mjforge::spec {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "mjforge/spec/fields.h"
+#include "mjforge/spec/sections.h"
 
 namespace mjforge::spec {
 namespace {

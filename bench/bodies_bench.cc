@@ -1,0 +1,66 @@
+// Cost against the number of bodies: a chain of them, and copies of one attached
+// file; sampled, assembled and written, and once, apart, the file read.
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <benchmark/benchmark.h>
+
+#include "mjforge/attach/attach.h"
+#include "recipes.h"
+
+namespace mjforge::bench {
+namespace {
+
+void BM_Chain(benchmark::State& state) {
+  const LoadedRecipe chain = FromText(fmt::format(
+      "mjforge: 1\n"
+      "name: chain\n"
+      "params: {{n: {}, length: 2cm .. 3cm}}\n"
+      "bodies:\n"
+      "  - {{name: link_0, parts: [{{name: rod_0, type: sphere, size: 5mm}}]}}\n"
+      "  - name: link_${{i + 1}}\n"
+      "    for: {{i: n - 1}}\n"
+      "    parent: link_${{i}}\n"
+      "    pos: [0, 0, length]\n"
+      "    joints: [{{name: 'hinge_${{i + 1}}', axis: [0, 1, 0], damping: 0.01 .. 0.02}}]\n"
+      "    parts: [{{name: 'rod_${{i + 1}}', type: capsule, size: [5mm, 0.4 * length]}}]\n",
+      state.range(0)));
+  model::Assembler assembler;
+  mjcf::MjcfDocument document;
+  std::uint64_t index = 0;
+  for (auto _ : state) MakeText(chain.recipe, assembler, index++, document);
+}
+BENCHMARK(BM_Chain)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+void BM_Attached(benchmark::State& state) {
+  LoadedRecipe copies = FromText(
+      fmt::format("mjforge: 1\n"
+                  "name: row\n"
+                  "joints: none\n"
+                  "params: {{n: {}, step: 10cm .. 20cm}}\n"
+                  "bodies:\n"
+                  "  - {{name: 'it_${{i}}', for: {{i: n}}, mjcf: {}, pos: [i * step, 0, 0]}}\n",
+                  state.range(0), MJFORGE_ATTACHED_FILE));
+  attach::MjcfReader reader(copies.sources);
+  model::Assembler assembler(&reader);
+  mjcf::MjcfDocument document;
+  std::uint64_t index = 0;
+  for (auto _ : state) MakeText(copies.recipe, assembler, index++, document);
+}
+BENCHMARK(BM_Attached)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+void BM_ReadAttached(benchmark::State& state) {
+  for (auto _ : state) {
+    diag::Sources sources;
+    diag::Findings findings;
+    attach::MjcfReader reader(sources);
+    if (reader.Attach(MJFORGE_ATTACHED_FILE, "", {}, findings) == nullptr) std::abort();
+  }
+}
+BENCHMARK(BM_ReadAttached)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace mjforge::bench

@@ -1,0 +1,183 @@
+#ifndef MJFORGE_MODEL_OBJECT_H_
+#define MJFORGE_MODEL_OBJECT_H_
+
+// An object: a tree of bodies with parts, joints and sites, its assets, and the
+// MJCF sections that go with it. Numbers only, in SI units.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/meshes.h"
+#include "mjforge/model/poses.h"
+#include "mjforge/model/shapes.h"
+#include "mjforge/sample/sample.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::model {
+
+/// Objects with more parts than this are refused.
+inline constexpr int kMaxParts = 100'000;
+
+/// One MJCF attribute that mjforge carries without interpreting it: its numbers
+/// or, if there are none, its text.
+struct Attribute {
+  std::string_view name;  // of the field table: lives forever
+  spec::Applies applies = spec::Applies::kBoth;
+  sample::Numbers numbers;
+  std::string text;
+  std::string_view refers = {};  // kind of element the text names; see spec::FieldInfo
+
+  bool operator==(const Attribute&) const = default;
+};
+
+/// An MJCF element that mjforge carries whole: a sensor, a camera.
+struct Element {
+  std::string_view tag;  // of the section table: lives forever
+  std::string name;      // empty: it has none
+  std::vector<Attribute> attributes;
+  std::vector<Element> children;
+  diag::SourceMark mark;
+};
+
+/// The elements of one section (contact, sensor, ...).
+struct Section {
+  const spec::SectionInfo* info = nullptr;
+  std::vector<Element> elements;
+};
+
+/// A mesh asset. Inline vertices (a prism), or a file that is copied beside the output.
+struct MeshAsset {
+  std::string name;
+  TriangleMesh mesh;           // scaled
+  std::filesystem::path file;  // empty: inline, as vertices and triangles
+  /// The surface is the convex hull of the vertices (a prism's): MuJoCo makes
+  /// the triangles of those itself.
+  bool is_hull = false;
+  std::string output_file;  // its name in assets/
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  /// Of an attached file's mesh: what else its element says (refpos, refquat,
+  /// inline vertices); `mesh` is what all of it comes to.
+  std::vector<Attribute> attributes;
+  diag::SourceMark mark;
+};
+
+struct TextureFile {
+  std::string_view attribute = "file";  // or fileright, fileup, ...
+  std::filesystem::path file;
+  std::string output_file;  // its name in assets/
+
+  bool operator==(const TextureFile&) const = default;
+};
+
+struct Texture {
+  std::string name;
+  std::vector<TextureFile> files;  // none: builtin
+  std::vector<Attribute> attributes;
+  diag::SourceMark mark;
+};
+
+struct Material {
+  std::string name;
+  int texture = -1;  // in Object::textures
+  std::vector<Attribute> attributes;
+  diag::SourceMark mark;
+};
+
+enum class Role { kBoth, kCollision, kVisual };
+
+/// One part of a body B: a solid, written as a collision geom, a visual one or both.
+struct Part {
+  std::string name;
+  Role role = Role::kBoth;
+  Shape shape;
+  int mesh = -1;  // in Object::meshes
+  Pose X_BG;
+  /// kg; 0 for a visual part. MJCF says it as the density where that was given
+  /// (`density` > 0), so that MuJoCo computes it from the same number.
+  double mass = 0;
+  double density = 0;
+  int material = -1;  // in Object::materials
+  /// A geom of an attached file: written under its own name and with no more
+  /// attributes than it has; the role only says whether it collides.
+  bool as_is = false;
+  std::vector<Attribute> attributes;
+  diag::SourceMark mark;
+};
+
+struct Joint {
+  std::string name;
+  std::string_view type = "free";  // free ball slide hinge
+  Eigen::Vector3d pos = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  std::optional<Eigen::Vector2d> range;  // limited if present
+  std::vector<Attribute> attributes;
+  diag::SourceMark mark;
+};
+
+struct Site {
+  std::string name;
+  GeomType type = GeomType::kSphere;
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(0.005);
+  Pose X_BS;
+  int material = -1;
+  std::vector<Attribute> attributes;
+  diag::SourceMark mark;
+};
+
+struct Body {
+  std::string name;
+  int parent = -1;  // in Object::bodies; -1: the world
+  Pose X_PB;
+  std::vector<Joint> joints;
+  std::vector<Part> parts;
+  std::vector<Site> sites;
+  std::vector<Element> elements;      // cameras and lights
+  std::vector<Attribute> attributes;  // of the body itself
+  MassProperties mass_properties;     // in B
+  /// Whether MJCF states the inertia instead of leaving it to MuJoCo: bodies
+  /// with mesh parts, whose mass MuJoCo's versions compute differently, and
+  /// attached ones, which keep the inertia of their own file.
+  bool explicit_inertial = false;
+  diag::SourceMark mark;
+};
+
+/// Extents of the collision parts in the root frame (all parts if none collides).
+struct Bounds {
+  Box3 aabb;
+  double top_offset = 0;         // aabb.max.z, m
+  double bottom_offset = 0;      // aabb.min.z, m
+  double horizontal_radius = 0;  // largest distance from the root's z axis, m
+  Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
+};
+
+struct Object {
+  std::string name;
+  std::vector<Body> bodies;         // the root first, parents before children
+  std::vector<Material> materials;  // those in use
+  std::vector<Texture> textures;
+  std::vector<std::unique_ptr<MeshAsset>> meshes;  // shared where equal
+  std::vector<Section> sections;                   // in the order of spec::Sections()
+  Bounds bounds;
+  MassProperties mass_properties;  // in the root frame, at the joints' zero
+};
+
+/// X_RootB of every body at the joints' zero; the root's is the identity.
+std::vector<Pose> BodyPoses(const Object& object);
+
+/// The elements of a section, none if the object has none.
+std::span<const Element> ElementsOf(const Object& object, std::string_view section);
+
+/// Is the point in a collision part?
+bool Contains(const Object& object, const Eigen::Vector3d& p_Root);
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_OBJECT_H_

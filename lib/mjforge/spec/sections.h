@@ -1,0 +1,31 @@
+#ifndef MJFORGE_SPEC_SECTIONS_H_
+#define MJFORGE_SPEC_SECTIONS_H_
+
+// The MJCF sections that pass through: elements, attributes, references.
+
+#include <span>
+#include <string_view>
+
+#include "mjforge/spec/fields.h"
+
+namespace mjforge::spec {
+
+/// One section of MJCF beside asset and worldbody, as `mjcf:` takes it.
+struct SectionInfo {
+  std::string_view name;  // "sensor"
+  /// The section is one element with attributes of its own (`option`), not a list.
+  bool is_element = false;
+  /// Those it may hold; of an element the first stands for itself.
+  std::span<const ElementInfo> elements;
+
+  const ElementInfo* Find(std::string_view element) const;
+};
+/// In the order MJCF files have them. Source: mj_printSchema of MuJoCo 2.2.2.
+std::span<const SectionInfo> Sections();
+const SectionInfo* FindSection(std::string_view name);
+/// What a body may hold besides geoms, joints and sites: camera, light.
+const ElementInfo* FindBodyChild(std::string_view name);
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_SECTIONS_H_
