@@ -56,7 +56,7 @@ void BM_LoadDefault(benchmark::State& state) { Load(state, ""); }
 BENCHMARK(BM_LoadDefault)->Unit(benchmark::kMicrosecond);
 
 void BM_GenerateValidated(benchmark::State& state) {
-  const LoadedRecipe& hammer = Hammer();
+  LoadedRecipe& hammer = Hammer();
   validate::Loader loader;
   forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}},
                              &loader);

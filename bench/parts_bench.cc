@@ -11,7 +11,7 @@ namespace mjforge::bench {
 namespace {
 
 void BM_Parts(benchmark::State& state) {
-  const LoadedRecipe row = Row(static_cast<int>(state.range(0)));
+  LoadedRecipe row = Row(static_cast<int>(state.range(0)));
   model::Assembler assembler;
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
@@ -20,7 +20,7 @@ void BM_Parts(benchmark::State& state) {
 BENCHMARK(BM_Parts)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 void BM_PartsValidated(benchmark::State& state) {
-  const LoadedRecipe row = Row(static_cast<int>(state.range(0)));
+  LoadedRecipe row = Row(static_cast<int>(state.range(0)));
   validate::Loader loader;
   forge::Generator generator(row.recipe, row.sources, {.seed = 7, .target = {}, .name = {}},
                              &loader);

@@ -16,8 +16,8 @@ namespace {
 
 }  // namespace
 
-const LoadedRecipe& Hammer() {
-  static const LoadedRecipe* const kHammer = [] {
+LoadedRecipe& Hammer() {
+  static LoadedRecipe* const kHammer = [] {
     auto* loaded = new LoadedRecipe;
     diag::Findings findings;
     auto recipe = forge::LoadRecipe(

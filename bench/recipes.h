@@ -14,7 +14,7 @@ struct LoadedRecipe {
 };
 
 /// The bundled hammer.
-const LoadedRecipe& Hammer();
+LoadedRecipe& Hammer();
 
 /// An object of `parts` boxes in a row, sizes drawn, from one `for` entry.
 LoadedRecipe Row(int parts);

@@ -48,7 +48,7 @@ void BM_SampleAssembleWrite(benchmark::State& state) {
 BENCHMARK(BM_SampleAssembleWrite)->Unit(benchmark::kMicrosecond);
 
 void BM_GenerateRecord(benchmark::State& state) {
-  const LoadedRecipe& hammer = Hammer();
+  LoadedRecipe& hammer = Hammer();
   forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}},
                              nullptr);
   forge::Variant variant;

@@ -21,7 +21,7 @@ function(mjforge_room name)
   list(TRANSFORM room_ROOMS PREPEND mjforge::)
   target_link_libraries(mjforge_${name}
     PUBLIC ${room_ROOMS} ${room_PUBLIC_LIBRARIES}
-    PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options>)
+    PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_counted>)
 
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -5,3 +5,11 @@ target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(mjforge_options INTERFACE -Wno-restrict)
 endif()
+
+# Lines are counted in the rooms and the program, not in the tests.
+option(MJFORGE_COVERAGE "Count which lines run" OFF)
+add_library(mjforge_counted INTERFACE)
+if(MJFORGE_COVERAGE)
+  target_compile_options(mjforge_counted INTERFACE --coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
+endif()

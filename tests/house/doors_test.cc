@@ -26,11 +26,14 @@ const std::array kRooms = {
     Room{"expr", {"diag"}},
     Room{"spec", {"diag", "expr"}},
     Room{"sample", {"diag", "expr", "spec"}},
+    Room{"engine", {"diag"}},
     Room{"model", {"diag", "expr", "spec", "sample"}},
     Room{"mjcf", {"diag", "expr", "model"}},
-    Room{"validate", {"diag", "expr", "model", "mjcf"}},  // expr: numbers in messages
+    Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine"}},
+    Room{"validate", {"diag", "expr", "model", "engine", "mjcf"}},  // expr: numbers in messages
     Room{"output", {"diag", "expr", "sample", "model", "mjcf"}},
-    Room{"forge", {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output"}},
+    Room{"forge",
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "output"}},
     Room{"app", {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge"}},
 };
 
@@ -42,19 +45,21 @@ struct Library {
 
 const std::array kLibraries = {
     Library{"CLI/", {"app"}},
-    Library{"Eigen/", {"model", "mjcf", "validate", "output", "forge", "app"}, true},
+    Library{"Eigen/", {"model", "mjcf", "attach", "validate", "output", "forge", "app"}, true},
     Library{"Random123/", {"sample"}},
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
-    Library{
-        "fmt/",
-        {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge", "app"}},
+    Library{"boost/random/", {"validate"}},  // points spread over joint ranges
+    Library{"fmt/",
+            {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
+             "output", "forge", "app"}},
     Library{"muParser", {"expr"}},
-    Library{"mujoco/", {"validate"}},
+    // The engine's door is MuJoCo without its habits.
+    Library{"mujoco/", {"engine", "attach", "validate"}, true},
     Library{"openssl/", {"spec", "output"}},
-    // validate reads other people's MJCF, which mjcf never sees.
-    Library{"pugixml.hpp", {"mjcf", "validate"}},
+    // engine and attach read other people's MJCF, which mjcf never sees.
+    Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
     Library{"rapidjson/", {"diag", "spec", "output", "app"}},
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"xxhash.h", {"expr", "sample"}},

@@ -119,6 +119,19 @@ Settings LidPins(const json& reference) {
   return pins.Take();
 }
 
+// Without a gap, damping and friction, as there.
+Settings HingedBoxPins(const json& reference) {
+  Pins pins(reference);
+  pins.Same({"box1_size", "box2_size", "use_texture"});
+  pins.Set("gap", "0");
+  pins.Set("max_angle", "1.57");
+  pins.Set("damping", "0");
+  pins.Set("frictionloss", "0");
+  pins.Set("rgba_box1", kRed);
+  pins.Set("rgba_box2", kBlue);
+  return pins.Take();
+}
+
 // Two parameters mean something else here. robosuite's `height` is half of it,
 // and its boxes end at inner_radius * cos(pi / ngeoms) from the axis, so that a
 // peg of inner_radius does not fit: ours is the radius that does.
@@ -168,6 +181,13 @@ constexpr Case kCases[] = {
     {"box_sampled_default", "primitives/box", PrimitivePins},
     {"box_textured", "primitives/box", PrimitivePins},
     {"capsule_explicit", "primitives/capsule", PrimitivePins},
+    {"cbody_chain_three_levels", "cbody_chain_three_levels.yaml"},
+    {"cbody_corner_nested", "cbody_corner_nested.yaml"},
+    {"cbody_corner_total_size", "cbody_corner_total_size.yaml"},
+    {"cbody_hollow_ends", "cbody_hollow_ends.yaml"},
+    {"cbody_negative_offsets", "cbody_negative_offsets.yaml"},
+    {"cbody_of_composites", "cbody_of_composites.yaml"},
+    {"cbody_rotated_parents", "cbody_rotated_parents.yaml"},
     {"composite_center_box_cylinder", "composite_center_box_cylinder.yaml"},
     {"composite_corner_mixed_types", "composite_corner_mixed_types.yaml"},
     {"composite_per_geom_values", "composite_per_geom_values.yaml"},
@@ -177,6 +197,8 @@ constexpr Case kCases[] = {
     {"hammer_box_textured_sampled", "tools/hammer", HammerPins},
     {"hammer_cylinder_rgba", "tools/hammer", HammerPins},
     {"hammer_cylinder_textured", "tools/hammer", HammerPins},
+    {"hinged_default", "articulated/hinged_box", HingedBoxPins},
+    {"hinged_rect_rgba", "articulated/hinged_box", HingedBoxPins},
     {"hollow_cylinder_half_n8", "shapes/hollow_cylinder", HollowCylinderPins},
     {"hollow_cylinder_material", "shapes/hollow_cylinder", HollowCylinderPins},
     {"hollow_cylinder_n50", "shapes/hollow_cylinder", HollowCylinderPins},
@@ -198,12 +220,6 @@ constexpr Case kCases[] = {
     {"stand_mount_offset", "fixtures/stand_with_mount", StandPins},
 };
 
-constexpr std::string_view kSeveralBodies[] = {
-    "cbody_chain_three_levels", "cbody_corner_nested",    "cbody_corner_total_size",
-    "cbody_hollow_ends",        "cbody_negative_offsets", "cbody_of_composites",
-    "cbody_rotated_parents",    "hinged_default",         "hinged_rect_rgba",
-};
-
 }  // namespace
 
 std::span<const Case> Cases() { return kCases; }
@@ -212,7 +228,5 @@ std::string SpecPath(const Case& one) {
   if (!one.spec.ends_with(".yaml")) return std::string(one.spec);
   return fmt::format("{}/tests/parity/specs/{}", MJFORGE_SOURCE_DIR, one.spec);
 }
-
-std::span<const std::string_view> SeveralBodies() { return kSeveralBodies; }
 
 }  // namespace mjforge::parity

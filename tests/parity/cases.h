@@ -22,9 +22,6 @@ struct Case {
 std::span<const Case> Cases();
 std::string SpecPath(const Case& one);
 
-/// References of objects of several bodies: compared once specs can have them.
-std::span<const std::string_view> SeveralBodies();
-
 }  // namespace mjforge::parity
 
 #endif  // MJFORGE_TESTS_PARITY_CASES_H_

@@ -18,10 +18,15 @@ struct Element {
   std::map<std::string, std::string> words;  // "type", "role", "look"
 };
 
-/// Elements are keyed "geom/handle", "site/grasp", "joint/joint0", without the
-/// object's prefix; "whole" has mass, com, inertia (xx yy zz xy xz yz about the
-/// centre of mass), aabb_min, aabb_max and horizontal_radius.
+/// Elements are keyed "geom/handle", "site/grasp", "joint/joint0", "body/lid",
+/// without the object's prefix, and say in which body they are; the root is
+/// "body/root". A body has its pose in its parent, mass, com and inertia (xx yy
+/// zz xy xz yz about the centre of mass) in its frame. "whole" has mass, com,
+/// inertia, aabb_min, aabb_max and horizontal_radius at the joints' zero, and
+/// what the object declares: bottom_offset, top_offset, declared_radius.
 using Described = std::map<std::string, Element>;
+
+inline constexpr std::string_view kRootBody = "root";
 
 /// "x" of "pot_x" for the prefix "pot_"; other names as they are.
 std::string WithoutPrefix(std::string_view name, std::string_view prefix);

@@ -20,10 +20,64 @@ constexpr std::string_view kSolid =
 constexpr std::string_view kSolidWhole = "follows from the handles";
 constexpr std::string_view kMount =
     "the site is where the mount is; robosuite leaves it at the middle when the mount moves";
+constexpr std::string_view kCorner =
+    "0.04 above the corner of the whole; robosuite takes the corner away again for a child of a "
+    "child, which puts the box into the one it stands on";
+constexpr std::string_view kCornerWhole =
+    "follows from the upper box; by the sum of the boxes' inertias, parallel axes";
+constexpr std::string_view kTotalSize =
+    "total_size is what the object declares, above as below; robosuite does not use it for top and "
+    "bottom, where 0 is always inside";
+constexpr std::string_view kPin =
+    "the pin lies along y, so it is as long as the narrower box is in y; robosuite takes x";
+constexpr std::string_view kTurned =
+    "exact; robosuite adds up offsets and extents as if nothing were turned";
+constexpr std::string_view kRadius =
+    "exact; robosuite adds the child's own declared radius, which is too large, to the larger of x "
+    "and y";
+constexpr std::string_view kNegative =
+    "exact; robosuite takes the larger of x and y with their signs, so that what is on the "
+    "negative "
+    "side does not count";
 
 const Difference kDifferences[] = {
     {"cylinder_explicit", "geom/g0", "margin", {0}, kMargin},
     {"cylinder_slide_hinge", "geom/g0", "margin", {0}, kMargin},
+    {"cbody_corner_total_size", "geom/pin_g0", "margin", {0}, kMargin},
+    {"cbody_hollow_ends", "geom/axle_g0", "margin", {0}, kMargin},
+
+    // The lower box spans z = -0.1 to -0.06, the upper one -0.06 to 0.
+    {"cbody_corner_nested", "body/upper", "pos", {-0.06, -0.06, 0.05}, kCorner},
+    {"cbody_corner_nested", "whole", "aabb_min", {-0.1, -0.1, -0.1}, kCornerWhole},
+    {"cbody_corner_nested", "whole", "aabb_max", {0.1, 0.1, 0}, kCornerWhole},
+    {"cbody_corner_nested",
+     "whole",
+     "com",
+     {-0.01161290322580645, -0.01161290322580645, -0.0703225806451613},
+     kCornerWhole},
+    {"cbody_corner_nested",
+     "whole",
+     "inertia",
+     {0.007755698924731184, 0.007755698924731184, 0.013305944086021506, -0.0011148387096774192,
+      0.0009290322580645161, 0.0009290322580645161},
+     kCornerWhole},
+    {"cbody_corner_nested", "whole", "bottom_offset", {-0.1}, kTotalSize},
+    {"cbody_corner_nested", "whole", "top_offset", {0.1}, kTotalSize},
+    {"cbody_corner_total_size", "whole", "top_offset", {0.06}, kTotalSize},
+
+    {"cbody_hollow_ends", "whole", "declared_radius", {0.03}, kRadius},
+    // The ball of radius 0.03 is at x = -0.25; the capsule lies along y at z = -0.1.
+    {"cbody_negative_offsets", "whole", "declared_radius", {0.28}, kNegative},
+    {"cbody_negative_offsets", "whole", "bottom_offset", {-0.11}, kTurned},
+    // The branch leaves the stem's end at z = 0.2 along x: its leaf ends at 0.1 + 0.02.
+    {"cbody_rotated_parents", "whole", "declared_radius", {0.12}, kTurned},
+    {"cbody_rotated_parents", "whole", "top_offset", {0.22}, kTurned},
+
+    // The lower box ends at z = -0.02, the lid at 0.02 + 2 * 0.01, a corner of it at (0.06, 0.04).
+    {"hinged_rect_rgba", "geom/hinge_g0", "size", {0.002, 0.03}, kPin},
+    {"hinged_rect_rgba", "whole", "bottom_offset", {-0.02}, kTurned},
+    {"hinged_rect_rgba", "whole", "top_offset", {0.04}, kTurned},
+    {"hinged_rect_rgba", "whole", "declared_radius", {0.07211102550927977}, kRadius},
 
     // Half sizes 0.09 x 0.05 x 0.06, walls 0.008 thick: 0 and 2 along x, 1 and 3 along y.
     {"pot_rectangular", "geom/body0", "size", {0.004, 0.09, 0.06}, kWalls},
@@ -69,7 +123,13 @@ constexpr std::string_view kGrasp = "where a gripper takes the object";
 constexpr Added kAdded[] = {
     {"HammerObject", "site/grasp", kGrasp},
     {"HammerObject", "site/strike", "the middle of the face, z along the blow"},
+    {"HingedBoxObject", "site/grasp", kGrasp},
     {"Lid", "site/grasp", kGrasp},
+    {"PotWithHandlesObject", "site/grasp0", kGrasp},
+    {"PotWithHandlesObject", "site/grasp1", kGrasp},
+    {"cbody_of_composites", "site/chest_grasp", kGrasp},
+    {"cbody_of_composites", "site/hammer_grasp", kGrasp},
+    {"cbody_of_composites", "site/hammer_strike", "as the hammer's"},
 };
 
 }  // namespace
@@ -95,12 +155,6 @@ std::string OurName(std::string_view object_class, const std::string& element) {
     }
   }
   return element;
-}
-
-bool IsAdded(std::string_view object_class, std::string_view element) {
-  return std::ranges::any_of(kAdded, [&](const Added& added) {
-    return added.object_class == object_class && added.element == element;
-  });
 }
 
 }  // namespace mjforge::parity

@@ -34,14 +34,13 @@ std::span<const Renamed> RenamedElements();
 /// Our name of a reference's element ("geom/hole_vis_vis").
 std::string OurName(std::string_view object_class, const std::string& element);
 
-/// An element that the reference lacks, in all objects of a class.
+/// An element that the reference lacks.
 struct Added {
-  std::string_view object_class;
+  std::string_view where;  // in all objects of this class, or in this reference
   std::string_view element;
   std::string_view reason;
 };
 std::span<const Added> AddedElements();
-bool IsAdded(std::string_view object_class, std::string_view element);
 
 }  // namespace mjforge::parity
 

@@ -98,37 +98,69 @@ Element Site(const pugi::xml_node& site) {
   return element;
 }
 
+std::string BodyName(std::string_view name, const std::string& object_name) {
+  return name == object_name ? std::string(kRootBody) : WithoutPrefix(name, object_name + "_");
+}
+
+void DescribeBody(const pugi::xml_node& body, const pugi::xml_node& asset, const std::string& name,
+                  Described& out) {
+  for (const pugi::xml_node& node : body.children()) {
+    const std::string_view kind = node.name();
+    if (kind == "body") DescribeBody(node, asset, name, out);
+    const bool is_joint = kind == "joint" || kind == "freejoint";
+    if (!is_joint && kind != "geom" && kind != "site") continue;
+    Element element = is_joint ? Joint(node) : kind == "geom" ? Geom(node, asset) : Site(node);
+    element.words["body"] = BodyName(body.attribute("name").value(), name);
+    const std::string own_name = WithoutPrefix(node.attribute("name").value(), name + "_");
+    out[std::string(is_joint ? "joint" : kind) + "/" + own_name] = std::move(element);
+  }
+}
+
 void DescribeText(const std::string& text, const std::string& name, Described& out) {
   pugi::xml_document document;
   if (!document.load_buffer(text.data(), text.size())) return;
   const pugi::xml_node root = document.child("mujoco");
-  for (const pugi::xml_node& node : root.child("worldbody").child("body").children()) {
-    const std::string element = WithoutPrefix(node.attribute("name").value(), name + "_");
-    const std::string_view kind = node.name();
-    if (kind == "geom") out["geom/" + element] = Geom(node, root.child("asset"));
-    if (kind == "joint" || kind == "freejoint") out["joint/" + element] = Joint(node);
-    if (kind == "site") out["site/" + element] = Site(node);
-  }
+  DescribeBody(root.child("worldbody").child("body"), root.child("asset"), name, out);
 }
 
 Numbers List(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
+void AddMass(const model::MassProperties& properties, Element& element) {
+  const Eigen::Matrix3d& inertia = properties.I_Cm_F;
+  element.numbers["mass"] = {properties.mass};
+  element.numbers["com"] = List(properties.p_FCm);
+  element.numbers["inertia"] = {inertia(0, 0), inertia(1, 1), inertia(2, 2),
+                                inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+}
+
+Element Body(const validate::CompiledModel::Body& body, const std::string& name) {
+  Element element;
+  const Eigen::Quaterniond& q = body.X_PB.q;
+  element.words["parent"] = body.parent == "world" ? body.parent : BodyName(body.parent, name);
+  element.numbers["pos"] = List(body.X_PB.p);
+  element.numbers["quat"] = Canonical({q.w(), q.x(), q.y(), q.z()});
+  AddMass(body.mass_properties, element);
+  return element;
+}
+
 double HorizontalRadius(const model::Object& object) {
   double radius = 0;
-  for (const model::Part& part : object.bodies.front().parts) {
-    if (part.role == model::Role::kVisual) continue;
-    radius = std::max(radius, model::HorizontalRadius(part.shape, part.X_BG));
+  const std::vector<model::Pose> poses = model::BodyPoses(object);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (const model::Part& part : object.bodies[i].parts) {
+      if (part.role == model::Role::kVisual) continue;
+      radius = std::max(radius, model::HorizontalRadius(part.shape, poses[i] * part.X_BG));
+    }
   }
   return radius;
 }
 
 Element Whole(const model::Object& object, const validate::CompiledModel& compiled) {
   Element element;
-  const Eigen::Matrix3d& inertia = compiled.mass_properties.I_Cm_F;
-  element.numbers["mass"] = {compiled.mass_properties.mass};
-  element.numbers["com"] = List(compiled.mass_properties.p_FCm);
-  element.numbers["inertia"] = {inertia(0, 0), inertia(1, 1), inertia(2, 2),
-                                inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+  AddMass(compiled.mass_properties, element);
+  element.numbers["bottom_offset"] = {object.bounds.bottom_offset};
+  element.numbers["top_offset"] = {object.bounds.top_offset};
+  element.numbers["declared_radius"] = {object.bounds.horizontal_radius};
   if (!compiled.aabb.empty()) {
     element.numbers["aabb_min"] = List(compiled.aabb.min);
     element.numbers["aabb_max"] = List(compiled.aabb.max);
@@ -153,6 +185,9 @@ void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& 
   const auto compiled = loader.Load(folder.Write("object.xml", document.text), sources, findings);
   if (!compiled) return;
   DescribeText(document.text, name, out);
+  for (const validate::CompiledModel::Body& body : compiled->bodies) {
+    out["body/" + BodyName(body.name, name)] = Body(body, name);
+  }
   out["whole"] = Whole(*object, *compiled);
 }
 

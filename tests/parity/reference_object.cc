@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 namespace mjforge::parity {
 namespace {
@@ -85,6 +86,41 @@ Element Site(const json& site) {
   return element;
 }
 
+// About the centre of mass, along the body's axes.
+Numbers Inertia(const json& body) {
+  const auto principal = body.at("inertia").get<Numbers>();
+  const auto q = body.at("iquat").get<Numbers>();
+  const Eigen::Matrix3d R =
+      Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  const Eigen::Matrix3d I =
+      R * Eigen::Vector3d(principal[0], principal[1], principal[2]).asDiagonal() * R.transpose();
+  return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+}
+
+// Of a child robosuite makes `lid_main` or `lid_root`, by its class.
+std::string BodyName(std::string_view name, std::string_view prefix) {
+  std::string out = WithoutPrefix(name, prefix);
+  for (const std::string_view suffix : {"_main", "_root"}) {
+    if (out.ends_with(suffix)) return out.substr(0, out.size() - suffix.size());
+  }
+  return out == "main" || out == "root" ? std::string(kRootBody) : out;
+}
+
+// The mass of an object's only body is the whole's.
+Element Body(const json& body, const json& masses, std::string_view prefix, bool is_only) {
+  Element element;
+  const auto parent = body.at("parent").get<std::string>();
+  element.words["parent"] = parent == "world" ? parent : BodyName(parent, prefix);
+  element.numbers["pos"] = body.at("pos").get<Numbers>();
+  element.numbers["quat"] = Canonical(body.at("quat").get<Numbers>());
+  if (is_only) return element;
+  element.numbers["mass"] = {masses.at("mass").get<double>()};
+  if (masses.at("mass") == 0) return element;
+  element.numbers["com"] = masses.at("ipos").get<Numbers>();
+  element.numbers["inertia"] = Inertia(masses);
+  return element;
+}
+
 Element Whole(const json& reference) {
   Element element;
   const json& masses = reference.at("mujoco_group0_inertia");
@@ -97,6 +133,11 @@ Element Whole(const json& reference) {
     element.numbers["aabb_max"] = box.at("max").get<Numbers>();
     element.numbers["horizontal_radius"] = {compiled.at("horizontal_radius_exact").get<double>()};
   }
+  if (reference.at("kind") != "composite_body") return element;
+  const json& declared = reference.at("properties");
+  element.numbers["bottom_offset"] = {declared.at("bottom_offset").at(2).get<double>()};
+  element.numbers["top_offset"] = {declared.at("top_offset").at(2).get<double>()};
+  element.numbers["declared_radius"] = {declared.at("horizontal_radius").get<double>()};
   return element;
 }
 
@@ -122,11 +163,20 @@ Described DescribeReference(const json& reference) {
     return fmt::format("{}/{}", kind, WithoutPrefix(element.at("name").get<std::string>(), prefix));
   };
   Described out;
-  for (const json& geom : reference.at("geoms")) out[key("geom", geom)] = Geom(geom);
-  for (const json& joint : reference.at("mujoco").at("joints"))
-    out[key("joint", joint)] = Joint(joint);
-  for (const json& site : reference.at("sites")) out[key("site", site)] = Site(site);
-  out.erase("site/default_site");
+  const auto add = [&](std::string_view kind, const json& element, Element described) {
+    described.words["body"] = BodyName(element.at("body").get<std::string>(), prefix);
+    out[key(kind, element)] = std::move(described);
+  };
+  for (const json& geom : reference.at("geoms")) add("geom", geom, Geom(geom));
+  for (const json& joint : reference.at("mujoco").at("joints")) add("joint", joint, Joint(joint));
+  for (const json& site : reference.at("sites")) add("site", site, Site(site));
+  std::erase_if(out, [](const auto& entry) { return entry.first.ends_with("default_site"); });
+  const json& bodies = reference.at("mujoco").at("bodies");
+  const json& masses = reference.at("mujoco_group0_inertia").at("bodies");
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::string name = BodyName(bodies[i].at("name").get<std::string>(), prefix);
+    out["body/" + name] = Body(bodies[i], masses.at(i), prefix, bodies.size() == 1);
+  }
   out["whole"] = Whole(reference);
   return out;
 }

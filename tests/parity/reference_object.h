@@ -22,7 +22,9 @@ nlohmann::json ReadReference(std::string_view name);
 /// - the colour of collision geoms, which nobody sees, is left out;
 /// - a visual geom's 1e-8 kg are no mass, as in mujoco_group0_inertia;
 /// - a look from a picture file is "textured", whatever the picture;
-/// - `default_site`, a mark that robosuite keeps for itself, is left out.
+/// - each `default_site`, a mark that robosuite keeps for itself, is left out;
+/// - a child's body is called as the child, without `_main` or `_root`.
+/// Poses of bodies are as compiled: robosuite's 0.707 is the root of a half.
 Described DescribeReference(const nlohmann::json& reference);
 
 }  // namespace mjforge::parity

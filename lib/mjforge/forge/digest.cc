@@ -6,7 +6,10 @@ namespace mjforge::forge {
 
 void Digest::Add(const diag::Findings& findings, bool as_warnings) {
   for (const diag::Finding& finding : findings) {
-    const Key key{finding.code, finding.mark, finding.mark ? std::string() : finding.message};
+    const diag::SourceMark other =
+        finding.notes.empty() ? diag::SourceMark() : finding.notes.front().mark;
+    const Key key{finding.code, finding.mark, other,
+                  finding.mark ? std::string() : finding.message};
     const std::uint64_t index = finding.index.value_or(0);
     const auto known = positions_.find(key);
     if (known != positions_.end()) {

@@ -26,8 +26,9 @@ class Digest {
   std::uint64_t not_shown() const { return not_shown_; }
 
  private:
-  // Findings without a place are told apart by their message.
-  using Key = std::tuple<diag::Code, diag::SourceMark, std::string>;
+  // The place, that of the first note (an attached file's findings all stand at
+  // one place of the spec), and without a place the message.
+  using Key = std::tuple<diag::Code, diag::SourceMark, diag::SourceMark, std::string>;
   struct Entry {
     diag::Finding finding;
     std::uint64_t variants = 0;

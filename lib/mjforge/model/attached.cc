@@ -16,8 +16,8 @@ using spec::Key;
 // Gives the copy of an attachment's elements their place in the object.
 class Renamer {
  public:
-  Renamer(const Attachment& attachment, std::string prefix, const std::string& root)
-      : attachment_(attachment), prefix_(std::move(prefix)), root_(root) {}
+  Renamer(const Attachment& attachment, std::string prefix, std::string root)
+      : attachment_(attachment), prefix_(std::move(prefix)), root_(std::move(root)) {}
 
   /// Material and mesh indices in the object, by those in the attachment.
   std::vector<int> materials;
@@ -50,7 +50,7 @@ class Renamer {
  private:
   const Attachment& attachment_;
   std::string prefix_;
-  const std::string& root_;
+  std::string root_;  // the bodies move while the copy is made
 };
 
 }  // namespace

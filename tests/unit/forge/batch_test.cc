@@ -10,11 +10,11 @@ using Files = std::vector<std::string>;
 struct BatchTest {
   explicit BatchTest(const char* text) : loaded(text) { options.seed = 1; }
 
-  Summary Make(const Batch& batch, const Sink& sink = {}) const {
+  Summary Make(const Batch& batch, const Sink& sink = {}) {
     Generator generator(loaded.recipe, loaded.sources, options, nullptr);
     return MakeBatch(generator, batch, sink);
   }
-  Summary MakeInto(const std::filesystem::path& folder, const Batch& batch) const {
+  Summary MakeInto(const std::filesystem::path& folder, const Batch& batch) {
     Generator generator(loaded.recipe, loaded.sources, options, nullptr);
     return MakeFolder(generator, batch, folder, false, {});
   }
@@ -31,7 +31,7 @@ Batch Of(std::uint64_t first, std::uint64_t count) {
 }
 
 TEST_CASE("a batch makes its variants in index order") {
-  const BatchTest test(kBoxSpec);
+  BatchTest test(kBoxSpec);
   std::vector<std::uint64_t> indices;
   const Summary summary = test.Make(Of(41, 3), [&](const Variant& variant, diag::Findings&) {
     indices.push_back(variant.record.index);
@@ -43,7 +43,7 @@ TEST_CASE("a batch makes its variants in index order") {
 }
 
 TEST_CASE("a failed variant costs only itself and is reported once with the others") {
-  const BatchTest test(kUnluckySpec);
+  BatchTest test(kUnluckySpec);
   const Summary summary = test.Make(Of(0, 40));
   CHECK(summary.ok + summary.failed == 40);
   CHECK(summary.ok > 0);
@@ -55,7 +55,7 @@ TEST_CASE("a failed variant costs only itself and is reported once with the othe
 }
 
 TEST_CASE("skipped variants are not errors") {
-  const BatchTest test(kUnluckySpec);
+  BatchTest test(kUnluckySpec);
   Batch batch = Of(0, 40);
   batch.on_invalid = OnInvalid::kSkip;
   std::uint64_t seen = 0;
@@ -70,7 +70,7 @@ TEST_CASE("skipped variants are not errors") {
 }
 
 TEST_CASE("a batch that is stopped keeps what is done") {
-  const BatchTest test(kBoxSpec);
+  BatchTest test(kBoxSpec);
   const harness::TemporaryFolder folder;
   std::atomic<bool> stop = false;
   Batch batch = Of(0, 100);
@@ -87,7 +87,7 @@ TEST_CASE("a batch that is stopped keeps what is done") {
 }
 
 TEST_CASE("a sink that fails ends the batch") {
-  const BatchTest test(kBoxSpec);
+  BatchTest test(kBoxSpec);
   int calls = 0;
   const Summary summary = test.Make(Of(0, 10), [&](const Variant&, diag::Findings& findings) {
     findings.Add(diag::Code::kOutputCannotWrite, {}, "full");
@@ -101,7 +101,7 @@ TEST_CASE("a sink that fails ends the batch") {
 }
 
 TEST_CASE("the manifest has a line for each variant, failed ones too") {
-  const BatchTest test(kUnluckySpec);
+  BatchTest test(kUnluckySpec);
   const harness::TemporaryFolder folder;
   const Summary summary = test.MakeInto(folder / "out", Of(0, 20));
   REQUIRE(summary.failed > 0);
@@ -124,7 +124,7 @@ TEST_CASE("the manifest has a line for each variant, failed ones too") {
 }
 
 TEST_CASE("a batch without a single good variant writes nothing") {
-  const BatchTest test(
+  BatchTest test(
       "mjforge: 1\nname: crate\nparams: {height: -0.2 .. -0.1}\n"
       "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n");
   const harness::TemporaryFolder folder;
@@ -134,7 +134,7 @@ TEST_CASE("a batch without a single good variant writes nothing") {
 }
 
 TEST_CASE("the same batch again gives the same bytes, in another folder, too") {
-  const BatchTest test(kBoxSpec);
+  BatchTest test(kBoxSpec);
   const harness::TemporaryFolder folder;
   test.MakeInto(folder / "a", Of(0, 3));
   const std::string manifest = folder.Read("a/manifest.jsonl");

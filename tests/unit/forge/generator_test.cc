@@ -5,7 +5,7 @@
 namespace mjforge::forge {
 namespace {
 
-Variant MakeOne(const LoadedRecipe& loaded, const Options& options, std::uint64_t index,
+Variant MakeOne(LoadedRecipe& loaded, const Options& options, std::uint64_t index,
                 validate::Loader* loader = nullptr) {
   Generator generator(loaded.recipe, loaded.sources, options, loader);
   Variant variant;
@@ -20,7 +20,7 @@ Options Seeded(std::uint64_t seed) {
 }
 
 TEST_CASE("a variant is a file's text and a record of what it is") {
-  const LoadedRecipe loaded(kBoxSpec);
+  LoadedRecipe loaded(kBoxSpec);
   validate::Loader loader;
   const Variant variant = MakeOne(loaded, Seeded(7), 42, &loader);
   const output::Record& record = variant.record;
@@ -45,7 +45,7 @@ TEST_CASE("a variant is a file's text and a record of what it is") {
 }
 
 TEST_CASE("a variant does not depend on those made before it") {
-  const LoadedRecipe loaded(kBoxSpec);
+  LoadedRecipe loaded(kBoxSpec);
   Generator generator(loaded.recipe, loaded.sources, Seeded(7), nullptr);
   Variant variant;
   for (const std::uint64_t index : {5, 0, 41, 3}) generator.Make(index, variant);
@@ -60,7 +60,7 @@ TEST_CASE("a variant does not depend on those made before it") {
 }
 
 TEST_CASE("another seed and another index are other variants") {
-  const LoadedRecipe loaded(kBoxSpec);
+  LoadedRecipe loaded(kBoxSpec);
   const auto height = [&](std::uint64_t seed, std::uint64_t index) {
     return std::get<double>(MakeOne(loaded, Seeded(seed), index).record.params[0].second);
   };
@@ -69,7 +69,7 @@ TEST_CASE("another seed and another index are other variants") {
 }
 
 TEST_CASE("a name template renames the object, its file and its prefix") {
-  const LoadedRecipe loaded(kBoxSpec);
+  LoadedRecipe loaded(kBoxSpec);
   Options options = Seeded(7);
   options.name = "box${index}";
   const Variant variant = MakeOne(loaded, options, 3);
@@ -81,14 +81,14 @@ TEST_CASE("a name template renames the object, its file and its prefix") {
 }
 
 // The first index whose variant fails with the seed.
-std::uint64_t FirstFailing(const LoadedRecipe& loaded, std::uint64_t seed) {
+std::uint64_t FirstFailing(LoadedRecipe& loaded, std::uint64_t seed) {
   for (std::uint64_t index = 0;; ++index) {
     if (!MakeOne(loaded, Seeded(seed), index).ok()) return index;
   }
 }
 
 TEST_CASE("a variant that fails says why, with seed and index, and has no file") {
-  const LoadedRecipe loaded(kUnluckySpec);
+  LoadedRecipe loaded(kUnluckySpec);
   const std::uint64_t index = FirstFailing(loaded, 1);
   const Variant variant = MakeOne(loaded, Seeded(1), index);
   CHECK(variant.record.status == "failed");
@@ -105,7 +105,7 @@ TEST_CASE("a variant that fails says why, with seed and index, and has no file")
 }
 
 TEST_CASE("resampling goes on with the next attempt, and replaying that attempt is the same") {
-  const LoadedRecipe loaded(kUnluckySpec);
+  LoadedRecipe loaded(kUnluckySpec);
   Options options = Seeded(1);
   options.resample = true;
   const std::uint64_t index = FirstFailing(loaded, 1);
@@ -118,7 +118,7 @@ TEST_CASE("resampling goes on with the next attempt, and replaying that attempt 
 }
 
 TEST_CASE("resampling changes no variant that was good") {
-  const LoadedRecipe loaded(kUnluckySpec);
+  LoadedRecipe loaded(kUnluckySpec);
   Options resample = Seeded(1);
   resample.resample = true;
   int good = 0;
@@ -132,7 +132,7 @@ TEST_CASE("resampling changes no variant that was good") {
 }
 
 TEST_CASE("resampling ends where every draw is bad") {
-  const LoadedRecipe loaded(
+  LoadedRecipe loaded(
       "mjforge: 1\nname: crate\nparams: {height: -0.2 .. -0.1}\n"
       "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n");
   Options options = Seeded(1);
@@ -143,7 +143,7 @@ TEST_CASE("resampling ends where every draw is bad") {
 }
 
 TEST_CASE("a scene counts its floor") {
-  const LoadedRecipe loaded(kBoxSpec);
+  LoadedRecipe loaded(kBoxSpec);
   Options options = Seeded(7);
   options.target = mjcf::Target::kScene;
   const Variant variant = MakeOne(loaded, options, 0);

@@ -7,7 +7,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "mjforge/spec/fields.h"
+#include "mjforge/spec/sections.h"
 
 namespace mjforge::spec {
 namespace {

@@ -1,0 +1,104 @@
+#include "mjforge/attach/asset_reader.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "mjforge/attach/attributes.h"
+
+namespace mjforge::attach {
+namespace {
+
+constexpr std::array<std::string_view, 6> kWords = {"type",       "builtin", "mark",
+                                                    "gridlayout", "hflip",   "vflip"};
+constexpr std::array<std::string_view, 7> kNumbers = {"rgb1",  "rgb2",   "markrgb", "random",
+                                                      "width", "height", "gridsize"};
+constexpr std::array<std::string_view, 7> kFiles = {"file",     "fileright", "fileleft", "fileup",
+                                                    "filedown", "filefront", "fileback"};
+
+void ReadTexture(const XmlElement& element, model::Texture& out) {
+  for (const std::string_view word : kWords) {
+    const std::string* text = element.Find(word);
+    if (text == nullptr) continue;
+    model::Attribute& attribute = out.attributes.emplace_back();
+    attribute.name = word;
+    attribute.text = *text;
+  }
+  for (const std::string_view name : kNumbers) {
+    const std::string* text = element.Find(name);
+    if (text == nullptr) continue;
+    model::Attribute& attribute = out.attributes.emplace_back();
+    attribute.name = name;
+    for (const double number : ParseNumbers(*text)) attribute.numbers.push_back(number);
+    if (attribute.numbers.empty()) attribute.text = *text;
+  }
+  // A generated pattern wins over files.
+  const std::string* builtin = element.Find("builtin");
+  if (builtin != nullptr && *builtin != "none") return;
+  for (const std::string_view name : kFiles) {
+    const std::string* text = element.Find(name);
+    if (text == nullptr || text->empty()) continue;
+    out.files.push_back({name, *text, {}});
+    if (name == "file") return;  // it wins over those of single sides
+  }
+}
+
+}  // namespace
+
+int AssetReader::Texture(int id) {
+  if (id < 0) return -1;
+  const auto [place, is_new] =
+      texture_numbers_.try_emplace(id, static_cast<int>(out_.textures.size()));
+  if (!is_new) return place->second;
+  taken_.Add(mjOBJ_TEXTURE, id);
+  model::Texture& texture = out_.textures.emplace_back();
+  texture.name = taken_.Name(mjOBJ_TEXTURE, id);
+  texture.mark = file_.MarkOf(mjOBJ_TEXTURE, id);
+  if (const XmlElement* element = file_.ElementOf(mjOBJ_TEXTURE, id)) {
+    ReadTexture(*element, texture);
+  }
+  return place->second;
+}
+
+int AssetReader::Material(int id) {
+  if (id < 0) return -1;
+  const auto [place, is_new] =
+      material_numbers_.try_emplace(id, static_cast<int>(out_.materials.size()));
+  if (!is_new) return place->second;
+  taken_.Add(mjOBJ_MATERIAL, id);
+  const mjModel& m = file_.model();
+  model::Material material;
+  material.name = taken_.Name(mjOBJ_MATERIAL, id);
+  material.mark = file_.MarkOf(mjOBJ_MATERIAL, id);
+  material.texture = Texture(m.mat_texid[id]);
+  Attributes attributes(spec::MaterialElement(), material.attributes);
+  const auto one = [](const float& value) { return std::span<const float>(&value, 1); };
+  attributes.Numbers("rgba", std::span<const float>(m.mat_rgba + 4 * id, 4), {1, 1, 1, 1});
+  attributes.Numbers("specular", one(m.mat_specular[id]), {0.5});
+  attributes.Numbers("shininess", one(m.mat_shininess[id]), {0.5});
+  attributes.Numbers("reflectance", one(m.mat_reflectance[id]), {0});
+  attributes.Numbers("emission", one(m.mat_emission[id]), {0});
+  attributes.Numbers("texrepeat", std::span<const float>(m.mat_texrepeat + 2 * id, 2), {1, 1});
+  attributes.Flag("texuniform", m.mat_texuniform[id] != 0, false);
+  out_.materials.push_back(std::move(material));
+  return place->second;
+}
+
+std::string AssetReader::MaterialName(int id) {
+  const int number = Material(id);
+  return number < 0 ? "" : out_.materials[static_cast<std::size_t>(number)].name;
+}
+
+int AssetReader::Mesh(int id) {
+  const auto [place, is_new] = mesh_numbers_.try_emplace(id, static_cast<int>(out_.meshes.size()));
+  if (!is_new) return place->second;
+  taken_.Add(mjOBJ_MESH, id);
+  auto mesh = std::make_unique<model::MeshAsset>(meshes_.Read(id));
+  mesh->name = taken_.Name(mjOBJ_MESH, id);
+  out_.meshes.push_back(std::move(mesh));
+  return place->second;
+}
+
+}  // namespace mjforge::attach

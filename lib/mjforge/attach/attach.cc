@@ -1,0 +1,179 @@
+#include "mjforge/attach/attach.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/attach/body_reader.h"
+#include "mjforge/attach/finite.h"
+#include "mjforge/attach/section_reader.h"
+
+namespace mjforge::attach {
+namespace {
+
+namespace fs = std::filesystem;
+using diag::Code;
+
+/// A file as far as it could be read, with what was found on the way.
+struct File {
+  std::unique_ptr<CompiledFile> compiled;
+  std::unique_ptr<MeshReader> meshes;
+  diag::Findings findings;
+};
+
+struct Result {
+  std::unique_ptr<model::Attachment> attachment;
+  diag::Findings findings;  // the file's not among them
+};
+
+/// Findings of a file at the place that attaches it.
+void Show(const diag::Findings& kept, diag::SourceMark mark, diag::Findings& findings) {
+  for (const diag::Finding& finding : kept) {
+    diag::Finding& shown = finding.severity == diag::Severity::kError
+                               ? findings.Add(finding.code, mark, finding.message, finding.hint)
+                               : findings.Warn(finding.code, mark, finding.message, finding.hint);
+    shown.notes = finding.notes;
+  }
+}
+
+/// A body of the file that MuJoCo did not compile as one of its own.
+bool IsFused(const XmlElement& element, const std::string& body) {
+  if (element.tag == "body" && element.Name() == body) return true;
+  return std::ranges::any_of(element.children,
+                             [&](const XmlElement& child) { return IsFused(child, body); });
+}
+
+/// The id of the body; nothing after a finding.
+std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
+                            diag::Findings& findings) {
+  const mjModel& m = file.model();
+  if (m.nbody < 2) {
+    AddError(findings, Code::kAttachNoBody, file.root().mark,
+             fmt::format("'{}' has no body", file.file().string()),
+             "what stands in its worldbody cannot be attached; put it into a body");
+    return std::nullopt;
+  }
+  if (body.empty()) return 1;
+  std::vector<std::string> names;
+  for (int id = 1; id < m.nbody; ++id) {
+    names.push_back(file.NameOf(mjOBJ_BODY, id));
+    if (names.back() == body) return id;
+  }
+  std::vector<std::string_view> views(names.begin(), names.end());
+  std::erase(views, "");
+  std::string hint = diag::DidYouMean(body, views);
+  if (IsFused(file.root(), body)) {
+    hint = "the file's compiler setting fusestatic merges it with its parent";
+  }
+  if (hint.empty() && views.empty())
+    hint = "its bodies have no names; without `body:` the first is taken";
+  AddError(findings, Code::kAttachNoBody, {},
+           fmt::format("'{}' has no body '{}'", file.file().string(), body), std::move(hint));
+  return std::nullopt;
+}
+
+void WarnOfWhole(const CompiledFile& file, diag::Findings& findings) {
+  const auto warn = [&](const XmlElement& element, std::string_view what) {
+    AddWarning(findings, Code::kAttachNotCarried, element.mark,
+               fmt::format("the {} of '{}' is not carried over", what, file.file().string()),
+               "it would hold for the whole model; say it under `mjcf:` of the spec if that is "
+               "meant");
+  };
+  std::set<std::string> seen;
+  for (const XmlElement& section : file.root().children) {
+    const bool empty = section.children.empty() && section.attributes.empty();
+    if (empty || !seen.insert(section.tag).second) continue;
+    if (section.tag == "option") warn(section, "option");
+    if (section.tag == "custom") warn(section, "custom data");
+    if (section.tag == "keyframe") {
+      AddWarning(findings, Code::kAttachNotCarried, section.mark,
+                 fmt::format("the keyframes of '{}' are not carried over", file.file().string()),
+                 "a keyframe is a state of the whole model");
+    }
+  }
+}
+
+void WarnOfSkins(const CompiledFile& file, const Taken& taken, diag::Findings& findings) {
+  const mjModel& m = file.model();
+  for (int i = 0; i < m.nskin; ++i) {
+    bool inside = false;
+    for (int bone = 0; bone < m.skin_bonenum[i]; ++bone) {
+      inside |= taken.Has(mjOBJ_BODY, m.skin_bonebodyid[m.skin_boneadr[i] + bone]);
+    }
+    if (!inside) continue;
+    AddWarning(findings, Code::kAttachNotCarried, file.MarkOf(mjOBJ_SKIN, i),
+               fmt::format("{} of '{}' is not carried over", file.Description(mjOBJ_SKIN, i),
+                           file.file().string()),
+               "a skin has no effect on motion; the bodies are shown without it");
+  }
+}
+
+std::unique_ptr<model::Attachment> ReadBody(const File& file, const std::string& body,
+                                            diag::Findings& findings) {
+  const CompiledFile& compiled = *file.compiled;
+  const std::optional<int> root = FindBody(compiled, body, findings);
+  if (!root) return nullptr;
+  Taken taken(compiled, *root, findings);
+  auto attachment = std::make_unique<model::Attachment>();
+  AssetReader assets(compiled, *file.meshes, taken, *attachment);
+  ReadBodies(compiled, taken, assets, *attachment, findings);
+  SectionReader sections(compiled, taken, *attachment, findings);
+  ReadTendons(sections, assets);
+  ReadContacts(sections);
+  ReadEqualities(sections);
+  ReadActuators(sections);
+  ReadSensors(sections);
+  sections.Finish();
+  WarnOfSkins(compiled, taken, findings);
+  CheckFinite(*attachment, compiled.file(), findings);
+  if (findings.HasErrors()) return nullptr;
+  return attachment;
+}
+
+}  // namespace
+
+struct MjcfReader::State {
+  explicit State(diag::Sources& sources_of_run) : sources(sources_of_run) {}
+
+  diag::Sources& sources;
+  engine::Engine engine;
+  std::map<std::string, File> files;  // by the canonical path
+  std::map<std::pair<std::string, std::string>, Result> results;
+
+  File& Read(const std::string& key, const fs::path& file) {
+    const auto [place, is_new] = files.try_emplace(key);
+    File& read = place->second;
+    if (!is_new) return read;
+    read.compiled = CompiledFile::Read(file, engine, sources, read.findings);
+    if (!read.compiled) return read;
+    read.meshes = std::make_unique<MeshReader>(*read.compiled, read.findings);
+    WarnOfWhole(*read.compiled, read.findings);
+    return read;
+  }
+};
+
+MjcfReader::MjcfReader(diag::Sources& sources) : state_(std::make_unique<State>(sources)) {}
+MjcfReader::~MjcfReader() = default;
+
+const model::Attachment* MjcfReader::Attach(const fs::path& file, const std::string& body,
+                                            diag::SourceMark mark, diag::Findings& findings) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  const std::string key = error ? file.string() : whole.string();
+  const File& read = state_->Read(key, file);
+  Show(read.findings, mark, findings);
+  if (read.findings.HasErrors()) return nullptr;
+  const auto [place, is_new] = state_->results.try_emplace({key, body});
+  Result& result = place->second;
+  if (is_new) result.attachment = ReadBody(read, body, result.findings);
+  Show(result.findings, mark, findings);
+  return result.attachment.get();
+}
+
+}  // namespace mjforge::attach

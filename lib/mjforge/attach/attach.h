@@ -1,0 +1,36 @@
+#ifndef MJFORGE_ATTACH_ATTACH_H_
+#define MJFORGE_ATTACH_ATTACH_H_
+
+// An MJCF file -> the bodies, assets and sections that attaching one of its
+// bodies brings. MuJoCo says every number, the XML says what there is and where.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::attach {
+
+/// Reads MJCF files, each once, and keeps what it read. Installs MuJoCo's error
+/// handlers in the whole process; not for two threads at the same time.
+class MjcfReader : public model::AttachmentSource {
+ public:
+  /// The XML files are added to `sources`, so that findings can quote them.
+  explicit MjcfReader(diag::Sources& sources);
+  ~MjcfReader() override;
+  MjcfReader(const MjcfReader&) = delete;
+  MjcfReader& operator=(const MjcfReader&) = delete;
+
+  const model::Attachment* Attach(const std::filesystem::path& file, const std::string& body,
+                                  diag::SourceMark mark, diag::Findings& findings) override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mjforge::attach
+
+#endif  // MJFORGE_ATTACH_ATTACH_H_

@@ -1,0 +1,54 @@
+#ifndef MJFORGE_ATTACH_ATTRIBUTES_H_
+#define MJFORGE_ATTACH_ATTRIBUTES_H_
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::attach {
+
+/// Adds attributes of one kind of element, each with its row of the field table;
+/// those with a default only where they differ from it.
+class Attributes {
+ public:
+  Attributes(const spec::ElementInfo& info, std::vector<model::Attribute>& out)
+      : info_(info), out_(out) {}
+
+  void Number(std::string_view key, double value) { Numbers(key, {&value, 1}); }
+  void Number(std::string_view key, double value, double usual) {
+    if (value != usual) Number(key, value);
+  }
+  void Numbers(std::string_view key, std::span<const double> values);
+  void Numbers(std::string_view key, std::span<const double> values,
+               std::initializer_list<double> usual);
+  /// MuJoCo's single precision, as the shortest number that gives it.
+  void Numbers(std::string_view key, std::span<const float> values,
+               std::initializer_list<double> usual);
+  /// Numbers for viewers: none if all are 0, without the zeros at the end.
+  void User(std::span<const double> values);
+  void Text(std::string_view key, std::string text);
+  void Flag(std::string_view key, bool value) { Text(key, value ? "true" : "false"); }
+  void Flag(std::string_view key, bool value, bool usual) {
+    if (value != usual) Flag(key, value);
+  }
+
+ private:
+  model::Attribute& Add(std::string_view key);
+
+  const spec::ElementInfo& info_;
+  std::vector<model::Attribute>& out_;
+};
+
+/// The shortest decimal number that reads as `value` in single precision.
+double Shortest(float value);
+
+/// Numbers apart by blanks; none if a word is not a number.
+std::vector<double> ParseNumbers(std::string_view text);
+
+}  // namespace mjforge::attach
+
+#endif  // MJFORGE_ATTACH_ATTRIBUTES_H_

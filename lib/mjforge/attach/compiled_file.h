@@ -1,0 +1,64 @@
+#ifndef MJFORGE_ATTACH_COMPILED_FILE_H_
+#define MJFORGE_ATTACH_COMPILED_FILE_H_
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/attach/flat_text.h"
+#include "mjforge/attach/xml_tree.h"
+#include "mjforge/engine/engine.h"
+
+namespace mjforge::attach {
+
+/// An MJCF file: its elements, what MuJoCo compiled from them, and which
+/// belongs to which. Kinds are MuJoCo's (mjOBJ_GEOM, ...).
+class CompiledFile {
+ public:
+  /// Nothing after an error.
+  static std::unique_ptr<CompiledFile> Read(const std::filesystem::path& file,
+                                            engine::Engine& engine, diag::Sources& sources,
+                                            diag::Findings& findings);
+
+  const std::filesystem::path& file() const { return file_; }
+  const XmlElement& root() const { return root_; }
+  const mjModel& model() const { return *model_; }
+  engine::Engine& engine() const { return *engine_; }
+
+  /// The element of a compiled thing; null for what a composite made.
+  const XmlElement* ElementOf(mjtObj kind, int id) const;
+  /// Its name in the file; empty if it has none.
+  std::string NameOf(mjtObj kind, int id) const;
+  /// Its element, or the composite that made it.
+  diag::SourceMark MarkOf(mjtObj kind, int id) const;
+  /// "geom 'head'", "the geom on line 7".
+  std::string Description(mjtObj kind, int id) const;
+
+ private:
+  CompiledFile() = default;
+  bool Load(diag::Findings& findings);
+  void AddRefusal(const std::string& error, diag::Findings& findings) const;
+  /// MuJoCo's words, with files and elements as the file has them.
+  std::string InWordsOfFile(std::string text) const;
+  void MapElements();
+  void MapBodies(const XmlElement& parent);
+  void Map(mjtObj kind, const XmlElement& element);
+
+  std::filesystem::path file_;
+  XmlElement root_;
+  FileNames file_names_;
+  FlatText flat_;
+  engine::Engine* engine_ = nullptr;
+  engine::Model model_;
+  std::map<std::pair<int, std::string>, const XmlElement*> elements_;
+  std::vector<const XmlElement*> composites_;
+};
+
+/// "geom", "body", ... as MJCF says it.
+std::string KindName(mjtObj kind);
+
+}  // namespace mjforge::attach
+
+#endif  // MJFORGE_ATTACH_COMPILED_FILE_H_

@@ -1,0 +1,37 @@
+#ifndef MJFORGE_ATTACH_MESH_READER_H_
+#define MJFORGE_ATTACH_MESH_READER_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mjforge/attach/compiled_file.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::attach {
+
+/// The meshes of a file. MuJoCo moves a mesh into the frame of its inertia, and
+/// geoms with it; this finds that frame, to undo it.
+class MeshReader {
+ public:
+  /// Adds a finding if MuJoCo refuses what it did not refuse before.
+  MeshReader(const CompiledFile& file, diag::Findings& findings);
+
+  /// X_AM of a compiled mesh: the pose of MuJoCo's frame in that of the asset.
+  const model::Pose& FrameOf(int mesh) const { return frames_.at(mesh); }
+  /// The asset, without a name.
+  model::MeshAsset Read(int mesh) const;
+
+ private:
+  void FindFrames(diag::Findings& findings);
+  void ReadDefaults(const XmlElement& section, const Eigen::Vector3d& inherited);
+  Eigen::Vector3d ScaleOf(const XmlElement& mesh) const;
+
+  const CompiledFile& file_;
+  std::map<int, model::Pose> frames_;
+  std::map<std::string, Eigen::Vector3d> scales_;  // by default class
+};
+
+}  // namespace mjforge::attach
+
+#endif  // MJFORGE_ATTACH_MESH_READER_H_

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "mjforge/attach/section_reader.h"
+
+namespace mjforge::attach {
+namespace {
+
+struct Sensor {
+  mjtSensor type;
+  std::string_view tag;
+  std::string_view object;  // the attribute that names it; "objname": with its kind
+};
+constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
+                               {mjSENS_ACCELEROMETER, "accelerometer", "site"},
+                               {mjSENS_VELOCIMETER, "velocimeter", "site"},
+                               {mjSENS_GYRO, "gyro", "site"},
+                               {mjSENS_FORCE, "force", "site"},
+                               {mjSENS_TORQUE, "torque", "site"},
+                               {mjSENS_MAGNETOMETER, "magnetometer", "site"},
+                               {mjSENS_RANGEFINDER, "rangefinder", "site"},
+                               {mjSENS_JOINTPOS, "jointpos", "joint"},
+                               {mjSENS_JOINTVEL, "jointvel", "joint"},
+                               {mjSENS_TENDONPOS, "tendonpos", "tendon"},
+                               {mjSENS_TENDONVEL, "tendonvel", "tendon"},
+                               {mjSENS_ACTUATORPOS, "actuatorpos", "actuator"},
+                               {mjSENS_ACTUATORVEL, "actuatorvel", "actuator"},
+                               {mjSENS_ACTUATORFRC, "actuatorfrc", "actuator"},
+                               {mjSENS_BALLQUAT, "ballquat", "joint"},
+                               {mjSENS_BALLANGVEL, "ballangvel", "joint"},
+                               {mjSENS_JOINTLIMITPOS, "jointlimitpos", "joint"},
+                               {mjSENS_JOINTLIMITVEL, "jointlimitvel", "joint"},
+                               {mjSENS_JOINTLIMITFRC, "jointlimitfrc", "joint"},
+                               {mjSENS_TENDONLIMITPOS, "tendonlimitpos", "tendon"},
+                               {mjSENS_TENDONLIMITVEL, "tendonlimitvel", "tendon"},
+                               {mjSENS_TENDONLIMITFRC, "tendonlimitfrc", "tendon"},
+                               {mjSENS_FRAMEPOS, "framepos", "objname"},
+                               {mjSENS_FRAMEQUAT, "framequat", "objname"},
+                               {mjSENS_FRAMEXAXIS, "framexaxis", "objname"},
+                               {mjSENS_FRAMEYAXIS, "frameyaxis", "objname"},
+                               {mjSENS_FRAMEZAXIS, "framezaxis", "objname"},
+                               {mjSENS_FRAMELINVEL, "framelinvel", "objname"},
+                               {mjSENS_FRAMEANGVEL, "frameangvel", "objname"},
+                               {mjSENS_FRAMELINACC, "framelinacc", "objname"},
+                               {mjSENS_FRAMEANGACC, "frameangacc", "objname"},
+                               {mjSENS_SUBTREECOM, "subtreecom", "body"},
+                               {mjSENS_SUBTREELINVEL, "subtreelinvel", "body"},
+                               {mjSENS_SUBTREEANGMOM, "subtreeangmom", "body"},
+                               {mjSENS_USER, "user", "objname"}};  // a clock refers to nothing
+
+// In the order of mjtDataType and mjtStage.
+constexpr std::string_view kDataTypes[] = {"real", "positive", "axis", "quaternion"};
+constexpr std::string_view kStages[] = {"none", "pos", "vel", "acc"};
+
+}  // namespace
+
+void ReadSensors(SectionReader& sections) {
+  const mjModel& m = sections.model();
+  for (int i = 0; i < m.nsensor; ++i) {
+    const auto sensor =
+        std::ranges::find(kSensors, static_cast<mjtSensor>(m.sensor_type[i]), &Sensor::type);
+    if (sensor == std::end(kSensors)) continue;
+    const Reference object = {static_cast<mjtObj>(m.sensor_objtype[i]), m.sensor_objid[i]};
+    const Reference frame = {static_cast<mjtObj>(m.sensor_reftype[i]), m.sensor_refid[i]};
+    model::Element* element = sections.Add("sensor", sensor->tag, mjOBJ_SENSOR, i, {object, frame});
+    if (element == nullptr) continue;
+    Attributes attributes = SectionReader::Of("sensor", *element);
+    if (sensor->object == "objname") attributes.Text("objtype", KindName(object.kind));
+    attributes.Text(sensor->object, sections.NameOf(object));
+    if (frame.id >= 0) {
+      attributes.Text("reftype", KindName(frame.kind));
+      attributes.Text("refname", sections.NameOf(frame));
+    }
+    if (sensor->type == mjSENS_USER) {
+      attributes.Text("datatype", std::string(kDataTypes[m.sensor_datatype[i]]));
+      attributes.Text("needstage", std::string(kStages[m.sensor_needstage[i]]));
+      attributes.Number("dim", m.sensor_dim[i]);
+    }
+    attributes.Number("cutoff", m.sensor_cutoff[i], 0);
+    attributes.Number("noise", m.sensor_noise[i], 0);
+    attributes.User(Row(m.sensor_user, i, m.nuser_sensor));
+  }
+}
+
+}  // namespace mjforge::attach

@@ -1,0 +1,50 @@
+#ifndef MJFORGE_ATTACH_XML_TREE_H_
+#define MJFORGE_ATTACH_XML_TREE_H_
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::attach {
+
+/// An element of an MJCF file, wherever it stands: includes are expanded.
+struct XmlElement {
+  std::string tag;
+  std::vector<std::pair<std::string, std::string>> attributes;
+  std::vector<XmlElement> children;
+  diag::SourceMark mark;
+  /// A name for MuJoCo alone, of an element without one.
+  std::string made_name;
+
+  /// An attribute's text; null if it has none.
+  const std::string* Find(std::string_view attribute) const;
+  void Set(std::string_view attribute, std::string value);
+  void Remove(std::string_view attribute);
+  /// Its name in the file; empty if it has none.
+  std::string Name() const;
+  /// "geom 'head'", or "the geom on line 7" if it has no name.
+  std::string Description() const;
+};
+
+/// Elements nested deeper than this are refused; MuJoCo 2.2's XML reader stops at 100.
+inline constexpr int kMostDepth = 1000;
+
+/// Reads the file with all it includes into `sources`; nothing after an error.
+/// Findings have no place of their own (it is the spec's), only notes.
+std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sources& sources,
+                                  diag::Findings& findings);
+
+/// A finding whose place is still to be said, with a note at `place`.
+diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
+                        std::string message, std::string hint = {});
+diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,
+                          std::string message, std::string hint = {});
+
+}  // namespace mjforge::attach
+
+#endif  // MJFORGE_ATTACH_XML_TREE_H_

@@ -1,0 +1,48 @@
+#include "attached_file.h"
+
+#include <utility>
+
+#include "mjforge/mjcf/mjcf.h"
+
+namespace mjforge::attach {
+
+AttachedFile::AttachedFile(std::filesystem::path file)
+    : file_(std::move(file)), own_(engine_.LoadFile(file_)), reader_(sources_) {}
+
+engine::Model AttachedFile::Attach(int body) {
+  const std::string name = own().names + own().name_bodyadr[body];
+  std::string yaml = "mjforge: 1\nname: zoo\njoints: none\nbodies:\n  - {name: it, mjcf: \"" +
+                     file_.string() + "\"";
+  if (!name.empty()) yaml += ", body: \"" + name + "\"";
+  yaml += "}\n";
+  diag::Sources sources;
+  diag::Findings findings;
+  std::optional<model::Object> object;
+  const auto spec = spec::LoadSpecText("zoo.yaml", yaml, "/", {}, sources, findings);
+  if (spec != nullptr) {
+    auto values = sample::Sample(*spec, {.seed = 1, .index = 0}, sample::kRootStream, {}, findings);
+    model::Assembler assembler(&reader_);
+    if (values) object = assembler.Assemble(*values, {}, findings);
+  }
+  text_.clear();
+  refused_ = false;
+  for (const diag::Finding& finding : findings) {
+    text_ += finding.message + "\n";
+    refused_ |=
+        finding.code == diag::Code::kAttachNotCarried && finding.severity == diag::Severity::kError;
+  }
+  if (!object) return nullptr;
+  mjcf::MjcfDocument document;
+  mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {}, document);
+  engine::Engine engine;
+  if (const auto problem = engine.SetAssets(document.assets)) {
+    text_ += problem->message;
+    return nullptr;
+  }
+  engine::Loaded loaded = engine.LoadText(document.text);
+  text_ += loaded.error;
+  if (!loaded.model) text_ += "\n" + document.text;
+  return std::move(loaded.model);
+}
+
+}  // namespace mjforge::attach

@@ -1,0 +1,170 @@
+// Random trees of bodies, some of them other specs: what model/ computes through
+// the chain against what MuJoCo compiles from the text.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/engine/engine.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double Uniform(double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(engine_()) / 4294967296.0;
+  }
+  std::string Vector(double lo, double hi) {
+    return "[" + Number(lo, hi) + ", " + Number(lo, hi) + ", " + Number(lo, hi) + "]";
+  }
+  std::string Number(double lo, double hi) { return expr::NumberText(Uniform(lo, hi)); }
+  int Integer(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+std::string PartText(Random& random, const std::string& name) {
+  constexpr const char* kTypes[] = {"box", "sphere", "cylinder", "capsule", "ellipsoid"};
+  constexpr int kSizes[] = {3, 1, 2, 2, 3};
+  const int type = random.Integer(5);
+  std::string size;
+  for (int i = 0; i < kSizes[type]; ++i) {
+    size += (i == 0 ? "" : ", ") + expr::NumberText(std::pow(10, random.Uniform(-2, -0.5)));
+  }
+  return "{name: " + name + ", type: " + kTypes[type] + ", size: [" + size +
+         "], pos: " + random.Vector(-0.3, 0.3) + ", euler: " + random.Vector(-3, 3) +
+         ", density: " + random.Number(100, 8000) + "}";
+}
+
+// Up to seven bodies, each on any earlier one, with up to three joints.
+std::string SpecText(Random& random, const std::string& name, const std::string& nested) {
+  std::string text = "mjforge: 1\nname: " + name + "\njoints: none\nparts: [" +
+                     PartText(random, "root_part") + "]\nbodies:\n";
+  const int count = 1 + random.Integer(7);
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    text +=
+        "- {name: b" + n + ", pos: " + random.Vector(-1, 1) + ", euler: " + random.Vector(-3, 3);
+    if (i > 0 && random.Integer(4) != 0) text += ", parent: b" + std::to_string(random.Integer(i));
+    if (!nested.empty() && random.Integer(3) == 0) {
+      text += ", spec: " + nested;
+    } else {
+      text += ", parts: [" + PartText(random, "p" + n) + ", " + PartText(random, "q" + n) + "]";
+    }
+    text += ", joints: [";
+    for (int k = random.Integer(3); k > 0; --k) {
+      text += "{name: j" + n + "_" + std::to_string(k) +
+              ", type: " + (random.Integer(2) == 0 ? "hinge" : "slide") +
+              ", axis: " + random.Vector(0.1, 1) + ", pos: " + random.Vector(-1, 1) + "},";
+    }
+    text += "]}\n";
+  }
+  return text;
+}
+
+Matrix3d PointInertia(double mass, const Vector3d& r) {
+  return mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+}
+
+struct Whole {
+  MassProperties mass;
+  Box3 box;
+};
+
+// Summed up over MuJoCo's bodies and geoms where it puts them in the world.
+Whole WholeOf(const mjModel& m) {
+  const std::unique_ptr<mjData, decltype(&mj_deleteData)> data(mj_makeData(&m), &mj_deleteData);
+  mj_kinematics(&m, data.get());
+  mj_comPos(&m, data.get());
+  Whole whole;
+  whole.mass.mass = m.body_subtreemass[1];
+  whole.mass.p_FCm = Vector3d(data->subtree_com + 3);
+  for (int i = 1; i < m.nbody; ++i) {
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(data->ximat + 9 * i);
+    const Vector3d moments(m.body_inertia + 3 * i);
+    whole.mass.I_Cm_F +=
+        R * moments.asDiagonal() * R.transpose() +
+        PointInertia(m.body_mass[i], Vector3d(data->xipos + 3 * i) - whole.mass.p_FCm);
+  }
+  for (int g = 0; g < m.ngeom; ++g) {
+    if (m.geom_contype[g] == 0) continue;
+    constexpr GeomType kTypes[] = {GeomType::kSphere, GeomType::kCapsule, GeomType::kEllipsoid,
+                                   GeomType::kCylinder, GeomType::kBox};
+    Shape shape;
+    shape.type = kTypes[m.geom_type[g] - mjGEOM_SPHERE];
+    shape.size = Vector3d(m.geom_size + 3 * g);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R(data->geom_xmat + 9 * g);
+    whole.box.Add(BoundsOf(
+        shape, {.p = Vector3d(data->geom_xpos + 3 * g), .q = Eigen::Quaterniond(Matrix3d(R))}));
+  }
+  return whole;
+}
+
+// Specs of text, in a folder where they find each other.
+class Specs {
+ public:
+  std::optional<Object> Make(const std::string& text) {
+    diag::Findings findings;
+    const auto spec = spec::LoadSpecText("tree.yaml", text, folder_, {}, sources_, findings);
+    std::optional<Object> object;
+    if (spec != nullptr) {
+      auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
+      object = Assembler().Assemble(*values, {}, findings);
+    }
+    for (const diag::Finding& finding : findings) {
+      UNSCOPED_INFO(diag::RenderText(finding, sources_, false));
+    }
+    return object;
+  }
+  explicit Specs(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+ private:
+  std::filesystem::path folder_;
+  diag::Sources sources_;
+};
+
+}  // namespace
+
+TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
+  Random random(20261121);
+  engine::Engine engine;
+  mjcf::MjcfDocument document;
+  // A bundled object of several bodies, nested now and then.
+  Specs specs(std::filesystem::path(MJFORGE_SOURCE_DIR) / "tests/property");
+  std::size_t bodies = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::string text = SpecText(random, "tree", "nested_tree.yaml");
+    INFO(text);
+    const std::optional<Object> object = specs.Make(text);
+    REQUIRE(object);
+    bodies += object->bodies.size();
+    mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {}, document);
+    const engine::Loaded loaded = engine.LoadText(document.text);
+    INFO(loaded.error);
+    REQUIRE(loaded.model);
+    const Whole theirs = WholeOf(*loaded.model);
+    const MassProperties& ours = object->mass_properties;
+    CHECK(std::abs(ours.mass - theirs.mass.mass) <= 1e-9 * ours.mass);
+    // A file holds ten digits.
+    CHECK((ours.p_FCm - theirs.mass.p_FCm).norm() <= 1e-9);
+    CHECK((ours.I_Cm_F - theirs.mass.I_Cm_F).norm() <= 1e-8 * theirs.mass.I_Cm_F.norm());
+    CHECK((object->bounds.aabb.min - theirs.box.min).norm() <= 2e-9);
+    CHECK((object->bounds.aabb.max - theirs.box.max).norm() <= 2e-9);
+  }
+  CHECK(bodies > 1200);
+}
+
+}  // namespace mjforge::model

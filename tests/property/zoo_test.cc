@@ -1,0 +1,83 @@
+// Every body of MuJoCo's own models, attached, is what it is in its own file.
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "attached_file.h"
+
+namespace mjforge::attach {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kZoo = "/usr/share/mujoco/model";  // Debian's libmujoco-samples
+const fs::path kOurs = fs::path(MJFORGE_SOURCE_DIR) / "tests/property/models";
+
+std::vector<fs::path> FilesBelow(const fs::path& folder) {
+  std::vector<fs::path> files;
+  REQUIRE(fs::is_directory(folder));
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".xml") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+struct Tally {
+  int attached = 0;
+  int refused = 0;
+  int numbers = 0;
+};
+
+void AttachAll(AttachedFile& file, Tally& tally) {
+  for (int body = 1; body < file.own().nbody; ++body) {
+    const bool has_name = file.own().names[file.own().name_bodyadr[body]] != 0;
+    if (!has_name && body != 1) continue;  // no way to ask for it
+    INFO("attached " << file.own().names + file.own().name_bodyadr[body]);
+    const engine::Model object = file.Attach(body);
+    if (!object && file.refused()) {
+      ++tally.refused;
+      continue;
+    }
+    INFO(file.findings());
+    CHECK(object);
+    if (!object) continue;
+    ++tally.attached;
+    tally.numbers += CompareAttached(file.own(), body, *object);
+  }
+}
+
+TEST_CASE("bodies of MuJoCo's model zoo keep every number when they are attached") {
+  const std::vector<fs::path> files = FilesBelow(kZoo);
+  Tally tally;
+  for (const fs::path& path : files) {
+    INFO(path.string());
+    AttachedFile file(path);
+    REQUIRE(file.Loads());  // MuJoCo 2.2.2 does, the parts that others include, too
+    AttachAll(file, tally);
+  }
+  CHECK(tally.refused == 0);
+  CHECK(tally.attached > 1000);
+  CHECK(tally.numbers > 500'000);
+}
+
+TEST_CASE("bodies of our models of every setting keep every number when they are attached") {
+  const std::vector<fs::path> files = FilesBelow(kOurs);
+  Tally tally;
+  for (const fs::path& path : files) {
+    INFO(path.string());
+    AttachedFile file(path);
+    INFO(file.why_not());
+    REQUIRE(file.Loads());
+    AttachAll(file, tally);
+  }
+  CHECK(tally.refused == 0);
+  CHECK(tally.attached > 40);
+}
+
+}  // namespace
+}  // namespace mjforge::attach
