@@ -230,7 +230,7 @@ void AddOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--name", options.name, "The object's name; ${index} allowed")
       ->option_text("TEXT");
   AddSpecOptions(command, options.spec);
-  AddWord(command, "--target", options.target, TargetNames(), "Who reads the files");
+  AddWord(command, "--target", options.target, TargetNames(), "For");
   AddWord(command, "--validate", options.validate, {"load", "none"}, "MuJoCo's verdict");
   AddWord(command, "--on-invalid", options.on_invalid, {"fail", "skip", "resample"},
           "Bad variants");

@@ -104,9 +104,7 @@ Action AddInspect(CLI::App& app) {
       command
           .add_option("--contains", options->contains, "Say whether a point (m) is inside a part")
           ->option_text("X,Y,Z");
-  command
-      .add_flag("--sweep", options->sweep,
-                "Move the joints through their ranges; show what touches, and the box swept")
+  command.add_flag("--sweep", options->sweep, "Move the joints; show what gets into what")
       ->option_text(" ")
       ->excludes(contains);
   command.add_flag("--json", options->json, "One JSON object");

@@ -160,7 +160,11 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
     CHECK(std::abs(ours.mass - theirs.mass.mass) <= 1e-9 * ours.mass);
     // A file holds ten digits.
     CHECK((ours.p_FCm - theirs.mass.p_FCm).norm() <= 1e-9);
-    CHECK((ours.I_Cm_F - theirs.mass.I_Cm_F).norm() <= 1e-8 * theirs.mass.I_Cm_F.norm());
+    // MuJoCo's principal moments are exact, its axes only to a millionth (mju_eig3
+    // stops there): the trace does not see them.
+    const double trace = theirs.mass.I_Cm_F.trace();
+    CHECK(std::abs(ours.I_Cm_F.trace() - trace) <= 2e-9 * trace);
+    CHECK((ours.I_Cm_F - theirs.mass.I_Cm_F).norm() <= 3e-6 * trace);
     CHECK((object->bounds.aabb.min - theirs.box.min).norm() <= 2e-9);
     CHECK((object->bounds.aabb.max - theirs.box.max).norm() <= 2e-9);
   }

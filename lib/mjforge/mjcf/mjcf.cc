@@ -33,7 +33,8 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   WriteSizes(object, scene, writer);
   WriteSettings(object, writer);
 
-  if (scene || rules.always_assets || !object.textures.empty() || !object.materials.empty() || !object.meshes.empty()) {
+  if (scene || rules.always_assets || !object.textures.empty() || !object.materials.empty() ||
+      !object.meshes.empty()) {
     writer.Open("asset");
     writer.Content();
     WriteAssets(object, writer, document);
