@@ -35,7 +35,7 @@ void BM_Chain(benchmark::State& state) {
 }
 BENCHMARK(BM_Chain)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
 
-void BM_Attached(benchmark::State& state) {
+void Attach(benchmark::State& state, const char* file) {
   LoadedRecipe copies = FromText(
       fmt::format("mjforge: 1\n"
                   "name: row\n"
@@ -43,21 +43,31 @@ void BM_Attached(benchmark::State& state) {
                   "params: {{n: {}, step: 10cm .. 20cm}}\n"
                   "bodies:\n"
                   "  - {{name: 'it_${{i}}', for: {{i: n}}, mjcf: {}, pos: [i * step, 0, 0]}}\n",
-                  state.range(0), MJFORGE_ATTACHED_FILE));
+                  state.range(0), std::string(MJFORGE_BENCH_DIR) + file));
   attach::MjcfReader reader(copies.sources);
   model::Assembler assembler(&reader);
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
   for (auto _ : state) MakeText(copies.recipe, assembler, index++, document);
 }
-BENCHMARK(BM_Attached)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+// One body, two geoms.
+void BM_AttachedKnobs(benchmark::State& state) { Attach(state, "/knob.xml"); }
+BENCHMARK(BM_AttachedKnobs)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+// Five bodies with classes, actuators, an equality and sensors: 1,000 of them leave
+// the processor's caches.
+void BM_AttachedArms(benchmark::State& state) { Attach(state, "/arm.xml"); }
+BENCHMARK(BM_AttachedArms)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
 
 void BM_ReadAttached(benchmark::State& state) {
   for (auto _ : state) {
     diag::Sources sources;
     diag::Findings findings;
     attach::MjcfReader reader(sources);
-    if (reader.Attach(MJFORGE_ATTACHED_FILE, "", {}, findings) == nullptr) std::abort();
+    if (reader.Attach(std::string(MJFORGE_BENCH_DIR) + "/arm.xml", "", {}, findings) == nullptr) {
+      std::abort();
+    }
   }
 }
 BENCHMARK(BM_ReadAttached)->Unit(benchmark::kMillisecond);

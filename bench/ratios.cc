@@ -19,7 +19,8 @@ constexpr Ratio kRatios[] = {
     {"validated / bare load with default sizes", "BM_GenerateValidated", "BM_LoadDefault", 0.8},
     {"10,000 parts / 1,000 parts", "BM_Parts/10000", "BM_Parts/1000", 12},
     {"a chain of 1,000 bodies / of 100", "BM_Chain/1000", "BM_Chain/100", 12},
-    {"1,000 attached copies of a file / 100", "BM_Attached/1000", "BM_Attached/100", 12},
+    {"1,000 attached copies of a knob / 100", "BM_AttachedKnobs/1000", "BM_AttachedKnobs/100", 12},
+    {"1,000 attached copies of an arm / 100", "BM_AttachedArms/1000", "BM_AttachedArms/100", 12},
 };
 
 }  // namespace

@@ -96,7 +96,7 @@ class Assembly {
   // finish.cc
   void Finish(const Scope& scope);
   /// Sums up the parts of a body, unless it is known from elsewhere.
-  void SetMass(std::size_t body);
+  void SetMass(std::size_t index);
   void ScaleMass(double factor, std::size_t first_part, std::size_t first_body);
   /// Of the bodies from `first` on, all below it, in its frame at the joints' zero.
   Bounds BoundsFrom(std::size_t first) const;

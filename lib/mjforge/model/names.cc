@@ -29,6 +29,7 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
 class Kind {
  public:
   Kind(std::string_view kind, diag::Findings& findings) : kind_(kind), findings_(findings) {}
+  void Expect(std::size_t count) { by_name_.reserve(count); }
 
   void Add(std::string_view name, diag::SourceMark mark, const Part* part = nullptr) {
     if (name.empty()) return;
@@ -104,6 +105,11 @@ void CheckUniqueNames(const Object& object, diag::Findings& findings) {
   Kind joints("joint", findings);
   Kind sites("site", findings);
   Kind parts("part", findings);
+  bodies.Expect(object.bodies.size());
+  joints.Expect(object.bodies.size());
+  std::size_t part_count = 0;
+  for (const Body& body : object.bodies) part_count += body.parts.size();
+  parts.Expect(part_count);
   materials.AddAll(object.materials);
   textures.AddAll(object.textures);
   for (const auto& mesh : object.meshes) meshes.Add(mesh->name, mesh->mark);

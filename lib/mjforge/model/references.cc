@@ -27,20 +27,26 @@ void References::TakeAway(std::string joint, std::string origin) {
   gone_["joint"].emplace(std::move(joint), fmt::format("attaching {} takes it away", origin));
 }
 
+// Of the kinds that something refers to.
 References::Names References::Collect() const {
   Names names;
+  for (const Reference& reference : references_) names.try_emplace(reference.kind);
+  const auto add = [&names](std::string_view kind, std::string_view name) {
+    const auto wanted = names.find(kind);
+    if (wanted != names.end()) wanted->second.insert(name);
+  };
   for (const Body& body : object_.bodies) {
-    names["body"].insert(body.name);
-    for (const Joint& joint : body.joints) names["joint"].insert(joint.name);
-    for (const Site& site : body.sites) names["site"].insert(site.name);
-    for (const Element& element : body.elements) names[element.tag].insert(element.name);
+    add("body", body.name);
+    for (const Joint& joint : body.joints) add("joint", joint.name);
+    for (const Site& site : body.sites) add("site", site.name);
+    for (const Element& element : body.elements) add(element.tag, element.name);
   }
-  for (const Material& material : object_.materials) names["material"].insert(material.name);
-  for (const auto& mesh : object_.meshes) names["mesh"].insert(mesh->name);
+  for (const Material& material : object_.materials) add("material", material.name);
+  for (const auto& mesh : object_.meshes) add("mesh", mesh->name);
   for (const Section& section : object_.sections) {
     for (std::size_t i = 0; i < section.elements.size(); ++i) {
       if (taken_out_.contains({section.info, i})) continue;
-      names[section.info->name].insert(section.elements[i].name);
+      add(section.info->name, section.elements[i].name);
     }
   }
   return names;
@@ -49,24 +55,27 @@ References::Names References::Collect() const {
 void References::Check() {
   if (references_.empty()) return;
   // Taking one element out may leave another without what it refers to.
-  while (std::ranges::any_of(references_, [this](const Reference& r) { return TakeOutOne(r); })) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Reference& reference : references_) changed |= TakeOutOne(reference);
   }
   const Names names = Collect();
-  std::set<std::string> geoms;
+  std::vector<std::string> geoms;
   for (const Body& body : object_.bodies) {
+    if (!names.contains("geom")) break;
     for (const Part& part : body.parts) {
-      if (part.as_is || part.role != Role::kVisual) geoms.insert(part.name);
-      if (!part.as_is && part.role != Role::kCollision) geoms.insert(part.name + "_vis");
+      if (part.as_is || part.role != Role::kVisual) geoms.push_back(part.name);
+      if (!part.as_is && part.role != Role::kCollision) geoms.push_back(part.name + "_vis");
     }
   }
-  const std::set<std::string_view> geom_names(geoms.begin(), geoms.end());
+  const Set geom_names(geoms.begin(), geoms.end());
   for (const Reference& reference : references_) {
     if (taken_out_.contains({reference.place.section, reference.place.position})) continue;
     const auto kind = names.find(reference.kind);
-    const std::set<std::string_view> none;
-    const auto& known = reference.kind == "geom" ? geom_names
-                        : kind == names.end()    ? none
-                                                 : kind->second;
+    const Set none;
+    const Set& known = reference.kind == "geom" ? geom_names
+                       : kind == names.end()    ? none
+                                                : kind->second;
     if (!known.contains(reference.name)) Report(reference, known);
   }
   for (Section& section : object_.sections) {
@@ -97,7 +106,7 @@ bool References::TakeOutOne(const Reference& reference) {
   return true;
 }
 
-void References::Report(const Reference& reference, const std::set<std::string_view>& names) {
+void References::Report(const Reference& reference, const Set& names) {
   // Suggestions as the spec would say them, without the prefix.
   const std::size_t prefix = reference.name.size() >= reference.shown.size()
                                  ? reference.name.size() - reference.shown.size()
@@ -107,6 +116,7 @@ void References::Report(const Reference& reference, const std::set<std::string_v
   for (const std::string_view name : names) {
     if (name.starts_with(start)) own.push_back(name.substr(prefix));
   }
+  std::ranges::sort(own);
   findings_.Add(Code::kModelUnknownReference, reference.mark,
                 fmt::format("{} is {}, but the object has no {} of that name", reference.owner,
                             Quoted(reference.shown), reference.kind),

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "mjforge/model/model.h"
@@ -40,11 +42,12 @@ class References {
     std::string owner;  // "joint of jointpos 'angle'"
     diag::SourceMark mark;
   };
-  using Names = std::map<std::string_view, std::set<std::string_view>>;  // by kind
+  using Set = std::unordered_set<std::string_view>;
+  using Names = std::map<std::string_view, Set>;  // by kind
 
   Names Collect() const;
   bool TakeOutOne(const Reference& reference);
-  void Report(const Reference& reference, const std::set<std::string_view>& names);
+  void Report(const Reference& reference, const Set& names);
 
   Object& object_;
   diag::Findings& findings_;

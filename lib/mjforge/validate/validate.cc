@@ -95,6 +95,12 @@ std::optional<Sweep> TrySweep(mjModel& m, int frame, diag::SourceMark mark,
   }
 }
 
+// What MuJoCo's words do not say.
+std::string HintFor(std::string_view reason) {
+  if (reason.find("XML_ELEMENT_DEPTH_EXCEEDED") == std::string_view::npos) return {};
+  return "MuJoCo 2.2 reads no more than 95 bodies inside one another: hang some on the root";
+}
+
 }  // namespace
 
 std::string MujocoVersion() {
@@ -140,7 +146,8 @@ Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const mod
   diag::Finding& finding =
       findings.Add(Code::kMujocoError, mark,
                    fmt::format("MuJoCo refused {}: {}",
-                               engine::ElementOnLine(document.text, refusal.line), refusal.reason));
+                               engine::ElementOnLine(document.text, refusal.line), refusal.reason),
+                   HintFor(refusal.reason));
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
   return loaded;
 }

@@ -46,8 +46,8 @@ TEST_CASE("an attached geom gets the group of its role without a word") {
   part.attributes = {Numbers("contype", Applies::kBoth, {0}),
                      Numbers("group", Applies::kBoth, {2})};
   CHECK(Adapted(object, "robosuite") == Said{});
-  const pugi::xml_node geom =
-      Written(object, "robosuite").select_node("//geom[@name='plate']").node();
+  const auto file = Written(object, "robosuite");
+  const pugi::xml_node geom = file.select_node("//geom[@name='plate']").node();
   CHECK(geom.attribute("group").as_int() == 1);
 }
 
