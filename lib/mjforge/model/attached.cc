@@ -38,15 +38,6 @@ class Renamer {
   }
   int Material(int own) const { return own < 0 ? own : materials[static_cast<std::size_t>(own)]; }
 
-  /// What an attribute refers to: its kind, or the one another attribute says.
-  static std::string_view KindOf(const Attribute& attribute, const Element& element) {
-    if (!attribute.refers.starts_with('@')) return attribute.refers;
-    for (const Attribute& other : element.attributes) {
-      if (other.name == attribute.refers.substr(1)) return other.text;
-    }
-    return attribute.refers;
-  }
-
  private:
   const Attachment& attachment_;
   std::string prefix_;
@@ -147,9 +138,8 @@ void Assembly::AddReferences(References::Place place, const Element& own, const 
   for (std::size_t i = 0; i < own.attributes.size(); ++i) {
     const Attribute& attribute = own.attributes[i];
     if (attribute.refers.empty()) continue;
-    references_.Add(place, Renamer::KindOf(attribute, own), element.attributes[i].text,
-                    attribute.text, fmt::format("{} of {} '{}'", attribute.name, own.tag, own.name),
-                    own.mark);
+    references_.Add(place, KindOf(attribute, own), element.attributes[i].text, attribute.text,
+                    fmt::format("{} of {} '{}'", attribute.name, own.tag, own.name), own.mark);
   }
   for (std::size_t i = 0; i < own.children.size(); ++i) {
     AddReferences(place, own.children[i], element.children[i]);

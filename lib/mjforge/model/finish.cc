@@ -26,6 +26,15 @@ Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   return bounds;
 }
 
+/// X_FB of the bodies from `first`, F, on, all below it.
+std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) {
+  std::vector<Pose> X_FB(bodies.size() - first);
+  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
+    X_FB[i - first] = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
+  }
+  return X_FB;
+}
+
 bool HasState(const Element& actuator) {
   constexpr std::string_view kStateful[] = {"intvelocity", "cylinder", "muscle"};
   if (std::ranges::find(kStateful, actuator.tag) != std::end(kStateful)) return true;
@@ -92,13 +101,11 @@ Bounds Assembly::BoundsFrom(std::size_t first) const {
     for (const Part& part : bodies[i].parts) some_collide |= part.role != Role::kVisual;
   }
   Bounds bounds;
-  std::vector<Pose> X_FB(bodies.size() - first);  // F: the first body
+  const std::vector<Pose> X_FB = PosesFrom(bodies, first);
   for (std::size_t i = first; i < bodies.size(); ++i) {
-    Pose& X = X_FB[i - first];
-    if (i > first) X = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
     for (const Part& part : bodies[i].parts) {
       if (some_collide && part.role == Role::kVisual) continue;
-      const Pose X_FG = X * part.X_BG;
+      const Pose X_FG = X_FB[i - first] * part.X_BG;
       bounds.aabb.Add(BoundsOf(part.shape, X_FG));
       bounds.horizontal_radius =
           std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
@@ -114,9 +121,8 @@ MassProperties Assembly::MassFrom(std::size_t first) const {
   const std::vector<Body>& bodies = object_.bodies;
   MassProperties sum = bodies[first].mass_properties;
   if (first + 1 == bodies.size()) return sum;
-  std::vector<Pose> X_FB(bodies.size() - first);  // F: the first body
+  const std::vector<Pose> X_FB = PosesFrom(bodies, first);
   for (std::size_t i = first + 1; i < bodies.size(); ++i) {
-    X_FB[i - first] = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
     sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
   }
   return sum;
@@ -173,14 +179,7 @@ void Assembly::Finish(const Scope& scope) {
   }
 }
 
-std::vector<Pose> BodyPoses(const Object& object) {
-  std::vector<Pose> X_RootB(object.bodies.size());
-  for (std::size_t i = 1; i < object.bodies.size(); ++i) {
-    const Body& body = object.bodies[i];
-    X_RootB[i] = X_RootB[static_cast<std::size_t>(body.parent)] * body.X_PB;
-  }
-  return X_RootB;
-}
+std::vector<Pose> BodyPoses(const Object& object) { return PosesFrom(object.bodies, 0); }
 
 std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
   for (const Section& one : object.sections) {

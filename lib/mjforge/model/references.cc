@@ -17,6 +17,13 @@ std::string_view Canonical(std::string_view kind) { return kind == "xbody" ? "bo
 
 }  // namespace
 
+std::string_view KindOf(const Attribute& attribute, const Element& element) {
+  if (!attribute.refers.starts_with('@')) return attribute.refers;
+  const auto said =
+      std::ranges::find(element.attributes, attribute.refers.substr(1), &Attribute::name);
+  return said == element.attributes.end() ? attribute.refers : std::string_view(said->text);
+}
+
 void References::Add(Place place, std::string_view kind, std::string full_name, std::string shown,
                      std::string owner, diag::SourceMark mark) {
   references_.push_back(

@@ -13,6 +13,10 @@
 
 namespace mjforge::model {
 
+/// The kind of element that an attribute of `element` names: its own, or for
+/// `@objtype` the one that the attribute objtype says.
+std::string_view KindOf(const Attribute& attribute, const Element& element);
+
 /// The names that elements of sections refer to, checked when all are there.
 class References {
  public:

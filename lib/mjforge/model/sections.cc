@@ -13,13 +13,6 @@ namespace {
 
 using diag::Code;
 
-// The kind of element that an attribute names; `@objtype`: what that one says.
-std::string_view KindOf(const Attribute& attribute, const std::vector<Attribute>& all) {
-  if (!attribute.refers.starts_with('@')) return attribute.refers;
-  const auto found = std::ranges::find(all, attribute.refers.substr(1), &Attribute::name);
-  return found == all.end() ? attribute.refers : std::string_view(found->text);
-}
-
 // A range holds where it is given, unless its `limited` says otherwise. MuJoCo
 // versions differ where it is silent, so it never is.
 struct Limit {
@@ -107,7 +100,7 @@ bool Assembly::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry&
   for (std::size_t i = 0; i < element.attributes.size(); ++i) {
     Attribute& attribute = element.attributes[i];
     if (attribute.refers.empty()) continue;
-    const std::string_view kind = KindOf(attribute, element.attributes);
+    const std::string_view kind = KindOf(attribute, element);
     std::string shown = attribute.text;
     const bool is_root = kind.ends_with("body") && shown == spec.name;
     attribute.text = is_root ? BodyAt(scope.body).name : scope.prefix + shown;
