@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "mjforge/forge/forge.h"
+#include "mjforge/batch/batch.h"
 #include "options.h"
 
 namespace mjforge::app {
@@ -18,8 +18,7 @@ struct CheckOptions {
   ReportOptions report;
 };
 
-ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options,
-                     validate::Loader& loader) {
+ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options) {
   Console console(options.report);
   diag::Sources sources;
   diag::Findings findings;
@@ -28,12 +27,10 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options,
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
   if (!recipe) return status;
-  forge::Options generator_options;
-  generator_options.seed = options.seed;
-  forge::Generator generator(*recipe, sources, generator_options, &loader);
-  forge::Batch batch;
-  batch.count = options.count;
-  const forge::Summary summary = forge::MakeBatch(generator, batch, {});
+  batch::Request request;
+  request.count = options.count;
+  request.variant.seed = options.seed;
+  const batch::Summary summary = batch::Run(*recipe, sources, request, {});
   console.Show(summary.findings, sources, summary.more_findings);
   console.Say(
       fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok, options.count));
@@ -56,10 +53,9 @@ Action AddCheck(CLI::App& app) {
               "  mjforge check mug.yaml\n"
               "  mjforge check specs/*.yaml -n 100 --findings json");
   return [options] {
-    validate::Loader loader;
     ExitStatus status = ExitStatus::kDone;
     for (const std::string& spec : options->specs) {
-      status = Worse(status, CheckSpec(spec, *options, loader));
+      status = Worse(status, CheckSpec(spec, *options));
     }
     return status;
   };

@@ -19,7 +19,7 @@ Action AddSchema(CLI::App& app) {
               "  mjforge schema manifest");
   return [which] {
     if (*which == "object") return Print(spec::JsonSchema());
-    if (*which == "manifest") return Print(output::ManifestSchema());
+    if (*which == "manifest") return Print(manifest::ManifestSchema());
     return WrongUsage("'" + *which + "' is not one of object, manifest", "schema");
   };
 }

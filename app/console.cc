@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "mjforge/forge/forge.h"
+#include "mjforge/batch/batch.h"
 
 namespace mjforge::app {
 namespace {
@@ -31,12 +31,16 @@ bool IsSet(const char* variable) {
 
 bool UseColor(const std::string& choice) {
   if (choice != "auto") return choice == "always";
-  const char* terminal = std::getenv("TERM");
-  return !IsSet("NO_COLOR") && ::isatty(STDERR_FILENO) != 0 &&
-         (terminal == nullptr || std::string_view(terminal) != "dumb");
+  return !IsSet("NO_COLOR") && IsTerminal();
 }
 
 }  // namespace
+
+bool IsTerminal() {
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) != 0 &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
 
 Console::Console(const ReportOptions& options)
     : json_(options.findings == "json"),
@@ -50,7 +54,7 @@ void Console::Show(diag::Findings findings, const diag::Sources& sources, std::u
   std::string text;
   std::size_t shown = 0;
   for (const diag::Finding& finding : findings) {
-    if (shown == forge::kMaxFindings) break;
+    if (shown == batch::kMaxFindings) break;
     text += json_ ? diag::RenderJson(finding, sources) + "\n"
                   : diag::RenderText(finding, sources, color_);
     ++shown;

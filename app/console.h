@@ -36,6 +36,9 @@ class Console {
   bool verbose_;
 };
 
+/// Whether standard error is a terminal that understands control sequences.
+bool IsTerminal();
+
 /// Writes a result to standard output at once. On failure says why:
 /// kInputOutput, else kDone.
 ExitStatus Print(std::string_view bytes);

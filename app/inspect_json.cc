@@ -182,7 +182,7 @@ void Sweep(Json& json, const std::optional<validate::Sweep>& sweep) {
 std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,
                         const std::optional<validate::Sweep>& sweep) {
   const model::Object& object = *variant.object;
-  const output::Record& record = variant.record;
+  const manifest::Record& record = variant.record;
   Json json;
   json.StartObject();
   json.Member("name", recipe.spec->name);

@@ -185,7 +185,7 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
                           const std::optional<validate::Sweep>& sweep) {
   const spec::ObjectSpec& spec = *recipe.spec;
   const model::Object& object = *variant.object;
-  const output::Record& record = variant.record;
+  const manifest::Record& record = variant.record;
   std::string text = spec.description.empty()
                          ? fmt::format("{}\n\n", spec.name)
                          : fmt::format("{}: {}\n\n", spec.name, spec.description);

@@ -4,12 +4,15 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "commands.h"
 #include "interrupt.h"
+#include "make_options.h"
 #include "usage.h"
 
 namespace mjforge::app {
@@ -22,10 +25,12 @@ ExitStatus Run(int argc, char** argv) {
   app.footer("'mjforge COMMAND --help' explains a command and has examples.");
   // In the order of the help.
   const std::vector<Action> actions = {AddGenerate(app), AddCheck(app),  AddInspect(app),
-                                       AddValidate(app), AddReplay(app), AddCatalogue(app),
-                                       AddSchema(app)};
+                                       AddValidate(app), AddMerge(app),  AddReplay(app),
+                                       AddCatalogue(app), AddSchema(app)};
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     return ExplainParseError(app, error, argc > 1 ? argv[1] : "");
   }

@@ -11,14 +11,7 @@
 namespace mjforge::app {
 namespace {
 
-// CLI11 would read "010" as eight.
-std::optional<std::uint64_t> ParseWhole(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
+constexpr std::uint64_t kMostJobs = 1024;
 
 std::string CheckSetting(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -47,6 +40,29 @@ spec::LoadOptions MakeLoadOptions(const SpecOptions& options) {
   load.parameter_files.assign(options.parameter_files.begin(), options.parameter_files.end());
   load.search_path = forge::SearchPath();
   return load;
+}
+
+// CLI11 would read "010" as eight.
+std::optional<std::uint64_t> ParseWhole(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+void AddJobs(CLI::App& command, std::uint64_t& jobs) {
+  const auto check = [](const std::string& text) {
+    const std::optional<std::uint64_t> number = ParseWhole(text);
+    if (number && *number >= 1 && *number <= kMostJobs) return std::string();
+    return fmt::format("'{}' is not a number of processes from 1 to {}", text, kMostJobs);
+  };
+  command
+      .add_option_function<std::string>(
+          "-j,--jobs", [&jobs](const std::string& text) { jobs = *ParseWhole(text); },
+          "Processes that make variants")
+      ->check(check)
+      ->option_text("N [cores]");
 }
 
 void AddReportOptions(CLI::App& command, ReportOptions& options) {

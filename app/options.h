@@ -4,10 +4,13 @@
 // Options that several commands share.
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "console.h"
+#include "make_options.h"
 #include "mjforge/spec/spec.h"
 
 namespace CLI {
@@ -28,6 +31,10 @@ spec::LoadOptions MakeLoadOptions(const SpecOptions& options);
 void AddReportOptions(CLI::App& command, ReportOptions& options);
 void AddVerboseOption(CLI::App& command, ReportOptions& options);
 
+/// A decimal number up to 2^64 - 1, digits only.
+std::optional<std::uint64_t> ParseWhole(std::string_view text);
+/// -j; 0: not given.
+void AddJobs(CLI::App& command, std::uint64_t& jobs);
 /// An option that takes a decimal number from `least` to 2^64 - 1.
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least = 0);

@@ -57,7 +57,7 @@ void BM_GenerateRecord(benchmark::State& state) {
   for (auto _ : state) {
     generator.Make(index++, variant);
     manifest.clear();
-    output::AppendRecord(manifest, variant.record);
+    manifest::AppendRecord(manifest, variant.record);
     benchmark::DoNotOptimize(manifest.data());
   }
 }

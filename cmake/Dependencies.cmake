@@ -10,6 +10,7 @@ set(mjforge_dependencies
   "fmt 9"
   "RapidJSON 1.1"
   "OpenSSL 3 COMPONENTS Crypto"  # SHA-256
+  "LibArchive 3.6"
   "tinyobjloader"
   "assimp 5"
   "Random123"

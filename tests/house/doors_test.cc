@@ -31,10 +31,15 @@ const std::array kRooms = {
     Room{"mjcf", {"diag", "expr", "model"}},
     Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine"}},
     Room{"validate", {"diag", "expr", "model", "engine", "mjcf"}},  // expr: numbers in messages
-    Room{"output", {"diag", "expr", "sample", "model", "mjcf"}},
+    Room{"manifest", {"diag", "expr", "sample", "model"}},
+    Room{"output", {"diag", "mjcf"}},
     Room{"forge",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "output"}},
-    Room{"app", {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "output", "forge"}},
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "manifest",
+          "output"}},
+    Room{"batch", {"diag", "manifest", "output", "forge"}},
+    Room{"app",
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "manifest", "output",
+          "forge", "batch"}},
 };
 
 struct Library {
@@ -45,28 +50,30 @@ struct Library {
 
 const std::array kLibraries = {
     Library{"CLI/", {"app"}},
-    Library{"Eigen/", {"model", "mjcf", "attach", "validate", "output", "forge", "app"}, true},
+    Library{"Eigen/", {"model", "mjcf", "attach", "validate", "manifest", "output", "forge", "app"}, true},
     Library{"Random123/", {"sample"}},
+    Library{"archive", {"output"}},
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
     Library{"boost/random/", {"validate"}},  // points spread over joint ranges
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "output", "forge", "app"}},
+             "manifest", "output", "forge", "batch", "app"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
     Library{"mujoco/", {"engine", "attach", "validate"}, true},
     Library{"openssl/", {"spec", "output"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
-    Library{"rapidjson/", {"diag", "spec", "output", "app"}},
+    Library{"rapidjson/", {"diag", "spec", "manifest", "app"}},
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"xxhash.h", {"expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},
 };
 
-const Words kSystem = {"fcntl.h", "poll.h", "sys/stat.h", "sys/types.h", "unistd.h"};
+const Words kSystem = {"fcntl.h",    "poll.h",      "sys/file.h",  "sys/ioctl.h", "sys/mman.h",
+                       "sys/prctl.h", "sys/stat.h", "sys/types.h", "sys/wait.h",  "unistd.h"};
 
 const Room& RoomOf(std::string_view file) {
   const std::string_view top = "lib/mjforge/";

@@ -121,7 +121,7 @@ TEST_CASE("the schema rejects every structurally bad golden spec", "[schema]") {
 }
 
 TEST_CASE("the manifest's schema accepts the records of made and of failed variants", "[schema]") {
-  Schema schema(mjforge::output::ManifestSchema());
+  Schema schema(mjforge::manifest::ManifestSchema());
   const std::string yaml =
       "mjforge: 1\nname: thing\nparams: {r: -1cm .. 1cm, label: x, v: [1, r], yes: r > 0}\n"
       "parts: [{name: a, type: sphere, size: r}]\n";
@@ -138,7 +138,7 @@ TEST_CASE("the manifest's schema accepts the records of made and of failed varia
     generator.Make(index, variant);
     failed += variant.ok() ? 0 : 1;
     std::string line;
-    mjforge::output::AppendRecord(line, variant.record);
+    mjforge::manifest::AppendRecord(line, variant.record);
     std::string why_not;
     const bool accepted = schema.Accepts(nlohmann::json::parse(line), why_not);
     INFO(line << why_not);

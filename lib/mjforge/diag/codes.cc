@@ -99,13 +99,17 @@ constexpr std::array kCodes = {
     CodeInfo{Code::kOutputBadManifest, "output/bad-manifest",
              "a manifest or an object's header cannot be understood"},
     CodeInfo{Code::kOutputDiffers, "output/differs", "an object made again is not the same"},
+    CodeInfo{Code::kBatchWorkerDied, "batch/worker-died", "the process that made a variant died"},
+    CodeInfo{Code::kBatchTooSlow, "batch/too-slow", "a variant took longer than the time limit"},
+    CodeInfo{Code::kBatchDiffers, "batch/differs", "what is there belongs to another batch"},
+    CodeInfo{Code::kBatchMissing, "batch/missing", "a part of a batch is missing"},
 };
 
 constexpr bool InOrder() {
   for (std::size_t i = 0; i < kCodes.size(); ++i) {
     if (static_cast<std::size_t>(kCodes[i].code) != i) return false;
   }
-  return kCodes.size() == static_cast<std::size_t>(Code::kOutputDiffers) + 1;
+  return kCodes.size() == static_cast<std::size_t>(Code::kBatchMissing) + 1;
 }
 static_assert(InOrder(), "the table must list every code in the order of the enumeration");
 

@@ -80,6 +80,11 @@ enum class Code {
   kOutputBadName,
   kOutputBadManifest,
   kOutputDiffers,
+  // Many variants, several processes.
+  kBatchWorkerDied,
+  kBatchTooSlow,
+  kBatchDiffers,
+  kBatchMissing,
 };
 
 struct CodeInfo {

@@ -13,10 +13,8 @@
 //   forge::Variant variant;
 //   generator.Make(41, variant);  // variant.document.text is the MJCF
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +24,7 @@
 
 #include "mjforge/attach/attach.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/manifest/manifest.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/output/output.h"
@@ -74,7 +73,7 @@ bool CheckName(std::string_view text, diag::Findings& findings);
 
 /// One variant and all that is known of it.
 struct Variant {
-  output::Record record;                // status "ok" or "failed"
+  manifest::Record record;              // status "ok" or "failed"
   std::optional<model::Object> object;  // nothing if it could not be built
   mjcf::MjcfDocument document;          // means nothing without an object
   diag::Findings findings;
@@ -92,6 +91,10 @@ struct Options {
 };
 inline constexpr int kMaxResamples = 100;
 
+/// What the records of all variants have in common, but for what they say of
+/// failed ones; the rest is empty.
+manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
+
 /// Makes the members of one family. Keeps what they share and the memory they
 /// need; takes no more of it however many it makes.
 class Generator {
@@ -105,59 +108,29 @@ class Generator {
   /// Replaces the content of `variant`. A pure function of the index.
   void Make(std::uint64_t index, Variant& variant);
 
+  /// Instead of making it: a failed variant with this finding.
+  void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
+
   const Recipe& recipe() const { return recipe_; }
 
  private:
   enum class Outcome { kMade, kFailed, kHopeless };
+  void Begin(std::uint64_t index, Variant& variant);
   Outcome Attempt(std::uint64_t attempt, Variant& variant);
+  void End(Outcome outcome, Variant& variant);
   void NameSources();
-  void Describe(const model::Object& object, output::Record& record) const;
+  void Describe(const model::Object& object, manifest::Record& record) const;
 
   const Recipe& recipe_;
   Options options_;
   validate::Loader* loader_;
   const diag::Sources& sources_;
   diag::Sources record_sources_;  // names as records show them
+  manifest::Record common_;       // BatchRecord, and who validates
   mjcf::Provenance provenance_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
 };
-
-enum class OnInvalid {
-  kFail,  // the variant is reported, the others are made
-  kSkip,  // the same, as a warning
-};
-
-struct Batch {
-  std::uint64_t first = 0;
-  std::uint64_t count = 1;
-  OnInvalid on_invalid = OnInvalid::kFail;
-  const std::atomic<bool>* stop = nullptr;  // looked at before each variant
-};
-
-struct Summary {
-  std::uint64_t ok = 0;
-  std::uint64_t failed = 0;
-  std::uint64_t skipped = 0;
-  bool interrupted = false;
-  bool output_failed = false;
-  /// Of all variants. What is found at one place in many variants is here once,
-  /// with a note of how many; at most kMaxFindings.
-  diag::Findings findings;
-  std::uint64_t more_findings = 0;  // places that did not fit
-};
-inline constexpr std::size_t kMaxFindings = 50;
-
-/// Takes a finished variant; false, and a finding, ends the batch.
-using Sink = std::function<bool(const Variant&, diag::Findings&)>;
-
-/// Makes variants first .. first + count - 1 in order.
-Summary MakeBatch(Generator& generator, const Batch& batch, const Sink& sink);
-
-/// The same, into a folder with a manifest. If no variant could be made, nothing
-/// is written. `watch`, if any, sees each variant after it was written.
-Summary MakeFolder(Generator& generator, const Batch& batch, const std::filesystem::path& folder,
-                   bool force, const std::function<void(const Variant&)>& watch);
 
 /// What to make again and compare.
 struct ReplayRequest {

@@ -21,7 +21,7 @@ int GeomCount(const model::Body& body) {
 void Clear(Variant& variant) {
   variant.object.reset();
   variant.findings.clear();
-  output::Record& record = variant.record;
+  manifest::Record& record = variant.record;
   record.file.clear();
   record.sha256.clear();
   record.params.clear();
@@ -33,20 +33,33 @@ void Clear(Variant& variant) {
 
 }  // namespace
 
+manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
+  manifest::Record record;
+  record.seed = options.seed;
+  record.spec = recipe.reference;
+  record.spec_sha256 = recipe.spec->sha256;
+  record.settings = recipe.settings;
+  record.target = mjcf::RulesOf(options.target).name;
+  return record;
+}
+
 Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options& options,
                      validate::Loader* loader)
     : recipe_(recipe),
       options_(options),
       loader_(loader),
       sources_(sources),
+      common_(BatchRecord(recipe, options)),
       attachments_(sources),
       assembler_(&attachments_) {
+  common_.validate = loader == nullptr ? "none" : "load";
+  if (options.resample) common_.on_invalid = "resample";
   provenance_.version = Version();
-  provenance_.spec = recipe.reference;
-  provenance_.spec_sha256 = recipe.spec->sha256;
-  provenance_.settings = recipe.settings;
-  provenance_.seed = options.seed;
-  provenance_.target = mjcf::RulesOf(options.target).name;
+  provenance_.spec = common_.spec;
+  provenance_.spec_sha256 = common_.spec_sha256;
+  provenance_.settings = common_.settings;
+  provenance_.seed = common_.seed;
+  provenance_.target = common_.target;
 }
 
 // Of the sources there are by now.
@@ -57,28 +70,47 @@ void Generator::NameSources() {
   }
 }
 
-void Generator::Make(std::uint64_t index, Variant& variant) {
-  output::Record& record = variant.record;
+void Generator::Begin(std::uint64_t index, Variant& variant) {
+  manifest::Record& record = variant.record;
   record.index = index;
-  record.seed = options_.seed;
-  record.spec = provenance_.spec;
-  record.spec_sha256 = provenance_.spec_sha256;
-  record.settings = provenance_.settings;
-  record.target = provenance_.target;
+  record.seed = common_.seed;
+  record.spec = common_.spec;
+  record.spec_sha256 = common_.spec_sha256;
+  record.settings = common_.settings;
+  record.target = common_.target;
+  record.validate = common_.validate;
+  record.on_invalid = common_.on_invalid;
+  record.archive.clear();
   record.name = options_.name.empty() ? recipe_.spec->name : ExpandName(options_.name, index);
   provenance_.index = index;
   provenance_.name = record.name == recipe_.spec->name ? std::string() : record.name;
+}
 
+void Generator::Make(std::uint64_t index, Variant& variant) {
+  Begin(index, variant);
   Outcome outcome = Attempt(options_.attempt, variant);
   for (int i = 0; i < kMaxResamples && options_.resample && outcome == Outcome::kFailed; ++i) {
-    outcome = Attempt(record.attempt + 1, variant);
+    outcome = Attempt(variant.record.attempt + 1, variant);
   }
+  End(outcome, variant);
+}
+
+void Generator::Fail(std::uint64_t index, diag::Finding finding, Variant& variant) {
+  Begin(index, variant);
+  Clear(variant);
+  variant.record.attempt = options_.attempt;
+  variant.findings.Add(finding.code, {}, {}) = std::move(finding);
+  End(Outcome::kFailed, variant);
+}
+
+void Generator::End(Outcome outcome, Variant& variant) {
+  manifest::Record& record = variant.record;
   record.status = outcome == Outcome::kMade ? "ok" : "failed";
   if (outcome == Outcome::kMade) {
-    record.file = output::VariantFileName(record.name, index);
+    record.file = output::PlaceInFolder(record.name, record.index);
     record.sha256 = output::Sha256(variant.document.text);
   }
-  variant.findings.SetVariant(options_.seed, index);
+  variant.findings.SetVariant(options_.seed, record.index);
   NameSources();
   for (const diag::Finding& finding : variant.findings) {
     record.findings.push_back(diag::RenderJson(finding, record_sources_));
@@ -87,7 +119,7 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
 
 Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   Clear(variant);
-  output::Record& record = variant.record;
+  manifest::Record& record = variant.record;
   record.attempt = attempt;
   const spec::ObjectSpec& spec = *recipe_.spec;
   std::optional<sample::Evaluator> values = sample::Sample(
@@ -114,7 +146,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   return variant.findings.HasErrors() ? Outcome::kFailed : Outcome::kMade;
 }
 
-void Generator::Describe(const model::Object& object, output::Record& record) const {
+void Generator::Describe(const model::Object& object, manifest::Record& record) const {
   record.mass_properties = object.mass_properties;
   record.bounds = object.bounds;
   record.nbody = 1;                                             // the world

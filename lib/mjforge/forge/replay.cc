@@ -10,9 +10,10 @@ namespace {
 
 // What is to be made again, and what it must be equal to.
 struct Original {
-  output::Record record;       // as far as it is known
+  manifest::Record record;       // as far as it is known
   bool from_manifest = false;  // then `attempt`, `status` and `sha256` are known
-  std::filesystem::path file;  // the object's; empty: none was written
+  std::filesystem::path file;     // the object's; empty: none was written
+  std::filesystem::path archive;  // that holds it; empty: it stands by itself
 };
 
 void AddBadManifest(diag::Findings& findings, std::string message, std::string hint = {}) {
@@ -30,27 +31,33 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
   return std::pair(what.substr(0, colon), index);
 }
 
-std::optional<Original> FromManifest(const std::filesystem::path& manifest, std::uint64_t index,
+std::optional<Original> FromManifest(const std::filesystem::path& file, std::uint64_t index,
                                      diag::Findings& findings) {
-  const std::optional<std::string> text = output::ReadFile(manifest, findings);
+  const std::optional<std::string> text = output::ReadFile(file, findings);
   if (!text) return std::nullopt;
   std::string_view rest = *text;
   for (int number = 1; !rest.empty(); ++number) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     std::string why_not;
-    std::optional<output::Record> record = output::ReadRecord(line, why_not);
+    std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) {
       AddBadManifest(findings, fmt::format("line {} of '{}' is not a record: {}", number,
-                                           manifest.string(), why_not));
+                                           file.string(), why_not));
       return std::nullopt;
     }
     if (record->index != index) continue;
-    const auto file =
-        record->file.empty() ? std::filesystem::path() : manifest.parent_path() / record->file;
-    return Original{*std::move(record), true, file};
+    Original original{*std::move(record), true, {}, {}};
+    const manifest::Record& known = original.record;
+    if (!known.archive.empty()) {
+      original.file = known.file;
+      original.archive = file.parent_path() / known.archive;
+    } else if (!known.file.empty()) {
+      original.file = file.parent_path() / known.file;
+    }
+    return original;
   }
-  AddBadManifest(findings, fmt::format("'{}' has no record of index {}", manifest.string(), index));
+  AddBadManifest(findings, fmt::format("'{}' has no record of index {}", file.string(), index));
   return std::nullopt;
 }
 
@@ -90,7 +97,7 @@ std::string FindSpec(const std::string& reference, const std::filesystem::path& 
 std::optional<Recipe> LoadOriginalRecipe(const Original& original, const ReplayRequest& request,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings) {
-  const output::Record& record = original.record;
+  const manifest::Record& record = original.record;
   if (request.spec.empty() && record.spec == "-") {
     findings.Add(diag::Code::kSpecNotFound, {}, "the spec was read from standard input",
                  "name its file with --spec");
@@ -125,14 +132,19 @@ std::string_view TakeLine(std::string_view& rest) {
 bool IsSame(const Original& original, const Variant& variant, diag::Sources& sources,
             diag::Findings& findings) {
   std::error_code ignored;
-  if (original.from_manifest && !std::filesystem::exists(original.file, ignored)) {
+  const std::filesystem::path& holder =
+      original.archive.empty() ? original.file : original.archive;
+  if (original.from_manifest && !std::filesystem::exists(holder, ignored)) {
     if (original.record.sha256 == variant.record.sha256) return true;
     findings.Add(diag::Code::kOutputDiffers, {},
                  fmt::format("made again, '{}' has the hash {}; the record says {}",
                              original.record.file, variant.record.sha256, original.record.sha256));
     return false;
   }
-  std::optional<std::string> present = output::ReadFile(original.file, findings);
+  std::optional<std::string> present =
+      original.archive.empty()
+          ? output::ReadFile(original.file, findings)
+          : output::ReadMember(original.archive, original.file.string(), findings);
   if (!present) return false;
   if (*present == variant.document.text) return true;
   std::string_view rest = *present;

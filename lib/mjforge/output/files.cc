@@ -9,7 +9,6 @@
 
 #include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
-#include "mjforge/output/reading.h"
 
 namespace mjforge::output {
 namespace {
@@ -43,8 +42,9 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::siz
   return bytes;
 }
 
-bool WriteFile(const std::filesystem::path& file, std::string_view bytes,
+bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings) {
+  if (if_changed && ReadStart(file, bytes.size() + 1) == bytes) return true;
   std::optional<AtomicFile> target = AtomicFile::Create(file, findings);
   return target && target->Append(bytes, findings) && target->Commit(findings);
 }
@@ -67,10 +67,6 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
                fmt::format("'{}' exists and was not made by mjforge", file.string()),
                "choose another place, or overwrite it with --force");
   return false;
-}
-
-std::string VariantFileName(std::string_view name, std::uint64_t index) {
-  return fmt::format("{}_{:06}.xml", name, index);
 }
 
 }  // namespace mjforge::output

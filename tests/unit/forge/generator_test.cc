@@ -23,7 +23,7 @@ TEST_CASE("a variant is a file's text and a record of what it is") {
   LoadedRecipe loaded(kBoxSpec);
   validate::Loader loader;
   const Variant variant = MakeOne(loaded, Seeded(7), 42, &loader);
-  const output::Record& record = variant.record;
+  const manifest::Record& record = variant.record;
   REQUIRE(variant.ok());
   CHECK(variant.findings.empty());
   CHECK(record.file == "crate_000042.xml");
@@ -54,8 +54,8 @@ TEST_CASE("a variant does not depend on those made before it") {
   CHECK(variant.document.text == alone.document.text);
   std::string record;
   std::string record_alone;
-  output::AppendRecord(record, variant.record);
-  output::AppendRecord(record_alone, alone.record);
+  manifest::AppendRecord(record, variant.record);
+  manifest::AppendRecord(record_alone, alone.record);
   CHECK(record == record_alone);
 }
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "loaded_recipe.h"
+#include "mjforge/batch/batch.h"
 
 namespace mjforge::forge {
 namespace {
@@ -11,10 +12,14 @@ struct ReplayTest {
   explicit ReplayTest(const char* text, const Options& options = {}, std::uint64_t count = 3,
                       spec::LoadOptions load = {})
       : loaded(text, std::move(load)) {
-    Generator generator(loaded.recipe, loaded.sources, options, nullptr);
-    Batch batch;
-    batch.count = count;
-    REQUIRE(MakeFolder(generator, batch, loaded.folder / "crate", false, {}).ok > 0);
+    batch::Request request;
+    request.count = count;
+    request.variant = options;
+    if (options.resample) request.on_invalid = batch::OnInvalid::kResample;
+    request.load = false;
+    request.destination = {.kind = output::Destination::Kind::kFolder,
+                           .path = loaded.folder / "crate"};
+    REQUIRE(batch::Run(loaded.recipe, loaded.sources, request, {}).ok > 0);
   }
 
   bool Replay(const std::string& what, const std::string& spec = {}) {
@@ -89,10 +94,10 @@ TEST_CASE("a failed variant fails again with the same finding") {
   const std::string manifest = test.loaded.folder.Read("crate/manifest.jsonl");
   std::string_view rest = manifest;
   std::string why_not;
-  auto record = output::ReadRecord(rest.substr(0, rest.find('\n')), why_not);
+  auto record = manifest::ReadRecord(rest.substr(0, rest.find('\n')), why_not);
   while (record && record->status == "ok") {
     rest.remove_prefix(rest.find('\n') + 1);
-    record = output::ReadRecord(rest.substr(0, rest.find('\n')), why_not);
+    record = manifest::ReadRecord(rest.substr(0, rest.find('\n')), why_not);
   }
   REQUIRE(record);
   CHECK_FALSE(test.Replay("crate/manifest.jsonl:" + std::to_string(record->index)));

@@ -25,7 +25,7 @@ TEST_CASE("a file is written with exactly the bytes given, and nothing beside it
   const TemporaryFolder folder;
   diag::Findings findings;
   const std::string bytes("a\0b\n", 4);
-  REQUIRE(WriteFile(folder / "x.xml", bytes, findings));
+  REQUIRE(WriteFile(folder / "x.xml", bytes, false, findings));
   CHECK(folder.Read("x.xml") == bytes);
   CHECK(folder.Files() == std::vector<std::string>{"x.xml"});
   CHECK(findings.empty());
@@ -35,7 +35,7 @@ TEST_CASE("a file in a folder that does not exist is a finding with the system's
   const TemporaryFolder folder;
   diag::Findings findings;
   const auto file = folder / "none/x.xml";
-  CHECK_FALSE(WriteFile(file, "text", findings));
+  CHECK_FALSE(WriteFile(file, "text", false, findings));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kOutputCannotWrite);
   CHECK(findings[0].message == "cannot write '" + file.string() + "': No such file or directory");
@@ -45,7 +45,7 @@ TEST_CASE("what is written can be read back") {
   const TemporaryFolder folder;
   diag::Findings findings;
   const std::string text(300'000, 'x');
-  REQUIRE(WriteFile(folder / "big", text, findings));
+  REQUIRE(WriteFile(folder / "big", text, false, findings));
   CHECK(ReadFile(folder / "big", findings) == text);
 }
 
@@ -75,9 +75,19 @@ TEST_CASE("only a file that mjforge wrote may be replaced") {
   CHECK(findings[0].hint == "choose another place, or overwrite it with --force");
 }
 
-TEST_CASE("variants have six digits, or as many as they need") {
-  CHECK(VariantFileName("hammer", 42) == "hammer_000042.xml");
-  CHECK(VariantFileName("hammer", 12'345'678) == "hammer_12345678.xml");
+TEST_CASE("a file with the same bytes keeps its time where that is asked for") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const auto file = folder.Write("x.xml", "same");
+  const auto old = std::filesystem::file_time_type(std::chrono::seconds(1));
+  std::filesystem::last_write_time(file, old);
+  REQUIRE(WriteFile(file, "same", true, findings));
+  CHECK(std::filesystem::last_write_time(file) == old);
+  REQUIRE(WriteFile(file, "same and more", true, findings));
+  CHECK(std::filesystem::last_write_time(file) != old);
+  CHECK(folder.Read("x.xml") == "same and more");
+  REQUIRE(WriteFile(file, "same", true, findings));
+  CHECK(folder.Read("x.xml") == "same");
 }
 
 }  // namespace

@@ -1,26 +1,37 @@
-#ifndef MJFORGE_FORGE_DIGEST_H_
-#define MJFORGE_FORGE_DIGEST_H_
+#ifndef MJFORGE_BATCH_DIGEST_H_
+#define MJFORGE_BATCH_DIGEST_H_
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "mjforge/diag/diag.h"
 
-namespace mjforge::forge {
+namespace mjforge::batch {
 
 /// The findings of many variants in little room: the first of each kind and
 /// place, and how many variants had it. Values differ from variant to variant
 /// and so do messages; the mistake to mend is one.
 class Digest {
  public:
+  struct Entry {
+    diag::Finding finding;  // of the first variant that has it
+    std::uint64_t variants = 0;
+    std::uint64_t last_index = 0;
+  };
+
   explicit Digest(std::size_t limit) : limit_(limit) {}
 
   /// The findings of one variant.
   void Add(const diag::Findings& findings, bool as_warnings);
+  /// What another digest has of later variants.
+  void Add(Entry entry);
+  void AddNotShown(std::uint64_t count) { not_shown_ += count; }
 
+  std::span<const Entry> entries() const { return entries_; }
   /// In file order.
   diag::Findings Result() const;
   std::uint64_t not_shown() const { return not_shown_; }
@@ -29,11 +40,6 @@ class Digest {
   // The place, that of the first note (an attached file's findings all stand at
   // one place of the spec), and without a place the message.
   using Key = std::tuple<diag::Code, diag::SourceMark, diag::SourceMark, std::string>;
-  struct Entry {
-    diag::Finding finding;
-    std::uint64_t variants = 0;
-    std::uint64_t last_index = 0;
-  };
 
   std::size_t limit_;
   std::map<Key, std::size_t> positions_;
@@ -41,6 +47,6 @@ class Digest {
   std::uint64_t not_shown_ = 0;
 };
 
-}  // namespace mjforge::forge
+}  // namespace mjforge::batch
 
-#endif  // MJFORGE_FORGE_DIGEST_H_
+#endif  // MJFORGE_BATCH_DIGEST_H_

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <rapidjson/document.h>
 
-#include "mjforge/output/output.h"
-#include "mjforge/output/record_fields.h"
+#include "mjforge/manifest/manifest.h"
+#include "mjforge/manifest/record_fields.h"
 
-namespace mjforge::output {
+namespace mjforge::manifest {
 namespace {
 
 // Takes fields out of a parsed line; the first one that is missing or of the
@@ -21,6 +21,11 @@ class LineReader {
     Miss(fmt::format("'{}' is not a text", key));
     return {};
   }
+  // Empty where there is none.
+  std::string OptionalText(const char* key) {
+    return line_.HasMember(key) ? Text(key) : std::string();
+  }
+  std::uint64_t OptionalWhole(const char* key) { return line_.HasMember(key) ? Whole(key) : 0; }
   std::string TextOrNull(const char* key) {
     const rapidjson::Value* value = Find(key);
     return value != nullptr && value->IsNull() ? std::string() : Text(key);
@@ -44,9 +49,57 @@ class LineReader {
     }
     return settings;
   }
+  std::vector<std::pair<std::string, sample::ParameterValue>> Parameters() {
+    std::vector<std::pair<std::string, sample::ParameterValue>> params;
+    const rapidjson::Value* members = Find("params");
+    if (members == nullptr) return params;
+    if (!members->IsObject()) {
+      Miss("'params' is not an object");
+      return params;
+    }
+    for (const auto& [name, value] : members->GetObject()) {
+      params.emplace_back(name.GetString(), ParameterOf(value));
+    }
+    return params;
+  }
+  // Nothing where no object was made.
+  std::optional<double> NumberOrNull(const char* key) {
+    const rapidjson::Value* value = Find(key);
+    if (value != nullptr && value->IsNumber()) return value->GetDouble();
+    if (value != nullptr && !value->IsNull()) Miss(fmt::format("'{}' is not a number", key));
+    return std::nullopt;
+  }
+  std::vector<std::string> Findings() {
+    std::vector<std::string> findings;
+    const rapidjson::Value* list = Find("findings");
+    if (list == nullptr) return findings;
+    if (!list->IsArray()) {
+      Miss("'findings' is not a list");
+      return findings;
+    }
+    for (const rapidjson::Value& finding : list->GetArray()) {
+      rapidjson::StringBuffer buffer;
+      JsonWriter json(buffer);
+      finding.Accept(json);
+      findings.emplace_back(buffer.GetString(), buffer.GetSize());
+    }
+    return findings;
+  }
   bool ok() const { return ok_; }
 
  private:
+  sample::ParameterValue ParameterOf(const rapidjson::Value& value) {
+    if (value.IsNumber()) return value.GetDouble();
+    if (value.IsBool()) return value.GetBool();
+    if (value.IsString()) return std::string(value.GetString(), value.GetStringLength());
+    std::vector<double> numbers;
+    if (!value.IsArray()) Miss("a parameter is neither a number, a text nor a vector");
+    if (!value.IsArray()) return numbers;
+    for (const rapidjson::Value& number : value.GetArray()) {
+      numbers.push_back(number.IsNumber() ? number.GetDouble() : 0);
+    }
+    return numbers;
+  }
   const rapidjson::Value* Find(const char* key) {
     const auto member = line_.FindMember(key);
     if (member != line_.MemberEnd()) return &member->value;
@@ -70,7 +123,7 @@ void AppendRecord(std::string& out, const Record& record) {
   JsonWriter json(buffer);
   json.StartObject();
   for (const RecordField& field : RecordFields()) {
-    if (field.optional && record.settings.empty()) continue;
+    if (field.is_absent != nullptr && field.is_absent(record)) continue;
     json.Key(field.key.data(), static_cast<rapidjson::SizeType>(field.key.size()));
     field.write(json, record);
   }
@@ -95,19 +148,48 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   record.attempt = reader.Whole("attempt");
   record.spec = reader.Text("spec");
   record.spec_sha256 = reader.Text("spec_sha256");
+  record.archive = reader.OptionalText("archive");
   record.settings = reader.Settings();
+  record.sampler = reader.OptionalText("sampler");
+  record.batch = reader.OptionalWhole("batch");
+  record.params = reader.Parameters();
+  const std::optional<double> mass = reader.NumberOrNull("mass");
+  record.mass_properties.mass = mass.value_or(0);
+  record.nbody = mass ? 1 : 0;
   record.target = reader.Text("target");
+  record.validate = reader.Text("validate");
+  record.on_invalid = reader.OptionalText("on_invalid");
   record.status = reader.Text("status");
+  record.findings = reader.Findings();
   record.sha256 = reader.TextOrNull("sha256");
   if (!reader.ok()) return std::nullopt;
   return record;
+}
+
+std::string DifferenceOfBatch(const Record& record, const Record& other) {
+  const auto differs = [](std::string_view what, const auto& value, const auto& expected) {
+    return fmt::format("{} is '{}', not '{}'", what, value, expected);
+  };
+  if (record.spec != other.spec) return differs("spec", record.spec, other.spec);
+  if (record.spec_sha256 != other.spec_sha256)
+    return differs("spec_sha256", record.spec_sha256, other.spec_sha256);
+  if (record.settings != other.settings) return "the parameters set differ";
+  if (record.seed != other.seed) return differs("seed", record.seed, other.seed);
+  if (record.sampler != other.sampler) return differs("sampler", record.sampler, other.sampler);
+  if (record.batch != other.batch) return differs("batch", record.batch, other.batch);
+  if (record.target != other.target) return differs("target", record.target, other.target);
+  if (record.validate != other.validate)
+    return differs("validate", record.validate, other.validate);
+  if (record.on_invalid != other.on_invalid)
+    return differs("on_invalid", record.on_invalid, other.on_invalid);
+  return {};
 }
 
 std::string ManifestSchema() {
   std::string required;
   std::string properties;
   for (const RecordField& field : RecordFields()) {
-    if (!field.optional)
+    if (field.is_absent == nullptr)
       required += fmt::format("{}\"{}\"", required.empty() ? "" : ", ", field.key);
     properties += fmt::format("{}    \"{}\": {{\n      \"description\": \"{}\",\n      {}\n    }}",
                               properties.empty() ? "" : ",\n", field.key, field.doc, field.schema);
@@ -125,4 +207,4 @@ std::string ManifestSchema() {
       required, properties);
 }
 
-}  // namespace mjforge::output
+}  // namespace mjforge::manifest

@@ -1,5 +1,5 @@
-#ifndef MJFORGE_OUTPUT_RECORD_FIELDS_H_
-#define MJFORGE_OUTPUT_RECORD_FIELDS_H_
+#ifndef MJFORGE_MANIFEST_RECORD_FIELDS_H_
+#define MJFORGE_MANIFEST_RECORD_FIELDS_H_
 
 // The one table of a record's fields: the writer and the schema follow it.
 
@@ -9,9 +9,9 @@
 #include <span>
 #include <string_view>
 
-#include "mjforge/output/output.h"
+#include "mjforge/manifest/manifest.h"
 
-namespace mjforge::output {
+namespace mjforge::manifest {
 
 using JsonWriter = rapidjson::Writer<rapidjson::StringBuffer>;
 
@@ -20,12 +20,12 @@ struct RecordField {
   std::string_view schema;  // members of the field's JSON Schema, on one line
   std::string_view doc;
   void (*write)(JsonWriter&, const Record&);  // the value
-  bool optional = false;                      // left out when empty: `set`
+  bool (*is_absent)(const Record&) = nullptr;  // left out where this says so
 };
 
 /// In the order of a line.
 std::span<const RecordField> RecordFields();
 
-}  // namespace mjforge::output
+}  // namespace mjforge::manifest
 
-#endif  // MJFORGE_OUTPUT_RECORD_FIELDS_H_
+#endif  // MJFORGE_MANIFEST_RECORD_FIELDS_H_

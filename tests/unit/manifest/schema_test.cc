@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
-#include "mjforge/output/output.h"
+#include "mjforge/manifest/manifest.h"
 
-namespace mjforge::output {
+namespace mjforge::manifest {
 namespace {
 
 TEST_CASE("schemas/manifest.schema.json is fresh (mjforge schema manifest writes it)") {
@@ -11,4 +11,4 @@ TEST_CASE("schemas/manifest.schema.json is fresh (mjforge schema manifest writes
 }
 
 }  // namespace
-}  // namespace mjforge::output
+}  // namespace mjforge::manifest

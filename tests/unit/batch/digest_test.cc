@@ -1,8 +1,8 @@
-#include "mjforge/forge/digest.h"
+#include "mjforge/batch/digest.h"
 
 #include <catch2/catch.hpp>
 
-namespace mjforge::forge {
+namespace mjforge::batch {
 namespace {
 
 using diag::Code;
@@ -62,4 +62,4 @@ TEST_CASE("findings of skipped variants are warnings") {
 }
 
 }  // namespace
-}  // namespace mjforge::forge
+}  // namespace mjforge::batch

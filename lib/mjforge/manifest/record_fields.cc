@@ -1,4 +1,4 @@
-#include "mjforge/output/record_fields.h"
+#include "mjforge/manifest/record_fields.h"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "mjforge/expr/expr.h"
 
-namespace mjforge::output {
+namespace mjforge::manifest {
 namespace {
 
 void Text(JsonWriter& json, std::string_view text) {
@@ -135,8 +135,12 @@ constexpr std::string_view kHash = R"("type": "string", "pattern": "^[0-9a-f]{64
 
 const std::array kFields = {
     RecordField{"file", R"("type": ["string", "null"])",
-                "The object's file, relative to the manifest; null if none was written.",
+                "The object's file, relative to the manifest or in the archive; null if none was "
+                "written.",
                 [](J& j, const R& r) { TextOrNull(j, r.file); }},
+    RecordField{"archive", kText, "The archive that holds the file, relative to the manifest.",
+                [](J& j, const R& r) { Text(j, r.archive); },
+                [](const R& r) { return r.archive.empty(); }},
     RecordField{"name", kText, "The object's name and the prefix of all names in it.",
                 [](J& j, const R& r) { Text(j, r.name); }},
     RecordField{"index", kWhole, "The variant's number in the family.",
@@ -151,7 +155,15 @@ const std::array kFields = {
                 [](J& j, const R& r) { Text(j, r.spec_sha256); }},
     RecordField{"set", R"("type": "object", "additionalProperties": {"type": "string"})",
                 "Parameters that were set in place of the spec's own values, as YAML.", Settings,
-                true},
+                [](const R& r) { return r.settings.empty(); }},
+    RecordField{"sampler", R"("enum": ["sobol", "latin", "grid"])",
+                "How the draws are spread over the batch; left out if they are random.",
+                [](J& j, const R& r) { Text(j, r.sampler); },
+                [](const R& r) { return r.sampler.empty(); }},
+    RecordField{"batch", R"("type": "integer", "minimum": 1)",
+                "The number of variants that the draws are spread over; left out if none are.",
+                [](J& j, const R& r) { j.Uint64(r.batch); },
+                [](const R& r) { return r.batch == 0; }},
     RecordField{"params",
                 R"("type": "object", "additionalProperties": {"type": ["number", "boolean", )"
                 R"("string", "array"], "items": {"type": "number"}})",
@@ -188,6 +200,13 @@ const std::array kFields = {
                 [](J& j, const R& r) { OfObject(j, r, r.ngeom); }},
     RecordField{"target", kText, "Who the file is written for.",
                 [](J& j, const R& r) { Text(j, r.target); }},
+    RecordField{"validate", R"("enum": ["load", "none"])",
+                "What was asked about it: load, whether MuJoCo loads the file as it is meant.",
+                [](J& j, const R& r) { Text(j, r.validate); }},
+    RecordField{"on_invalid", R"("enum": ["skip", "resample"])",
+                "What was to be done if it is invalid; left out where it fails.",
+                [](J& j, const R& r) { Text(j, r.on_invalid); },
+                [](const R& r) { return r.on_invalid.empty(); }},
     RecordField{"status", R"("enum": ["ok", "failed", "skipped"])",
                 "Failed and skipped variants have errors among their findings and no file.",
                 [](J& j, const R& r) { Text(j, r.status); }},
@@ -203,4 +222,4 @@ const std::array kFields = {
 
 std::span<const RecordField> RecordFields() { return kFields; }
 
-}  // namespace mjforge::output
+}  // namespace mjforge::manifest

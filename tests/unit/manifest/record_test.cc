@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "mjforge/output/output.h"
+#include "mjforge/manifest/manifest.h"
 
-namespace mjforge::output {
+namespace mjforge::manifest {
 namespace {
 
 Record WholeRecord() {
@@ -32,6 +32,7 @@ Record WholeRecord() {
   record.njnt = 1;
   record.ngeom = 4;
   record.target = "mujoco";
+  record.validate = "load";
   record.status = "ok";
   record.findings = {R"({"severity":"warning"})"};
   record.sha256 = std::string(64, 'b');
@@ -53,7 +54,7 @@ TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
             R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
             R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
             R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
-            R"("ngeom":4,"target":"mujoco","status":"ok","findings":[{"severity":"warning"}],)"
+            R"("ngeom":4,"target":"mujoco","validate":"load","status":"ok","findings":[{"severity":"warning"}],)"
             R"("sha256":")" +
             std::string(64, 'b') + "\"}\n");
 }
@@ -64,14 +65,56 @@ TEST_CASE("a variant that could not be built has nulls and no settings that were
   record.spec = "mug.yaml";
   record.spec_sha256 = "c";
   record.target = "mujoco";
+  record.validate = "none";
   record.status = "failed";
   CHECK(LineOf(record) ==
         R"({"file":null,"name":"mug","index":0,"seed":0,"attempt":0,"spec":"mug.yaml",)"
         R"("spec_sha256":"c","params":{},"mass":null,"com":null,"inertia":null,"aabb":null,)"
         R"("top_offset":null,"bottom_offset":null,"horizontal_radius":null,"nbody":null,)"
-        R"("njnt":null,"ngeom":null,"target":"mujoco","status":"failed","findings":[],)"
+        R"("njnt":null,"ngeom":null,"target":"mujoco","validate":"none","status":"failed","findings":[],)"
         R"("sha256":null})"
         "\n");
+}
+
+TEST_CASE("what only some batches have stands in its place") {
+  Record record = WholeRecord();
+  record.archive = "mugs_00000.tar";
+  record.sampler = "latin";
+  record.batch = 100;
+  record.on_invalid = "skip";
+  const std::string line = LineOf(record);
+  CHECK(line.find(R"("file":"mug_000003.xml","archive":"mugs_00000.tar","name")") != line.npos);
+  CHECK(line.find(R"("sampler":"latin","batch":100,"params")") != line.npos);
+  CHECK(line.find(R"("validate":"load","on_invalid":"skip","status")") != line.npos);
+  std::string why_not;
+  const std::optional<Record> read = ReadRecord(line, why_not);
+  REQUIRE(read);
+  CHECK(read->archive == record.archive);
+  CHECK(read->sampler == record.sampler);
+  CHECK(read->batch == record.batch);
+  CHECK(read->on_invalid == record.on_invalid);
+  CHECK(DifferenceOfBatch(*read, record).empty());
+}
+
+TEST_CASE("records of another batch differ in what the command said") {
+  const Record record = WholeRecord();
+  const auto difference = [&](auto change) {
+    Record other = WholeRecord();
+    change(other);
+    return DifferenceOfBatch(other, record);
+  };
+  CHECK(difference([](Record& r) { r.index = 77; }).empty());
+  CHECK(difference([](Record& r) { r.status = "failed"; }).empty());
+  CHECK(difference([](Record& r) { r.seed = 3; }) ==
+        "seed is '3', not '18446744073709551615'");
+  CHECK(difference([](Record& r) { r.validate = "none"; }) == "validate is 'none', not 'load'");
+  CHECK(difference([](Record& r) { r.settings.clear(); }) == "the parameters set differ");
+  CHECK_FALSE(difference([](Record& r) { r.spec = "x"; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.spec_sha256 = "x"; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.sampler = "grid"; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.batch = 2; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.target = "mjx"; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.on_invalid = "skip"; }).empty());
 }
 
 TEST_CASE("what replay needs is read back as it was") {
@@ -87,6 +130,10 @@ TEST_CASE("what replay needs is read back as it was") {
   CHECK(read->spec == record.spec);
   CHECK(read->spec_sha256 == record.spec_sha256);
   CHECK(read->settings == record.settings);
+  CHECK(read->params == record.params);
+  CHECK(read->mass_properties.mass == record.mass_properties.mass);
+  CHECK(read->findings == record.findings);
+  CHECK(read->validate == record.validate);
   CHECK(read->target == record.target);
   CHECK(read->status == record.status);
   CHECK(read->sha256 == record.sha256);
@@ -109,4 +156,4 @@ TEST_CASE("a line that is not a record says why") {
 }
 
 }  // namespace
-}  // namespace mjforge::output
+}  // namespace mjforge::manifest

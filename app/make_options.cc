@@ -1,0 +1,74 @@
+#include "make_options.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+namespace mjforge::app {
+namespace {
+
+using Kind = output::Destination::Kind;
+
+constexpr std::array<std::string_view, 4> kNames = {"-MD", "-MF", "-MT", "-MP"};
+
+// What a rule is about: a folder and a series are there when their manifest is.
+std::filesystem::path TargetOf(const output::Destination& destination) {
+  const bool is_file = destination.kind == Kind::kFile || destination.kind == Kind::kArchive;
+  return is_file ? destination.path : destination.Manifest({});
+}
+
+std::filesystem::path DependencyFile(const output::Destination& destination) {
+  std::filesystem::path file = TargetOf(destination);
+  if (file.extension() == ".zst") file.replace_extension();
+  return file.replace_extension(".d");
+}
+
+}  // namespace
+
+void AddMakeOptions(CLI::App& command, MakeOptions& options) {
+  command.add_flag("--MD", options.dependencies, "Write a rule for Make: what OUT is made from");
+  command.add_option("--MF", options.file, "The rule's file [OUT with .d]")->option_text("FILE");
+  command.add_option("--MT", options.targets, "The rule's target [OUT]")
+      ->option_text("TARGET")
+      ->allow_extra_args(false);
+  command.add_flag("--MP", options.phony, "An empty rule for each file, as it may go");
+}
+
+std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words) {
+  for (std::string& word : words) {
+    if (word == "--") break;
+    for (const std::string_view name : kNames) {
+      if (!word.starts_with(name)) continue;
+      const bool takes_value = name == "-MF" || name == "-MT";
+      if (word.size() > name.size() && !takes_value) continue;
+      if (word.size() > name.size() && word[name.size()] != '=') word.insert(name.size(), "=");
+      word.insert(0, "-");
+      break;
+    }
+  }
+  return words;
+}
+
+std::string WithShortMakeOptions(std::string text) {
+  for (const std::string_view name : kNames) {
+    const std::string wide = "-" + std::string(name);
+    for (std::size_t at = text.find(wide); at != text.npos; at = text.find(wide, at)) {
+      // The column after it stays where it is.
+      text.replace(at, wide.size(), name);
+      const std::size_t gap = text.find("  ", at);
+      const std::size_t end = text.find('\n', at);
+      if (gap < end) text.insert(gap, " ");
+    }
+  }
+  return text;
+}
+
+bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
+                       const std::set<std::string>& files, diag::Findings& findings) {
+  std::vector<std::string> targets = options.targets;
+  if (targets.empty()) targets.push_back(output::EscapeForMake(TargetOf(destination).string()));
+  const std::filesystem::path file =
+      options.file.empty() ? DependencyFile(destination) : std::filesystem::path(options.file);
+  return output::WriteFile(file, output::MakeRule(targets, files, options.phony), false, findings);
+}
+
+}  // namespace mjforge::app

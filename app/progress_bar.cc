@@ -1,0 +1,76 @@
+#include "progress_bar.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "console.h"
+
+namespace mjforge::app {
+namespace {
+
+constexpr std::size_t kBarWidth = 20;
+constexpr std::size_t kUsualWidth = 80;
+// Batches that end sooner need no bar.
+constexpr std::chrono::milliseconds kPatience{500};
+constexpr std::string_view kClearLine = "\r\x1b[K";
+
+std::size_t TerminalWidth() {
+  struct winsize size = {};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kUsualWidth;
+  return size.ws_col;
+}
+
+// "1:02:03", "0:07"
+std::string TimeText(double seconds) {
+  const auto whole = static_cast<std::uint64_t>(std::ceil(seconds));
+  if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+std::string ProgressLine(const batch::Summary& summary, double seconds, std::size_t width) {
+  const auto done = static_cast<double>(summary.done());
+  const double share = summary.count == 0 ? 1 : done / static_cast<double>(summary.count);
+  const auto filled = static_cast<std::size_t>(share * kBarWidth);
+  const double made = done - static_cast<double>(summary.kept);
+  const double rate = seconds > 0 ? made / seconds : 0;
+  std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {} of {}", "", filled, "",
+                                 kBarWidth - filled, std::floor(100 * share), summary.done(),
+                                 summary.count);
+  if (rate > 0) {
+    line += fmt::format("  {:.{}f}/s  {} left", rate, rate < 10 ? 1 : 0,
+                        TimeText((static_cast<double>(summary.count) - done) / rate));
+  }
+  if (summary.failed + summary.skipped > 0)
+    line += fmt::format("  {} failed", summary.failed + summary.skipped);
+  if (line.size() > width) line.resize(width);
+  return line;
+}
+
+ProgressBar::ProgressBar(bool enabled) : enabled_(enabled && IsTerminal()) {}
+
+void ProgressBar::Show(const batch::Summary& summary) {
+  const auto elapsed = std::chrono::steady_clock::now() - start_;
+  if (!enabled_ || elapsed < kPatience) return;
+  const double seconds = std::chrono::duration<double>(elapsed).count();
+  // A line as wide as the terminal would wrap.
+  fmt::print(stderr, "{}{}", kClearLine, ProgressLine(summary, seconds, TerminalWidth() - 1));
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void ProgressBar::Clear() {
+  if (!shown_) return;
+  fmt::print(stderr, "{}", kClearLine);
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace mjforge::app

@@ -1,0 +1,105 @@
+#ifndef MJFORGE_BATCH_BATCH_H_
+#define MJFORGE_BATCH_BATCH_H_
+
+// Many variants: made by worker processes, put in index order, gone on with
+// after a crash, split over machines and joined again. The bytes of all files
+// depend on none of it.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/forge/forge.h"
+#include "mjforge/output/output.h"
+
+namespace mjforge::batch {
+
+enum class OnInvalid {
+  kFail,      // the variant is reported, the others are made
+  kSkip,      // the same, as a warning
+  kResample,  // drawn again, up to forge::kMaxResamples times; then as kFail
+};
+
+struct Request {
+  std::uint64_t first = 0;
+  std::uint64_t count = 1;  // from 1 up; first + count - 1 fits
+  output::Shard shard;      // which part of those to make
+  forge::Options variant;   // but `resample`, which on_invalid says
+  OnInvalid on_invalid = OnInvalid::kFail;
+  bool load = true;  // ask MuJoCo about each variant
+
+  output::Destination destination;
+  bool force = false;       // replace files that mjforge did not make
+  bool if_changed = false;  // leave files alone that would get the same bytes
+  bool resume = false;      // go on with what an earlier run left
+  /// A manifest or archive gets its name only if no variant failed, as Make expects of a target.
+  bool all_or_nothing = false;
+
+  std::uint64_t jobs = 0;  // worker processes; 0: as many as there are cores
+  /// A variant that takes longer fails, and its worker is killed.
+  std::chrono::duration<double> time_limit = std::chrono::seconds(30);
+  const std::atomic<bool>* stop = nullptr;  // set by a signal: finish what is begun, and end
+};
+
+/// What is known of a variant when it is done.
+struct Done {
+  std::uint64_t index = 0;
+  std::string name;
+  std::string status;
+  std::uint64_t attempt = 0;
+  std::string place;  // its file; empty: none
+};
+
+struct Summary {
+  std::uint64_t ok = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t skipped = 0;
+  std::uint64_t kept = 0;   // of those, done by an earlier run
+  std::uint64_t count = 0;  // asked for: the shard's
+  bool interrupted = false;
+  bool output_failed = false;
+  /// Of all variants. What is found at one place in many variants is here once,
+  /// with a note of how many; at most kMaxFindings.
+  diag::Findings findings;
+  std::uint64_t more_findings = 0;  // places that did not fit
+  /// Files that the variants made in this run depend on beside the spec's: attached MJCF
+  /// with its includes, meshes, textures.
+  std::set<std::string> inputs;
+  std::string text;  // kStandardOutput: the object
+
+  std::uint64_t done() const { return ok + failed + skipped; }
+};
+inline constexpr std::size_t kMaxFindings = 50;
+
+/// Called by the process that runs the batch; either may be missing.
+struct Watch {
+  std::function<void(const Done&)> variant;      // in index order
+  std::function<void(const Summary&)> progress;  // at least ten times a second
+};
+
+/// Makes the variants and writes them where the request says. Forks: the caller
+/// must have no other threads. Where nothing could be made nothing is written.
+Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+            const Watch& watch);
+
+/// The variants of a shard: its first one and how many. Shards are ranges one
+/// after the other, of whole archives where the destination is a series.
+struct Range {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+};
+Range RangeOf(const output::Shard& shard, const Range& all, const output::Destination& destination);
+
+/// Joins the manifests of all shards beside or in `destination` into one, if
+/// they are of one batch and none is missing. How many variants it has; nothing,
+/// and findings, if that cannot be done.
+std::optional<std::uint64_t> Merge(const output::Destination& destination,
+                                   diag::Findings& findings);
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_BATCH_BATCH_H_

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <map>
+
+#include "mjforge/batch/batch.h"
+#include "mjforge/batch/sink.h"
+
+namespace mjforge::batch {
+namespace {
+
+// Lines are collected up to this size before they are written.
+constexpr std::size_t kBufferBytes = 1 << 20;
+
+std::optional<std::uint64_t> TakeNumber(std::string_view& text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+// "manifest-00003-of-00008.jsonl" beside "manifest.jsonl" -> 3 of 8.
+std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
+  constexpr std::string_view kEnding = ".jsonl";
+  manifest.remove_suffix(kEnding.size());
+  if (!name.starts_with(manifest) || !name.ends_with(kEnding)) return std::nullopt;
+  name.remove_prefix(manifest.size());
+  name.remove_suffix(kEnding.size());
+  if (!name.starts_with('-')) return std::nullopt;
+  name.remove_prefix(1);
+  const std::optional<std::uint64_t> index = TakeNumber(name);
+  if (!index || !name.starts_with("-of-")) return std::nullopt;
+  name.remove_prefix(4);
+  const std::optional<std::uint64_t> count = TakeNumber(name);
+  if (!count || !name.empty()) return std::nullopt;
+  return output::Shard{*index, *count};
+}
+
+class Joining {
+ public:
+  Joining(const output::Destination& destination, diag::Findings& findings)
+      : destination_(destination), findings_(findings), file_(destination.Manifest({})) {}
+
+  std::optional<std::uint64_t> operator()() {
+    const std::optional<std::uint64_t> count = FindShards();
+    if (!count || !MayReplaceManifest(file_, false, findings_)) return std::nullopt;
+    std::optional<output::PartFile> part = output::PartFile::Open(file_, findings_);
+    if (!part || !part->Truncate(0, findings_)) return std::nullopt;
+    for (std::uint64_t i = 0; i < *count; ++i) {
+      if (!Append(destination_.Manifest({i, *count}), *part)) {
+        part->Drop();
+        return std::nullopt;
+      }
+    }
+    if (!part->Commit(true, findings_)) return std::nullopt;
+    return records_;
+  }
+
+ private:
+  // How many shards there are; nothing, and findings, if one is missing.
+  std::optional<std::uint64_t> FindShards() {
+    std::map<std::uint64_t, std::set<std::uint64_t>> found;  // indices, by count
+    std::error_code error;
+    const std::filesystem::path folder = destination_.Folder();
+    const std::string manifest = file_.filename().string();
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
+      const auto shard = ShardOf(entry.path().filename().string(), manifest);
+      if (shard) found[shard->count].insert(shard->index);
+    }
+    if (error) {
+      findings_.Add(diag::Code::kYamlCannotRead, {},
+                    fmt::format("cannot read '{}': {}", folder.string(), error.message()));
+      return std::nullopt;
+    }
+    if (found.empty()) {
+      AddMissing(fmt::format("there is no manifest of a shard of '{}'", file_.string()),
+                 "a shard's manifest has its name when the shard is done");
+      return std::nullopt;
+    }
+    if (found.size() > 1) {
+      findings_.Add(diag::Code::kBatchDiffers, {},
+                    fmt::format("there are shards of {} and of {} beside '{}'",
+                                found.begin()->first, found.rbegin()->first, file_.string()),
+                    "remove the manifests of the batch that is not wanted");
+      return std::nullopt;
+    }
+    const auto& [count, indices] = *found.begin();
+    for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
+      if (indices.contains(i)) continue;
+      AddMissing(fmt::format("shard {}/{} is missing: there is no '{}'", i, count,
+                             destination_.Manifest({i, count}).string()),
+                 fmt::format("make it with --shard {}/{} --resume", i, count));
+    }
+    if (findings_.HasErrors()) return std::nullopt;
+    return count;
+  }
+
+  void AddMissing(std::string message, std::string hint) {
+    findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
+  }
+
+  bool Append(const std::filesystem::path& shard, output::PartFile& part) {
+    std::ifstream file(shard, std::ios::binary);
+    std::string lines;
+    std::string line;
+    std::uint64_t number = 0;
+    while (std::getline(file, line)) {
+      ++number;
+      if (!Check(line, shard, number)) return false;
+      lines += line;
+      lines += '\n';
+      if (lines.size() < kBufferBytes) continue;
+      if (!part.Append(lines, findings_)) return false;
+      lines.clear();
+    }
+    return part.Append(lines, findings_);
+  }
+
+  bool Check(const std::string& line, const std::filesystem::path& shard, std::uint64_t number) {
+    std::string why_not;
+    const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
+    if (!record) {
+      findings_.Add(diag::Code::kOutputBadManifest, {},
+                    fmt::format("line {} of '{}' is not a record: {}", number, shard.string(),
+                                why_not));
+      return false;
+    }
+    if (!first_) first_ = record;
+    const std::string difference = manifest::DifferenceOfBatch(*record, *first_);
+    if (!difference.empty()) {
+      findings_.Add(diag::Code::kBatchDiffers, {},
+                    fmt::format("line {} of '{}' is of another batch: {}", number, shard.string(),
+                                difference),
+                    "make all shards with the same spec and options");
+      return false;
+    }
+    const std::uint64_t expected = first_->index + records_;
+    if (record->index != expected) {
+      AddMissing(fmt::format("line {} of '{}' has index {}; {} should come there", number,
+                             shard.string(), record->index, expected),
+                 record->index < expected ? "a variant is there twice: were all shards made with "
+                                            "the same -n, --first and --per-archive?"
+                                          : "variants are missing: were all shards made with the "
+                                            "same -n, --first and --per-archive?");
+      return false;
+    }
+    ++records_;
+    return IsThere(*record);
+  }
+
+  bool IsThere(const manifest::Record& record) {
+    if (record.status != "ok") return true;
+    const std::string& name = record.archive.empty() ? record.file : record.archive;
+    if (name == last_seen_) return true;
+    std::error_code ignored;
+    const std::filesystem::path file = destination_.Folder() / name;
+    if (!std::filesystem::exists(file, ignored)) {
+      AddMissing(fmt::format("'{}', which holds variant {}, is not there", file.string(),
+                             record.index),
+                 "run its shard again with --resume");
+      return false;
+    }
+    last_seen_ = name;
+    return true;
+  }
+
+  const output::Destination& destination_;
+  diag::Findings& findings_;
+  std::filesystem::path file_;
+  std::optional<manifest::Record> first_;
+  std::uint64_t records_ = 0;
+  std::string last_seen_;
+};
+
+}  // namespace
+
+std::optional<std::uint64_t> Merge(const output::Destination& destination,
+                                   diag::Findings& findings) {
+  return Joining(destination, findings)();
+}
+
+}  // namespace mjforge::batch

@@ -1,0 +1,181 @@
+#include "mjforge/batch/message.h"
+
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+
+namespace mjforge::batch {
+namespace {
+
+// One overload a type and one order of fields for both directions: Code(x) puts
+// what x holds, or fills it. Both processes are of one program, so numbers go as
+// they lie in memory.
+class Encoder {
+ public:
+  template <typename T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Code(const T& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  }
+  void Code(const std::string& text) {
+    Code(text.size());
+    bytes_ += text;
+  }
+  std::string Take() { return std::move(bytes_); }
+
+  static constexpr bool kReads = false;
+
+ private:
+  std::string bytes_;
+};
+
+class Decoder {
+ public:
+  explicit Decoder(std::string_view bytes) : bytes_(bytes) {}
+
+  template <typename T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Code(T& value) {
+    std::memcpy(&value, Take(sizeof(value)).data(), sizeof(value));
+  }
+  void Code(std::string& text) {
+    std::size_t size = 0;
+    Code(size);
+    text = Take(size);
+  }
+
+  static constexpr bool kReads = true;
+
+ private:
+  std::string_view Take(std::size_t count) {
+    if (count > bytes_.size()) throw std::logic_error("a message of a worker is cut short");
+    const std::string_view taken = bytes_.substr(0, count);
+    bytes_.remove_prefix(count);
+    return taken;
+  }
+
+  std::string_view bytes_;
+};
+
+template <typename Coder, typename... Values>
+void CodeAll(Coder& coder, Values&... values);
+
+template <typename Coder, typename T>
+void Code(Coder& coder, T& value) {
+  coder.Code(value);
+}
+
+template <typename Coder, typename T>
+void Code(Coder& coder, std::vector<T>& list) {
+  std::size_t size = list.size();
+  coder.Code(size);
+  if constexpr (Coder::kReads) list.resize(size);
+  for (T& item : list) Code(coder, item);
+}
+
+template <typename Coder, typename T>
+void Code(Coder& coder, std::optional<T>& value) {
+  bool has_value = value.has_value();
+  coder.Code(has_value);
+  if constexpr (Coder::kReads) {
+    if (has_value) value.emplace();
+  }
+  if (value) Code(coder, *value);
+}
+
+template <typename Coder, typename A, typename B>
+void Code(Coder& coder, std::pair<A, B>& pair) {
+  CodeAll(coder, pair.first, pair.second);
+}
+
+template <typename Coder>
+void Code(Coder& coder, diag::SourceMark& mark) {
+  CodeAll(coder, mark.file, mark.line, mark.column);
+}
+
+template <typename Coder>
+void Code(Coder& coder, diag::Note& note) {
+  CodeAll(coder, note.mark, note.message);
+}
+
+template <typename Coder>
+void Code(Coder& coder, diag::Finding& finding) {
+  CodeAll(coder, finding.severity, finding.code, finding.mark, finding.message, finding.hint,
+          finding.notes, finding.seed, finding.index);
+}
+
+template <typename Coder>
+void Code(Coder& coder, diag::Findings& findings) {
+  std::vector<diag::Finding> list(findings.begin(), findings.end());
+  Code(coder, list);
+  if constexpr (Coder::kReads) {
+    for (diag::Finding& finding : list) findings.Add(finding.code, {}, {}) = std::move(finding);
+  }
+}
+
+template <typename Coder>
+void Code(Coder& coder, Digest::Entry& entry) {
+  CodeAll(coder, entry.finding, entry.variants, entry.last_index);
+}
+
+template <typename Coder>
+void Code(Coder& coder, Done& done) {
+  CodeAll(coder, done.index, done.name, done.status, done.attempt, done.place);
+}
+
+template <typename Coder>
+void Code(Coder& coder, SourceText& source) {
+  CodeAll(coder, source.number, source.name, source.text);
+}
+
+template <typename Coder>
+void Code(Coder& coder, Chunk& chunk) {
+  CodeAll(coder, chunk.first, chunk.count, chunk.archive);
+}
+
+template <typename Coder>
+void Code(Coder& coder, Condemned& condemned) {
+  CodeAll(coder, condemned.index, condemned.too_slow, condemned.how);
+}
+
+template <typename Coder>
+void Code(Coder& coder, Task& task) {
+  CodeAll(coder, task.chunk, task.condemned);
+}
+
+template <typename Coder>
+void Code(Coder& coder, Result& result) {
+  CodeAll(coder, result.chunk, result.done, result.statuses, result.lines, result.segment,
+          result.text, result.variants, result.assets, result.inputs, result.findings,
+          result.more_findings, result.sources, result.output_failed, result.output_findings);
+}
+
+template <typename Coder, typename... Values>
+void CodeAll(Coder& coder, Values&... values) {
+  (Code(coder, values), ...);
+}
+
+template <typename Message>
+std::string EncodeMessage(const Message& message) {
+  Encoder encoder;
+  Code(encoder, const_cast<Message&>(message));  // an encoder only reads
+  return encoder.Take();
+}
+
+template <typename Message>
+Message DecodeMessage(std::string_view bytes) {
+  Message message;
+  Decoder decoder(bytes);
+  Code(decoder, message);
+  return message;
+}
+
+}  // namespace
+
+std::string Encode(const Task& task) { return EncodeMessage(task); }
+std::string Encode(const Result& result) { return EncodeMessage(result); }
+Task DecodeTask(std::string_view bytes) { return DecodeMessage<Task>(bytes); }
+Result DecodeResult(std::string_view bytes) { return DecodeMessage<Result>(bytes); }
+
+}  // namespace mjforge::batch

@@ -1,0 +1,69 @@
+#ifndef MJFORGE_BATCH_MESSAGE_H_
+#define MJFORGE_BATCH_MESSAGE_H_
+
+// What the batch's process and its workers say to each other.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/batch/batch.h"
+#include "mjforge/batch/digest.h"
+
+namespace mjforge::batch {
+
+/// Indices that one worker makes in one go.
+struct Chunk {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+  std::uint64_t archive = 0;  // the number of the one they go to
+
+  std::uint64_t end() const { return first + count; }
+};
+
+/// A variant that is not tried again, because its worker died of it.
+struct Condemned {
+  std::uint64_t index = 0;
+  bool too_slow = false;
+  std::string how;  // "was killed by SIGSEGV"
+};
+
+struct Task {
+  Chunk chunk;
+  std::vector<Condemned> condemned;
+};
+
+/// A text that findings point into and only the worker has read.
+struct SourceText {
+  std::uint32_t number = 0;  // among the worker's sources
+  std::string name;
+  std::string text;
+};
+
+struct Result {
+  Chunk chunk;
+  std::uint64_t done = 0;    // variants; fewer than the chunk's if stopped or failed
+  std::string statuses;      // the first letter of each variant's status: o f s
+  std::string lines;         // of the manifest
+  std::string segment;       // of the archive
+  std::string text;          // of a single object
+  std::vector<Done> variants;  // if they are watched
+  std::vector<std::pair<std::string, std::string>> assets;  // name, source; each once
+  std::vector<std::string> inputs;  // that this worker had not told of before
+  std::vector<Digest::Entry> findings;
+  std::uint64_t more_findings = 0;
+  std::vector<SourceText> sources;
+  bool output_failed = false;  // the variant after those done could not be written
+  diag::Findings output_findings;
+};
+
+std::string Encode(const Task& task);
+std::string Encode(const Result& result);
+// Of what Encode made. What is cut short or has a wrong length is a bug, and throws.
+Task DecodeTask(std::string_view bytes);
+Result DecodeResult(std::string_view bytes);
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_BATCH_MESSAGE_H_

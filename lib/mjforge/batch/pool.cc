@@ -1,0 +1,316 @@
+#include "mjforge/batch/pool.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+namespace mjforge::batch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A worker has its next task at hand when it is done with one.
+constexpr std::size_t kTasksPerWorker = 2;
+constexpr int kPollMilliseconds = 100;
+// A chunk's result fits, mostly: fewer turns of both processes.
+constexpr int kPipeBytes = 1 << 20;
+constexpr int kBugStatus = 70;  // sysexits.h: EX_SOFTWARE
+// So many deaths in a row, none at work on a variant, are not the variants' fault.
+constexpr int kMaxFruitlessDeaths = 10;
+
+bool WriteAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+bool ReadAll(int descriptor, char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t got = ::read(descriptor, bytes, count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+// A message is its length, eight bytes, and itself.
+bool WriteMessage(int descriptor, const std::string& message) {
+  const std::uint64_t size = message.size();
+  return WriteAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)}) &&
+         WriteAll(descriptor, message);
+}
+
+std::optional<std::string> ReadMessage(int descriptor) {
+  std::uint64_t size = 0;
+  if (!ReadAll(descriptor, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
+  std::string message(size, '\0');
+  if (!ReadAll(descriptor, message.data(), size)) return std::nullopt;
+  return message;
+}
+
+struct Pipe {
+  int read = -1;
+  int write = -1;
+};
+
+Pipe MakePipe() {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
+  ::fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // without it, only slower
+  return {ends[0], ends[1]};
+}
+
+// Never returns. Signals of the terminal are for the process that leads.
+[[noreturn]] void BeWorker(const std::function<Work()>& make_work, int tasks, int results,
+                           Slot& slot, ::pid_t leader) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != leader) std::_Exit(0);  // it ended before that
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  int status = 0;
+  try {
+    const Work work = make_work();
+    while (const std::optional<std::string> message = ReadMessage(tasks)) {
+      if (!WriteMessage(results, Encode(work(DecodeTask(*message), slot)))) break;
+    }
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "mjforge: internal error in a worker: {}\n", error.what());
+    status = kBugStatus;
+  }
+  std::exit(status);
+}
+
+std::string Ending(int status) {
+  if (WIFSIGNALED(status)) {
+    const char* name = ::sigabbrev_np(WTERMSIG(status));
+    return fmt::format("was killed by SIG{}", name == nullptr ? "?" : name);
+  }
+  return fmt::format("ended with status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+struct Pool::Worker {
+  ::pid_t process = -1;
+  int tasks = -1;    // we write
+  int results = -1;  // we read
+  std::deque<Task> given;
+  std::string buffer;  // of the results' pipe
+  Slot* slot = nullptr;
+  std::uint64_t seen_turn = 0;
+  Clock::time_point seen_at;
+  bool too_slow = false;
+
+  void CloseEnds() {
+    if (tasks >= 0) ::close(std::exchange(tasks, -1));
+    if (results >= 0) ::close(std::exchange(results, -1));
+  }
+};
+
+Pool::Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
+           std::function<Work()> make_work)
+    : time_limit_(time_limit), make_work_(std::move(make_work)) {
+  for (std::uint64_t i = 0; i < jobs; ++i) {
+    auto worker = std::make_unique<Worker>();
+    void* memory = ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
+                          -1, 0);
+    if (memory == MAP_FAILED)
+      throw std::system_error(errno, std::generic_category(), "cannot share memory");
+    worker->slot = new (memory) Slot();
+    workers_.push_back(std::move(worker));
+  }
+}
+
+// A worker whose pipe closes ends by itself. One that hangs does not.
+Pool::~Pool() {
+  for (const auto& worker : workers_) {
+    worker->CloseEnds();
+    if (worker->process > 0) {
+      if (!worker->given.empty()) ::kill(worker->process, SIGKILL);
+      ::waitpid(worker->process, nullptr, 0);
+    }
+    ::munmap(worker->slot, sizeof(Slot));
+  }
+}
+
+void Pool::Start(Worker& worker) {
+  const Pipe tasks = MakePipe();
+  const Pipe results = MakePipe();
+  const ::pid_t leader = ::getpid();
+  worker.slot->~Slot();
+  new (worker.slot) Slot();
+  const ::pid_t process = ::fork();
+  if (process < 0)
+    throw std::system_error(errno, std::generic_category(), "cannot start a worker");
+  if (process == 0) {
+    // Ends of other workers' pipes would keep those alive.
+    for (const auto& other : workers_) other->CloseEnds();
+    ::close(tasks.write);
+    ::close(results.read);
+    BeWorker(make_work_, tasks.read, results.write, *worker.slot, leader);
+  }
+  ::close(tasks.read);
+  ::close(results.write);
+  ::fcntl(results.read, F_SETFL, O_NONBLOCK);
+  worker.process = process;
+  worker.tasks = tasks.write;
+  worker.results = results.read;
+  worker.seen_turn = 0;
+  worker.seen_at = Clock::now();
+  worker.too_slow = false;
+}
+
+bool Pool::HasRoom() const {
+  const auto has_room = [](const auto& worker) { return worker->given.size() < kTasksPerWorker; };
+  return !stopped_ && waiting_.empty() && std::any_of(workers_.begin(), workers_.end(), has_room);
+}
+
+void Pool::Submit(Task task) {
+  waiting_.push_back(std::move(task));
+  Feed();
+}
+
+// The worker with the least to do gets the next task.
+void Pool::Feed() {
+  while (!waiting_.empty() && !stopped_) {
+    const auto least = std::min_element(
+        workers_.begin(), workers_.end(),
+        [](const auto& a, const auto& b) { return a->given.size() < b->given.size(); });
+    if ((*least)->given.size() == kTasksPerWorker) return;
+    Task task = std::move(waiting_.front());
+    waiting_.pop_front();
+    Send(**least, std::move(task));
+  }
+}
+
+void Pool::Send(Worker& worker, Task task) {
+  if (worker.process < 0) Start(worker);
+  const std::string message = Encode(task);
+  worker.given.push_back(std::move(task));
+  WriteMessage(worker.tasks, message);  // fails if the worker is dead, which Receive notices
+}
+
+bool Pool::IsBusy() const {
+  const auto has_task = [](const auto& worker) { return !worker->given.empty(); };
+  return !results_.empty() || std::any_of(workers_.begin(), workers_.end(), has_task);
+}
+
+std::optional<Result> Pool::Wait() {
+  if (results_.empty()) {
+    std::vector<::pollfd> polled;
+    std::vector<Worker*> owners;
+    for (const auto& worker : workers_) {
+      if (worker->process < 0) continue;
+      polled.push_back({worker->results, POLLIN, 0});
+      owners.push_back(worker.get());
+    }
+    ::poll(polled.data(), polled.size(), kPollMilliseconds);
+    for (std::size_t i = 0; i < polled.size(); ++i) {
+      if (polled[i].revents != 0) Receive(*owners[i]);
+    }
+    KillSlowWorkers();
+    Feed();
+  }
+  if (results_.empty()) return std::nullopt;
+  Result result = std::move(results_.front());
+  results_.pop_front();
+  return result;
+}
+
+void Pool::Receive(Worker& worker) {
+  bool ended = false;
+  while (true) {
+    const std::size_t before = worker.buffer.size();
+    worker.buffer.resize(before + kPipeBytes / 4);
+    const ssize_t got = ::read(worker.results, worker.buffer.data() + before, kPipeBytes / 4);
+    worker.buffer.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    if (got > 0) continue;
+    if (got < 0 && errno == EINTR) continue;
+    ended = got == 0;
+    break;
+  }
+  std::size_t at = 0;
+  std::uint64_t size = 0;
+  while (worker.buffer.size() - at >= sizeof(size)) {
+    std::memcpy(&size, worker.buffer.data() + at, sizeof(size));
+    if (worker.buffer.size() - at - sizeof(size) < size) break;
+    results_.push_back(
+        DecodeResult(std::string_view(worker.buffer).substr(at + sizeof(size), size)));
+    worker.given.pop_front();
+    fruitless_deaths_ = 0;
+    at += sizeof(size) + size;
+  }
+  worker.buffer.erase(0, at);
+  if (ended) Replace(worker);
+}
+
+void Pool::Replace(Worker& worker) {
+  int status = 0;
+  while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+  }
+  worker.process = -1;
+  worker.CloseEnds();
+  worker.buffer.clear();
+  std::deque<Task> tasks = std::exchange(worker.given, {});
+  if (tasks.empty()) return;
+  Task& first = tasks.front();
+  const std::string how = worker.too_slow
+                              ? fmt::format("took longer than {:g} s", time_limit_.count())
+                              : Ending(status);
+  const bool at_work = worker.slot->turn() % 2 == 1;
+  if (at_work) {
+    first.condemned.push_back({worker.slot->index(), worker.too_slow, how});
+  } else if (++fruitless_deaths_ > kMaxFruitlessDeaths) {
+    throw std::runtime_error(fmt::format("workers cannot work: the last one {}", how));
+  }
+  // They come before what waits: results are wanted in order.
+  waiting_.insert(waiting_.begin(), std::make_move_iterator(tasks.begin()),
+                  std::make_move_iterator(tasks.end()));
+}
+
+void Pool::KillSlowWorkers() {
+  const Clock::time_point now = Clock::now();
+  for (const auto& worker : workers_) {
+    if (worker->process < 0 || worker->given.empty()) continue;
+    const std::uint64_t turn = worker->slot->turn();
+    if (turn != worker->seen_turn || turn % 2 == 0) {
+      worker->seen_turn = turn;
+      worker->seen_at = now;
+    } else if (now - worker->seen_at > time_limit_) {
+      worker->too_slow = true;
+      ::kill(worker->process, SIGKILL);
+      worker->seen_at = now;  // once
+    }
+  }
+}
+
+void Pool::AskToStop() {
+  stopped_ = true;
+  waiting_.clear();
+  for (const auto& worker : workers_) {
+    worker->slot->AskToStop();
+    // Those begun are finished as far as they are; of the others nothing is made.
+  }
+}
+
+}  // namespace mjforge::batch

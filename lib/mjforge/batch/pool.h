@@ -1,0 +1,87 @@
+#ifndef MJFORGE_BATCH_POOL_H_
+#define MJFORGE_BATCH_POOL_H_
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjforge/batch/message.h"
+
+namespace mjforge::batch {
+
+/// What a worker shows of itself while it works, in memory that both processes see.
+class Slot {
+ public:
+  void Begin(std::uint64_t index) {
+    index_.store(index, std::memory_order_relaxed);
+    turn_.fetch_add(1, std::memory_order_release);  // odd: at work
+  }
+  void End() { turn_.fetch_add(1, std::memory_order_release); }
+  /// Even: not at work on a variant.
+  std::uint64_t turn() const { return turn_.load(std::memory_order_acquire); }
+  std::uint64_t index() const { return index_.load(std::memory_order_relaxed); }
+
+  void AskToStop() { stop_.store(true, std::memory_order_relaxed); }
+  bool IsAskedToStop() const { return stop_.load(std::memory_order_relaxed); }
+
+ private:
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+  std::atomic<std::uint64_t> index_ = 0;
+  std::atomic<std::uint64_t> turn_ = 0;
+  std::atomic<bool> stop_ = false;
+};
+
+/// Does tasks, in the worker.
+using Work = std::function<Result(const Task&, Slot&)>;
+
+/// Worker processes. One that a signal ends, or that works on one variant for
+/// longer than the limit, is replaced; its tasks go to others, with the variant
+/// it worked on condemned. Workers end with this process, however it ends.
+class Pool {
+ public:
+  /// `make_work` is called in each worker when it starts.
+  Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
+       std::function<Work()> make_work);
+  ~Pool();
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  /// Whether a task would be started soon.
+  bool HasRoom() const;
+  void Submit(Task task);
+  /// The next result there is, in any order; nothing if none comes within a tenth
+  /// of a second. Throws std::runtime_error if workers cannot be started, or end
+  /// again and again before they begin a variant.
+  std::optional<Result> Wait();
+  /// Workers end after the variant they are at, and tasks not begun are dropped.
+  void AskToStop();
+  /// Whether results are still to come.
+  bool IsBusy() const;
+
+ private:
+  struct Worker;
+  void Start(Worker& worker);
+  void Feed();
+  void Send(Worker& worker, Task task);
+  void Receive(Worker& worker);
+  void Replace(Worker& worker);
+  void KillSlowWorkers();
+
+  std::chrono::duration<double> time_limit_;
+  std::function<Work()> make_work_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::deque<Task> waiting_;
+  std::deque<Result> results_;
+  int fruitless_deaths_ = 0;  // in a row
+  bool stopped_ = false;
+};
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_BATCH_POOL_H_

@@ -1,0 +1,46 @@
+#include "mjforge/batch/resume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace mjforge::batch {
+
+bool FailedByChance(const manifest::Record& record) {
+  const std::string died =
+      fmt::format("\"code\":\"{}\"", diag::CodeName(diag::Code::kBatchWorkerDied));
+  return std::any_of(record.findings.begin(), record.findings.end(),
+                     [&](const std::string& finding) { return finding.find(died) != finding.npos; });
+}
+
+std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_t bytes,
+                             const Range& range, const manifest::Record& batch,
+                             const std::function<bool(const manifest::Record&)>& is_good,
+                             diag::Findings& findings) {
+  Kept kept;
+  std::ifstream file(manifest, std::ios::binary);
+  std::string line;
+  while (kept.count() < range.count && std::getline(file, line) && !file.eof()) {
+    if (kept.bytes + line.size() + 1 > bytes) break;
+    std::string why_not;
+    const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
+    if (!record) break;  // a crash of the machine may leave anything
+    std::string difference = manifest::DifferenceOfBatch(*record, batch);
+    const std::uint64_t expected = range.first + kept.count();
+    if (difference.empty() && record->index != expected)
+      difference = fmt::format("index is {}, not {}", record->index, expected);
+    if (!difference.empty()) {
+      findings.Add(diag::Code::kBatchDiffers, {},
+                   fmt::format("'{}' is of another batch: {}", manifest.string(), difference),
+                   "give the options of that batch, or start anew without --resume");
+      return std::nullopt;
+    }
+    if (FailedByChance(*record) || !is_good(*record)) break;
+    ++(record->status == "ok" ? kept.ok : record->status == "failed" ? kept.failed : kept.skipped);
+    kept.bytes += line.size() + 1;
+  }
+  return kept;
+}
+
+}  // namespace mjforge::batch

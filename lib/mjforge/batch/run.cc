@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "mjforge/batch/digest.h"
+#include "mjforge/batch/pool.h"
+#include "mjforge/batch/schedule.h"
+#include "mjforge/batch/sink.h"
+#include "mjforge/batch/worker.h"
+
+namespace mjforge::batch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Results that wait for an earlier one take at most about this much memory.
+constexpr std::size_t kMostWaiting = std::size_t{8} << 20;
+// After a signal, workers may finish the variant they are at for so long.
+constexpr std::chrono::seconds kGrace{2};
+constexpr auto kProgressEvery = std::chrono::milliseconds(100);
+
+std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+std::string_view OnInvalidText(OnInvalid on_invalid) {
+  switch (on_invalid) {
+    case OnInvalid::kFail:
+      return "";
+    case OnInvalid::kSkip:
+      return "skip";
+    case OnInvalid::kResample:
+      return "resample";
+  }
+  return "";
+}
+
+class Batch {
+ public:
+  Batch(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+        const Watch& watch)
+      : recipe_(recipe),
+        sources_(sources),
+        request_(request),
+        watch_(watch),
+        all_{request.first, request.count},
+        range_(RangeOf(request.shard, all_, request.destination)),
+        record_(forge::BatchRecord(recipe, request.variant)) {
+    record_.validate = request.load ? "load" : "none";
+    record_.on_invalid = OnInvalidText(request.on_invalid);
+    summary_.count = range_.count;
+  }
+
+  Summary operator()() {
+    const std::unique_ptr<Sink> sink =
+        MakeSink({request_, all_, range_, record_}, summary_.text);
+    diag::Findings output_findings;
+    if (const std::optional<Kept> kept = sink->Open(output_findings)) {
+      Count(*kept);
+      try {
+        Make(*sink, output_findings);
+      } catch (const std::runtime_error& error) {
+        output_findings.Add(diag::Code::kBatchWorkerDied, {}, error.what());
+        summary_.output_failed = true;
+      }
+      End(*sink, output_findings);
+    } else {
+      summary_.output_failed = true;
+    }
+    summary_.findings = digest_.Result();
+    summary_.more_findings = digest_.not_shown();
+    summary_.findings.Append(std::move(output_findings));
+    return std::move(summary_);
+  }
+
+ private:
+  void Count(const Kept& kept) {
+    summary_.ok = kept.ok;
+    summary_.failed = kept.failed;
+    summary_.skipped = kept.skipped;
+    summary_.kept = kept.count();
+  }
+
+  bool IsStopped() const {
+    return request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
+  }
+
+  void Make(Sink& sink, diag::Findings& output_findings) {
+    const Range todo = {range_.first + summary_.kept, range_.count - summary_.kept};
+    if (todo.count == 0) return;
+    const std::uint64_t jobs =
+        std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
+    Schedule schedule(all_, todo, request_.destination, jobs);
+    Pool pool(jobs, request_.time_limit, [&] {
+      return MakeWork(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
+    });
+    next_ = todo.first;
+    std::optional<Chunk> chunk = schedule.Next();
+    std::optional<Clock::time_point> stopped;
+    while (chunk || pool.IsBusy()) {
+      while (chunk && pool.HasRoom() && waiting_bytes_ < kMostWaiting) {
+        pool.Submit({*chunk, {}});
+        chunk = schedule.Next();
+      }
+      if (std::optional<Result> result = pool.Wait()) {
+        waiting_bytes_ += SizeOf(*result);
+        waiting_.emplace(result->chunk.first, *std::move(result));
+      }
+      if (!TakeInOrder(sink, output_findings)) return;
+      ShowProgress();
+      if (IsStopped() && !stopped) {
+        stopped = Clock::now();
+        summary_.interrupted = true;
+        pool.AskToStop();
+        chunk.reset();
+      }
+      if (stopped && Clock::now() - *stopped > kGrace) return;
+    }
+  }
+
+  static std::size_t SizeOf(const Result& result) {
+    return result.lines.size() + result.segment.size() + result.text.size();
+  }
+
+  // False: the batch cannot go on.
+  bool TakeInOrder(Sink& sink, diag::Findings& output_findings) {
+    while (!waiting_.empty() && waiting_.begin()->first == next_) {
+      Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
+      waiting_bytes_ -= SizeOf(result);
+      const bool taken = sink.Take(result, output_findings);
+      if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
+      if (!taken || result.output_failed) {
+        summary_.output_failed = true;
+        output_findings.Append(std::move(result.output_findings));
+      }
+      if (taken) Count(result);
+      if (summary_.output_failed) return false;
+      if (result.done < result.chunk.count) return false;  // it was asked to stop
+      next_ = result.chunk.end();
+    }
+    return true;
+  }
+
+  void Count(Result& result) {
+    for (const char status : result.statuses)
+      ++(status == 'o' ? summary_.ok : status == 'f' ? summary_.failed : summary_.skipped);
+    summary_.inputs.insert(result.inputs.begin(), result.inputs.end());
+    const std::map<std::uint32_t, std::uint32_t> numbers = NumberSources(result);
+    for (Digest::Entry& entry : result.findings) {
+      const auto renumber = [&](diag::SourceMark& mark) {
+        if (const auto number = numbers.find(mark.file); number != numbers.end())
+          mark.file = number->second;
+      };
+      renumber(entry.finding.mark);
+      for (diag::Note& note : entry.finding.notes) renumber(note.mark);
+      digest_.Add(std::move(entry));
+    }
+    digest_.AddNotShown(result.more_findings);
+    if (!watch_.variant) return;
+    for (const Done& done : result.variants) watch_.variant(done);
+  }
+
+  // A worker's sources get the numbers they have here; each is added once.
+  std::map<std::uint32_t, std::uint32_t> NumberSources(Result& result) {
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for (SourceText& source : result.sources) {
+      auto known = attached_.find(source.name);
+      if (known == attached_.end()) {
+        const std::uint32_t number = sources_.Add(source.name, std::move(source.text));
+        known = attached_.emplace(source.name, number).first;
+      }
+      numbers.emplace(source.number, known->second);
+    }
+    return numbers;
+  }
+
+  void ShowProgress() {
+    if (!watch_.progress || Clock::now() - shown_ < kProgressEvery) return;
+    shown_ = Clock::now();
+    watch_.progress(summary_);
+  }
+
+  void End(Sink& sink, diag::Findings& output_findings) {
+    const bool is_broken = summary_.interrupted || summary_.output_failed;
+    if (is_broken ? summary_.done() == 0 : summary_.ok == 0 && summary_.count > 0) {
+      sink.Drop();
+    } else if (is_broken) {
+      return;  // it stays as it is, to be gone on with
+    } else if (request_.all_or_nothing && summary_.failed > 0) {
+      return;
+    } else if (!sink.Finish(output_findings)) {
+      summary_.output_failed = true;
+    }
+  }
+
+  const forge::Recipe& recipe_;
+  diag::Sources& sources_;
+  const Request& request_;
+  const Watch& watch_;
+  Range all_;
+  Range range_;
+  manifest::Record record_;  // what all records have in common
+  std::map<std::uint64_t, Result> waiting_;  // by first index
+  std::size_t waiting_bytes_ = 0;
+  std::uint64_t next_ = 0;
+  Digest digest_{kMaxFindings};
+  std::map<std::string, std::uint32_t> attached_;  // sources that workers read
+  Clock::time_point shown_;
+  Summary summary_;
+};
+
+}  // namespace
+
+Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+            const Watch& watch) {
+  return Batch(recipe, sources, request, watch)();
+}
+
+}  // namespace mjforge::batch

@@ -1,0 +1,36 @@
+#ifndef MJFORGE_BATCH_SCHEDULE_H_
+#define MJFORGE_BATCH_SCHEDULE_H_
+
+#include <cstdint>
+#include <optional>
+
+#include "mjforge/batch/batch.h"
+#include "mjforge/batch/message.h"
+
+namespace mjforge::batch {
+
+/// Variants of one segment of an archive. Fixed, because a compressed archive's
+/// bytes depend on where its segments end.
+inline constexpr std::uint64_t kSegmentVariants = 64;
+
+/// Cuts a range of indices into chunks, in order.
+class Schedule {
+ public:
+  /// `all` is the whole batch, of which archives are counted; `todo` what is left to
+  /// do of it. Of a folder, chunks are small enough that all jobs have work.
+  Schedule(const Range& all, const Range& todo, const output::Destination& destination,
+           std::uint64_t jobs);
+
+  std::optional<Chunk> Next();
+
+ private:
+  std::uint64_t all_first_;
+  std::uint64_t next_;
+  std::uint64_t end_;
+  std::uint64_t per_archive_;  // 0: one for all
+  std::uint64_t size_;
+};
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_BATCH_SCHEDULE_H_

@@ -1,0 +1,96 @@
+#include "mjforge/batch/sink.h"
+
+#include <fmt/format.h>
+
+namespace mjforge::batch {
+namespace {
+
+using Kind = output::Destination::Kind;
+
+// Enough for the first line of any manifest, which may be gigabytes long.
+constexpr std::size_t kLongestLine = 1024 * 1024;
+
+class NoSink : public Sink {
+ public:
+  bool Take(Result&, diag::Findings&) override { return true; }
+};
+
+mjcf::MjcfDocument DocumentOf(const Result& result) {
+  mjcf::MjcfDocument document;
+  document.text = result.text;
+  for (const auto& [name, source] : result.assets) document.assets.emplace_back(name, source);
+  return document;
+}
+
+class FileSink : public Sink {
+ public:
+  explicit FileSink(const Request& request) : request_(request) {}
+
+  bool Take(Result& result, diag::Findings& findings) override {
+    if (result.text.empty()) return true;
+    const std::filesystem::path& path = request_.destination.path;
+    output::ObjectFolder folder(path.parent_path(),
+                                {.force = request_.force, .if_changed = request_.if_changed});
+    return folder.Write(path.filename().string(), DocumentOf(result), findings);
+  }
+
+ private:
+  const Request& request_;
+};
+
+class TextSink : public Sink {
+ public:
+  explicit TextSink(std::string& text) : text_(text) {}
+
+  bool Take(Result& result, diag::Findings& findings) override {
+    if (!result.assets.empty()) {
+      findings.Warn(diag::Code::kOutputCannotWrite, {},
+                    fmt::format("the object needs '{}', which standard output cannot carry",
+                                result.assets.front().first),
+                    "write to a file or a folder to have its assets beside it");
+    }
+    text_ += result.text;
+    return true;
+  }
+
+ private:
+  std::string& text_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
+  switch (options.request.destination.kind) {
+    case Kind::kNowhere:
+      return std::make_unique<NoSink>();
+    case Kind::kFile:
+      return std::make_unique<FileSink>(options.request);
+    case Kind::kStandardOutput:
+      return std::make_unique<TextSink>(text);
+    case Kind::kFolder:
+      return MakeFolderSink(options);
+    case Kind::kArchive:
+    case Kind::kArchives:
+      return MakeArchiveSink(options);
+  }
+  return nullptr;
+}
+
+bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings) {
+  std::error_code ignored;
+  if (force || !std::filesystem::exists(file, ignored)) return true;
+  const std::optional<std::string> start = output::ReadStart(file, kLongestLine);
+  std::string why_not;
+  // An empty one holds nothing that could be lost.
+  if (start && (start->empty() ||
+                manifest::ReadRecord(std::string_view(*start).substr(0, start->find('\n')),
+                                     why_not))) {
+    return true;
+  }
+  findings.Add(diag::Code::kOutputExists, {},
+               fmt::format("'{}' exists and was not made by mjforge", file.string()),
+               "choose another place, or overwrite it with --force");
+  return false;
+}
+
+}  // namespace mjforge::batch

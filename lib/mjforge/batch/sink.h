@@ -1,0 +1,52 @@
+#ifndef MJFORGE_BATCH_SINK_H_
+#define MJFORGE_BATCH_SINK_H_
+
+#include <cstdint>
+#include <memory>
+
+#include "mjforge/batch/batch.h"
+#include "mjforge/batch/message.h"
+#include "mjforge/batch/resume.h"
+
+namespace mjforge::batch {
+
+/// Where a batch goes, seen from the process that leads it. It takes the results
+/// in index order.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+
+  /// Makes ready; what an earlier run left and need not be made again. Nothing,
+  /// and a finding, if it cannot be written to.
+  virtual std::optional<Kept> Open(diag::Findings&) { return Kept(); }
+  /// How workers write beside it; good after Open.
+  virtual output::Overwrite overwrite() const { return {}; }
+  virtual bool Take(Result& result, diag::Findings& findings) = 0;
+  /// All is there: gives it its name.
+  virtual bool Finish(diag::Findings&) { return true; }
+  /// Nothing could be made: removes what Open made.
+  virtual void Drop() {}
+};
+
+/// `range` is what the request's shard makes of `all`; `batch` says what all its records
+/// have in common.
+struct SinkOptions {
+  const Request& request;
+  Range all;
+  Range range;
+  const manifest::Record& batch;
+};
+/// The sink of the request's destination. `text` takes the object for standard output.
+std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
+
+// One a kind of destination.
+std::unique_ptr<Sink> MakeFolderSink(const SinkOptions& options);
+std::unique_ptr<Sink> MakeArchiveSink(const SinkOptions& options);
+
+/// Whether the manifest at `file` is one of ours, or none. Else a finding unless
+/// `force`.
+bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_BATCH_SINK_H_

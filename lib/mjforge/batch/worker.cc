@@ -1,0 +1,176 @@
+#include "mjforge/batch/worker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mjforge::batch {
+namespace {
+
+using Kind = output::Destination::Kind;
+
+class Worker {
+ public:
+  Worker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+         const output::Overwrite& overwrite, bool watched)
+      : request_(request),
+        watched_(watched),
+        sources_(sources),
+        known_sources_(sources.size()),
+        told_sources_(sources.size()),
+        loader_(request.load ? std::make_unique<validate::Loader>() : nullptr),
+        generator_(recipe, sources, OptionsOf(request), loader_.get()),
+        folder_(request.destination.Folder(), overwrite),
+        segment_(request.destination.format) {}
+
+  Result operator()(const Task& task, Slot& slot) {
+    Result result;
+    result.chunk = task.chunk;
+    Digest digest(kMaxFindings);
+    for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
+      if (slot.IsAskedToStop()) break;
+      Make(i, task, slot);
+      if (!Write(result)) {
+        result.output_failed = true;
+        break;
+      }
+      digest.Add(variant_.findings, variant_.record.status == "skipped");
+      Tell(result);
+    }
+    result.segment = segment_.Take();
+    result.more_findings = digest.not_shown();
+    result.findings.assign(digest.entries().begin(), digest.entries().end());
+    for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
+    TellInputs(result);
+    return result;
+  }
+
+ private:
+  static forge::Options OptionsOf(const Request& request) {
+    forge::Options options = request.variant;
+    options.resample = request.on_invalid == OnInvalid::kResample;
+    return options;
+  }
+
+  void Make(std::uint64_t index, const Task& task, Slot& slot) {
+    const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
+                                        [&](const Condemned& c) { return c.index == index; });
+    if (condemned != task.condemned.end()) {
+      generator_.Fail(index, FindingOf(*condemned), variant_);
+    } else {
+      slot.Begin(index);
+      generator_.Make(index, variant_);
+      slot.End();
+    }
+    manifest::Record& record = variant_.record;
+    if (request_.on_invalid == OnInvalid::kSkip) {
+      record.on_invalid = "skip";
+      if (record.status == "failed") record.status = "skipped";
+    }
+  }
+
+  diag::Finding FindingOf(const Condemned& condemned) const {
+    diag::Finding finding;
+    finding.code =
+        condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
+    finding.message = fmt::format("variant {} of seed {}: its worker {}", condemned.index,
+                                  request_.variant.seed, condemned.how);
+    finding.hint = condemned.too_slow
+                       ? "give it more with --time-limit, or look at it with inspect --index"
+                       : "no other variant is touched by it; --resume tries this one again";
+    return finding;
+  }
+
+  // The variant's bytes to where they go; false if that fails.
+  bool Write(Result& result) {
+    manifest::Record& record = variant_.record;
+    diag::Findings& findings = result.output_findings;
+    if (request_.destination.kind == Kind::kNowhere) return true;
+    if (variant_.ok() && request_.destination.kind == Kind::kFolder) {
+      if (!folder_.Write(record.file, variant_.document, findings)) {
+        findings.SetVariant(record.seed, record.index);
+        return false;
+      }
+    }
+    if (variant_.ok() && request_.destination.kind != Kind::kFolder) {
+      for (const auto& asset : variant_.document.assets) {
+        const auto known = std::find(result.assets.begin(), result.assets.end(),
+                                     std::pair(asset.first, asset.second.string()));
+        if (known == result.assets.end())
+          result.assets.emplace_back(asset.first, asset.second.string());
+      }
+    }
+    const std::size_t before = result.lines.size();
+    if (!request_.destination.IsArchive()) {
+      AppendRecord(result.lines, record);
+      if (request_.destination.kind != Kind::kFolder) result.text = variant_.document.text;
+      return true;
+    }
+    const std::string stem = output::VariantStem(record.name, record.index);
+    if (variant_.ok()) {
+      record.file = stem + ".xml";
+      record.archive = request_.destination.Archive(result.chunk.archive).filename().string();
+    }
+    AppendRecord(result.lines, record);
+    return !variant_.ok() ||
+           (segment_.Add(stem + ".xml", variant_.document.text, findings) &&
+            segment_.Add(stem + ".json", std::string_view(result.lines).substr(before), findings));
+  }
+
+  void Tell(Result& result) {
+    const manifest::Record& record = variant_.record;
+    ++result.done;
+    result.statuses += record.status[0];
+    if (watched_) {
+      result.variants.push_back(
+          {record.index, record.name, record.status, record.attempt, record.file});
+    }
+    for (const auto& [name, source] : variant_.document.assets) {
+      if (variant_.object && told_assets_.insert(source.string()).second)
+        result.inputs.push_back(source.string());
+    }
+  }
+
+  // Attached files became sources as they were read.
+  void TellInputs(Result& result) {
+    for (; told_sources_ < sources_.size(); ++told_sources_)
+      result.inputs.push_back(sources_.Name(told_sources_ + 1));
+  }
+
+  // The texts that the leading process lacks.
+  void AddSources(const diag::Finding& finding, Result& result) {
+    const auto add = [&](diag::SourceMark mark) {
+      const auto same = [&](const SourceText& source) { return source.number == mark.file; };
+      if (mark.file <= known_sources_ ||
+          std::any_of(result.sources.begin(), result.sources.end(), same)) {
+        return;
+      }
+      result.sources.push_back({mark.file, sources_.Name(mark.file), sources_.Text(mark.file)});
+    };
+    add(finding.mark);
+    for (const diag::Note& note : finding.notes) add(note.mark);
+  }
+
+  const Request& request_;
+  bool watched_;
+  diag::Sources& sources_;
+  std::uint32_t known_sources_;  // the leading process has these
+  std::uint32_t told_sources_;
+  std::set<std::string> told_assets_;
+  std::unique_ptr<validate::Loader> loader_;
+  forge::Generator generator_;
+  output::ObjectFolder folder_;
+  output::Segment segment_;
+  forge::Variant variant_;
+};
+
+}  // namespace
+
+Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+              const output::Overwrite& overwrite, bool watched) {
+  const auto worker = std::make_shared<Worker>(recipe, sources, request, overwrite, watched);
+  return [worker](const Task& task, Slot& slot) { return (*worker)(task, slot); };
+}
+
+}  // namespace mjforge::batch

@@ -1,0 +1,17 @@
+#ifndef MJFORGE_BATCH_WORKER_H_
+#define MJFORGE_BATCH_WORKER_H_
+
+#include "mjforge/batch/batch.h"
+#include "mjforge/batch/pool.h"
+
+namespace mjforge::batch {
+
+/// What a worker does with a task: makes its variants and, into a folder, writes
+/// them. Call it in the worker: MuJoCo is there from then on. `watched`: results
+/// say each variant's place. The references must outlive it.
+Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+              const output::Overwrite& overwrite, bool watched);
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_BATCH_WORKER_H_

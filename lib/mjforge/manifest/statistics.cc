@@ -1,0 +1,106 @@
+#include <rapidjson/document.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::manifest {
+namespace {
+
+// Whole numbers are counted one by one while they are this few.
+constexpr std::size_t kMaxWholeNumbers = 40;
+
+// Welford's update: exact enough for any number of variants.
+void AddNumber(Statistics::Numbers& numbers, double value) {
+  numbers.min = numbers.count == 0 ? value : std::min(numbers.min, value);
+  numbers.max = numbers.count == 0 ? value : std::max(numbers.max, value);
+  ++numbers.count;
+  const double distance = value - numbers.mean;
+  numbers.mean += distance / static_cast<double>(numbers.count);
+  numbers.m2 += distance * (value - numbers.mean);
+}
+
+std::string CodeOf(const std::string& finding) {
+  rapidjson::Document document;
+  document.Parse(finding.data(), finding.size());
+  if (!document.IsObject()) return {};
+  const auto code = document.FindMember("code");
+  return code != document.MemberEnd() && code->value.IsString() ? code->value.GetString()
+                                                                : std::string();
+}
+
+}  // namespace
+
+double Statistics::Numbers::StandardDeviation() const {
+  return count == 0 ? 0 : std::sqrt(m2 / static_cast<double>(count));
+}
+
+void Statistics::Add(const Record& record) {
+  ++variants_;
+  ++statuses_[record.status];
+  std::set<std::string> codes;
+  for (const std::string& finding : record.findings) codes.insert(CodeOf(finding));
+  for (const std::string& code : codes) ++codes_[code];
+  if (record.status != "ok") return;
+  AddNumber(mass_, record.mass_properties.mass);
+  AddNumber(attempts_, static_cast<double>(record.attempt));
+  for (std::size_t i = 0; i < record.params.size(); ++i) {
+    const auto& [name, value] = record.params[i];
+    // The same place in every record of a batch; a search where it is not.
+    auto tally = i < tallies_.size() && tallies_[i].name == name
+                     ? tallies_.begin() + static_cast<std::ptrdiff_t>(i)
+                     : std::find_if(tallies_.begin(), tallies_.end(),
+                                    [&](const Tally& known) { return known.name == name; });
+    if (tally == tallies_.end()) {
+      tallies_.emplace_back().name = name;
+      tally = tallies_.end() - 1;
+    }
+    AddParameter(*tally, value);
+  }
+}
+
+void Statistics::AddParameter(Tally& tally, const sample::ParameterValue& value) {
+  const auto count_text = [&](const std::string& text) {
+    if (tally.texts.size() < kMaxValues || tally.texts.contains(text)) {
+      ++tally.texts[text];
+    } else {
+      tally.more_values = true;
+    }
+  };
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    count_text(*text);
+  } else if (const auto* flag = std::get_if<bool>(&value)) {
+    count_text(*flag ? "true" : "false");
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    tally.numbers.resize(1);
+    AddNumber(tally.numbers[0], *number);
+    tally.all_whole = tally.all_whole && *number == std::round(*number);
+    if (tally.all_whole && tally.whole.size() <= kMaxWholeNumbers) ++tally.whole[*number];
+  } else {
+    const auto& vector = std::get<std::vector<double>>(value);
+    tally.numbers.resize(std::max(tally.numbers.size(), vector.size()));
+    for (std::size_t i = 0; i < vector.size(); ++i) AddNumber(tally.numbers[i], vector[i]);
+    tally.all_whole = false;
+  }
+}
+
+std::vector<Statistics::Parameter> Statistics::Parameters() const {
+  std::vector<Parameter> parameters;
+  for (const Tally& tally : tallies_) {
+    Parameter& parameter = parameters.emplace_back();
+    parameter.name = tally.name;
+    parameter.numbers = tally.numbers;
+    parameter.more_values = tally.more_values;
+    if (tally.all_whole && tally.whole.size() <= kMaxWholeNumbers) {
+      for (const auto& [value, count] : tally.whole)
+        parameter.values.emplace_back(expr::NumberText(value), count);
+    }
+    parameter.values.insert(parameter.values.end(), tally.texts.begin(), tally.texts.end());
+  }
+  return parameters;
+}
+
+}  // namespace mjforge::manifest

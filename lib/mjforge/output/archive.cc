@@ -1,0 +1,147 @@
+#include "mjforge/output/archive.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace mjforge::output {
+namespace {
+
+// POSIX: two blocks of zeros.
+constexpr std::size_t kEndBytes = 1024;
+
+struct FreeArchive {
+  void operator()(archive* writer) const { archive_write_free(writer); }
+};
+struct FreeReader {
+  void operator()(archive* reader) const { archive_read_free(reader); }
+};
+struct FreeEntry {
+  void operator()(archive_entry* entry) const { archive_entry_free(entry); }
+};
+using Writer = std::unique_ptr<archive, FreeArchive>;
+using Reader = std::unique_ptr<archive, FreeReader>;
+using Entry = std::unique_ptr<archive_entry, FreeEntry>;
+
+// Only a lack of memory or a library built without a format.
+void Require(int status, archive* writer) {
+  if (status != ARCHIVE_OK) {
+    const char* words = archive_error_string(writer);
+    throw std::runtime_error(fmt::format("libarchive: {}", words == nullptr ? "failed" : words));
+  }
+}
+
+la_ssize_t AppendTo(archive*, void* text, const void* bytes, std::size_t count) {
+  static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), count);
+  return static_cast<la_ssize_t>(count);
+}
+
+void Open(archive* writer, std::string& out) {
+  Require(archive_write_set_bytes_per_block(writer, 0), writer);
+  Require(archive_write_open(writer, &out, nullptr, AppendTo, nullptr), writer);
+}
+
+void Describe(archive_entry* entry, const std::string& name, std::size_t size) {
+  archive_entry_clear(entry);
+  archive_entry_set_pathname(entry, name.c_str());
+  archive_entry_set_filetype(entry, AE_IFREG);
+  archive_entry_set_perm(entry, 0644);
+  archive_entry_set_mtime(entry, 0, 0);
+  archive_entry_set_size(entry, static_cast<la_int64_t>(size));
+}
+
+void WriteData(archive* writer, std::string_view bytes) {
+  if (archive_write_data(writer, bytes.data(), bytes.size()) < 0) Require(ARCHIVE_FATAL, writer);
+}
+
+std::string Compress(std::string_view bytes) {
+  std::string out;
+  const Writer writer(archive_write_new());
+  Require(archive_write_set_format_raw(writer.get()), writer.get());
+  Require(archive_write_add_filter_zstd(writer.get()), writer.get());
+  Open(writer.get(), out);
+  const Entry entry(archive_entry_new());
+  Describe(entry.get(), "segment", bytes.size());
+  Require(archive_write_header(writer.get(), entry.get()), writer.get());
+  WriteData(writer.get(), bytes);
+  Require(archive_write_close(writer.get()), writer.get());
+  return out;
+}
+
+}  // namespace
+
+struct Segment::State {
+  ArchiveFormat format;
+  std::string members;  // as tar has them
+  Writer writer{archive_write_new()};
+  Entry entry{archive_entry_new()};
+};
+
+Segment::Segment(ArchiveFormat format) : state_(new State{.format = format, .members = {}}) {
+  archive* writer = state_->writer.get();
+  Require(archive_write_set_format_ustar(writer), writer);
+  Open(writer, state_->members);
+}
+
+// Freeing a writer that has not failed would append an archive's end.
+Segment::~Segment() { archive_write_fail(state_->writer.get()); }
+
+bool Segment::Add(const std::string& name, std::string_view bytes, diag::Findings& findings) {
+  archive* writer = state_->writer.get();
+  const std::size_t before = state_->members.size();
+  Describe(state_->entry.get(), name, bytes.size());
+  if (archive_write_header(writer, state_->entry.get()) != ARCHIVE_OK) {
+    state_->members.resize(before);
+    findings.Add(
+        diag::Code::kOutputCannotWrite, {},
+        fmt::format("cannot put '{}' into the archive: {}", name, archive_error_string(writer)));
+    return false;
+  }
+  WriteData(writer, bytes);
+  Require(archive_write_finish_entry(writer), writer);
+  return true;
+}
+
+std::string Segment::Take() {
+  std::string members = std::exchange(state_->members, {});
+  if (members.empty() || state_->format == ArchiveFormat::kTar) return members;
+  return Compress(members);
+}
+
+std::string ArchiveEnd(ArchiveFormat format) {
+  const std::string end(kEndBytes, '\0');
+  return format == ArchiveFormat::kTar ? end : Compress(end);
+}
+
+std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
+                                      diag::Findings& findings) {
+  constexpr std::size_t kBlockBytes = 1 << 20;
+  const Reader reader(archive_read_new());
+  archive_read_support_filter_zstd(reader.get());
+  archive_read_support_format_tar(reader.get());
+  int status = archive_read_open_filename(reader.get(), file.c_str(), kBlockBytes);
+  archive_entry* entry = nullptr;
+  while (status == ARCHIVE_OK &&
+         (status = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK) {
+    if (archive_entry_pathname(entry) != name) continue;
+    std::string bytes(static_cast<std::size_t>(archive_entry_size(entry)), '\0');
+    if (archive_read_data(reader.get(), bytes.data(), bytes.size()) ==
+        static_cast<la_ssize_t>(bytes.size())) {
+      return bytes;
+    }
+    status = ARCHIVE_FATAL;
+  }
+  const char* words = archive_error_string(reader.get());
+  findings.Add(diag::Code::kYamlCannotRead, {},
+               fmt::format("cannot read '{}' in '{}': {}", name, file.string(),
+                           status == ARCHIVE_EOF ? "it is not there"
+                           : words == nullptr    ? "the archive is damaged"
+                                                 : words));
+  return std::nullopt;
+}
+
+}  // namespace mjforge::output

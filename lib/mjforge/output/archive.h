@@ -1,0 +1,49 @@
+#ifndef MJFORGE_OUTPUT_ARCHIVE_H_
+#define MJFORGE_OUTPUT_ARCHIVE_H_
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::output {
+
+/// How archives are written. Their bytes depend on names and contents alone: no
+/// times, no owners, and the order is that of adding.
+enum class ArchiveFormat { kTar, kTarZstd };
+
+/// Some members of an archive, one after the other. An archive is its segments
+/// and ArchiveEnd(), one after the other; compressed, each is a frame of its own,
+/// so that several processes can work on one archive.
+class Segment {
+ public:
+  explicit Segment(ArchiveFormat format);
+  ~Segment();
+  Segment(const Segment&) = delete;
+  Segment& operator=(const Segment&) = delete;
+
+  /// A regular file, mode 0644. A finding if its name is too long for ustar: 100
+  /// bytes, with folders 255.
+  bool Add(const std::string& name, std::string_view bytes, diag::Findings& findings);
+  /// Gives the bytes out and starts anew. Without members: nothing.
+  std::string Take();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// What ends an archive.
+std::string ArchiveEnd(ArchiveFormat format);
+
+/// The bytes of the member `name` of an archive, compressed or not; nothing and a
+/// finding if there is none or it cannot be read.
+std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
+                                      diag::Findings& findings);
+
+}  // namespace mjforge::output
+
+#endif  // MJFORGE_OUTPUT_ARCHIVE_H_

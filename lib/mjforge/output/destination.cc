@@ -1,0 +1,115 @@
+#include "mjforge/output/destination.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mjforge::output {
+namespace {
+
+constexpr std::string_view kTar = ".tar";
+constexpr std::string_view kTarZstd = ".tar.zst";
+
+// The place of "%05d" in a pattern.
+struct Number {
+  std::size_t at = 0;
+  std::size_t length = 0;
+  int width = 0;
+};
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+std::optional<Number> FindNumber(std::string_view pattern) {
+  const std::size_t at = pattern.find('%');
+  if (at == std::string_view::npos) return std::nullopt;
+  std::size_t end = at + 1;
+  int width = 0;
+  while (end < pattern.size() && IsDigit(pattern[end]) && width < 10) {
+    width = 10 * width + (pattern[end++] - '0');
+  }
+  if (end == pattern.size() || pattern[end] != 'd' || width > 20) return std::nullopt;
+  return Number{at, end + 1 - at, width};
+}
+
+std::string WithoutEnding(std::string_view name) {
+  for (const std::string_view ending : {kTarZstd, kTar}) {
+    if (name.ends_with(ending)) return std::string(name.substr(0, name.size() - ending.size()));
+  }
+  return std::string(name);
+}
+
+// "x_%05d.tar" -> "x", the name that all archives of the series share.
+std::string StemOf(const Destination& destination) {
+  std::string stem = WithoutEnding(destination.path.filename().string());
+  if (const std::optional<Number> number = FindNumber(stem)) {
+    stem.erase(number->at, number->length);
+    while (!stem.empty() && (stem.back() == '_' || stem.back() == '-' || stem.back() == '.')) {
+      stem.pop_back();
+    }
+  }
+  return stem;
+}
+
+}  // namespace
+
+std::filesystem::path Destination::Archive(std::uint64_t number) const {
+  std::string name = path.filename().string();
+  if (const std::optional<Number> place = FindNumber(name)) {
+    name.replace(place->at, place->length, fmt::format("{:0{}}", number, place->width));
+  }
+  return path.parent_path() / name;
+}
+
+std::filesystem::path Destination::Folder() const {
+  return kind == Kind::kFolder ? path : path.parent_path();
+}
+
+std::filesystem::path Destination::Manifest(const Shard& shard) const {
+  const std::string stem = kind == Kind::kFolder ? std::string() : StemOf(*this);
+  const std::string part =
+      shard.IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", shard.index, shard.count);
+  return Folder() / fmt::format("{}{}manifest{}.jsonl", stem, stem.empty() ? "" : ".", part);
+}
+
+std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
+                                            std::string& why_not) {
+  using Kind = Destination::Kind;
+  if (text == "-") return Destination{.kind = Kind::kStandardOutput, .path = {}};
+  if (text.ends_with(".xml")) return Destination{.kind = Kind::kFile, .path = text};
+  const bool zstd = text.ends_with(kTarZstd);
+  if (!zstd && !text.ends_with(kTar)) {
+    if (text.ends_with(".zst") || text.ends_with(".gz") || text.ends_with(".tgz") ||
+        text.ends_with(".zip")) {
+      why_not = "archives end with .tar or .tar.zst";
+      return std::nullopt;
+    }
+    return Destination{.kind = Kind::kFolder, .path = text};
+  }
+  Destination destination{.kind = Kind::kArchive,
+                          .path = text,
+                          .format = zstd ? ArchiveFormat::kTarZstd : ArchiveFormat::kTar};
+  const std::string name = destination.path.filename().string();
+  const std::optional<Number> number = FindNumber(name);
+  const auto percents = std::count(text.begin(), text.end(), '%');
+  if (percents > (number ? 1 : 0)) {
+    why_not = "a series of archives has one %d or %05d in its file's name, and no other %";
+    return std::nullopt;
+  }
+  if (number) {
+    destination.kind = Kind::kArchives;
+    destination.per_archive = per_archive;
+  }
+  return destination;
+}
+
+std::string VariantStem(std::string_view name, std::uint64_t index) {
+  return fmt::format("{}_{:06}", name, index);
+}
+
+std::string PlaceInFolder(std::string_view name, std::uint64_t index) {
+  const std::uint64_t folder = index / kFilesPerFolder * kFilesPerFolder;
+  if (folder == 0) return VariantStem(name, index) + ".xml";
+  return fmt::format("{:07}/{}.xml", folder, VariantStem(name, index));
+}
+
+}  // namespace mjforge::output

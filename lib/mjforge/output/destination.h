@@ -1,0 +1,57 @@
+#ifndef MJFORGE_OUTPUT_DESTINATION_H_
+#define MJFORGE_OUTPUT_DESTINATION_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/output/archive.h"
+
+namespace mjforge::output {
+
+/// One part of a batch that several commands make: `index` counts from 0.
+struct Shard {
+  std::uint64_t index = 0;
+  std::uint64_t count = 1;
+
+  bool IsWhole() const { return count == 1; }
+};
+
+/// Where a batch goes.
+struct Destination {
+  enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives };
+
+  Kind kind = Kind::kNowhere;
+  std::filesystem::path path;  // of archives in a series: with %05d for the number
+  ArchiveFormat format = ArchiveFormat::kTar;
+  std::uint64_t per_archive = 0;  // variants in each archive of a series
+
+  bool IsArchive() const { return kind == Kind::kArchive || kind == Kind::kArchives; }
+  /// The file of archive `number` of a series, counted from 0; of a single one its own.
+  std::filesystem::path Archive(std::uint64_t number) const;
+  /// Of a folder DIR/manifest.jsonl, of archives STEM.manifest.jsonl beside them;
+  /// of a shard with "-00003-of-00008" before the ending.
+  std::filesystem::path Manifest(const Shard& shard) const;
+  /// The folder that holds the manifest.
+  std::filesystem::path Folder() const;
+};
+
+/// What `-o text` says: "-", FILE.xml, FILE.tar, FILE.tar.zst, either with one
+/// %d or %05d in its name, else a folder. Nothing, and why, if it says nothing.
+std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
+                                            std::string& why_not);
+
+/// The name of variant `index`, "hammer_000042": with .xml its file's.
+std::string VariantStem(std::string_view name, std::uint64_t index);
+
+/// Files of one folder are at most this many: further ones go to folders of their
+/// own, so that the place of a file depends on its index alone.
+inline constexpr std::uint64_t kFilesPerFolder = 10'000;
+/// "hammer_000042.xml", "0020000/hammer_023456.xml".
+std::string PlaceInFolder(std::string_view name, std::uint64_t index);
+
+}  // namespace mjforge::output
+
+#endif  // MJFORGE_OUTPUT_DESTINATION_H_

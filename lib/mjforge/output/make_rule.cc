@@ -1,0 +1,35 @@
+#include "mjforge/output/output.h"
+
+namespace mjforge::output {
+
+std::string EscapeForMake(std::string_view name) {
+  std::string text;
+  std::size_t backslashes = 0;  // that end `text`
+  for (const char c : name) {
+    if (c == ' ' || c == '\t') {
+      // Make halves the backslashes before an escaped blank.
+      text.append(backslashes + 1, '\\');
+    } else if (c == '#') {
+      text += '\\';
+    } else if (c == '$') {
+      text += '$';
+    }
+    backslashes = c == '\\' ? backslashes + 1 : 0;
+    text += c;
+  }
+  return text;
+}
+
+std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
+                     bool phony) {
+  std::string rule;
+  for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + target;
+  rule += ':';
+  for (const std::string& file : files) rule += " \\\n  " + EscapeForMake(file);
+  rule += '\n';
+  if (!phony) return rule;
+  for (const std::string& file : files) rule += "\n" + EscapeForMake(file) + ":\n";
+  return rule;
+}
+
+}  // namespace mjforge::output

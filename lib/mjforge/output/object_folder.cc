@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "mjforge/output/output.h"
+
+namespace mjforge::output {
+namespace {
+
+// Keeps a copy that is there with the same bytes.
+bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path& target,
+               bool replace, diag::Findings& findings) {
+  const std::optional<std::string> bytes = ReadFile(source, findings);
+  if (!bytes) return false;
+  if (std::error_code ignored; std::filesystem::exists(target, ignored)) {
+    const std::optional<std::string> present = ReadFile(target, findings);
+    if (!present) return false;
+    if (*present == *bytes) return true;
+    if (!replace) {
+      findings.Add(
+          diag::Code::kOutputExists, {},
+          fmt::format("'{}' exists with other content than '{}'", target.string(), source.string()),
+          "choose another place, or overwrite it with --force");
+      return false;
+    }
+  }
+  return WriteFile(target, *bytes, false, findings);
+}
+
+}  // namespace
+
+bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
+                              const std::filesystem::path& folder, diag::Findings& findings) {
+  for (const auto& [name, source] : document.assets) {
+    const std::filesystem::path target = folder / name;
+    if (assets_.contains(target)) continue;
+    if (!folders_.Make(target.parent_path(), findings)) return false;
+    if (!CopyAsset(source, target, overwrite_.force || overwrite_.assets, findings)) return false;
+    assets_.insert(target);
+  }
+  return true;
+}
+
+bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& document,
+                         diag::Findings& findings) {
+  const std::filesystem::path path = folder_ / file;
+  const std::filesystem::path folder = path.parent_path();
+  if (folder != known_folder_) {
+    if (!folder.empty() && !folders_.Make(folder, findings)) return false;
+    known_folder_ = folder;
+  }
+  // Assets first: an object never stands there without what it refers to.
+  return MayReplace(path, overwrite_.force, findings) && CopyAssets(document, folder, findings) &&
+         WriteFile(path, document.text, overwrite_.if_changed, findings);
+}
+
+}  // namespace mjforge::output

@@ -1,0 +1,53 @@
+#ifndef MJFORGE_OUTPUT_PART_FILE_H_
+#define MJFORGE_OUTPUT_PART_FILE_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::output {
+
+/// A long file under construction. Until Commit() it is called ".NAME.part" in
+/// the same folder; it stays there if the process ends, so that a later one can
+/// go on with it. Only one process at a time has it.
+class PartFile {
+ public:
+  /// Takes what an earlier process left, or an empty file. Nothing and a finding
+  /// if that fails or another process has it.
+  static std::optional<PartFile> Open(const std::filesystem::path& file, diag::Findings& findings);
+  /// What `file` is called while it is under construction.
+  static std::filesystem::path NameOf(const std::filesystem::path& file);
+  /// Whether an earlier process left something.
+  static bool Exists(const std::filesystem::path& file);
+
+  PartFile(PartFile&& other) noexcept;
+  PartFile& operator=(PartFile&& other) noexcept;
+  ~PartFile();
+
+  std::uint64_t size() const { return size_; }
+  const std::filesystem::path& temporary() const { return temporary_; }
+  bool Append(std::string_view bytes, diag::Findings& findings);
+  /// Keeps the first `size` bytes; there must be that many.
+  bool Truncate(std::uint64_t size, diag::Findings& findings);
+  /// Gives it its name. With `if_changed` a file there with the same bytes is
+  /// left as it is, and this one removed.
+  bool Commit(bool if_changed, diag::Findings& findings);
+  /// Removes it.
+  void Drop();
+
+ private:
+  PartFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor,
+           std::uint64_t size);
+
+  std::filesystem::path file_;
+  std::filesystem::path temporary_;
+  int descriptor_ = -1;  // -1: committed or dropped
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace mjforge::output
+
+#endif  // MJFORGE_OUTPUT_PART_FILE_H_

@@ -1,0 +1,123 @@
+// What archives hold, told by tar and zstd themselves.
+
+#include <catch2/catch.hpp>
+
+#include "crate_batch.h"
+#include "harness/command.h"
+
+namespace mjforge::batch {
+namespace {
+
+// The names in an archive, as tar lists them.
+std::vector<std::string> Members(const std::filesystem::path& archive) {
+  const harness::CommandResult result =
+      harness::Command{.program = "tar", .arguments = {"-tf", archive.string()}}.Run();
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+  std::vector<std::string> names;
+  std::string_view rest = result.out;
+  while (!rest.empty()) {
+    names.emplace_back(rest.substr(0, rest.find('\n')));
+    rest.remove_prefix(names.back().size() + 1);
+  }
+  return names;
+}
+
+void Extract(const std::filesystem::path& archive, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const harness::CommandResult result =
+      harness::Command{.program = "tar",
+                       .arguments = {"-xf", archive.string(), "-C", folder.string()}}
+          .Run();
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+}
+
+TEST_CASE("an archive has for each variant its object and its record") {
+  CrateBatch test(kUnluckySpec);
+  const auto ending = GENERATE(".tar", ".tar.zst");
+  const Summary summary = test.Make(test.Of(200, std::string("x") + ending));
+  REQUIRE(summary.failed > 0);
+  Extract(test.folder / (std::string("x") + ending), test.folder / "got");
+  CHECK(test.Bytes("got").size() == 2 * summary.ok);
+  test.Make(test.Of(200, "files"));
+  std::uint64_t compared = 0;
+  for (const auto& [name, bytes] : test.Bytes("files")) {
+    if (!name.ends_with(".xml")) continue;
+    CHECK(test.folder.Read("got/" + name) == bytes);
+    ++compared;
+  }
+  CHECK(compared == summary.ok);
+  // The records are the manifest's lines.
+  const std::string manifest = test.folder.Read("x.manifest.jsonl");
+  for (const auto& [name, bytes] : test.Bytes("got")) {
+    if (name.ends_with(".json")) CHECK(manifest.find(bytes) != std::string::npos);
+  }
+}
+
+TEST_CASE("the bytes of archives do not depend on how many processes make them") {
+  CrateBatch test(kUnluckySpec);
+  for (const std::string output : {"x.tar", "x.tar.zst", "x_%05d.tar.zst"}) {
+    for (const std::uint64_t jobs : {1, 2, 8}) {
+      Request request = test.Of(1000, std::to_string(jobs) + "/" + output, 300);
+      request.jobs = jobs;
+      test.Make(request);
+    }
+    CHECK(test.Bytes("2") == test.Bytes("1"));
+    CHECK(test.Bytes("8") == test.Bytes("1"));
+  }
+}
+
+TEST_CASE("a series has so many variants in each archive, and says where each one is") {
+  CrateBatch test(kBoxSpec);
+  Request request = test.Of(25, "out/x-%03d.tar", 10);
+  request.first = 7;
+  test.Make(request);
+  CHECK(test.folder.Files() ==
+        std::vector<std::string>{"crate.yaml", "out/x-000.tar", "out/x-001.tar", "out/x-002.tar",
+                                 "out/x.manifest.jsonl"});
+  const auto members = Members(test.folder / "out/x-002.tar");
+  REQUIRE(members.size() == 10);
+  CHECK(members.front() == "crate_000027.xml");
+  CHECK(members[1] == "crate_000027.json");
+  CHECK(test.folder.Read("out/x.manifest.jsonl")
+            .find(R"({"file":"crate_000027.xml","archive":"x-002.tar",)") != std::string::npos);
+}
+
+TEST_CASE("assets come once into each archive, before the first object that needs them") {
+  const std::string png(
+      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\2\0\0\0\x90wS\xde\0\0\0\x0cIDATx\x9c"
+      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae" "B`\x82",
+      69);
+  CrateBatch test(
+      "mjforge: 1\nname: crate\nmaterials: {wood: {texture: {file: wood.png}}}\n"
+      "parts: [{name: body, type: box, size: [0.1, 0.1, 0.1], material: wood}]\n");
+  test.folder.Write("wood.png", png);
+  test.Make(test.Of(150, "out/x_%d.tar", 100));
+  for (const char* archive : {"out/x_0.tar", "out/x_1.tar"}) {
+    const auto members = Members(test.folder / archive);
+    REQUIRE_FALSE(members.empty());
+    CHECK(members.front() == "assets/wood.png");
+    CHECK(std::count(members.begin(), members.end(), "assets/wood.png") == 1);
+  }
+  Extract(test.folder / "out/x_1.tar", test.folder / "got");
+  CHECK(test.folder.Read("got/assets/wood.png") == png);
+}
+
+TEST_CASE("an archive that mjforge did not make is not replaced without force") {
+  CrateBatch test(kBoxSpec);
+  test.folder.Write("x.tar", "mine");
+  Request request = test.Of(3, "x.tar");
+  const Summary refused = test.Make(request);
+  CHECK(refused.output_failed);
+  CHECK(refused.findings[0].code == diag::Code::kOutputExists);
+  CHECK(test.folder.Read("x.tar") == "mine");
+  CHECK(test.folder.Files() == std::vector<std::string>{"crate.yaml", "x.tar"});
+  request.force = true;
+  CHECK(test.Make(request).ok == 3);
+  request.force = false;
+  CHECK(test.Make(request).ok == 3);  // now it is ours
+}
+
+}  // namespace
+}  // namespace mjforge::batch

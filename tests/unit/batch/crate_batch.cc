@@ -1,0 +1,46 @@
+#include "crate_batch.h"
+
+#include <catch2/catch.hpp>
+
+namespace mjforge::batch {
+
+CrateBatch::CrateBatch(const std::string& text) {
+  diag::Findings findings;
+  const std::string file = folder.Write("crate.yaml", text).string();
+  std::optional<forge::Recipe> loaded = forge::LoadRecipe(file, {}, sources_, findings);
+  for (const diag::Finding& finding : findings) {
+    UNSCOPED_INFO(diag::RenderText(finding, sources_, false));
+  }
+  REQUIRE(loaded);
+  recipe_ = *std::move(loaded);
+}
+
+Request CrateBatch::Of(std::uint64_t count, const std::string& output,
+                       std::uint64_t per_archive) const {
+  Request request;
+  request.count = count;
+  request.variant.seed = 1;
+  request.load = false;
+  request.jobs = 2;
+  std::string why_not;
+  const auto destination =
+      output::ParseDestination((folder / output).string(), per_archive, why_not);
+  REQUIRE(destination);
+  request.destination = *destination;
+  return request;
+}
+
+Summary CrateBatch::Make(const Request& request, const Watch& watch) {
+  return Run(recipe_, sources_, request, watch);
+}
+
+std::map<std::string, std::string> CrateBatch::Bytes(const std::string& subfolder) const {
+  std::map<std::string, std::string> bytes;
+  for (const std::string& file : folder.Files()) {
+    if (file.starts_with(subfolder + "/"))
+      bytes.emplace(file.substr(subfolder.size() + 1), folder.Read(file));
+  }
+  return bytes;
+}
+
+}  // namespace mjforge::batch

@@ -1,0 +1,51 @@
+#ifndef MJFORGE_TESTS_UNIT_BATCH_CRATE_BATCH_H_
+#define MJFORGE_TESTS_UNIT_BATCH_CRATE_BATCH_H_
+
+#include <string>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/batch/batch.h"
+
+namespace mjforge::batch {
+
+/// A box whose half size along z is drawn.
+inline constexpr const char* kBoxSpec =
+    "mjforge: 1\n"
+    "name: crate\n"
+    "params:\n"
+    "  height: 0.1 .. 0.2\n"
+    "  kind: {choice: [light, heavy]}\n"
+    "parts:\n"
+    "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
+
+/// A box that about half of the variants give a size below zero.
+inline constexpr const char* kUnluckySpec =
+    "mjforge: 1\n"
+    "name: crate\n"
+    "params:\n"
+    "  height: -0.1 .. 0.1\n"
+    "parts:\n"
+    "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
+
+/// Batches of one spec in a fresh folder.
+class CrateBatch {
+ public:
+  explicit CrateBatch(const std::string& text);
+
+  /// As generate does without MuJoCo: seed 1, `count` variants to `output`, which is
+  /// relative to the folder.
+  Request Of(std::uint64_t count, const std::string& output, std::uint64_t per_archive = 10) const;
+  Summary Make(const Request& request, const Watch& watch = {});
+  /// Every file in it with its bytes, but for the spec.
+  std::map<std::string, std::string> Bytes(const std::string& subfolder) const;
+
+  harness::TemporaryFolder folder;
+
+ private:
+  diag::Sources sources_;
+  forge::Recipe recipe_;
+};
+
+}  // namespace mjforge::batch
+
+#endif  // MJFORGE_TESTS_UNIT_BATCH_CRATE_BATCH_H_

@@ -1,0 +1,120 @@
+#include "mjforge/batch/pool.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <map>
+#include <thread>
+
+namespace mjforge::batch {
+namespace {
+
+// Work that tells the indices it did, in `text`, and meets its end where `fate` says so.
+Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
+              std::function<void(std::uint64_t)> fate) {
+  return Pool(jobs, limit, [fate] {
+    return [fate](const Task& task, Slot& slot) {
+      Result result;
+      result.chunk = task.chunk;
+      for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
+        const auto condemned =
+            std::find_if(task.condemned.begin(), task.condemned.end(),
+                         [&](const Condemned& c) { return c.index == i; });
+        if (condemned != task.condemned.end()) {
+          result.text += condemned->how + ";";
+          continue;
+        }
+        slot.Begin(i);
+        fate(i);
+        slot.End();
+        result.text += std::to_string(i) + ";";
+      }
+      return result;
+    };
+  });
+}
+
+// The text of each chunk of ten indices, by its first.
+std::map<std::uint64_t, std::string> Work100(Pool& pool) {
+  std::map<std::uint64_t, std::string> texts;
+  std::uint64_t next = 0;
+  while (next < 100 || pool.IsBusy()) {
+    while (next < 100 && pool.HasRoom()) {
+      pool.Submit({{next, 10, 0}, {}});
+      next += 10;
+    }
+    if (const auto result = pool.Wait()) texts[result->chunk.first] = result->text;
+  }
+  return texts;
+}
+
+TEST_CASE("every task is done once, by any number of workers") {
+  for (const std::uint64_t jobs : {1, 3}) {
+    Pool pool = MakePool(jobs, std::chrono::seconds(10), [](std::uint64_t) {});
+    const auto texts = Work100(pool);
+    REQUIRE(texts.size() == 10);
+    CHECK(texts.at(30) == "30;31;32;33;34;35;36;37;38;39;");
+  }
+}
+
+TEST_CASE("a worker that a signal kills costs the variant it was at, and no other") {
+  for (const int signal : {SIGSEGV, SIGKILL, SIGABRT}) {
+    Pool pool = MakePool(2, std::chrono::seconds(10), [signal](std::uint64_t index) {
+      if (index == 33 || index == 35 || index == 90) {
+        std::signal(signal, SIG_DFL);  // what a sanitizer or Catch put there
+        ::kill(::getpid(), signal);
+        std::this_thread::sleep_for(std::chrono::seconds(10));
+      }
+    });
+    const auto texts = Work100(pool);
+    const std::string died =
+        std::string("was killed by SIG") + ::sigabbrev_np(signal) + ";";
+    REQUIRE(texts.size() == 10);
+    CHECK(texts.at(30) == "30;31;32;" + died + "34;" + died + "36;37;38;39;");
+    CHECK(texts.at(90) == died + "91;92;93;94;95;96;97;98;99;");
+    CHECK(texts.at(20) == "20;21;22;23;24;25;26;27;28;29;");
+  }
+}
+
+TEST_CASE("a worker that ends by itself costs the variant it was at") {
+  Pool pool = MakePool(2, std::chrono::seconds(10), [](std::uint64_t index) {
+    if (index == 5) std::_Exit(3);
+  });
+  CHECK(Work100(pool).at(0) == "0;1;2;3;4;ended with status 3;6;7;8;9;");
+}
+
+TEST_CASE("a variant that takes too long is given up, and no other") {
+  Pool pool = MakePool(2, std::chrono::milliseconds(300), [](std::uint64_t index) {
+    if (index == 42) std::this_thread::sleep_for(std::chrono::seconds(60));
+    if (index == 43) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  });
+  const auto start = std::chrono::steady_clock::now();
+  const auto texts = Work100(pool);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  CHECK(texts.at(40) == "40;41;took longer than 0.3 s;43;44;45;46;47;48;49;");
+}
+
+TEST_CASE("workers that die before they begin anything do not go on for ever") {
+  Pool pool(2, std::chrono::seconds(10), []() -> Work { std::_Exit(9); });
+  pool.Submit({{0, 2, 0}, {}});
+  const auto start = std::chrono::steady_clock::now();
+  CHECK_THROWS_WITH(
+      [&] {
+        while (std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) pool.Wait();
+      }(),
+      "workers cannot work: the last one ended with status 9");
+}
+
+TEST_CASE("asked to stop, workers leave what they have not begun") {
+  Pool pool = MakePool(1, std::chrono::seconds(10), [](std::uint64_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  });
+  pool.Submit({{0, 10, 0}, {}});
+  pool.AskToStop();
+  CHECK_FALSE(pool.HasRoom());
+  while (pool.IsBusy()) pool.Wait();
+}
+
+}  // namespace
+}  // namespace mjforge::batch

@@ -1,0 +1,112 @@
+#include <catch2/catch.hpp>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/output/output.h"
+
+namespace mjforge::output {
+namespace {
+
+using harness::TemporaryFolder;
+using Files = std::vector<std::string>;
+
+mjcf::MjcfDocument DocumentOf(const std::string& text) {
+  mjcf::MjcfDocument document;
+  document.text = text;
+  return document;
+}
+
+TEST_CASE("an object's folder is made, with those above it and those in its name") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  ObjectFolder objects(folder / "a/b/out", {});
+  REQUIRE(objects.Write("box_000000.xml", DocumentOf("<mujoco/>\n"), findings));
+  REQUIRE(objects.Write("0010000/box_010000.xml", DocumentOf("<mujoco/>\n"), findings));
+  CHECK(folder.Files() == Files{"a/b/out/0010000/box_010000.xml", "a/b/out/box_000000.xml"});
+}
+
+TEST_CASE("folders that stay empty vanish") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "a");
+  diag::Findings findings;
+  {
+    MadeFolders folders;
+    REQUIRE(folders.Make(folder / "a/b/out", findings));
+    REQUIRE(folders.Make(folder / "a/c", findings));
+    folder.Write("a/c/file", "text");
+    REQUIRE(std::filesystem::is_directory(folder / "a/b/out"));
+  }
+  CHECK(std::filesystem::is_directory(folder / "a/c"));
+  CHECK_FALSE(std::filesystem::exists(folder / "a/b"));
+}
+
+TEST_CASE("a foreign file with an object's name is not overwritten without force") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  folder.Write("out/box_000000.xml", "mine");
+  ObjectFolder objects(folder / "out", {});
+  CHECK_FALSE(objects.Write("box_000000.xml", DocumentOf("<mujoco/>\n"), findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kOutputExists);
+  CHECK(folder.Read("out/box_000000.xml") == "mine");
+  ObjectFolder forced(folder / "out", {.force = true});
+  CHECK(forced.Write("box_000000.xml", DocumentOf("<mujoco/>\n"), findings));
+  CHECK(folder.Read("out/box_000000.xml") == "<mujoco/>\n");
+}
+
+TEST_CASE("a folder whose name is a file's is a finding") {
+  const TemporaryFolder folder;
+  const auto file = folder.Write("out", "text");
+  diag::Findings findings;
+  CHECK_FALSE(ObjectFolder(file, {}).Write("x.xml", DocumentOf("<mujoco/>\n"), findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kOutputCannotWrite);
+  CHECK(findings[0].message == "cannot make folder '" + file.string() + "': Not a directory");
+}
+
+TEST_CASE("assets are copied beside each folder's objects, once each") {
+  const TemporaryFolder folder;
+  const auto wood = folder.Write("textures/wood.png", "pixels");
+  mjcf::MjcfDocument document = DocumentOf("<mujoco/>\n");
+  document.assets = {{"assets/wood.png", wood}};
+  diag::Findings findings;
+  ObjectFolder objects(folder / "out", {});
+  REQUIRE(objects.Write("box_000000.xml", document, findings));
+  REQUIRE(objects.Write("0010000/box_010000.xml", document, findings));
+  std::filesystem::remove(wood);  // would be missed if it were read again
+  REQUIRE(objects.Write("box_000001.xml", document, findings));
+  CHECK(folder.Read("out/assets/wood.png") == "pixels");
+  CHECK(folder.Read("out/0010000/assets/wood.png") == "pixels");
+}
+
+TEST_CASE("an asset that is there with the same content is left alone") {
+  const TemporaryFolder folder;
+  const auto wood = folder.Write("wood.png", "pixels");
+  const auto copy = folder.Write("out/assets/wood.png", "pixels");
+  const auto time = std::filesystem::file_time_type(std::chrono::seconds(1));
+  std::filesystem::last_write_time(copy, time);
+  mjcf::MjcfDocument document = DocumentOf("<mujoco/>\n");
+  document.assets = {{"assets/wood.png", wood}};
+  diag::Findings findings;
+  CHECK(ObjectFolder(folder / "out", {}).Write("x.xml", document, findings));
+  CHECK(std::filesystem::last_write_time(copy) == time);
+}
+
+TEST_CASE("an asset that is there with other content is replaced only where that is allowed") {
+  const TemporaryFolder folder;
+  const auto wood = folder.Write("wood.png", "pixels");
+  const auto copy = folder.Write("out/assets/wood.png", "others");
+  mjcf::MjcfDocument document = DocumentOf("<mujoco/>\n");
+  document.assets = {{"assets/wood.png", wood}};
+  diag::Findings findings;
+  CHECK_FALSE(ObjectFolder(folder / "out", {}).Write("x.xml", document, findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message ==
+        "'" + copy.string() + "' exists with other content than '" + wood.string() + "'");
+  CHECK(folder.Files() == Files{"out/assets/wood.png", "wood.png"});
+  CHECK(folder.Read("out/assets/wood.png") == "others");
+  CHECK(ObjectFolder(folder / "out", {.assets = true}).Write("x.xml", document, findings));
+  CHECK(folder.Read("out/assets/wood.png") == "pixels");
+}
+
+}  // namespace
+}  // namespace mjforge::output
