@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 
 #include "mjforge/expr/expr.h"
@@ -46,43 +48,85 @@ std::optional<Decimal> Rounded(double magnitude) {
   std::optional<double> scaled = Scaled(magnitude, exponent);
   if (scaled && *scaled >= kPowers[kDigits]) scaled = Scaled(magnitude, ++exponent);
   if (!scaled) return std::nullopt;
-  const double whole = std::floor(*scaled);
-  const double rest = *scaled - whole;
+  const auto whole = static_cast<std::uint64_t>(*scaled);
+  const double rest = *scaled - static_cast<double>(whole);
   constexpr double kDoubt = 1e-5;  // ten times the error of Scaled()
   if (std::abs(rest - 0.5) < kDoubt) return std::nullopt;
-  Decimal decimal{static_cast<std::uint64_t>(whole) + (rest > 0.5 ? 1u : 0u), exponent};
+  Decimal decimal{whole + (rest > 0.5 ? 1u : 0u), exponent};
   if (decimal.digits == 10'000'000'000u) decimal = {1'000'000'000u, exponent + 1};
   return decimal;
 }
 
-void AppendExponent(std::string& out, int exponent) {
-  out += 'e';
-  out += exponent < 0 ? '-' : '+';
-  const int size = std::abs(exponent);
-  if (size >= 100) out += static_cast<char>('0' + size / 100);
-  out += static_cast<char>('0' + size / 10 % 10);
-  out += static_cast<char>('0' + size % 10);
+// The eight digits of a number below 10^8 as the bytes of a word, the first one
+// lowest. Each step splits every part in two: 4 + 4 digits, 2 + 2, 1 + 1.
+// Source: P. Khuong, "How to print integers really fast", 2017.
+std::uint64_t EightDigits(std::uint64_t number) {
+  const std::uint64_t fours = number / 10'000 | (number % 10'000) << 32;
+  const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x0000'007f'0000'007f;
+  const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16;
+  const std::uint64_t tens = (twos * 103 >> 10) & 0x000f'000f'000f'000f;
+  return tens | (twos - 10 * tens) << 8;
 }
 
-void AppendDecimal(std::string& out, Decimal decimal) {
-  std::array<char, kDigits> digits;
-  for (int i = kDigits; i-- > 0; decimal.digits /= 10) {
-    digits[static_cast<size_t>(i)] = static_cast<char>('0' + decimal.digits % 10);
+// A number's 16 digits, the first ones in the low bytes of `high`.
+struct Digits {
+  std::uint64_t high;
+  std::uint64_t low;
+
+  explicit Digits(std::uint64_t number)
+      : high(EightDigits(number / 100'000'000)), low(EightDigits(number % 100'000'000)) {}
+
+  /// Up to the last one that is not zero.
+  std::size_t count() const {
+    const int zeros = low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high);
+    return static_cast<std::size_t>(16 - zeros / 8);
   }
-  std::size_t count = digits.size();
-  while (count > 1 && digits[count - 1] == '0') --count;
-  if (decimal.exponent < -4 || decimal.exponent >= kDigits) {
-    out += digits[0];
-    if (count > 1) out.append(".").append(&digits[1], count - 1);
-    AppendExponent(out, decimal.exponent);
-  } else if (decimal.exponent < 0) {
-    out.append("0.").append(static_cast<std::size_t>(-decimal.exponent - 1), '0');
-    out.append(digits.data(), count);
-  } else {
-    const std::size_t before = static_cast<std::size_t>(decimal.exponent) + 1;
-    out.append(digits.data(), before);
-    if (count > before) out.append(".").append(&digits[before], count - before);
+  /// Writes all 16.
+  void Write(char* out) const {
+    constexpr std::uint64_t kZeros = 0x3030'3030'3030'3030;  // '0' eight times
+    const std::uint64_t words[] = {high | kZeros, low | kZeros};
+    std::memcpy(out, &words[0], 8);
+    std::memcpy(out + 8, &words[1], 8);
   }
+};
+
+// Room for the longest text that is written here: a sign, 16 digits, a point, zeros.
+constexpr std::size_t kLongest = 40;
+
+// The digits with the point where the exponent of the first one, -4 or more,
+// says. Returns the end; bytes behind it are overwritten, too.
+char* WritePositional(char* out, const Digits& digits, int exponent) {
+  if (exponent < 0) {
+    std::memcpy(out, "0.000000", 8);
+    out += 1 - exponent;
+    digits.Write(out);
+    return out + digits.count();
+  }
+  std::array<char, 32> zeros_after;
+  digits.Write(zeros_after.data());
+  std::memset(&zeros_after[16], '0', 16);
+  const std::size_t before = static_cast<std::size_t>(exponent) + 1;
+  digits.Write(out);
+  out += before;
+  if (digits.count() <= before) return out;
+  *out++ = '.';
+  std::memcpy(out, &zeros_after[before], 16);
+  return out + (digits.count() - before);
+}
+
+char* WriteScientific(char* out, const Digits& digits, int exponent) {
+  std::array<char, 16> all;
+  digits.Write(all.data());
+  *out++ = all[0];
+  if (digits.count() > 1) *out++ = '.';
+  out = std::copy_n(&all[1], digits.count() - 1, out);
+  *out++ = 'e';
+  *out++ = exponent < 0 ? '-' : '+';
+  const int size = std::abs(exponent);
+  if (size >= 100) *out++ = static_cast<char>('0' + size / 100);
+  *out++ = static_cast<char>('0' + size / 10 % 10);
+  *out++ = static_cast<char>('0' + size % 10);
+  return out;
 }
 
 template <typename... Args>
@@ -90,6 +134,27 @@ void AppendChars(std::string& out, Args... args) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), args...).ptr;
   out.append(buffer.data(), end);
+}
+
+// Writes a value that has at most 15 digits and stands without an exponent
+// whatever its digits are; false for any other.
+bool AppendShortDecimal(std::string& out, double value) {
+  constexpr int kCertain = 15;  // digits that survive being a double
+  const double magnitude = std::abs(value);
+  if (!(magnitude >= 1e-3 && magnitude < 1e4)) return false;
+  int exponent = -3;
+  for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
+  // Dividing two exact numbers rounds as reading the decimal does.
+  const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
+  const auto whole = static_cast<std::uint64_t>(magnitude * power + 0.5);
+  if (static_cast<double>(whole) / power != magnitude) return false;
+  const std::size_t size = out.size();
+  out.resize(size + kLongest);
+  char* end = &out[size];
+  if (value < 0) *end++ = '-';
+  end = WritePositional(end, Digits(whole * 10), exponent);
+  out.resize(static_cast<std::size_t>(end - out.data()));
+  return true;
 }
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -135,11 +200,22 @@ void AppendNumber(std::string& out, double value) {
   const double magnitude = std::abs(value);
   if (magnitude < kPowers[kDigits]) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value) return AppendChars(out, whole);
+    if (static_cast<double>(whole) == value) {
+      if (whole < 0 || whole > 9) return AppendChars(out, whole);
+      out += static_cast<char>('0' + whole);
+      return;
+    }
   }
   if (const std::optional<Decimal> decimal = Rounded(magnitude)) {
-    if (value < 0) out += '-';
-    AppendDecimal(out, *decimal);
+    const Digits digits(decimal->digits * 1'000'000);
+    const std::size_t size = out.size();
+    out.resize(size + kLongest);
+    char* end = &out[size];
+    if (value < 0) *end++ = '-';
+    const bool positional = decimal->exponent >= -4 && decimal->exponent < kDigits;
+    end = positional ? WritePositional(end, digits, decimal->exponent)
+                     : WriteScientific(end, digits, decimal->exponent);
+    out.resize(static_cast<std::size_t>(end - out.data()));
   } else {
     AppendChars(out, value, std::chars_format::general, kDigits);
   }
@@ -151,7 +227,11 @@ std::string NumberText(double value) {
   return text;
 }
 
-void AppendExactNumber(std::string& out, double value) { AppendChars(out, value); }
+// Drawn values have few digits. A decimal of at most 15 is the only one of that
+// length that reads back as the value, hence the shortest.
+void AppendExactNumber(std::string& out, double value) {
+  if (!AppendShortDecimal(out, value)) AppendChars(out, value);
+}
 
 std::string ExactNumberText(double value) {
   std::string text;

@@ -1,5 +1,6 @@
 #include "mjforge/model/field_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,8 +12,18 @@ namespace {
 
 using diag::Code;
 
-// What a number must be and is not, or nothing.
-std::string Broken(const spec::FieldInfo& info, double number) {
+bool IsOddCondim(const spec::FieldInfo& info, double number) {
+  return info.key == "condim" && (number == 2 || number == 5);
+}
+
+bool Holds(const spec::FieldInfo& info, double number) {
+  return (info.above ? number > info.lower : number >= info.lower) && number <= info.upper &&
+         (info.slot != spec::Slot::kInteger ||
+          (number == std::floor(number) && !IsOddCondim(info, number)));
+}
+
+// What a number must be that does not hold.
+std::string Rule(const spec::FieldInfo& info, double number) {
   if (info.above && !(number > info.lower)) {
     return fmt::format("must be greater than {}", expr::NumberText(info.lower));
   }
@@ -22,11 +33,7 @@ std::string Broken(const spec::FieldInfo& info, double number) {
   if (!(number <= info.upper)) {
     return fmt::format("must be at most {}", expr::NumberText(info.upper));
   }
-  if (info.slot == spec::Slot::kInteger && number != std::floor(number)) {
-    return "must be a whole number";
-  }
-  if (info.key == "condim" && (number == 2 || number == 5)) return "must be 1, 3, 4 or 6";
-  return {};
+  return IsOddCondim(info, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
 }
 
 // The value of one component, where it stands apart.
@@ -46,6 +53,16 @@ std::vector<std::string_view> Split(std::string_view words) {
 }
 
 }  // namespace
+
+bool FieldReader::MayDraw(const spec::Value& value) {
+  if (const auto* list = std::get_if<spec::List>(&value.form)) {
+    return std::ranges::any_of(list->items, MayDraw);
+  }
+  return !std::holds_alternative<double>(value.form) &&
+         !std::holds_alternative<expr::Expression>(value.form) &&
+         !std::holds_alternative<spec::VariableReference>(value.form) &&
+         !std::holds_alternative<spec::Text>(value.form);
+}
 
 std::string FieldReader::Owner() const {
   if (name_.empty()) return std::string(element_);
@@ -67,8 +84,7 @@ void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_vi
 bool FieldReader::IsGood(const spec::Field& field, double number, std::size_t position,
                          std::size_t count) {
   if (!std::isfinite(number)) return false;
-  const std::string broken = Broken(*field.info, number);
-  if (broken.empty()) return true;
+  if (Holds(*field.info, number)) return true;
   const spec::Value& item = ItemOf(field.value, position);
   std::string hint;
   if (const auto* expression = std::get_if<expr::Expression>(&item.form)) {
@@ -77,7 +93,7 @@ bool FieldReader::IsGood(const spec::Field& field, double number, std::size_t po
   const std::string which = count > 1 ? fmt::format(" {}", position + 1) : std::string();
   findings_.Add(Code::kModelBadValue, item.mark,
                 fmt::format("{}{} of {} is {}; it {}", field.info->key, which, Owner(),
-                            expr::NumberText(number), broken),
+                            expr::NumberText(number), Rule(*field.info, number)),
                 std::move(hint));
   return false;
 }

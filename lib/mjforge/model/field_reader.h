@@ -46,9 +46,11 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
+  /// What draws nothing needs no stream.
   sample::StreamId PathOf(const spec::Field& field) const {
-    return sample::Child(path_, field.info->key);
+    return MayDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }
+  static bool MayDraw(const spec::Value& value);
   bool IsGood(const spec::Field& field, double number, std::size_t position, std::size_t count);
 
   sample::Evaluator& values_;

@@ -12,11 +12,12 @@ constexpr std::array kOrientations = {Key::kQuat, Key::kEuler, Key::kAxisAngle, 
 
 }  // namespace
 
-FieldSet::FieldSet(std::span<const spec::Field> own, std::span<const spec::Field> defaults) {
+FieldSet::FieldSet(std::span<const spec::Field> own, std::span<const spec::Field> defaults)
+    : own_fields_(own), default_fields_(defaults) {
   Sort(own, own_, own_attributes_);
   if (defaults.empty()) return;
   Sort(defaults, defaults_, default_attributes_);
-  const auto drop = [this](Key id) { defaults_[Position(id)] = nullptr; };
+  const auto drop = [this](Key id) { defaults_[Position(id)] = 0; };
   if (Own(Key::kMass) || Own(Key::kDensity)) {
     drop(Key::kMass);
     drop(Key::kDensity);
@@ -36,7 +37,7 @@ bool FieldSet::OwnsAttribute(const spec::Field& default_attribute) const {
 void FieldSet::Sort(std::span<const spec::Field> fields, ById& by_id, Attributes& attributes) {
   for (const spec::Field& field : fields) {
     const Key id = field.info->id;
-    by_id[Position(id)] = &field;
+    by_id[Position(id)] = static_cast<std::uint16_t>(&field - fields.data() + 1);
     if (id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup) {
       attributes.push_back(&field);
     }

@@ -2,6 +2,7 @@
 #define MJFORGE_MODEL_FIELD_SET_H_
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include <boost/container/small_vector.hpp>
@@ -20,9 +21,11 @@ class FieldSet {
   FieldSet(std::span<const spec::Field> own, std::span<const spec::Field> defaults);
 
   /// The entry's own field.
-  const spec::Field* Own(spec::Key id) const { return own_[Position(id)]; }
+  const spec::Field* Own(spec::Key id) const { return At(own_fields_, own_[Position(id)]); }
   /// The default, where it counts.
-  const spec::Field* Default(spec::Key id) const { return defaults_[Position(id)]; }
+  const spec::Field* Default(spec::Key id) const {
+    return At(default_fields_, defaults_[Position(id)]);
+  }
   const spec::Field* operator[](spec::Key id) const { return Own(id) ? Own(id) : Default(id); }
 
   /// Fields that are written as they are.
@@ -35,10 +38,17 @@ class FieldSet {
   static std::size_t Position(spec::Key id) { return static_cast<std::size_t>(id); }
   // kJoint is the last one.
   static constexpr std::size_t kKeys = static_cast<std::size_t>(spec::Key::kJoint) + 1;
-  using ById = std::array<const spec::Field*, kKeys>;
+  // One more than the position among the fields, 0 for none: a set is made for
+  // every entry of every variant, so it is small.
+  using ById = std::array<std::uint16_t, kKeys>;
 
+  static const spec::Field* At(std::span<const spec::Field> fields, std::uint16_t place) {
+    return place == 0 ? nullptr : &fields[place - 1U];
+  }
   static void Sort(std::span<const spec::Field> fields, ById& by_id, Attributes& attributes);
 
+  std::span<const spec::Field> own_fields_;
+  std::span<const spec::Field> default_fields_;
   ById own_{};
   ById defaults_{};
   Attributes own_attributes_;

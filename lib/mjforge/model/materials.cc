@@ -38,6 +38,7 @@ void Assembly::EvaluateMaterial(Scope& scope, const spec::Material& material,
   Material look;
   look.name = scope.prefix + material.name;
   look.mark = material.mark;
+  look.attributes.reserve(material.fields.size());
   for (const spec::Field& field : material.fields) {
     if (field.info->id == Key::kDensity) {
       state.density = reader.Number(field);

@@ -1,8 +1,11 @@
 #include "mjforge/model/names.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <functional>
 #include <map>
-#include <unordered_map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,49 +27,86 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
   if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 
-// The names of one kind with the places of their elements; repeats are
-// reported, one for each place.
-class Kind {
+// The named elements of an object by kind and name. A flat hash table, made once
+// in its full size: looking up the twenty names of a small object in node-based
+// maps costs more than giving it all its parts.
+class NameTable {
  public:
-  Kind(std::string_view kind, diag::Findings& findings) : kind_(kind), findings_(findings) {}
-  void Expect(std::size_t count) { by_name_.reserve(count); }
+  struct Place {
+    std::string_view kind;
+    std::string_view name;
+    diag::SourceMark mark;
+    const Part* part = nullptr;
+  };
 
-  void Add(std::string_view name, diag::SourceMark mark, const Part* part = nullptr) {
-    if (name.empty()) return;
-    const auto [found, is_new] = by_name_.try_emplace(name, Place{mark, part});
-    if (is_new || (reported_ && reported_ == mark)) return;
-    reported_ = mark;
-    ReportTwice(kind_, std::string(name), mark, found->second.mark, {}, findings_);
+  /// Takes up to `count` names.
+  NameTable(std::size_t count, diag::Findings& findings)
+      : findings_(findings), slots_(std::bit_ceil(2 * count + 1), kNone) {
+    places_.reserve(count);
+  }
+
+  /// Repeats are reported, one for each place in the spec.
+  void Add(const Place& place) {
+    if (place.name.empty()) return;
+    std::uint32_t& slot = SlotOf(place.kind, place.name);
+    if (slot == kNone) {
+      slot = static_cast<std::uint32_t>(places_.size());
+      places_.push_back(place);
+      return;
+    }
+    diag::SourceMark& reported = reported_[place.kind];
+    if (reported && reported == place.mark) return;
+    reported = place.mark;
+    ReportTwice(place.kind, std::string(place.name), place.mark, places_[slot].mark, {},
+                findings_);
   }
   template <typename Elements>
-  void AddAll(const Elements& elements) {
-    for (const auto& element : elements) Add(element.name, element.mark);
+  void AddAll(std::string_view kind, const Elements& elements) {
+    for (const auto& element : elements) Add({kind, element.name, element.mark});
   }
-
-  struct Place {
-    diag::SourceMark mark;
-    const Part* part;
-  };
-  const Place* Find(std::string_view name) const {
-    const auto found = by_name_.find(name);
-    return found == by_name_.end() ? nullptr : &found->second;
+  const Place* Find(std::string_view kind, std::string_view name) {
+    const std::uint32_t slot = SlotOf(kind, name);
+    return slot == kNone ? nullptr : &places_[slot];
   }
 
  private:
-  std::string_view kind_;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  // Where the name is, or is to be.
+  std::uint32_t& SlotOf(std::string_view kind, std::string_view name) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = std::hash<std::string_view>()(name) & mask;
+    while (slots_[at] != kNone) {
+      const Place& place = places_[slots_[at]];
+      if (place.name == name && place.kind == kind) break;
+      at = (at + 1) & mask;
+    }
+    return slots_[at];
+  }
+
   diag::Findings& findings_;
-  std::unordered_map<std::string_view, Place> by_name_;
-  diag::SourceMark reported_;
+  std::vector<std::uint32_t> slots_;  // positions in places_
+  std::vector<Place> places_;
+  std::map<std::string_view, diag::SourceMark> reported_;  // the last one of a kind
 };
 
+std::size_t CountNames(const Object& object) {
+  std::size_t count = object.materials.size() + object.textures.size() + object.meshes.size();
+  for (const Body& body : object.bodies) {
+    count += 1 + body.joints.size() + body.sites.size() + body.parts.size() + body.elements.size();
+  }
+  for (const Section& section : object.sections) count += section.elements.size();
+  return count;
+}
+
 // A part whose name is that of another part's visual twin.
-void CheckTwins(const Object& object, const Kind& parts, diag::Findings& findings) {
+void CheckTwins(const Object& object, NameTable& names, diag::Findings& findings) {
   for (const Body& body : object.bodies) {
     for (const Part& part : body.parts) {
       if (!part.name.ends_with(kTwin)) continue;
       std::string_view stem = part.name;
       stem.remove_suffix(kTwin.size());
-      const Kind::Place* twin = parts.Find(stem);
+      const NameTable::Place* twin = names.Find("part", stem);
       if (twin == nullptr || twin->part->role == Role::kCollision || twin->part->as_is) continue;
       // A visual part has no geom of its own name.
       if (!part.as_is && part.role == Role::kVisual) continue;
@@ -98,37 +138,23 @@ std::string Quoted(std::string_view text) {
 }
 
 void CheckUniqueNames(const Object& object, diag::Findings& findings) {
-  Kind materials("material", findings);
-  Kind textures("texture", findings);
-  Kind meshes("mesh", findings);
-  Kind bodies("body", findings);
-  Kind joints("joint", findings);
-  Kind sites("site", findings);
-  Kind parts("part", findings);
-  bodies.Expect(object.bodies.size());
-  joints.Expect(object.bodies.size());
-  std::size_t part_count = 0;
-  for (const Body& body : object.bodies) part_count += body.parts.size();
-  parts.Expect(part_count);
-  materials.AddAll(object.materials);
-  textures.AddAll(object.textures);
-  for (const auto& mesh : object.meshes) meshes.Add(mesh->name, mesh->mark);
-  bodies.AddAll(object.bodies);
-  std::map<std::string_view, Kind> others;  // cameras, lights
+  NameTable names(CountNames(object), findings);
+  names.AddAll("material", object.materials);
+  names.AddAll("texture", object.textures);
+  for (const auto& mesh : object.meshes) names.Add({"mesh", mesh->name, mesh->mark});
+  names.AddAll("body", object.bodies);
   for (const Body& body : object.bodies) {
-    joints.AddAll(body.joints);
-    sites.AddAll(body.sites);
-    for (const Part& part : body.parts) parts.Add(part.name, part.mark, &part);
+    names.AddAll("joint", body.joints);
+    names.AddAll("site", body.sites);
+    for (const Part& part : body.parts) names.Add({"part", part.name, part.mark, &part});
+    // Cameras and lights.
     for (const Element& element : body.elements) {
-      others.try_emplace(element.tag, element.tag, findings)
-          .first->second.Add(element.name, element.mark);
+      names.Add({element.tag, element.name, element.mark});
     }
   }
-  CheckTwins(object, parts, findings);
+  CheckTwins(object, names, findings);
   for (const Section& section : object.sections) {
-    if (section.info->is_element) continue;
-    Kind elements(section.info->name, findings);
-    elements.AddAll(section.elements);
+    if (!section.info->is_element) names.AddAll(section.info->name, section.elements);
   }
 }
 

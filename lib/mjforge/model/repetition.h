@@ -19,9 +19,9 @@ class Repetition {
                                    std::size_t existing);
   /// Calls `visit` for each instance that exists, with the variables set. Stops
   /// at the first instance with a finding, since the others fail alike.
-  void ForEach(const spec::Entry& entry, sample::Evaluator& values,
-               const std::function<void()>& visit) {
-    Walk(entry, 0, values, visit);
+  template <typename Visit>
+  void ForEach(const spec::Entry& entry, sample::Evaluator& values, const Visit& visit) {
+    Walk(entry, 0, values, std::cref(visit));  // a reference needs no memory of its own
   }
 
  private:
