@@ -39,6 +39,7 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       options_(options),
       loader_(loader),
       sources_(sources),
+      sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
       assembler_(&attachments_) {
   provenance_.version = Version();
@@ -47,6 +48,10 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
   provenance_.settings = recipe.settings;
   provenance_.seed = options.seed;
   provenance_.target = mjcf::RulesOf(options.target).name;
+  if (options.sampler != sample::Method::kRandom) {
+    provenance_.sampler = sample::MethodName(options.sampler);
+  }
+  if (sampler_.NeedsBatch()) provenance_.batch = options.batch;
 }
 
 // Of the sources there are by now.
@@ -65,6 +70,8 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
   record.spec_sha256 = provenance_.spec_sha256;
   record.settings = provenance_.settings;
   record.target = provenance_.target;
+  record.sampler = provenance_.sampler;
+  record.batch = provenance_.batch;
   record.name = options_.name.empty() ? recipe_.spec->name : ExpandName(options_.name, index);
   provenance_.index = index;
   provenance_.name = record.name == recipe_.spec->name ? std::string() : record.name;
@@ -90,8 +97,9 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   output::Record& record = variant.record;
   record.attempt = attempt;
   const spec::ObjectSpec& spec = *recipe_.spec;
-  std::optional<sample::Evaluator> values = sample::Sample(
-      spec, {options_.seed, record.index, attempt}, sample::kRootStream, {}, variant.findings);
+  std::optional<sample::Evaluator> values =
+      sample::Sample(spec, {options_.seed, record.index, attempt}, sample::kRootStream, {},
+                     variant.findings, &sampler_);
   if (!values) {
     // Where a thousand draws met no requirement, more of them will not either.
     return HasCode(variant.findings, diag::Code::kSampleRejected) ? Outcome::kHopeless

@@ -52,6 +52,8 @@ struct Record {
   int njnt = 0;
   int ngeom = 0;
   std::string target;
+  std::string sampler;                // empty: random
+  std::uint64_t batch = 0;            // items of the batch; 0: no matter
   std::string status;                 // "ok", "failed", "skipped"
   std::vector<std::string> findings;  // JSON objects, as diag::RenderJson makes them
   std::string sha256;                 // of the file's bytes; empty: none was written
@@ -59,7 +61,7 @@ struct Record {
 /// Appends one JSON object and a line end.
 void AppendRecord(std::string& out, const Record& record);
 /// Reads back what replay needs: file name index seed attempt spec spec_sha256
-/// settings target status sha256. Nothing, and why, if the line is not a record.
+/// settings target sampler batch status sha256. Nothing, and why, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
 /// schemas/manifest.schema.json.

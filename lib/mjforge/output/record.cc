@@ -31,6 +31,8 @@ class LineReader {
     Miss(fmt::format("'{}' is not a whole number", key));
     return 0;
   }
+  std::string TextIfAny(const char* key) { return line_.HasMember(key) ? Text(key) : ""; }
+  std::uint64_t WholeIfAny(const char* key) { return line_.HasMember(key) ? Whole(key) : 0; }
   std::vector<std::pair<std::string, std::string>> Settings() {
     std::vector<std::pair<std::string, std::string>> settings;
     const auto set = line_.FindMember("set");
@@ -70,7 +72,7 @@ void AppendRecord(std::string& out, const Record& record) {
   JsonWriter json(buffer);
   json.StartObject();
   for (const RecordField& field : RecordFields()) {
-    if (field.optional && record.settings.empty()) continue;
+    if (field.is_absent != nullptr && field.is_absent(record)) continue;
     json.Key(field.key.data(), static_cast<rapidjson::SizeType>(field.key.size()));
     field.write(json, record);
   }
@@ -97,6 +99,8 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   record.spec_sha256 = reader.Text("spec_sha256");
   record.settings = reader.Settings();
   record.target = reader.Text("target");
+  record.sampler = reader.TextIfAny("sampler");
+  record.batch = reader.WholeIfAny("batch");
   record.status = reader.Text("status");
   record.sha256 = reader.TextOrNull("sha256");
   if (!reader.ok()) return std::nullopt;
@@ -107,7 +111,7 @@ std::string ManifestSchema() {
   std::string required;
   std::string properties;
   for (const RecordField& field : RecordFields()) {
-    if (!field.optional)
+    if (field.is_absent == nullptr)
       required += fmt::format("{}\"{}\"", required.empty() ? "" : ", ", field.key);
     properties += fmt::format("{}    \"{}\": {{\n      \"description\": \"{}\",\n      {}\n    }}",
                               properties.empty() ? "" : ",\n", field.key, field.doc, field.schema);

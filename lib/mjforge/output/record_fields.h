@@ -19,8 +19,8 @@ struct RecordField {
   std::string_view key;
   std::string_view schema;  // members of the field's JSON Schema, on one line
   std::string_view doc;
-  void (*write)(JsonWriter&, const Record&);  // the value
-  bool optional = false;                      // left out when empty: `set`
+  void (*write)(JsonWriter&, const Record&);   // the value
+  bool (*is_absent)(const Record&) = nullptr;  // left out when it is; null: never
 };
 
 /// In the order of a line.
