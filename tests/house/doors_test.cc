@@ -56,7 +56,7 @@ const std::array kLibraries = {
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
-    Library{"boost/random/", {"validate"}},  // points spread over joint ranges
+    Library{"boost/random/", {"sample", "validate"}},  // validate: points over joint ranges
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
              "manifest", "output", "forge", "batch", "app"}},

@@ -48,6 +48,8 @@ constexpr std::array kCodes = {
              "a draw is in an entry that needs a name to be reproducible"},
     CodeInfo{Code::kSpecBadParent, "spec/bad-parent",
              "a body hangs on one that does not exist, comes later, or is itself"},
+    CodeInfo{Code::kSpecNotConstant, "spec/not-constant",
+             "a value that a batch is planned by is computed or drawn"},
     CodeInfo{Code::kSampleEmptyRange, "sample/empty-range",
              "a drawn variant has a range whose lower end is above its upper"},
     CodeInfo{Code::kSampleBadArgument, "sample/bad-argument",

@@ -44,6 +44,7 @@ enum class Code {
   kSpecImportCycle,
   kSpecUnnamedDraw,
   kSpecBadParent,
+  kSpecNotConstant,
   // Drawing one variant's values.
   kSampleEmptyRange,
   kSampleBadArgument,

@@ -28,6 +28,7 @@
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/output/output.h"
+#include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/validate/validate.h"
 
@@ -88,6 +89,8 @@ struct Options {
   std::uint64_t attempt = 0;  // draws before this one are not tried
   /// A variant that fails is drawn again, up to kMaxResamples times.
   bool resample = false;
+  sample::Method sampler = sample::Method::kRandom;
+  std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
 };
 inline constexpr int kMaxResamples = 100;
 
@@ -128,6 +131,7 @@ class Generator {
   diag::Sources record_sources_;  // names as records show them
   manifest::Record common_;       // BatchRecord, and who validates
   mjcf::Provenance provenance_;
+  sample::Sampler sampler_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
 };

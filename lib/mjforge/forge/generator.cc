@@ -40,6 +40,9 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
+  if (options.sampler != sample::Method::kRandom)
+    record.sampler = sample::MethodName(options.sampler);
+  if (sample::Sampler::NeedsBatch(*recipe.spec, options.sampler)) record.batch = options.batch;
   return record;
 }
 
@@ -50,6 +53,7 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       loader_(loader),
       sources_(sources),
       common_(BatchRecord(recipe, options)),
+      sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
       assembler_(&attachments_) {
   common_.validate = loader == nullptr ? "none" : "load";
@@ -60,6 +64,8 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
   provenance_.settings = common_.settings;
   provenance_.seed = common_.seed;
   provenance_.target = common_.target;
+  provenance_.sampler = common_.sampler;
+  provenance_.batch = common_.batch;
 }
 
 // Of the sources there are by now.
@@ -77,6 +83,8 @@ void Generator::Begin(std::uint64_t index, Variant& variant) {
   record.spec = common_.spec;
   record.spec_sha256 = common_.spec_sha256;
   record.settings = common_.settings;
+  record.sampler = common_.sampler;
+  record.batch = common_.batch;
   record.target = common_.target;
   record.validate = common_.validate;
   record.on_invalid = common_.on_invalid;
@@ -122,8 +130,9 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   manifest::Record& record = variant.record;
   record.attempt = attempt;
   const spec::ObjectSpec& spec = *recipe_.spec;
-  std::optional<sample::Evaluator> values = sample::Sample(
-      spec, {options_.seed, record.index, attempt}, sample::kRootStream, {}, variant.findings);
+  std::optional<sample::Evaluator> values =
+      sample::Sample(spec, {options_.seed, record.index, attempt}, sample::kRootStream, {},
+                     variant.findings, &sampler_);
   if (!values) {
     // Where a thousand draws met no requirement, more of them will not either.
     return HasCode(variant.findings, diag::Code::kSampleRejected) ? Outcome::kHopeless

@@ -80,6 +80,8 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   original.record.spec_sha256 = provenance->spec_sha256;
   original.record.settings = provenance->settings;
   original.record.target = provenance->target;
+  original.record.sampler = provenance->sampler;
+  original.record.batch = provenance->batch;
   return original;
 }
 
@@ -219,6 +221,14 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
                                          request.what, original->record.target));
     return false;
   }
+  const std::string& sampler = original->record.sampler;
+  const std::optional<sample::Method> method =
+      sampler.empty() ? sample::Method::kRandom : sample::FindMethod(sampler);
+  if (!method) {
+    AddBadManifest(findings, fmt::format("'{}' was made with sampler '{}', which is not known here",
+                                         request.what, sampler));
+    return false;
+  }
   const std::optional<Recipe> recipe =
       LoadOriginalRecipe(*original, request, file.parent_path(), sources, findings);
   if (!recipe) return false;
@@ -227,6 +237,8 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
   options.target = *target;
   options.name = original->record.name;
   options.attempt = original->record.attempt;
+  options.sampler = *method;
+  options.batch = original->record.batch;
   return MakeAgain(*original, *recipe, options, sources, findings);
 }
 

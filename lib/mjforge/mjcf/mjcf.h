@@ -28,6 +28,8 @@ struct Provenance {
   std::uint64_t index = 0;
   std::string name;  // the object's, where it is not the spec's
   std::string target;
+  std::string sampler;      // empty: random
+  std::uint64_t batch = 0;  // 0: the variant does not depend on the batch's size
 };
 /// Reads the comment of a generated file back; nothing if it has none.
 std::optional<Provenance> ReadProvenance(std::string_view mjcf);

@@ -81,6 +81,8 @@ bool ReadPair(std::string_view word, Provenance& provenance) {
   if (key == "sha256") provenance.spec_sha256 = *value;
   if (key == "name") provenance.name = *value;
   if (key == "target") provenance.target = *value;
+  if (key == "sampler") provenance.sampler = *value;
+  if (key == "batch") return ReadInteger(*value, 10, provenance.batch);
   if (key.starts_with(kSetting)) {
     const std::optional<std::string> name = Decoded(key.substr(kSetting.size()));
     if (!name) return false;
@@ -119,6 +121,8 @@ void AppendProvenance(const Provenance& provenance, std::string& out) {
   AppendPair("index", std::to_string(provenance.index), out);
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
+  if (!provenance.sampler.empty()) AppendPair("sampler", provenance.sampler, out);
+  if (provenance.batch != 0) AppendPair("batch", std::to_string(provenance.batch), out);
   for (const auto& [name, value] : provenance.settings) {
     out += ' ';
     out += kSetting;

@@ -175,7 +175,8 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
   }
   if (findings_.size() != before) return std::nullopt;
   // Its own requirements are retried on their own, from this attempt on.
-  return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_);
+  return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
+                        scope.values.sampler());
 }
 
 // mass: of a spec.

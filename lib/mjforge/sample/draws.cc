@@ -62,7 +62,7 @@ double Evaluator::DrawFrom(Distribution distribution, std::span<const double> ar
         empty ? Code::kSampleEmptyRange : Code::kSampleBadArgument, mark, std::move(*wrong),
         empty ? "write the lower end first, or keep the ends apart with min() and max()" : "");
   }
-  const double u = Uniforms(key_, path)[0];
+  const double u = Uniforms(path)[0];
   const double value = Quantile(distribution, arguments, limits, u);
   if (!std::isfinite(value)) {
     return Fail(Code::kSampleBadArgument, mark,
@@ -78,10 +78,10 @@ const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, St
   std::size_t option;
   if (draw.distribution == Distribution::kCycle) {
     option = static_cast<std::size_t>(key_.index % count);
-  } else if (!draw.weights.empty()) {
+  } else if (!draw.weights.empty() || IsExact(draw)) {
     option = WeightedOption(draw, mark, path);
   } else {
-    option = static_cast<std::size_t>(Uniforms(key_, path)[0] * static_cast<double>(count));
+    option = static_cast<std::size_t>(Uniforms(path)[0] * static_cast<double>(count));
   }
   path = Child(Child(path, Info(draw.distribution).key), option);
   return draw.arguments[option];
@@ -102,6 +102,10 @@ std::size_t Evaluator::WeightedOption(const spec::Draw& draw, SourceMark mark, S
     weights.push_back(weight);
     sum += weight;
   }
+  if (draw.weights.empty()) {  // of an exact choice
+    weights.assign(draw.arguments.size(), 1);
+    sum = 1;
+  }
   if (std::isnan(sum)) return 0;
   if (sum <= 0 || std::isinf(sum)) {
     Fail(Code::kSampleBadArgument, mark,
@@ -109,7 +113,10 @@ std::size_t Evaluator::WeightedOption(const spec::Draw& draw, SourceMark mark, S
                   : "the sum of the choice's weights is infinite");
     return 0;
   }
-  return WeightedIndex({weights.data(), weights.size()}, Uniforms(key_, path)[0]);
+  if (IsExact(draw)) {
+    return sampler_->ExactOption({weights.data(), weights.size()}, key_, path);
+  }
+  return WeightedIndex({weights.data(), weights.size()}, Uniforms(path)[0]);
 }
 
 void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, StreamId path,
@@ -122,7 +129,7 @@ void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, S
     Fail(Code::kSampleBadArgument, mark, "the axis to turn about is 0 0 0; it needs a direction");
   }
   // From -pi/2 to pi/2, so that w is not negative.
-  const double half_angle = std::numbers::pi * (Uniforms(key_, path)[0] - 0.5);
+  const double half_angle = std::numbers::pi * (Uniforms(path)[0] - 0.5);
   out.push_back(std::cos(half_angle));
   for (const double component : axis) out.push_back(std::sin(half_angle) * (component / length));
 }
@@ -135,7 +142,7 @@ void Evaluator::AppendOnSphere(const spec::PointOnSphere& point, SourceMark mark
         Code::kSampleBadArgument, mark,
         fmt::format("the radius of the sphere is {}; it must not be negative", NumberText(radius)));
   }
-  const std::array<double, 4> u = Uniforms(key_, path);
+  const std::array<double, 4> u = Uniforms(path);
   for (const double component : UniformDirection(u[0], u[1])) out.push_back(radius * component);
 }
 

@@ -159,7 +159,7 @@ void Evaluator::AppendVector(const spec::Value& value, StreamId path, Numbers& o
     const spec::Value& chosen = Chosen(*draw, value.mark, path);
     AppendVector(chosen, path, out);
   } else if (std::holds_alternative<spec::RandomRotation>(value.form)) {
-    const std::array<double, 4> u = Uniforms(key_, path);
+    const std::array<double, 4> u = Uniforms(path);
     const std::array<double, 4> rotation = UniformRotation(u[0], u[1], u[2]);
     out.insert(out.end(), rotation.begin(), rotation.end());
   } else if (const auto* about = std::get_if<spec::RotationAbout>(&value.form)) {

@@ -38,11 +38,12 @@ std::string KindText(const ParameterValue& value) {
 }  // namespace
 
 Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
-                     diag::Findings& findings)
+                     diag::Findings& findings, const Sampler* sampler)
     : spec_(spec),
       key_(key),
       root_(root),
       findings_(findings),
+      sampler_(sampler),
       variables_(static_cast<std::size_t>(spec.names.slot_count())),
       texts_(variables_.size()) {
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);

@@ -10,27 +10,42 @@ namespace {
 using diag::Code;
 using Overrides = std::span<const std::pair<std::string, ParameterValue>>;
 
-bool Draws(const spec::Value& value);
+// Whether values may differ from one attempt to the next.
+class Redraw {
+ public:
+  // A sampler that knows the batch has settled the exact choices.
+  explicit Redraw(const Sampler* sampler)
+      : exact_is_settled_(sampler != nullptr && sampler->batch() > 0) {}
 
-bool AnyDraws(std::span<const spec::Value> values) { return std::ranges::any_of(values, Draws); }
-
-// Whether the value may differ from one attempt to the next. (A cycle does not.)
-bool Draws(const spec::Value& value) {
-  if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
-    return draw->distribution != spec::Distribution::kCycle || AnyDraws(draw->arguments);
+  bool Changes(const spec::Value& value) const {
+    if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
+      const bool settled =
+          draw->distribution == spec::Distribution::kCycle || (draw->exact && exact_is_settled_);
+      return !settled || ChangesAny(draw->arguments);
+    }
+    if (const auto* list = std::get_if<spec::List>(&value.form)) return ChangesAny(list->items);
+    if (const auto* color = std::get_if<spec::HsvColor>(&value.form)) {
+      return ChangesAny(color->items);
+    }
+    return std::holds_alternative<spec::RandomRotation>(value.form) ||
+           std::holds_alternative<spec::RotationAbout>(value.form) ||
+           std::holds_alternative<spec::PointOnSphere>(value.form);
   }
-  if (const auto* list = std::get_if<spec::List>(&value.form)) return AnyDraws(list->items);
-  if (const auto* color = std::get_if<spec::HsvColor>(&value.form)) return AnyDraws(color->items);
-  return std::holds_alternative<spec::RandomRotation>(value.form) ||
-         std::holds_alternative<spec::RotationAbout>(value.form) ||
-         std::holds_alternative<spec::PointOnSphere>(value.form);
-}
 
-bool ParametersDraw(const spec::ObjectSpec& spec, Overrides overrides) {
-  return std::ranges::any_of(spec.parameters, [&](const spec::Parameter& parameter) {
+ private:
+  bool ChangesAny(std::span<const spec::Value> values) const {
+    return std::ranges::any_of(values, [this](const spec::Value& value) { return Changes(value); });
+  }
+
+  bool exact_is_settled_;
+};
+
+bool ParametersDraw(const Evaluator& evaluator, Overrides overrides) {
+  const Redraw redraw(evaluator.sampler());
+  return std::ranges::any_of(evaluator.spec().parameters, [&](const spec::Parameter& parameter) {
     const auto given = std::ranges::find(overrides, parameter.name,
                                          &std::pair<std::string, ParameterValue>::first);
-    return given == overrides.end() && Draws(parameter.value);
+    return given == overrides.end() && redraw.Changes(parameter.value);
   });
 }
 
@@ -49,7 +64,7 @@ class Attempts {
       if (evaluator_.SampleParameters(overrides_)) return true;
       if (evaluator_.failed_) return false;
       if (count == 0) {
-        if (!ParametersDraw(evaluator_.spec_, overrides_)) {
+        if (!ParametersDraw(evaluator_, overrides_)) {
           ReportHopeless();
           return false;
         }
@@ -98,8 +113,9 @@ class Attempts {
 };
 
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
-                                Overrides overrides, diag::Findings& findings) {
-  std::optional<Evaluator> evaluator(std::in_place, spec, key, root, findings);
+                                Overrides overrides, diag::Findings& findings,
+                                const Sampler* sampler) {
+  std::optional<Evaluator> evaluator(std::in_place, spec, key, root, findings, sampler);
   if (!Attempts(*evaluator, overrides).Run()) evaluator.reset();
   return evaluator;
 }

@@ -2,7 +2,8 @@
 #define MJFORGE_SAMPLE_SAMPLE_H_
 
 // ObjectSpec + (seed, index) -> values. Every draw is a pure function of the
-// seed, the variant's index, the attempt and the path of the value in the spec.
+// seed, the variant's index, the attempt and the path of the value in the spec
+// (and of the batch's size, where a Sampler is told it).
 
 #include <array>
 #include <cstdint>
@@ -18,28 +19,11 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/sample/sampler.h"
+#include "mjforge/sample/streams.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::sample {
-
-/// Identifies one stream of random numbers: the hash of a value's path.
-/// Child(Child(kRootStream, "params"), "radius") is the stream of params/radius.
-using StreamId = std::uint64_t;
-inline constexpr StreamId kRootStream = 0;
-StreamId Child(StreamId parent, std::string_view name);
-StreamId Child(StreamId parent, std::size_t position);
-
-struct DrawKey {
-  std::uint64_t seed = 0;
-  std::uint64_t index = 0;
-  std::uint64_t attempt = 0;
-};
-
-/// Four independent numbers of the open interval (0, 1): Philox4x64-10 with key
-/// (seed, 0) and counter (index, stream, attempt, 0), the top 52 bits of each
-/// word, centred (with 53 the last one would round to 1). Source: Salmon et al., "Parallel random
-/// numbers: as easy as 1, 2, 3", SC 2011.
-std::array<double, 4> Uniforms(const DrawKey& key, StreamId stream);
 
 /// `value` rounded to 6 significant digits, never coarser than a millionth of
 /// hi - lo, never outside [lo, hi]. Infinite bounds mean "no bound".
@@ -55,10 +39,12 @@ using ParameterValue = std::variant<double, bool, std::string, std::vector<doubl
 
 /// Evaluates the values of one spec for one variant, in the scope of that
 /// spec's names. Errors are added to the findings and make the result useless;
-/// `failed()` says so.
+/// `failed()` says so. Without a sampler everything is drawn at random; one must
+/// outlive the evaluator.
 class Evaluator {
  public:
-  Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings);
+  Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings,
+            const Sampler* sampler = nullptr);
 
   /// Draws all parameters and tests the requirements. False: some requirement
   /// does not hold (`rejected_by()`), or there was an error (`failed()`).
@@ -81,6 +67,7 @@ class Evaluator {
   void SetVariable(int slot, const ParameterValue& value);
   StreamId root() const { return root_; }
   const DrawKey& key() const { return key_; }
+  const Sampler* sampler() const { return sampler_; }
   const spec::ObjectSpec& spec() const { return spec_; }
   bool failed() const { return failed_; }
   int rejected_by() const { return rejected_by_; }
@@ -88,6 +75,9 @@ class Evaluator {
   ParameterValue Parameter(std::size_t i) const;
 
  private:
+  std::array<double, 4> Uniforms(StreamId path) const {
+    return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
+  }
   void DrawParameter(const spec::Parameter& parameter, StreamId path);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
   void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
@@ -96,6 +86,10 @@ class Evaluator {
   double DrawFrom(spec::Distribution distribution, std::span<const double> arguments,
                   std::optional<Interval> limits, diag::SourceMark mark, StreamId path);
   const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
+  /// Whether the draw is planned over the batch rather than made for each item.
+  bool IsExact(const spec::Draw& draw) const {
+    return draw.exact && sampler_ != nullptr && sampler_->batch() > 0;
+  }
   std::size_t WeightedOption(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
   void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
   void AppendAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
@@ -117,6 +111,7 @@ class Evaluator {
   DrawKey key_;
   StreamId root_;
   diag::Findings& findings_;
+  const Sampler* sampler_;
   std::vector<double> variables_;   // by slot
   std::vector<std::string> texts_;  // by slot
   std::vector<StreamId> streams_;   // by parameter
@@ -132,7 +127,7 @@ inline constexpr std::uint64_t kMaxAttempts = 1000;
 /// kMaxAttempts or a draw fails.
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 std::span<const std::pair<std::string, ParameterValue>> overrides,
-                                diag::Findings& findings);
+                                diag::Findings& findings, const Sampler* sampler = nullptr);
 
 }  // namespace mjforge::sample
 

@@ -1,9 +1,9 @@
 #include <charconv>
 
-#include <Random123/philox.h>
 #include <xxhash.h>
 
-#include "mjforge/sample/sample.h"
+#include "mjforge/sample/philox.h"
+#include "mjforge/sample/streams.h"
 
 namespace mjforge::sample {
 
@@ -18,14 +18,9 @@ StreamId Child(StreamId parent, std::size_t position) {
 }
 
 std::array<double, 4> Uniforms(const DrawKey& key, StreamId stream) {
-  using Philox = r123::Philox4x64;
-  const Philox::ctr_type counter = {{key.index, stream, key.attempt, 0}};
-  const Philox::key_type philox_key = {{key.seed, 0}};
-  const Philox::ctr_type words = Philox()(counter, philox_key);
+  const auto words = PhiloxWords(key.seed, key.index, stream, key.attempt, Purpose::kDraw);
   std::array<double, 4> uniforms;
-  for (std::size_t i = 0; i < uniforms.size(); ++i) {
-    uniforms[i] = (static_cast<double>(words[i] >> 12) + 0.5) * 0x1p-52;
-  }
+  for (std::size_t i = 0; i < uniforms.size(); ++i) uniforms[i] = UniformOf(words[i]);
   return uniforms;
 }
 

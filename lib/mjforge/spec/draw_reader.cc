@@ -17,6 +17,7 @@ using expr::Type;
 constexpr std::string_view kAbout = "about";
 constexpr std::string_view kOnSphere = "on_sphere";
 constexpr std::string_view kHsv = "hsv";
+constexpr std::string_view kExact = "exact";
 
 const DistributionInfo* FindDistribution(std::string_view key) {
   const auto all = Distributions();
@@ -57,8 +58,20 @@ std::string KnownDistributions() {
   return text;
 }
 
-std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_keys) {
+bool IsConstant(const Value& value) {
+  if (std::holds_alternative<double>(value.form)) return true;
+  const auto* expression = std::get_if<expr::Expression>(&value.form);
+  return expression != nullptr && expression->constant();
+}
+
+std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_keys,
+                                        const DistributionInfo* main) {
   std::vector<std::string_view> keys(extra_keys.begin(), extra_keys.end());
+  if (main != nullptr) {
+    for (const std::string_view key : {main->option, main->flag}) {
+      if (!key.empty()) keys.push_back(key);
+    }
+  }
   for (const DistributionInfo& info : Distributions()) keys.push_back(info.key);
   for (const std::string_view key : {kAbout, kOnSphere, kHsv}) keys.push_back(key);
   return keys;
@@ -104,7 +117,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
 Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
                                std::span<const std::string_view> extra_keys) {
   const YamlNode::Pair* main = nullptr;
-  std::string_view option;
+  const DistributionInfo* distribution = nullptr;
   for (const auto& pair : node.pairs) {
     const DistributionInfo* info = FindDistribution(pair.key);
     const bool is_main = info != nullptr || pair.key == kAbout || pair.key == kOnSphere ||
@@ -116,14 +129,17 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
       return Harmless(node);
     }
     main = &pair;
-    if (info != nullptr) option = info->option;
+    distribution = info;
   }
   for (const auto& pair : node.pairs) {
-    if (&pair == main || (!option.empty() && pair.key == option) ||
-        std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
+    const bool beside = distribution != nullptr && !pair.key.empty() &&
+                        (pair.key == distribution->option || pair.key == distribution->flag);
+    if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
-    std::string hint = diag::DidYouMean(pair.key, KnownKeys(extra_keys));
+    std::string hint = pair.key == kExact
+                           ? "'exact' belongs beside 'choice'"
+                           : diag::DidYouMean(pair.key, KnownKeys(extra_keys, distribution));
     if (hint.empty() && main == nullptr) hint = KnownDistributions();
     findings_.Add(Code::kSpecUnknownKey, pair.mark,
                   fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));
@@ -176,6 +192,9 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
   if (const YamlNode* option = info.option.empty() ? nullptr : map.Find(info.option)) {
     ReadDrawOption(info, *option, draw);
   }
+  if (const YamlNode* flag = info.flag.empty() ? nullptr : map.Find(info.flag)) {
+    ReadExact(*flag, draw);
+  }
   value.form = std::move(draw);
   return value;
 }
@@ -198,6 +217,23 @@ void ValueReader::ReadDrawOption(const DistributionInfo& info, const YamlNode& n
     (weights ? draw.weights : draw.limits).push_back(ReadNumber(item));
   }
   if (!weights) CheckRangeOrder(draw.limits[0], draw.limits[1], node.mark);
+}
+
+// What a batch has of each option is settled before anything is drawn.
+void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
+  if (!IsBooleanWord(node)) {
+    Wrong(node, "true or false");
+    return;
+  }
+  draw.exact = node.text == "true";
+  if (!draw.exact) return;
+  has_exact_choice_ = true;
+  for (const Value& weight : draw.weights) {
+    if (weight.components == 0 || IsConstant(weight)) continue;  // 0: it was reported
+    findings_.Add(Code::kSpecNotConstant, weight.mark,
+                  "the weights of an exact choice must be constants",
+                  "without `exact: true` they may be computed and drawn");
+  }
 }
 
 void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw,

@@ -177,6 +177,9 @@ void EntryReader::ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& ent
 void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry) {
   const std::string reference = reading_.values.ReadPlainText("spec", spec);
   if (!reference.empty()) entry.nested = reading_.loader.LoadNested(reference, spec.mark);
+  if (entry.nested != nullptr && entry.nested->has_exact_choice) {
+    reading_.spec.has_exact_choice = true;
+  }
   if (const YamlNode* params = map.Find("params");
       params && IsMap(*params, "parameters", reading_)) {
     for (const auto& pair : params->pairs) ReadOverride(pair, entry);

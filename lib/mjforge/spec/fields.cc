@@ -754,8 +754,12 @@ constexpr DistributionInfo kDistributions[] = {
      {},
      "Every whole number from lo to hi alike, both included."},
     {"bernoulli", Distribution::kBernoulli, 1, "{bernoulli: p}", {}, "True with probability p."},
-    {"choice", Distribution::kChoice, -1, "{choice: [a, b, ...], weights: [...]}", "weights",
-     "One of the values, which may be of any kind; alike, or by weights."},
+    {"choice", Distribution::kChoice, -1, "{choice: [a, b, ...], weights: [...], exact: true}",
+     "weights",
+     "One of the values, which may be of any kind; alike, or by weights. With `exact: true` a "
+     "batch "
+     "has each value as often as the weights say, to the nearest whole number.",
+     "exact"},
     {"cycle",
      Distribution::kCycle,
      -1,

@@ -182,6 +182,7 @@ struct DistributionInfo {
   std::string_view usage;        // "{triangular: [lo, mode, hi]}"
   std::string_view option = {};  // extra key: "clip", "range" or "weights"
   std::string_view doc = {};
+  std::string_view flag = {};  // extra key that is true or false: "exact"
 };
 std::span<const DistributionInfo> Distributions();
 

@@ -105,6 +105,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadWhole(root, reading);
+    if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
   }
 
   void ReadHead(const YamlNode& root, Reading& reading) {
@@ -186,6 +187,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* import = root->Find("import")) ReadImports(*import, inner);
     folder_ = folder;
     shared_.open.pop_back();
+    if (inner.values.has_exact_choice()) reading.spec.has_exact_choice = true;
   }
 
   std::optional<fs::path> Find(const std::string& reference, const fs::path& folder,

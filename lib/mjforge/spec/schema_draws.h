@@ -120,6 +120,9 @@ class DrawSchema : protected SchemaWriter {
           }
         });
       }
+      if (!info.flag.empty()) {
+        Define(info.flag, [this] { Text("type", "boolean"); });
+      }
       more_properties();
     });
     Strings("required", {info.key});

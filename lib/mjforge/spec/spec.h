@@ -137,6 +137,7 @@ struct ObjectSpec {
   std::vector<Section> sections;
   std::optional<Field> mass;  // kg, of the whole object
   Placement placement = Placement::kCenter;
+  bool has_exact_choice = false;    // it or a spec it brings: a variant depends on the batch's size
   std::optional<Field> total_size;  // half sizes, m
 
   const Parameter* FindParameter(std::string_view parameter) const;

@@ -33,6 +33,8 @@ class ValueReader {
   Value ReadText(const YamlNode& node);
   /// A boolean expression; nothing if it is wrong.
   std::optional<expr::Expression> ReadCondition(const YamlNode& node);
+  /// Whether some value read so far is a choice with `exact: true`.
+  bool has_exact_choice() const { return has_exact_choice_; }
   /// Text without interpolation, empty if wrong.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
@@ -56,6 +58,7 @@ class ValueReader {
   Value ReadDraw(const DistributionInfo& info, const Expected& expected, const YamlNode& map);
   void ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw, Value& value);
   void ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw);
+  void ReadExact(const YamlNode& node, Draw& draw);
   bool IsVectorForm(std::string_view key, const Expected& expected) const;
   Value ReadVectorForm(std::string_view key, const Expected& expected, const YamlNode& node);
   Value ReadRange(const YamlNode& node, std::size_t dots);
@@ -75,6 +78,7 @@ class ValueReader {
   const expr::Names& names_;
   const diag::Sources& sources_;
   diag::Findings& findings_;
+  bool has_exact_choice_ = false;
 };
 
 /// Where the two dots of `lo .. hi` are in a text; nothing if it is no range.

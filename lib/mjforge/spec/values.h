@@ -42,6 +42,7 @@ struct Draw {
   std::vector<Value> arguments;  // numbers; for choice and cycle the options
   std::vector<Value> limits;     // clip or range: none or two numbers
   std::vector<Value> weights;    // choice: none or one for each option
+  bool exact = false;            // choice: the counts over a batch follow the weights
 };
 
 struct RandomRotation {};  // quat: random

@@ -1,4 +1,6 @@
+#include <array>
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "loaded_recipe.h"
 
@@ -140,6 +142,64 @@ TEST_CASE("resampling ends where every draw is bad") {
   const Variant variant = MakeOne(loaded, options, 0);
   CHECK(variant.record.status == "failed");
   CHECK(variant.record.attempt == kMaxResamples);
+}
+
+TEST_CASE("resampling keeps exact choices, and an item is the same in any order") {
+  const std::string text =
+      std::string(kUnluckySpec)
+          .replace(std::string(kUnluckySpec).find("  height"), 0,
+                   "  density: {choice: [300, 500, 800], weights: [2, 1, 1], exact: true}\n");
+  LoadedRecipe loaded(text);
+  Options options;
+  options.seed = 3;
+  options.resample = true;
+  options.sampler = sample::Method::kLatin;
+  options.batch = 20;
+  Generator forward(loaded.recipe, loaded.sources, options, nullptr);
+  std::vector<std::string> texts;
+  std::map<double, int> counts;
+  std::uint64_t redraws = 0;
+  Variant variant;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    forward.Make(index, variant);
+    REQUIRE(variant.ok());
+    redraws += variant.record.attempt;
+    ++counts[std::get<double>(variant.record.params[0].second)];
+    texts.push_back(variant.document.text);
+  }
+  CHECK(redraws > 5);
+  CHECK(counts == std::map<double, int>{{300, 10}, {500, 5}, {800, 5}});
+  Generator backward(loaded.recipe, loaded.sources, options, nullptr);
+  for (std::uint64_t index = 20; index-- > 0;) {
+    backward.Make(index, variant);
+    CHECK(variant.document.text == texts[index]);
+  }
+}
+
+TEST_CASE("welded specs are planned over the same batch") {
+  LoadedRecipe loaded(
+      "mjforge: 1\n"
+      "name: shelf\n"
+      "parts:\n"
+      "  - {name: left, spec: box.yaml}\n"
+      "  - {name: right, spec: box.yaml, pos: [1, 0, 0]}\n",
+      {}, {{"box.yaml", kExactSpec}});
+  Options options;
+  options.batch = 8;
+  Generator generator(loaded.recipe, loaded.sources, options, nullptr);
+  std::array<std::map<double, int>, 2> counts;
+  Variant variant;
+  for (std::uint64_t index = 0; index < 8; ++index) {
+    generator.Make(index, variant);
+    REQUIRE(variant.ok());
+    CHECK(variant.record.batch == 8);
+    CHECK(variant.record.sampler.empty());
+    const auto& parts = variant.object->bodies.front().parts;
+    REQUIRE(parts.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) ++counts[i][parts[i].density];
+  }
+  CHECK(counts[0] == std::map<double, int>{{300, 4}, {500, 2}, {800, 2}});
+  CHECK(counts[1] == counts[0]);
 }
 
 TEST_CASE("a scene counts its floor") {

@@ -4,7 +4,9 @@
 
 namespace mjforge::forge {
 
-LoadedRecipe::LoadedRecipe(const std::string& text, spec::LoadOptions options) {
+LoadedRecipe::LoadedRecipe(const std::string& text, spec::LoadOptions options,
+                           const std::vector<std::pair<std::string, std::string>>& beside) {
+  for (const auto& [name, content] : beside) folder.Write(name, content);
   diag::Findings findings;
   const std::string file = folder.Write("crate.yaml", text).string();
   std::optional<Recipe> loaded = LoadRecipe(file, options, sources, findings);

@@ -2,6 +2,8 @@
 #define MJFORGE_TESTS_UNIT_FORGE_LOADED_RECIPE_H_
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/temporary_folder.h"
 #include "mjforge/forge/forge.h"
@@ -27,9 +29,21 @@ inline constexpr const char* kUnluckySpec =
     "parts:\n"
     "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
 
-/// A spec in a file of a fresh folder, loaded without findings.
+/// A box whose material is planned over the batch.
+inline constexpr const char* kExactSpec =
+    "mjforge: 1\n"
+    "name: crate\n"
+    "params:\n"
+    "  height: 0.1 .. 0.2\n"
+    "  density: {choice: [300, 500, 800], weights: [2, 1, 1], exact: true}\n"
+    "parts:\n"
+    "  - {name: body, type: box, size: [0.1 .. 0.2, 0.1, height], density: density}\n";
+
+/// A spec in a file of a fresh folder, other files (name, text) beside it, loaded
+/// without findings.
 struct LoadedRecipe {
-  explicit LoadedRecipe(const std::string& text, spec::LoadOptions options = {});
+  explicit LoadedRecipe(const std::string& text, spec::LoadOptions options = {},
+                        const std::vector<std::pair<std::string, std::string>>& beside = {});
 
   harness::TemporaryFolder folder;
   diag::Sources sources;

@@ -55,6 +55,49 @@ TEST_CASE("resampled variants are made again") {
   }
 }
 
+TEST_CASE("variants of a planned batch are made again") {
+  for (const sample::Method method : {sample::Method::kRandom, sample::Method::kSobol,
+                                      sample::Method::kLatin, sample::Method::kGrid}) {
+    Options options;
+    options.sampler = method;
+    options.batch = 5;
+    ReplayTest test(kExactSpec, options, 5);
+    std::string manifest = test.loaded.folder.Read("crate/manifest.jsonl");
+    const std::string name(sample::MethodName(method));
+    const bool named = manifest.find("\"sampler\":\"" + name + "\"") != std::string::npos;
+    CHECK(named == (method != sample::Method::kRandom));
+    CHECK(manifest.find("\"batch\":5,") != std::string::npos);
+    for (int index = 0; index < 5; ++index) {
+      CHECK(test.Replay("crate/manifest.jsonl:" + std::to_string(index)));
+      CHECK(test.Replay("crate/crate_00000" + std::to_string(index) + ".xml"));
+    }
+    // Another size is another batch.
+    for (std::size_t at = 0; (at = manifest.find("\"batch\":5,", at)) != std::string::npos; ++at) {
+      manifest.replace(at, 10, "\"batch\":4,");
+    }
+    test.loaded.folder.Write("crate/manifest.jsonl", manifest);
+    int same = 0;
+    for (int index = 0; index < 5; ++index) {
+      same += test.Replay("crate/manifest.jsonl:" + std::to_string(index)) ? 1 : 0;
+    }
+    CHECK(same == 0);
+  }
+}
+
+TEST_CASE("a sampler that is not known is a finding") {
+  Options options;
+  options.sampler = sample::Method::kSobol;
+  ReplayTest test(kBoxSpec, options);
+  std::string manifest = test.loaded.folder.Read("crate/manifest.jsonl");
+  manifest.replace(manifest.find("\"sobol\""), 7, "\"dice\"");
+  test.loaded.folder.Write("crate/manifest.jsonl", manifest);
+  CHECK_FALSE(test.Replay("crate/manifest.jsonl:0"));
+  REQUIRE(test.findings.size() == 1);
+  CHECK(test.findings[0].code == diag::Code::kOutputBadManifest);
+  CHECK(
+      test.findings[0].message.ends_with("was made with sampler 'dice', which is not known here"));
+}
+
 TEST_CASE("a file that was changed differs at a line") {
   ReplayTest test(kBoxSpec);
   std::string text = test.loaded.folder.Read("crate/crate_000001.xml");

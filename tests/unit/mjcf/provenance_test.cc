@@ -18,6 +18,8 @@ void CheckSame(const Provenance& a, const Provenance& b) {
   CHECK(a.index == b.index);
   CHECK(a.name == b.name);
   CHECK(a.target == b.target);
+  CHECK(a.sampler == b.sampler);
+  CHECK(a.batch == b.batch);
 }
 
 TEST_CASE("the opening comment says what made the file") {
@@ -36,6 +38,19 @@ TEST_CASE("the opening comment says what made the file") {
         "set:radius=1%20..%202 -->");
 }
 
+TEST_CASE("the opening comment names a sampler and a batch's size where the file hangs on them") {
+  Provenance provenance;
+  provenance.version = "0.1.0";
+  provenance.target = "mjx";
+  provenance.sampler = "latin";
+  provenance.batch = 1000;
+  std::string out;
+  AppendProvenance(provenance, out);
+  CHECK(out ==
+        "<!-- mjforge 0.1.0 spec= sha256= seed=0 index=0 target=mjx sampler=latin batch=1000 -->");
+  CHECK_FALSE(ReadProvenance("<!-- mjforge 1 seed=1 index=2 batch=many --><mujoco/>"));
+}
+
 using namespace std::string_literals;  // the zero byte counts
 
 TEST_CASE("any provenance reads back from a valid comment as it was") {
@@ -48,8 +63,8 @@ TEST_CASE("any provenance reads back from a valid comment as it was") {
   };
   for (int i = 0; i < 2000; ++i) {
     Provenance provenance{
-        text(),   text(), text(), {}, random() * (std::uint64_t{1} << 32) + random(),
-        random(), text(), text()};
+        text(),   text(), text(), {},     random() * (std::uint64_t{1} << 32) + random(),
+        random(), text(), text(), text(), random()};
     for (auto n = random() % 4; n > 0; --n) provenance.settings.emplace_back(text(), text());
     std::string out;
     AppendProvenance(provenance, out);

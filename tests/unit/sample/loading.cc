@@ -23,20 +23,22 @@ Family Load(const std::string& params, const std::string& more) {
   return family;
 }
 
-sample::Evaluator Family::Evaluator(DrawKey key) {
-  sample::Evaluator evaluator(*spec, key, sample::kRootStream, findings);
+sample::Evaluator Family::Evaluator(DrawKey key, const sample::Sampler* sampler) {
+  sample::Evaluator evaluator(*spec, key, sample::kRootStream, findings, sampler);
   evaluator.SampleParameters();
   return evaluator;
 }
 
-sample::ParameterValue Family::Parameter(std::string_view name, DrawKey key) {
+sample::ParameterValue Family::Parameter(std::string_view name, DrawKey key,
+                                         const sample::Sampler* sampler) {
   const auto found = std::ranges::find(spec->parameters, name, &spec::Parameter::name);
   if (found == spec->parameters.end()) throw std::logic_error("no such parameter");
-  return Evaluator(key).Parameter(static_cast<std::size_t>(found - spec->parameters.begin()));
+  return Evaluator(key, sampler)
+      .Parameter(static_cast<std::size_t>(found - spec->parameters.begin()));
 }
 
-double Family::Number(std::string_view name, DrawKey key) {
-  return std::get<double>(Parameter(name, key));
+double Family::Number(std::string_view name, DrawKey key, const sample::Sampler* sampler) {
+  return std::get<double>(Parameter(name, key, sampler));
 }
 
 const spec::Value& Family::PartValue(std::string_view key) const {

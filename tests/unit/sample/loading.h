@@ -18,11 +18,14 @@ struct Family {
   mjforge::diag::Findings findings;
 
   /// Parameter `name` of a variant; NaN when it cannot be drawn.
-  double Number(std::string_view name, mjforge::sample::DrawKey key = {});
+  double Number(std::string_view name, mjforge::sample::DrawKey key = {},
+                const mjforge::sample::Sampler* sampler = nullptr);
   mjforge::sample::ParameterValue Parameter(std::string_view name,
-                                            mjforge::sample::DrawKey key = {});
+                                            mjforge::sample::DrawKey key = {},
+                                            const mjforge::sample::Sampler* sampler = nullptr);
   /// An evaluator of one variant whose parameters are drawn.
-  mjforge::sample::Evaluator Evaluator(mjforge::sample::DrawKey key = {});
+  mjforge::sample::Evaluator Evaluator(mjforge::sample::DrawKey key = {},
+                                       const mjforge::sample::Sampler* sampler = nullptr);
   /// The value of a key of the spec's first part.
   const mjforge::spec::Value& PartValue(std::string_view key) const;
   /// Each finding as "line:column code: message (hint) seed/index".

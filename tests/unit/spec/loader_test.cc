@@ -127,3 +127,23 @@ TEST_CASE("a file of another version or shape is refused", "[loader]") {
                 "1:1 spec/missing-key: spec without a 'name'",
                 "1:1 spec/missing-key: spec without 'parts' or 'bodies'"});
 }
+
+TEST_CASE("an exact choice anywhere makes the spec one of whole batches", "[loader]") {
+  const Folder folder;
+  const std::string exact = "{choice: [1, 2], exact: true}";
+  folder.Write("inner.yaml", "mjforge: 1\nname: inner\nparams: {r: " + exact +
+                                 "}\nparts:\n  - {name: a, type: sphere, size: r}\n");
+  folder.Write("shared.yaml", "mjforge: 1\nmaterials: {wood: {density: " + exact + "}}\n");
+  const auto is_exact = [&](const std::string& text) {
+    const Loaded loaded = LoadFile(folder.Write("outer.yaml", text).string());
+    CHECK(loaded.Report() == Strings{});
+    return loaded.spec != nullptr && loaded.spec->has_exact_choice;
+  };
+  const std::string head = "mjforge: 1\nname: outer\n";
+  CHECK_FALSE(is_exact(kBall));
+  CHECK(is_exact(kBall + "params: {r: " + exact + "}\n"));
+  CHECK(is_exact(kBall + "mass: " + exact + "\n"));
+  CHECK(is_exact(kBall + "import: shared.yaml\n"));
+  CHECK(is_exact(head + "parts:\n  - {name: p, spec: inner.yaml}\n"));
+  CHECK(is_exact(head + "bodies:\n  - {name: b, spec: inner.yaml}\n"));
+}

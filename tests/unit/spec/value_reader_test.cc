@@ -145,6 +145,30 @@ TEST_CASE("a distribution takes its own arguments and options", "[value]") {
         Strings{"4:26 spec/wrong-type: the values to choose from differ in kind: number and text"});
 }
 
+TEST_CASE("an exact choice has weights that are constants", "[value]") {
+  CHECK(ReportWithBox("params: {a: {choice: [1, 2], weights: [2 * 3, 1 / 3], exact: true}}\n")
+            .empty());
+  CHECK(ReportWithBox("params: {n: 2, a: {choice: [1, 2, 3], weights: [1 .. 2, index, n], exact: "
+                      "true}, b: {choice: [1, 2], weights: [n, 1], exact: false}}\n") ==
+        Strings{"4:49 spec/not-constant: the weights of an exact choice must be constants (without "
+                "`exact: true` they may be computed and drawn)",
+                "4:57 spec/not-constant: the weights of an exact choice must be constants (without "
+                "`exact: true` they may be computed and drawn)",
+                "4:64 spec/not-constant: the weights of an exact choice must be constants (without "
+                "`exact: true` they may be computed and drawn)"});
+}
+
+TEST_CASE("'exact' is true or false and stands beside 'choice'", "[value]") {
+  CHECK(ReportWithBox("params: {a: {choice: [1, 2], exact: maybe}}\n") ==
+        Strings{"4:37 spec/wrong-type: expected true or false, got 'maybe'"});
+  CHECK(ReportWithBox("params: {a: {cycle: [1, 2], exact: true}}\n") ==
+        Strings{"4:29 spec/unknown-key: unknown key 'exact' in a distribution ('exact' belongs "
+                "beside 'choice')"});
+  CHECK(ReportWithBox("params: {a: {choice: [1, 2], exakt: true}}\n") ==
+        Strings{"4:30 spec/unknown-key: unknown key 'exakt' in a distribution (did you mean "
+                "'exact'?)"});
+}
+
 TEST_CASE("draws of a kind that does not fit the slot are refused", "[value]") {
   CHECK(ReportWithBox("mass: {bernoulli: 0.5}\n") ==
         Strings{"4:7 spec/wrong-type: expected a number, but 'bernoulli' draws true or false"});

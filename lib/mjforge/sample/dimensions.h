@@ -1,0 +1,29 @@
+#ifndef MJFORGE_SAMPLE_DIMENSIONS_H_
+#define MJFORGE_SAMPLE_DIMENSIONS_H_
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mjforge/sample/streams.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::sample {
+
+/// What the parameters of a spec draw from one stream.
+struct DrawnStream {
+  StreamId stream = 0;
+  int numbers = 1;           // uniforms taken: the dimensions it spans
+  std::uint64_t levels = 0;  // different values of a discrete draw; 0: any number
+  /// Of two levels, the first one's share of (0, 1) where it is not a half.
+  std::optional<double> split;
+};
+
+/// Parameters in file order; within one, a draw before the draws in its arguments,
+/// limits and options. Follows the streams of Evaluator. A choice with `exact: true`
+/// takes no uniform and is left out.
+std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec, StreamId root = kRootStream);
+
+}  // namespace mjforge::sample
+
+#endif  // MJFORGE_SAMPLE_DIMENSIONS_H_

@@ -1,0 +1,95 @@
+#include "mjforge/sample/grid.h"
+
+#include <algorithm>
+#include <limits>
+#include <ranges>
+
+#include <fmt/format.h>
+
+namespace mjforge::sample {
+namespace {
+
+constexpr std::uint64_t kMany = std::numeric_limits<std::uint64_t>::max();
+
+// a * b, at most kMany.
+std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
+  return a != 0 && b > kMany / a ? kMany : a * b;
+}
+
+// low^(count - more) * (low + 1)^more
+std::uint64_t PointsOf(std::uint64_t low, std::size_t count, std::size_t more) {
+  std::uint64_t points = 1;
+  for (std::size_t i = 0; i < count; ++i) points = Product(points, i < more ? low + 1 : low);
+  return points;
+}
+
+double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double> split) {
+  if (split) return level == 0 ? *split / 2 : (1 + *split) / 2;
+  return (static_cast<double>(level) + 0.5) / static_cast<double>(levels);
+}
+
+}  // namespace
+
+Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
+  for (const DrawnStream& stream : streams) {
+    const auto count = static_cast<std::size_t>(stream.numbers);
+    axes_of_.emplace(stream.stream, Axes{axes_.size(), count});
+    axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});
+  }
+  ShareLevels(size);
+  for (Axis& axis : std::views::reverse(axes_)) {
+    axis.stride = points_;
+    points_ = Product(points_, axis.levels);
+  }
+}
+
+void Grid::ShareLevels(std::uint64_t size) {
+  std::uint64_t discrete = 1;
+  std::vector<Axis*> open;
+  for (Axis& axis : axes_) {
+    if (axis.levels == 0) {
+      open.push_back(&axis);
+    } else {
+      discrete = Product(discrete, axis.levels);
+    }
+  }
+  if (open.empty()) return;
+  const std::uint64_t wanted = std::max<std::uint64_t>(1, size / discrete);
+  std::uint64_t low = 1;
+  std::uint64_t high = wanted;  // the most levels that fit are within
+  while (low < high) {
+    const std::uint64_t middle = high - (high - low) / 2;
+    if (PointsOf(middle, open.size(), 0) <= wanted) {
+      low = middle;
+    } else {
+      high = middle - 1;
+    }
+  }
+  std::size_t more = 0;
+  while (more < open.size() && PointsOf(low, open.size(), more + 1) <= wanted) ++more;
+  for (std::size_t i = 0; i < open.size(); ++i) open[i]->levels = i < more ? low + 1 : low;
+}
+
+void Grid::Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const {
+  const auto found = axes_of_.find(stream);
+  if (found == axes_of_.end()) return;
+  const std::uint64_t point = position % points_;
+  for (std::size_t i = 0; i < found->second.count; ++i) {
+    const Axis& axis = axes_[found->second.first + i];
+    uniforms[i] = CentreOf(point / axis.stride % axis.levels, axis.levels, axis.split);
+  }
+}
+
+std::string Grid::Text() const {
+  const std::string points = points_ == kMany
+                                 ? std::string("more than 10^19 points")
+                                 : fmt::format("{} point{}", points_, points_ == 1 ? "" : "s");
+  if (axes_.size() < 2) return points;
+  std::string text;
+  for (const Axis& axis : axes_) {
+    text += fmt::format("{}{}", text.empty() ? "" : " x ", axis.levels);
+  }
+  return fmt::format("{} = {}", text, points);
+}
+
+}  // namespace mjforge::sample

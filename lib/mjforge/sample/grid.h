@@ -1,0 +1,52 @@
+#ifndef MJFORGE_SAMPLE_GRID_H_
+#define MJFORGE_SAMPLE_GRID_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "mjforge/sample/dimensions.h"
+
+namespace mjforge::sample {
+
+/// A full factorial: every combination of the levels of all dimensions, the first
+/// dimension varying slowest. Discrete dimensions have as many levels as values; the
+/// others share what `size` leaves as equally as they can, the first ones one more.
+class Grid {
+ public:
+  Grid(std::span<const DrawnStream> streams, std::uint64_t size);
+
+  /// Puts the stream's numbers of the point at `position` into `uniforms`: centres of
+  /// their cells. Positions past the last point begin anew. A stream that is not of
+  /// the grid leaves them as they are.
+  void Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const;
+
+  /// The number of points; 2^64 - 1 stands for all that is more.
+  std::uint64_t points() const { return points_; }
+  /// "4 x 5 x 5 = 100 points".
+  std::string Text() const;
+
+ private:
+  struct Axis {
+    std::uint64_t levels;         // at least 1
+    std::uint64_t stride;         // points from one level to the next
+    std::optional<double> split;  // as DrawnStream::split
+  };
+  struct Axes {
+    std::size_t first;
+    std::size_t count;
+  };
+  void ShareLevels(std::uint64_t size);
+
+  std::vector<Axis> axes_;
+  std::unordered_map<StreamId, Axes> axes_of_;
+  std::uint64_t points_ = 1;
+};
+
+}  // namespace mjforge::sample
+
+#endif  // MJFORGE_SAMPLE_GRID_H_

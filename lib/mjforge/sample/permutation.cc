@@ -1,0 +1,47 @@
+#include "mjforge/sample/permutation.h"
+
+#include <cmath>
+
+#include "mjforge/sample/philox.h"
+
+namespace mjforge::sample {
+namespace {
+
+// Four make a strong pseudorandom permutation of large domains; small ones need more
+// of them to come close to all permutations.
+constexpr std::uint64_t kRounds = 8;
+
+std::uint64_t RootRoundedUp(std::uint64_t size) {
+  auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(size)));
+  while (root > 1 && (root - 1) * (root - 1) >= size) --root;
+  while (root * root < size) ++root;
+  return root;
+}
+
+// A hash scaled to 0 .. bound - 1, bound <= 2^32.
+std::uint64_t Below(std::uint64_t bound, std::uint64_t hash) {
+  return ((hash >> 32) * bound) >> 32;
+}
+
+}  // namespace
+
+std::uint64_t Permuted(std::uint64_t position, std::uint64_t size, std::uint64_t key) {
+  if (size < 2) return position;
+  const std::uint64_t side = RootRoundedUp(size);
+  do {
+    std::uint64_t left = position / side;
+    std::uint64_t right = position % side;
+    for (std::uint64_t round = 0; round < kRounds; ++round) {
+      // Round and number together stay below 2^35: no two pairs share a hash's input.
+      const std::uint64_t input = key + (right * kRounds + round + 1) * kGoldenGamma;
+      std::uint64_t next = left + Below(side, Mix(input));
+      if (next >= side) next -= side;
+      left = right;
+      right = next;
+    }
+    position = left * side + right;
+  } while (position >= size);
+  return position;
+}
+
+}  // namespace mjforge::sample

@@ -1,0 +1,62 @@
+#include "mjforge/sample/sobol.h"
+
+#include <bit>
+
+#include <boost/random/sobol.hpp>
+
+#include "mjforge/sample/philox.h"
+
+namespace mjforge::sample {
+namespace {
+
+constexpr int kBits = 52;  // of a uniform number
+
+// Bit i from the top is flipped or not by a hash of the i bits above it.
+std::uint64_t Scrambled(std::uint64_t x, std::uint64_t key) {
+  std::uint64_t flips = 0;
+  for (int i = 0; i < kBits; ++i) {
+    const std::uint64_t above = (x >> 1) >> (63 - i);
+    const std::uint64_t node = (std::uint64_t{1} << i) | above;  // of a binary tree
+    flips |= (Mix(key + node * kGoldenGamma) >> 63) << (63 - i);
+  }
+  return x ^ flips;
+}
+
+}  // namespace
+
+Sobol::Sobol(std::span<const DrawnStream> streams, std::uint64_t seed) {
+  for (const DrawnStream& stream : streams) {
+    const auto count = static_cast<std::size_t>(stream.numbers);
+    if (dimensions_.size() + count > kMostSobolDimensions) break;
+    dimensions_of_.emplace(stream.stream, Dimensions{dimensions_.size(), count});
+    const auto keys = PhiloxWords(seed, 0, stream.stream, 0, Purpose::kScramble);
+    for (std::size_t i = 0; i < count; ++i) {
+      dimensions_.push_back({.directions = {}, .key = keys[i]});
+    }
+  }
+  if (dimensions_.empty()) return;
+  // Boost's engine makes points in the order of the Gray code, where point 2^(j+1) - 1
+  // is the direction numbers of bit j; seed(n) is followed by point n + 1.
+  boost::random::sobol engine(dimensions_.size());
+  for (int bit = 0; bit < 64; ++bit) {
+    engine.seed((~std::uint64_t{0} >> (63 - bit)) - 1);
+    for (Dimension& dimension : dimensions_) {
+      dimension.directions[static_cast<std::size_t>(bit)] = engine();
+    }
+  }
+}
+
+void Sobol::Place(std::uint64_t index, StreamId stream, std::array<double, 4>& uniforms) const {
+  const auto found = dimensions_of_.find(stream);
+  if (found == dimensions_of_.end()) return;
+  for (std::size_t i = 0; i < found->second.count; ++i) {
+    const Dimension& dimension = dimensions_[found->second.first + i];
+    std::uint64_t x = 0;
+    for (std::uint64_t rest = index; rest != 0; rest &= rest - 1) {
+      x ^= dimension.directions[static_cast<std::size_t>(std::countr_zero(rest))];
+    }
+    uniforms[i] = UniformOf(Scrambled(x, dimension.key));
+  }
+}
+
+}  // namespace mjforge::sample
