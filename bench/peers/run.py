@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """mjforge against what else makes MJCF in a program, the same objects, one run.
 
-    run.py BUILD FOLDER [--smoke] [--write]
+    run.py BUILD FOLDER [--smoke | --write]
 
 BUILD holds app/mjforge and bench/mjforge_in_process; FOLDER gets the peers.
 --smoke: few objects, only to see that all of it runs. --write: the tables go to
@@ -36,7 +36,7 @@ PEERS = ["robosuite", "pymjcf", "mjspec"]
 
 REPETITIONS = 9
 SECONDS = 0.25  # that a measurement inside a process should take
-COMMAND_SECONDS = 1.0  # and one of the whole command, which has to start, too
+COMMAND_SECONDS = 2.0  # and one of the whole command, so that its start weighs little
 ENVIRONMENT = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore",
                    MUJOCO_GL="disable", OMP_NUM_THREADS="1")
 
@@ -157,7 +157,7 @@ def choose_counts(rows, smoke):
                 counts[row, name] = 20
                 continue
             seconds = COMMAND_SECONDS if row.startswith("command") else SECONDS
-            once = measure(name, 1000 if row.startswith("command") else 20)["wall"] / 1e6
+            once = measure(name, 2000 if row.startswith("command") else 20)["wall"] / 1e6
             counts[row, name] = max(10, int(seconds / once))
     return counts
 
@@ -186,8 +186,8 @@ def versions(program):
 
 def main():
     options = set(sys.argv[3:])
-    if len(sys.argv) < 3 or options - {"--smoke", "--write"}:
-        sys.exit("usage: run.py BUILD FOLDER [--smoke] [--write]")
+    if len(sys.argv) < 3 or options - {"--smoke", "--write"} or len(options) > 1:
+        sys.exit("usage: run.py BUILD FOLDER [--smoke | --write]")
     build, folder = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     python = install(folder)
     with tempfile.TemporaryDirectory(dir=folder) as scratch:
@@ -199,6 +199,8 @@ def main():
         for peer in peers:
             peer.close()
     about = f"{versions(build / 'app/mjforge')}. {page.machine()}."
+    if "--smoke" in options:
+        print("Only to see that all of it runs; these figures say nothing.\n")
     print(report(medians, OBJECTS, about, page.as_text))
     if "--write" in options:
         page.write("peers", report(medians, OBJECTS, about, page.as_markdown))
