@@ -17,17 +17,19 @@ namespace {
 }  // namespace
 
 LoadedRecipe& Hammer() {
-  static LoadedRecipe* const kHammer = [] {
-    auto* loaded = new LoadedRecipe;
-    diag::Findings findings;
-    auto recipe = forge::LoadRecipe(
-        "tools/hammer", {.settings = {}, .parameter_files = {}, .search_path = forge::SearchPath()},
-        loaded->sources, findings);
-    if (!recipe) Quit(findings, loaded->sources);
-    loaded->recipe = std::move(*recipe);
-    return loaded;
-  }();
+  static auto* const kHammer = new LoadedRecipe(Named("tools/hammer", {}));
   return *kHammer;
+}
+
+LoadedRecipe Named(const std::string& reference, const std::vector<spec::Setting>& settings) {
+  LoadedRecipe loaded;
+  diag::Findings findings;
+  auto recipe = forge::LoadRecipe(
+      reference, {.settings = settings, .parameter_files = {}, .search_path = forge::SearchPath()},
+      loaded.sources, findings);
+  if (!recipe) Quit(findings, loaded.sources);
+  loaded.recipe = std::move(*recipe);
+  return loaded;
 }
 
 LoadedRecipe Row(int parts) {

@@ -2,6 +2,7 @@
 #define MJFORGE_BENCH_RECIPES_H_
 
 #include <string>
+#include <vector>
 
 #include "mjforge/forge/forge.h"
 
@@ -15,6 +16,9 @@ struct LoadedRecipe {
 
 /// The bundled hammer.
 LoadedRecipe& Hammer();
+
+/// A spec that `reference` names, with parameters set from outside.
+LoadedRecipe Named(const std::string& reference, const std::vector<spec::Setting>& settings);
 
 /// An object of `parts` boxes in a row, sizes drawn, from one `for` entry.
 LoadedRecipe Row(int parts);
