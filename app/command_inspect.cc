@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "inspect_batch.h"
 #include "json.h"
 #include "mjforge/expr/expr.h"
 #include "options.h"
@@ -94,9 +95,9 @@ ExitStatus InspectFile(const InspectOptions& options) {
 }  // namespace
 
 Action AddInspect(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("inspect", "Show parameters and one variant");
+  CLI::App& command = *app.add_subcommand("inspect", "Show parameters and one variant, or a batch");
   auto options = std::make_shared<InspectOptions>();
-  command.add_option("WHAT", options->what, "A spec, or a FILE.xml")->required()->option_text(" ");
+  command.add_option("WHAT", options->what, "A spec, a FILE.xml, or a batch: its folder or manifest")->required()->option_text(" ");
   AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
   AddWholeNumber(command, "--index", options->index, "The variant to show");
   AddSpecOptions(command, options->spec);
@@ -114,11 +115,18 @@ Action AddInspect(CLI::App& app) {
               "  mjforge inspect hammer --index 41 --seed 7 --json\n"
               "  mjforge inspect hammer --contains 0,0,0.05\n"
               "  mjforge inspect robot.xml --sweep\n"
-              "  mjforge inspect out/hammer_000041.xml");
+              "  mjforge inspect out/hammer_000041.xml\n"
+              "  mjforge inspect out/ --json");
   return [options] {
     if (!options->contains.empty() && !ParsePoint(options->contains)) {
       return WrongUsage(fmt::format("--contains: '{}' is not of the form X,Y,Z", options->contains),
                         "inspect");
+    }
+    if (const auto manifest = FindManifest(options->what)) {
+      if (options->sweep || !options->contains.empty())
+        return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
+      Console console(options->report);
+      return InspectBatch(*manifest, options->json, console);
     }
     return options->what.ends_with(".xml") ? InspectFile(*options) : InspectSpec(*options);
   };

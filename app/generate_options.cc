@@ -73,6 +73,11 @@ std::vector<std::string> TargetNames() {
   return names;
 }
 
+std::vector<std::string> SamplerNames() {
+  const auto names = sample::MethodNames();
+  return {names.begin(), names.end()};
+}
+
 void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command
       .add_option("-o,--output", options.output,
@@ -121,6 +126,9 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   AddWord(command, "--on-invalid", options.on_invalid, {"fail", "skip", "resample"},
           "Bad variants");
   AddTimeLimit(command, options.time_limit);
+  AddWord(command, "--sampler", options.sampler, SamplerNames(), "How draws are spread");
+  AddWholeNumber(command, "--batch", options.batch, "Variants they are spread over", 1)
+      ->option_text("N [-n]");
   AddMakeOptions(command, options.make);
   AddReportOptions(command, options.report);
   AddVerboseOption(command, options.report);
@@ -133,6 +141,8 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   request.variant.seed = options.seed;
   request.variant.target = *mjcf::FindTarget(options.target);
   request.variant.name = options.name;
+  request.variant.sampler = *sample::FindMethod(options.sampler);
+  request.variant.batch = options.batch == 0 ? options.count : options.batch;
   request.on_invalid = options.on_invalid == "skip"       ? batch::OnInvalid::kSkip
                        : options.on_invalid == "resample" ? batch::OnInvalid::kResample
                                                           : batch::OnInvalid::kFail;
@@ -145,6 +155,10 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   request.time_limit = std::chrono::duration<double>(options.time_limit);
   if (options.count - 1 > std::numeric_limits<std::uint64_t>::max() - options.first) {
     why_not = "--first and -n lead beyond the largest index";
+    return std::nullopt;
+  }
+  if (request.variant.batch > sample::kMaxBatch) {
+    why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
     return std::nullopt;
   }
   const auto destination =

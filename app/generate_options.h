@@ -25,6 +25,8 @@ struct GenerateOptions {
   std::string target = "mujoco";
   std::string validate = "load";
   std::string on_invalid = "fail";
+  std::string sampler = "random";
+  std::uint64_t batch = 0;
   double time_limit = 30;
   bool resume = false;
   bool if_changed = false;

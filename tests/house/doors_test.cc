@@ -36,7 +36,7 @@ const std::array kRooms = {
     Room{"forge",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "manifest",
           "output"}},
-    Room{"batch", {"diag", "manifest", "output", "forge"}},
+    Room{"batch", {"diag", "sample", "mjcf", "validate", "manifest", "output", "forge"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "manifest", "output",
           "forge", "batch"}},

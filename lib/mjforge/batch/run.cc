@@ -7,6 +7,7 @@
 #include "mjforge/batch/pool.h"
 #include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
+#include "mjforge/batch/spread.h"
 #include "mjforge/batch/worker.h"
 
 namespace mjforge::batch {
@@ -54,6 +55,7 @@ class Batch {
     const std::unique_ptr<Sink> sink =
         MakeSink({request_, all_, range_, record_}, summary_.text);
     diag::Findings output_findings;
+    CheckSpread(recipe_, request_, output_findings);
     if (const std::optional<Kept> kept = sink->Open(output_findings)) {
       Count(*kept);
       try {
@@ -127,6 +129,7 @@ class Batch {
       Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
       waiting_bytes_ -= SizeOf(result);
       const bool taken = sink.Take(result, output_findings);
+      // What failed is the chunk's first variant, or one after it.
       if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
       if (!taken || result.output_failed) {
         summary_.output_failed = true;

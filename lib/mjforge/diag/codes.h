@@ -86,6 +86,7 @@ enum class Code {
   kBatchTooSlow,
   kBatchDiffers,
   kBatchMissing,
+  kBatchUneven,
 };
 
 struct CodeInfo {

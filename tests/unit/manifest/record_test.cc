@@ -141,20 +141,6 @@ TEST_CASE("what replay needs is read back as it was") {
   CHECK(read->sha256 == record.sha256);
 }
 
-TEST_CASE("a record names the sampler and the batch's size where the variant hangs on them") {
-  Record record = WholeRecord();
-  record.sampler = "latin";
-  record.batch = 1000;
-  const std::string line = LineOf(record);
-  CHECK(line.find(R"("target":"mujoco","sampler":"latin","batch":1000,"status":"ok")") !=
-        std::string::npos);
-  std::string why_not;
-  const std::optional<Record> read = ReadRecord(line, why_not);
-  REQUIRE(read);
-  CHECK(read->sampler == "latin");
-  CHECK(read->batch == 1000);
-}
-
 TEST_CASE("a line that is not a record says why") {
   const auto why = [](std::string_view line) {
     std::string why_not;

@@ -1,0 +1,22 @@
+#ifndef MJFORGE_APP_INSPECT_BATCH_H_
+#define MJFORGE_APP_INSPECT_BATCH_H_
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "console.h"
+
+namespace mjforge::app {
+
+/// The manifest that WHAT names: itself, or that of a folder. A name that is both a
+/// folder's and a spec's is the spec's; with a slash at its end the folder's.
+std::optional<std::filesystem::path> FindManifest(const std::string& what);
+
+/// What a batch achieved: how often each choice was drawn, the range and mean of each
+/// number.
+ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console);
+
+}  // namespace mjforge::app
+
+#endif  // MJFORGE_APP_INSPECT_BATCH_H_

@@ -1,0 +1,251 @@
+// Large batches on a machine where things go wrong.
+
+#include <catch2/catch.hpp>
+#include <map>
+
+#include "crate.h"
+
+namespace mjforge {
+namespace {
+
+using harness::CommandResult;
+
+class BatchTest : public CrateTest {
+ protected:
+  /// A shell script, with the program as $mjforge.
+  CommandResult Shell(const std::string& script) const {
+    return harness::Command{.program = "bash",
+                            .arguments = {"-c", script},
+                            .environment = {{"mjforge", harness::MjforgeProgram().string()}},
+                            .folder = folder().path(),
+                            .timeout = std::chrono::minutes(4)}
+        .Run();
+  }
+  std::map<std::string, std::string> Bytes(const std::string& subfolder) const {
+    std::map<std::string, std::string> bytes;
+    for (const std::string& file : folder().Files()) {
+      if (file.starts_with(subfolder + "/"))
+        bytes.emplace(file.substr(subfolder.size() + 1), folder().Read(file));
+    }
+    return bytes;
+  }
+};
+
+TEST_CASE_METHOD(BatchTest, "a batch that is killed at any moment is gone on with to the same bytes") {
+  const std::string output = GENERATE(as<std::string>(), "", "/x.tar", "/x_%04d.tar.zst");
+  INFO(output);
+  const std::string command =
+      "$mjforge generate crate.yaml -n 12000 -j 2 --per-archive 1000 --validate none -q -o ";
+  CHECK(Shell(command + "'whole" + output + "'").status == 0);
+  // Killed ever later; what has a final name is whole.
+  for (const char* seconds : {"0.01", "0.05", "0.1", "0.2", "0.4"}) {
+    Shell("timeout --signal KILL " + std::string(seconds) + " " + command + "'broken" + output +
+          "' --resume");
+    const auto whole = Bytes("whole");
+    for (const auto& [file, bytes] : Bytes("broken")) {
+      if (file.find("/.") != file.npos || file.starts_with('.')) continue;
+      INFO(file);
+      REQUIRE(whole.contains(file));
+      CHECK(whole.at(file) == bytes);
+    }
+  }
+  CHECK(Shell(command + "'broken" + output + "' --resume").status == 0);
+  CHECK(Bytes("broken") == Bytes("whole"));
+}
+
+TEST_CASE_METHOD(BatchTest, "an interrupted batch ends cleanly and says how to go on") {
+  const auto signal = GENERATE("INT", "TERM");
+  const CommandResult result = Shell(
+      "$mjforge generate crate.yaml -n 2000000 -j 2 -o out & p=$!\n"
+      "until [ -s out/.manifest.jsonl.part ]; do sleep 0.02; done\n"
+      "kill -" + std::string(signal) + " $p; wait $p; echo $?");
+  CHECK(result.out == "130\n");
+  CHECK(result.err.find(" ok, interrupted (") != std::string::npos);
+  CHECK(result.err.find("--resume goes on from there\n") != std::string::npos);
+  // Every record's file is there, and no half of one.
+  const std::string manifest = folder().Read("out/.manifest.jsonl.part");
+  const auto lines = static_cast<std::size_t>(std::count(manifest.begin(), manifest.end(), '\n'));
+  CHECK(manifest.ends_with("\n"));
+  for (const std::string& file : folder().Files()) CHECK(file.find(".tmp") == file.npos);
+  const CommandResult resumed =
+      Shell("$mjforge generate crate.yaml -n " + std::to_string(lines + 5) + " -o out --resume");
+  CHECK(resumed.status == 0);
+  CHECK(resumed.err.find(std::to_string(lines) + " of them kept") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is named") {
+  const auto signal = GENERATE("SEGV", "KILL");
+  const CommandResult result = Shell(
+      "$mjforge generate crate.yaml -n 3000 -j 2 --seed 7 -o out & p=$!\n"
+      "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
+      "read worker rest < /proc/$p/task/$p/children\n"
+      "kill -" + std::string(signal) + " $worker; wait $p; echo $?");
+  INFO(result.err);
+  CHECK(result.out == "1\n");
+  CHECK(result.err.find("error: variant ") != std::string::npos);
+  CHECK(result.err.find(std::string(" of seed 7: its worker was killed by SIG") + signal +
+                        " [batch/worker-died]\n") != std::string::npos);
+  CHECK(result.err.find("2999 ok, 1 failed") != std::string::npos);
+  const CommandResult again = Shell(
+      "$mjforge generate crate.yaml -n 3000 --seed 7 -o out --resume -q &&"
+      "$mjforge generate crate.yaml -n 3000 --seed 7 -o whole -q && diff -r out whole");
+  CHECK(again.status == 0);
+  CHECK(again.out.empty());
+}
+
+TEST_CASE_METHOD(BatchTest, "a worker that hangs is given up after the time limit") {
+  const CommandResult result = Shell(
+      "$mjforge generate crate.yaml -n 3000 -j 2 --time-limit 0.5 -o out & p=$!\n"
+      "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
+      "read worker rest < /proc/$p/task/$p/children\n"
+      "kill -STOP $worker; wait $p; echo $?");
+  INFO(result.err);
+  CHECK(result.out == "1\n");
+  CHECK(result.err.find("its worker took longer than 0.5 s [batch/too-slow]\n") !=
+        std::string::npos);
+  CHECK(result.err.find("2999 ok, 1 failed") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "workers end with the process that leads them") {
+  const CommandResult result = Shell(
+      "$mjforge generate crate.yaml -n 2000000 -j 2 -q -o out & p=$!\n"
+      "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
+      "workers=$(cat /proc/$p/task/$p/children)\n"
+      "kill -KILL $p; wait $p 2>/dev/null\n"
+      "for i in 1 2 3 4 5 6 7 8 9 10; do\n"
+      "  alive=0; for w in $workers; do [ -d /proc/$w ] && alive=1; done\n"
+      "  [ $alive = 0 ] && break; sleep 0.1\n"
+      "done; echo alive $alive");
+  CHECK(result.out == "alive 0\n");
+}
+
+TEST_CASE_METHOD(BatchTest, "a full disk stops a batch, which can go on when there is room") {
+  // A limit of a file's size is met as a full disk is: a write that fails.
+  const CommandResult result = Shell(
+      "(ulimit -f 2000; $mjforge generate crate.yaml -n 4000 --validate none -o x.tar); echo $?");
+  CHECK(result.out == "3\n");
+  CHECK(result.err.find("error: cannot write 'x.tar': File too large") != std::string::npos);
+  CHECK(result.err.find("seed 0, index ") != std::string::npos);
+  CHECK(result.err.find("stopped: output failed") != std::string::npos);
+  CHECK(result.err.find("--resume goes on from there") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder() / "x.tar"));
+  const CommandResult resumed = Shell(
+      "$mjforge generate crate.yaml -n 4000 --validate none -o x.tar --resume &&"
+      "$mjforge generate crate.yaml -n 4000 --validate none -o whole/x.tar &&"
+      "cmp x.tar whole/x.tar && cmp x.manifest.jsonl whole/x.manifest.jsonl");
+  CHECK(resumed.status == 0);
+  CHECK(resumed.err.find("of them kept") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "a folder that is lost stops a batch, which starts anew when it is back") {
+  const CommandResult result = Shell(
+      "$mjforge generate crate.yaml -n 2000000 -j 2 -o out & p=$!\n"
+      "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
+      "while [ -e out ]; do rm -rf out 2>/dev/null; done\n"
+      "wait $p; echo $?\n"
+      "$mjforge generate crate.yaml -n 100 -o out --resume -q; echo $?");
+  CHECK(result.out == "3\n0\n");
+  CHECK(result.err.find("error: cannot write 'out/crate_") != std::string::npos);
+  CHECK(result.err.find("No such file or directory") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "shards are made by several commands and joined by merge") {
+  const CommandResult result = Shell(
+      "set -e\n"
+      "for i in 0 1 2; do $mjforge generate crate.yaml -n 50 --shard $i/3 -o out -q & done; wait\n"
+      "$mjforge merge out\n"
+      "$mjforge generate crate.yaml -n 50 -o whole -q\n"
+      "diff -r --exclude 'manifest-*-of-*' out whole && echo same");
+  CHECK(result.out == "same\n");
+  CHECK(result.err == "50 variants in out/manifest.jsonl\n");
+  const CommandResult missing =
+      Shell("rm out/manifest-00001-of-00003.jsonl; $mjforge merge out; echo $?");
+  CHECK(missing.out == "1\n");
+  CHECK(missing.err.find("error: shard 1/3 is missing") != std::string::npos);
+  CHECK(missing.err.find("hint: make it with --shard 1/3 --resume") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "inspect shows what a batch achieved") {
+  REQUIRE(Run({"generate", "hammer", "-n", "50", "--validate", "none", "-q"}).status == 0);
+  const CommandResult tables = Run({"inspect", "hammer/"});
+  CHECK(tables.status == 0);
+  CHECK(tables.out.starts_with("batch of tools/hammer, seed 0, target mujoco, validate none\n"
+                               "50 variants: 50 ok\n"));
+  CHECK(tables.out.find("\nhandle_length ") != std::string::npos);
+  // Without the slash it is the spec's name.
+  CHECK(Run({"inspect", "hammer"}).out.find("50 variants") == std::string::npos);
+  CHECK(Run({"inspect", "hammer/manifest.jsonl"}).out == tables.out);
+  const CommandResult json = Run({"inspect", "hammer/", "--json"});
+  CHECK(json.out.find(R"("variants":50,"status":{"ok":50},"findings":{})") != std::string::npos);
+  CHECK(Run({"inspect", "hammer/", "--sweep"}).status == 2);
+  folder().Write("empty/x", "");
+  const CommandResult none = Run({"inspect", "empty/"});
+  CHECK(none.status == 3);
+  CHECK(none.err.find("cannot read 'empty/manifest.jsonl'") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "samplers spread the draws over the batch") {
+  for (const char* sampler : {"sobol", "latin", "grid"}) {
+    const CommandResult result =
+        Run({"generate", "crate.yaml", "-n", "32", "--sampler", sampler, "-o", sampler});
+    CHECK(result.status == 0);
+    const std::string manifest = folder().Read(std::string(sampler) + "/manifest.jsonl");
+    CHECK(manifest.find(std::string(R"("sampler":")") + sampler) != std::string::npos);
+    CHECK(Run({"replay", std::string(sampler) + "/crate_000017.xml"}).status == 0);
+    CHECK(Run({"replay", std::string(sampler) + "/manifest.jsonl:5"}).status == 0);
+  }
+  // One of them by itself, of the same batch.
+  const CommandResult one = Run({"generate", "crate.yaml", "--first", "17", "--batch", "32",
+                                 "--sampler", "latin", "-o", "-"});
+  CHECK(one.out == folder().Read("latin/crate_000017.xml"));
+  const CommandResult uneven = Run(
+      {"generate", "crate.yaml", "--first", "5", "-n", "10", "--sampler", "latin", "-o", "uneven"});
+  CHECK(uneven.status == 0);
+  CHECK(uneven.err.find("warning: variants 5 to 14 lie in several blocks of 10") !=
+        std::string::npos);
+}
+
+TEST_CASE_METHOD(BatchTest, "the progress bar is for terminals only") {
+  const std::string command = "$mjforge generate crate.yaml -n 15000 -j 1 -o ";
+  const CommandResult piped = Shell(command + "piped");
+  CHECK(piped.err.find('\r') == std::string::npos);
+  const CommandResult shown = Shell("TERM=xterm script -qec \"" + command + "shown\" /dev/null");
+  CHECK(shown.out.find(" of 15000  ") != std::string::npos);
+  CHECK(shown.out.find("/s  ") != std::string::npos);
+  // It is gone at the end.
+  CHECK(shown.out.rfind("\r\x1b[K") < shown.out.rfind("15000 variants of crate in shown/"));
+  const CommandResult quiet =
+      Shell("TERM=xterm script -qec \"" + command + "quiet -q\" /dev/null");
+  CHECK(quiet.out.empty());
+}
+
+TEST_CASE_METHOD(BatchTest, "options that contradict each other are wrong usage") {
+  const auto wrong = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"generate", "crate.yaml"});
+    const CommandResult result = Run(options);
+    CHECK(result.status == 2);
+    CHECK(folder().Files() == std::vector<std::string>{"crate.yaml"});
+    return result.err;
+  };
+  CHECK(wrong({"--shard", "8/8"}).find("shards count from 0, so the last one is 7/8") !=
+        std::string::npos);
+  CHECK(wrong({"--shard", "1"}).find("not of the form I/N") != std::string::npos);
+  CHECK(wrong({"--shard", "0/2", "-o", "x.tar"}).find("such as 'x_%05d.tar'") !=
+        std::string::npos);
+  wrong({"--shard", "0/2", "-o", "x.xml"});
+  wrong({"--resume", "-o", "-"});
+  wrong({"-o", "x.tar.gz"});
+  wrong({"-o", "x_%s.tar"});
+  wrong({"-j", "0"});
+  wrong({"--per-archive", "0"});
+  wrong({"--time-limit", "0"});
+  wrong({"--time-limit", "soon"});
+  wrong({"--sampler", "halton"});
+  wrong({"-MD", "-o", "-"});
+  wrong({"-MD", "--resume"});
+  CHECK(Run({"merge", "x.tar"}).status == 2);
+  CHECK(Run({"merge"}).status == 2);
+}
+
+}  // namespace
+}  // namespace mjforge
