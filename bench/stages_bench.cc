@@ -19,6 +19,22 @@ void BM_Sample(benchmark::State& state) {
 }
 BENCHMARK(BM_Sample)->Unit(benchmark::kMicrosecond);
 
+// The same through a sampler, by its method: random, sobol, latin, grid.
+void BM_SampleSpread(benchmark::State& state) {
+  const forge::Recipe& recipe = Hammer().recipe;
+  const auto method = static_cast<sample::Method>(state.range(0));
+  const sample::Sampler sampler(*recipe.spec, method, 7, 1'000'000);
+  std::uint64_t index = 0;
+  for (auto _ : state) {
+    diag::Findings findings;
+    auto values = sample::Sample(*recipe.spec, {.seed = 7, .index = index++}, sample::kRootStream,
+                                 {}, findings, &sampler);
+    benchmark::DoNotOptimize(values);
+  }
+  state.SetLabel(std::string(sample::MethodName(method)));
+}
+BENCHMARK(BM_SampleSpread)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+
 void BM_SampleAssemble(benchmark::State& state) {
   const forge::Recipe& recipe = Hammer().recipe;
   model::Assembler assembler;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -37,9 +36,9 @@ Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
     axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});
   }
   ShareLevels(size);
-  for (Axis& axis : std::views::reverse(axes_)) {
-    axis.stride = points_;
-    points_ = Product(points_, axis.levels);
+  for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
+    axis->stride = points_;
+    points_ = Product(points_, axis->levels);
   }
 }
 
@@ -81,9 +80,9 @@ void Grid::Place(std::uint64_t position, StreamId stream, std::array<double, 4>&
 }
 
 std::string Grid::Text() const {
-  const std::string points = points_ == kMany
-                                 ? std::string("more than 10^19 points")
-                                 : fmt::format("{} point{}", points_, points_ == 1 ? "" : "s");
+  std::string points = points_ == kMany
+                           ? std::string("more than 10^19 points")
+                           : fmt::format("{} point{}", points_, points_ == 1 ? "" : "s");
   if (axes_.size() < 2) return points;
   std::string text;
   for (const Axis& axis : axes_) {

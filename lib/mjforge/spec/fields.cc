@@ -756,9 +756,8 @@ constexpr DistributionInfo kDistributions[] = {
     {"bernoulli", Distribution::kBernoulli, 1, "{bernoulli: p}", {}, "True with probability p."},
     {"choice", Distribution::kChoice, -1, "{choice: [a, b, ...], weights: [...], exact: true}",
      "weights",
-     "One of the values, which may be of any kind; alike, or by weights. With `exact: true` a "
-     "batch "
-     "has each value as often as the weights say, to the nearest whole number.",
+     "One of the values, which may be of any kind; alike, or by weights. With `exact: true` the "
+     "counts over a batch follow the weights.",
      "exact"},
     {"cycle",
      Distribution::kCycle,
