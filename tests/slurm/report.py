@@ -1,0 +1,39 @@
+"""What the checks say: one line each, `ok NAME` or `FAILED NAME: why`, and their count."""
+
+import traceback
+
+_passed = 0
+_failed = 0
+
+
+def check(name, action, *arguments):
+    """Runs an action; it passes unless it raises. Says which; whether it passed.
+
+    The action may return a few words that are said after the name.
+    """
+    global _passed, _failed
+    try:
+        words = action(*arguments)
+    except Exception as error:  # whatever it is, it is a failure of the check
+        _failed += 1
+        where = traceback.extract_tb(error.__traceback__)[-1]
+        print(f"FAILED {name}: {error} ({where.name}, line {where.lineno})", flush=True)
+        return False
+    _passed += 1
+    print(f"ok {name}" + (f" ({words})" if words else ""), flush=True)
+    return True
+
+
+def expect(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def failures():
+    return _failed
+
+
+def finish():
+    """Says the count, last of all; the exit status."""
+    print(f"{_passed} passed, {_failed} failed")
+    return 1 if _failed else 0
