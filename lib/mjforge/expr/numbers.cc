@@ -68,7 +68,9 @@ std::uint64_t EightDigits(std::uint64_t number) {
   return tens | (twos - 10 * tens) << 8;
 }
 
-// A number's 16 digits, the first ones in the low bytes of `high`.
+// A number's 16 digits, the first ones in the low bytes of `high`, so that
+// storing a word writes them in order.
+static_assert(std::endian::native == std::endian::little);
 struct Digits {
   std::uint64_t high;
   std::uint64_t low;
@@ -97,8 +99,8 @@ constexpr std::size_t kLongest = 40;
 // says. Returns the end; bytes behind it are overwritten, too.
 char* WritePositional(char* out, const Digits& digits, int exponent) {
   if (exponent < 0) {
-    std::memcpy(out, "0.000000", 8);
-    out += 1 - exponent;
+    constexpr std::array kStart = {'0', '.', '0', '0', '0', '0'};
+    out = std::copy(kStart.begin(), kStart.end(), out) - 5 - exponent;
     digits.Write(out);
     return out + digits.count();
   }
@@ -146,7 +148,9 @@ bool AppendShortDecimal(std::string& out, double value) {
   for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
   // Dividing two exact numbers rounds as reading the decimal does.
   const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
-  const auto whole = static_cast<std::uint64_t>(magnitude * power + 0.5);
+  const double scaled = magnitude * power;
+  auto whole = static_cast<std::uint64_t>(scaled);
+  if (scaled - static_cast<double>(whole) >= 0.5) ++whole;
   if (static_cast<double>(whole) / power != magnitude) return false;
   const std::size_t size = out.size();
   out.resize(size + kLongest);

@@ -10,14 +10,6 @@ bool HasCode(const diag::Findings& findings, diag::Code code) {
                      [&](const diag::Finding& finding) { return finding.code == code; });
 }
 
-int GeomCount(const model::Body& body) {
-  int count = 0;
-  for (const model::Part& part : body.parts) {
-    count += part.role == model::Role::kBoth && !part.as_is ? 2 : 1;
-  }
-  return count;
-}
-
 void Clear(Variant& variant) {
   variant.object.reset();
   variant.findings.clear();
@@ -163,7 +155,7 @@ void Generator::Describe(const model::Object& object, manifest::Record& record) 
   for (const model::Body& body : object.bodies) {
     ++record.nbody;
     record.njnt += static_cast<int>(body.joints.size());
-    record.ngeom += GeomCount(body);
+    record.ngeom += static_cast<int>(model::GeomCount(body));
   }
 }
 

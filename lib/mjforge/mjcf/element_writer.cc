@@ -1,6 +1,7 @@
 #include "mjforge/mjcf/element_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -18,10 +19,15 @@ double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value
 /// Levels of indentation: bodies deep in a chain would be mostly blanks.
 constexpr std::size_t kDeepest = 24;
 
-bool NeedsEscape(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == '&' || c == '<' || c == '>' || c == '"' ||
-         c == 0x7f;
-}
+// By byte: every character of every name is asked for.
+constexpr auto kNeedsEscape = [] {
+  std::array<bool, 256> needs{};
+  for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
+  for (const char c : {'&', '<', '>', '"', '\x7f'}) needs[static_cast<unsigned char>(c)] = true;
+  return needs;
+}();
+
+bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 
 }  // namespace
 
@@ -61,12 +67,22 @@ void ElementWriter::Finish(std::string_view end) {
   ++line_;
 }
 
-void ElementWriter::Text(std::string_view name, std::string_view value) { Text(name, value, {}); }
-
-void ElementWriter::Text(std::string_view name, std::string_view value, std::string_view suffix) {
+// Single characters are put in where they stand; a longer text is a call.
+void ElementWriter::Begin(std::string_view name) {
   text_ += ' ';
   text_ += name;
-  text_ += "=\"";
+  text_ += '=';
+  text_ += '"';
+}
+
+void ElementWriter::Text(std::string_view name, std::string_view value) {
+  Begin(name);
+  Escaped(value);
+  text_ += '"';
+}
+
+void ElementWriter::Text(std::string_view name, std::string_view value, std::string_view suffix) {
+  Begin(name);
   Escaped(value);
   text_ += suffix;
   text_ += '"';
@@ -97,9 +113,7 @@ void ElementWriter::Escaped(std::string_view value) {
 void ElementWriter::Number(std::string_view name, double value) { Numbers(name, {&value, 1}); }
 
 void ElementWriter::Numbers(std::string_view name, std::span<const double> values) {
-  text_ += ' ';
-  text_ += name;
-  text_ += "=\"";
+  Begin(name);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i != 0) text_ += ' ';
     expr::AppendNumber(text_, values[i]);

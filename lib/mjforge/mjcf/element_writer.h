@@ -51,6 +51,8 @@ class ElementWriter {
 
  private:
   void Indent();
+  /// An attribute up to and with the opening quote.
+  void Begin(std::string_view name);
   void Finish(std::string_view end);
   void Escaped(std::string_view value);
 

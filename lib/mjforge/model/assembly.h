@@ -3,7 +3,10 @@
 
 // One object in the making.
 
+#include <array>
+#include <cstddef>
 #include <map>
+#include <memory_resource>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,7 +50,7 @@ class Assembly {
   Assembly(Assembler& assembler, diag::Findings& findings)
       : findings_(findings),
         repetition_(findings),
-        assets_(assembler, object_, findings),
+        assets_(assembler, object_, findings, scratch_),
         references_(object_, findings),
         attachments_(assembler.attachments()) {}
 
@@ -127,7 +130,8 @@ class Assembly {
   /// The material's state, evaluated; null after a finding.
   const MaterialState* UseMaterial(Scope& scope, FieldReader& reader, const spec::Field& field);
   void EvaluateMaterial(Scope& scope, const spec::Material& material, MaterialState& state);
-  /// The index of an equal material of that own name, or of this one, added.
+  /// The index of an equal material of that own name, which must outlive the assembly,
+  /// or of this one, added.
   int ShareMaterial(const std::string& own_name, Material material);
 
   /// The entry's own name, checked; nothing after a finding.
@@ -135,6 +139,10 @@ class Assembly {
                                       sample::StreamId list);
   Body& body() { return object_.bodies[at_]; }
   Body& BodyAt(int index) { return object_.bodies[static_cast<std::size_t>(index)]; }
+
+  // For what ends with the assembly and comes in many small pieces.
+  std::array<std::byte, 2048> first_scratch_;
+  std::pmr::monotonic_buffer_resource scratch_{first_scratch_.data(), first_scratch_.size()};
 
   Object object_;
   diag::Findings& findings_;
@@ -146,7 +154,7 @@ class Assembly {
   std::size_t at_ = 0;                           // the body that parts, sites and joints go into
   std::size_t part_count_ = 0;                   // of all bodies
   std::unordered_map<std::string, int> bodies_;  // by full name
-  std::unordered_multimap<std::string, int> materials_;  // by own name
+  std::pmr::unordered_multimap<std::string_view, int> materials_{&scratch_};  // by own name
   std::map<std::pair<std::filesystem::path, std::string>, const Attachment*> attached_;
 };
 

@@ -2,9 +2,11 @@
 #define MJFORGE_MODEL_ASSETS_H_
 
 #include <map>
+#include <memory_resource>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include "mjforge/model/field_reader.h"
@@ -22,8 +24,10 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
 /// The meshes and textures of one object, equal ones shared.
 class Assets {
  public:
-  Assets(Assembler& assembler, Object& object, diag::Findings& findings)
-      : assembler_(assembler), object_(object), findings_(findings) {}
+  /// `scratch` is for what ends with this.
+  Assets(Assembler& assembler, Object& object, diag::Findings& findings,
+         std::pmr::memory_resource& scratch)
+      : assembler_(assembler), object_(object), findings_(findings), textures_(&scratch) {}
 
   /// Sets the part's mesh and shape from polygon, height and scale.
   bool ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part);
@@ -63,7 +67,7 @@ class Assets {
   diag::Findings& findings_;
   std::vector<Source> sources_;  // as Object::meshes
   std::unordered_multimap<std::size_t, int> by_hash_;
-  std::unordered_multimap<std::string, int> textures_;  // by own name
+  std::pmr::unordered_multimap<std::string_view, int> textures_;  // by own name
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

@@ -16,8 +16,10 @@ bool IsOddCondim(const spec::FieldInfo& info, double number) {
   return info.key == "condim" && (number == 2 || number == 5);
 }
 
+// Whether it is finite and holds.
 bool Holds(const spec::FieldInfo& info, double number) {
-  return (info.above ? number > info.lower : number >= info.lower) && number <= info.upper &&
+  return std::isfinite(number) && (info.above ? number > info.lower : number >= info.lower) &&
+         number <= info.upper &&
          (info.slot != spec::Slot::kInteger ||
           (number == std::floor(number) && !IsOddCondim(info, number)));
 }
@@ -81,10 +83,9 @@ void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_vi
 }
 
 // A number that is not finite has been reported where it was computed.
-bool FieldReader::IsGood(const spec::Field& field, double number, std::size_t position,
-                         std::size_t count) {
-  if (!std::isfinite(number)) return false;
-  if (Holds(*field.info, number)) return true;
+void FieldReader::ReportNumber(const spec::Field& field, double number, std::size_t position,
+                               std::size_t count) {
+  if (!std::isfinite(number)) return;
   const spec::Value& item = ItemOf(field.value, position);
   std::string hint;
   if (const auto* expression = std::get_if<expr::Expression>(&item.form)) {
@@ -95,19 +96,23 @@ bool FieldReader::IsGood(const spec::Field& field, double number, std::size_t po
                 fmt::format("{}{} of {} is {}; it {}", field.info->key, which, Owner(),
                             expr::NumberText(number), Rule(*field.info, number)),
                 std::move(hint));
-  return false;
 }
 
 std::optional<double> FieldReader::Number(const spec::Field& field) {
   const double number = values_.Number(field.value, PathOf(field));
-  if (!IsGood(field, number, 0, 1)) return std::nullopt;
-  return number;
+  if (Holds(*field.info, number)) return number;
+  ReportNumber(field, number, 0, 1);
+  return std::nullopt;
 }
 
 bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   values_.Vector(field.value, PathOf(field), out);
   bool good = true;
-  for (std::size_t i = 0; i < out.size(); ++i) good &= IsGood(field, out[i], i, out.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (Holds(*field.info, out[i])) continue;
+    ReportNumber(field, out[i], i, out.size());
+    good = false;
+  }
   const auto& [lo, hi] = std::pair(field.info->min_count, field.info->max_count);
   const int count = static_cast<int>(out.size());
   if (good && (count < lo || count > hi)) {

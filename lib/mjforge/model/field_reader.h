@@ -51,7 +51,9 @@ class FieldReader {
     return MayDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }
   static bool MayDraw(const spec::Value& value);
-  bool IsGood(const spec::Field& field, double number, std::size_t position, std::size_t count);
+  /// Says what is wrong with one of the `count` numbers of a field.
+  void ReportNumber(const spec::Field& field, double number, std::size_t position,
+                    std::size_t count);
 
   sample::Evaluator& values_;
   diag::Findings& findings_;

@@ -181,6 +181,12 @@ void Assembly::Finish(const Scope& scope) {
 
 std::vector<Pose> BodyPoses(const Object& object) { return PosesFrom(object.bodies, 0); }
 
+std::size_t GeomCount(const Body& body) {
+  std::size_t count = 0;
+  for (const Part& part : body.parts) count += part.role == Role::kBoth && !part.as_is ? 2 : 1;
+  return count;
+}
+
 std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
   for (const Section& one : object.sections) {
     if (one.info->name == section) return one.elements;

@@ -57,8 +57,7 @@ class NameTable {
     diag::SourceMark& reported = reported_[place.kind];
     if (reported && reported == place.mark) return;
     reported = place.mark;
-    ReportTwice(place.kind, std::string(place.name), place.mark, places_[slot].mark, {},
-                findings_);
+    ReportTwice(place.kind, std::string(place.name), place.mark, places_[slot].mark, {}, findings_);
   }
   template <typename Elements>
   void AddAll(std::string_view kind, const Elements& elements) {

@@ -4,6 +4,7 @@
 // An object: a tree of bodies with parts, joints and sites, its assets, and the
 // MJCF sections that go with it. Numbers only, in SI units.
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -171,6 +172,9 @@ struct Object {
 
 /// X_RootB of every body at the joints' zero; the root's is the identity.
 std::vector<Pose> BodyPoses(const Object& object);
+
+/// How many geoms MJCF has for the body's parts: a part that is both is two.
+std::size_t GeomCount(const Body& body);
 
 /// The elements of a section, none if the object has none.
 std::span<const Element> ElementsOf(const Object& object, std::string_view section);

@@ -46,14 +46,6 @@ double ScaleOf(const model::Object& object) {
   return scale;
 }
 
-std::size_t GeomCount(const model::Body& body) {
-  std::size_t count = 0;
-  for (const model::Part& part : body.parts) {
-    count += part.role == model::Role::kBoth && !part.as_is ? 2 : 1;
-  }
-  return count;
-}
-
 /// Those of the world come first; a scene has its own there.
 int CountOfWorld(const int* bodies, int count) {
   return static_cast<int>(std::count(bodies, bodies + count, 0));
@@ -92,7 +84,7 @@ bool Comparison::SameCounts() {
   for (const model::Body& body : object_.bodies) {
     joints += body.joints.size();
     sites += body.sites.size();
-    geoms += GeomCount(body);
+    geoms += model::GeomCount(body);
     for (const model::Element& element : body.elements) ++(IsCamera(element) ? cameras : lights);
   }
   // A scene has geoms, a camera and a light of its own in the world.
@@ -115,7 +107,7 @@ void Comparison::CompareBody(int id, const model::Body& body, double lift) {
   Quaternion(subject, m_.body_quat + 4 * id, body.X_PB.q);
   CompareMass(id, body);
 
-  bool same = Count("geoms of a body", m_.body_geomnum[id], GeomCount(body), body.mark);
+  bool same = Count("geoms of a body", m_.body_geomnum[id], model::GeomCount(body), body.mark);
   same = Count("joints of a body", m_.body_jntnum[id], body.joints.size(), body.mark) && same;
   if (!same) return;
   int geom = m_.body_geomadr[id];
