@@ -28,13 +28,14 @@ class Form:
         return path.with_name(f".{path.name}.part")
 
     def has_begun(self, folder, shard):
-        """Whether some of the shard is there, half of it at most."""
+        """Whether some of the shard is there: a hundred files, or a piece of its archive."""
         if not (folder / self.part_of(shard)).exists():
             return False
-        if self is ARCHIVES:  # one a shard
-            return (folder / f".hammers_{shard:05}.tar.zst.part").exists()
-        first = shard * page.PER_SHARD
-        return (folder / f"hammers/hammer_{first + 20:06}.xml").exists()
+        if self is FOLDER:
+            index = shard * page.PER_SHARD + 100
+            return (folder / f"hammers/hammer_{index:06}.xml").exists()
+        archive = folder / f".hammers_{shard:05}.tar.zst.part"  # one a shard
+        return archive.exists() and archive.stat().st_size > 0
 
 
 FOLDER = Form("folder", "-o hammers/", "hammers/", "hammers/", page.COUNT + 1)
