@@ -10,7 +10,7 @@ import yaml
 import halfway
 import page
 from batch import ARCHIVES, FOLDER, merge, same
-from report import check, expect
+from report import check, expect, scenario
 
 
 def read_job(form):
@@ -67,5 +67,6 @@ def run_job(form, folder, reference):
 
 
 def run_all(folder, references):
-    run_job(FOLDER, folder / "kubernetes-folder", references[FOLDER])
-    run_job(ARCHIVES, folder / "kubernetes-archives", references[ARCHIVES])
+    for form in (FOLDER, ARCHIVES):
+        scenario(f"kubernetes, {form.name}", run_job, form, folder / f"kubernetes-{form.name}",
+                 references[form])

@@ -7,7 +7,7 @@ import subprocess
 import halfway
 import page
 from batch import ARCHIVES, FOLDER, merge, same
-from report import check, expect
+from report import check, expect, scenario
 
 
 class Lines:
@@ -77,5 +77,6 @@ def kill_everything(folder, reference):
 def run_all(folder, references):
     # Its settings, and its notice about citing, are no matter of this user's.
     os.environ["PARALLEL_HOME"] = str(folder / "parallel-home")
-    kill_a_job(folder / "parallel-folder", references[FOLDER])
-    kill_everything(folder / "parallel-archives", references[ARCHIVES])
+    scenario("parallel, folder", kill_a_job, folder / "parallel-folder", references[FOLDER])
+    scenario("parallel, archives", kill_everything, folder / "parallel-archives",
+             references[ARCHIVES])

@@ -19,7 +19,18 @@ import kubernetes_checks
 import parallel_checks
 import slurm_checks
 from batch import ARCHIVES, FOLDER, make_reference
-from report import check, failures, finish
+from report import check, failures, finish, scenario
+
+
+def run_all(folder):
+    references = {}
+    for form in (FOLDER, ARCHIVES):
+        references[form] = folder / f"local-{form.name}"
+        check(f"local: one run, {form.name}", make_reference, form, references[form])
+    for part in (slurm_checks, parallel_checks, kubernetes_checks):
+        start = time.monotonic()
+        scenario(part.__name__, part.run_all, folder, references)
+        print(f"{part.__name__}: {time.monotonic() - start:.0f} s", flush=True)
 
 
 def main():
@@ -29,14 +40,7 @@ def main():
     os.environ["PATH"] = f"{program.parent}:{os.environ['PATH']}"
     # What is to be ended ends by leaving its blocks, in which the daemons are ended.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    references = {}
-    for form in (FOLDER, ARCHIVES):
-        references[form] = folder / f"local-{form.name}"
-        check(f"one local run, {form.name}", make_reference, form, references[form])
-    for part in (slurm_checks, parallel_checks, kubernetes_checks):
-        start = time.monotonic()
-        check(f"{part.__name__} went through", part.run_all, folder, references)
-        print(f"{part.__name__}: {time.monotonic() - start:.0f} s", flush=True)
+    scenario("beyond one machine", run_all, folder)
     if not failures():
         shutil.rmtree(folder)
     sys.exit(finish())

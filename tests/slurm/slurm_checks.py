@@ -6,7 +6,7 @@ import halfway
 import page
 from batch import ARCHIVES, FOLDER, merge, merge_refuses, same, whole_files_only
 from cluster import Cluster
-from report import check, expect, failures
+from report import check, expect, failures, scenario
 
 ALL = list(range(page.SHARDS))
 ENDED = ["COMPLETED", "FAILED", "CANCELLED", "NODE_FAIL", "TIMEOUT"]
@@ -135,16 +135,29 @@ def requeue_itself(array, reference):
           same, array.form, array.folder, reference)
 
 
+def in_folder(cluster, folder, reference):
+    array = Array(cluster, FOLDER, folder, "--signal=B:TERM@60")
+    kill_in_the_middle(array, reference)
+    submit_again(array, reference)
+
+
+def in_archives(cluster, folder, reference):
+    stop_in_other_ways(Array(cluster, ARCHIVES, folder, "--signal=B:TERM@60"), reference)
+
+
+def at_the_time_limit(cluster, folder, reference):
+    requeue_itself(Array(cluster, ARCHIVES, folder, "--signal=B:USR1@60"), reference)
+
+
 def run_all(folder, references):
     with Cluster() as cluster:
         try:
-            array = Array(cluster, FOLDER, folder / "slurm-folder", "--signal=B:TERM@60")
-            kill_in_the_middle(array, references[FOLDER])
-            submit_again(array, references[FOLDER])
-            array = Array(cluster, ARCHIVES, folder / "slurm-archives", "--signal=B:TERM@60")
-            stop_in_other_ways(array, references[ARCHIVES])
-            array = Array(cluster, ARCHIVES, folder / "slurm-limit", "--signal=B:USR1@60")
-            requeue_itself(array, references[ARCHIVES])
+            scenario("slurm, folder", in_folder, cluster, folder / "slurm-folder",
+                     references[FOLDER])
+            scenario("slurm, archives", in_archives, cluster, folder / "slurm-archives",
+                     references[ARCHIVES])
+            scenario("slurm, time limit", at_the_time_limit, cluster, folder / "slurm-limit",
+                     references[ARCHIVES])
         finally:
             if failures():
                 cluster.say_logs()
