@@ -129,7 +129,10 @@ class ArchiveSink : public Sink {
     const std::optional<Kept> kept =
         ReadKept(file_, std::numeric_limits<std::uint64_t>::max(), range_, batch_, is_there,
                  findings);
-    if (!kept) return std::nullopt;
+    if (!kept) {
+      Drop();  // made just now
+      return std::nullopt;
+    }
     is_complete_ = kept->count() == range_.count;
     return is_complete_ ? kept : Continue(findings);
   }

@@ -25,7 +25,9 @@ class FolderSink : public Sink {
     replaces_ = std::filesystem::exists(file_, ignored) || output::PartFile::Exists(file_);
     part_ = output::PartFile::Open(file_, findings);
     if (!part_) return std::nullopt;
+    if (request_.resume || part_->size() > 0) RemoveHalfWritten();
     std::optional<Kept> kept = request_.resume ? Continue(findings) : Kept();
+    if (!kept && part_->size() == 0) part_->Drop();  // made just now
     if (!kept || !part_->Truncate(kept->bytes, findings)) return std::nullopt;
     return kept;
   }
@@ -47,6 +49,16 @@ class FolderSink : public Sink {
   void Drop() override { part_->Drop(); }
 
  private:
+  // Nobody else makes this range. Assets may be another shard's.
+  void RemoveHalfWritten() const {
+    output::RemoveHalfWritten(
+        folder_,
+        [this](std::uint64_t index) {
+          return index >= range_.first && index - range_.first < range_.count;
+        },
+        request_.shard.IsWhole());
+  }
+
   // What is on disk is trusted by its hash, so that a file that was lost or
   // changed since is made again.
   bool IsThere(const manifest::Record& record) const {

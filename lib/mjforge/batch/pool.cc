@@ -1,10 +1,10 @@
 #include "mjforge/batch/pool.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,14 +26,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kTasksPerWorker = 2;
 constexpr int kPollMilliseconds = 100;
 // A chunk's result fits, mostly: fewer turns of both processes.
-constexpr int kPipeBytes = 1 << 20;
+constexpr int kBufferBytes = 1 << 20;
 constexpr int kBugStatus = 70;  // sysexits.h: EX_SOFTWARE
 // So many deaths in a row, none at work on a variant, are not the variants' fault.
 constexpr int kMaxFruitlessDeaths = 10;
 
+// A reader that is gone is a failed write, not a signal.
 bool WriteAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    const ssize_t written = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -67,22 +68,23 @@ std::optional<std::string> ReadMessage(int descriptor) {
   return message;
 }
 
-struct Pipe {
-  int read = -1;
-  int write = -1;
+struct Channel {
+  int leader = -1;
+  int worker = -1;
 };
 
-Pipe MakePipe() {
+Channel MakeChannel() {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
-  ::fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // without it, only slower
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot make a channel");
+  // Refused beyond the system's limit; then it only takes more turns.
+  for (const int end : ends) ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
   return {ends[0], ends[1]};
 }
 
 // Never returns. Signals of the terminal are for the process that leads.
-[[noreturn]] void BeWorker(const std::function<Work()>& make_work, int tasks, int results,
-                           Slot& slot, ::pid_t leader) {
+[[noreturn]] void BeWorker(const std::function<Work()>& make_work, int channel, Slot& slot,
+                           ::pid_t leader) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != leader) std::_Exit(0);  // it ended before that
   std::signal(SIGINT, SIG_IGN);
@@ -90,8 +92,8 @@ Pipe MakePipe() {
   int status = 0;
   try {
     const Work work = make_work();
-    while (const std::optional<std::string> message = ReadMessage(tasks)) {
-      if (!WriteMessage(results, Encode(work(DecodeTask(*message), slot)))) break;
+    while (const std::optional<std::string> message = ReadMessage(channel)) {
+      if (!WriteMessage(channel, Encode(work(DecodeTask(*message), slot)))) break;
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error in a worker: {}\n", error.what());
@@ -112,18 +114,16 @@ std::string Ending(int status) {
 
 struct Pool::Worker {
   ::pid_t process = -1;
-  int tasks = -1;    // we write
-  int results = -1;  // we read
+  int channel = -1;
   std::deque<Task> given;
-  std::string buffer;  // of the results' pipe
+  std::string buffer;  // of results, the last one perhaps in part
   Slot* slot = nullptr;
   std::uint64_t seen_turn = 0;
   Clock::time_point seen_at;
   bool too_slow = false;
 
-  void CloseEnds() {
-    if (tasks >= 0) ::close(std::exchange(tasks, -1));
-    if (results >= 0) ::close(std::exchange(results, -1));
+  void Close() {
+    if (channel >= 0) ::close(std::exchange(channel, -1));
   }
 };
 
@@ -141,10 +141,10 @@ Pool::Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
   }
 }
 
-// A worker whose pipe closes ends by itself. One that hangs does not.
+// A worker whose channel closes ends by itself. One that hangs does not.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
-    worker->CloseEnds();
+    worker->Close();
     if (worker->process > 0) {
       if (!worker->given.empty()) ::kill(worker->process, SIGKILL);
       ::waitpid(worker->process, nullptr, 0);
@@ -154,8 +154,7 @@ Pool::~Pool() {
 }
 
 void Pool::Start(Worker& worker) {
-  const Pipe tasks = MakePipe();
-  const Pipe results = MakePipe();
+  const Channel channel = MakeChannel();
   const ::pid_t leader = ::getpid();
   worker.slot->~Slot();
   new (worker.slot) Slot();
@@ -163,18 +162,14 @@ void Pool::Start(Worker& worker) {
   if (process < 0)
     throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
-    // Ends of other workers' pipes would keep those alive.
-    for (const auto& other : workers_) other->CloseEnds();
-    ::close(tasks.write);
-    ::close(results.read);
-    BeWorker(make_work_, tasks.read, results.write, *worker.slot, leader);
+    // Ends of other workers' channels would keep those alive.
+    for (const auto& other : workers_) other->Close();
+    ::close(channel.leader);
+    BeWorker(make_work_, channel.worker, *worker.slot, leader);
   }
-  ::close(tasks.read);
-  ::close(results.write);
-  ::fcntl(results.read, F_SETFL, O_NONBLOCK);
+  ::close(channel.worker);
   worker.process = process;
-  worker.tasks = tasks.write;
-  worker.results = results.read;
+  worker.channel = channel.leader;
   worker.seen_turn = 0;
   worker.seen_at = Clock::now();
   worker.too_slow = false;
@@ -207,7 +202,7 @@ void Pool::Send(Worker& worker, Task task) {
   if (worker.process < 0) Start(worker);
   const std::string message = Encode(task);
   worker.given.push_back(std::move(task));
-  WriteMessage(worker.tasks, message);  // fails if the worker is dead, which Receive notices
+  WriteMessage(worker.channel, message);  // fails if the worker is dead, which Receive notices
 }
 
 bool Pool::IsBusy() const {
@@ -221,7 +216,7 @@ std::optional<Result> Pool::Wait() {
     std::vector<Worker*> owners;
     for (const auto& worker : workers_) {
       if (worker->process < 0) continue;
-      polled.push_back({worker->results, POLLIN, 0});
+      polled.push_back({worker->channel, POLLIN, 0});
       owners.push_back(worker.get());
     }
     ::poll(polled.data(), polled.size(), kPollMilliseconds);
@@ -241,12 +236,13 @@ void Pool::Receive(Worker& worker) {
   bool ended = false;
   while (true) {
     const std::size_t before = worker.buffer.size();
-    worker.buffer.resize(before + kPipeBytes / 4);
-    const ssize_t got = ::read(worker.results, worker.buffer.data() + before, kPipeBytes / 4);
+    worker.buffer.resize(before + kBufferBytes / 4);
+    const ssize_t got =
+        ::recv(worker.channel, worker.buffer.data() + before, kBufferBytes / 4, MSG_DONTWAIT);
     worker.buffer.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     if (got > 0) continue;
     if (got < 0 && errno == EINTR) continue;
-    ended = got == 0;
+    ended = got == 0 || (errno != EAGAIN && errno != EWOULDBLOCK);
     break;
   }
   std::size_t at = 0;
@@ -269,7 +265,7 @@ void Pool::Replace(Worker& worker) {
   while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
   }
   worker.process = -1;
-  worker.CloseEnds();
+  worker.Close();
   worker.buffer.clear();
   std::deque<Task> tasks = std::exchange(worker.given, {});
   if (tasks.empty()) return;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 #include <rapidjson/document.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
 
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/manifest/record_fields.h"
@@ -79,7 +81,7 @@ class LineReader {
     }
     for (const rapidjson::Value& finding : list->GetArray()) {
       rapidjson::StringBuffer buffer;
-      JsonWriter json(buffer);
+      rapidjson::Writer<rapidjson::StringBuffer> json(buffer);
       finding.Accept(json);
       findings.emplace_back(buffer.GetString(), buffer.GetSize());
     }
@@ -119,16 +121,14 @@ class LineReader {
 }  // namespace
 
 void AppendRecord(std::string& out, const Record& record) {
-  rapidjson::StringBuffer buffer;
-  JsonWriter json(buffer);
+  JsonText json(out);
   json.StartObject();
   for (const RecordField& field : RecordFields()) {
     if (field.is_absent != nullptr && field.is_absent(record)) continue;
-    json.Key(field.key.data(), static_cast<rapidjson::SizeType>(field.key.size()));
+    json.Key(field.key);
     field.write(json, record);
   }
   json.EndObject();
-  out.append(buffer.GetString(), buffer.GetSize());
   out += '\n';
 }
 

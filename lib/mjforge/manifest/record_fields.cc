@@ -1,6 +1,11 @@
 #include "mjforge/manifest/record_fields.h"
 
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <variant>
 
@@ -9,35 +14,21 @@
 namespace mjforge::manifest {
 namespace {
 
-void Text(JsonWriter& json, std::string_view text) {
-  json.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-}
-
-void TextOrNull(JsonWriter& json, std::string_view text) {
+void TextOrNull(JsonText& json, std::string_view text) {
   if (text.empty()) {
     json.Null();
   } else {
-    Text(json, text);
+    json.String(text);
   }
 }
 
-// To the last bit, so that a record says exactly what was used.
-void Number(JsonWriter& json, double value) {
-  if (!std::isfinite(value)) {
-    json.Null();  // JSON has no other word for it
-    return;
-  }
-  const std::string text = expr::ExactNumberText(value);
-  json.RawValue(text.data(), text.size(), rapidjson::kNumberType);
-}
-
-void Numbers(JsonWriter& json, std::span<const double> values) {
+void Numbers(JsonText& json, std::span<const double> values) {
   json.StartArray();
-  for (const double value : values) Number(json, value);
+  for (const double value : values) json.Number(value);
   json.EndArray();
 }
 
-void Vector(JsonWriter& json, const Eigen::Vector3d& vector) {
+void Vector(JsonText& json, const Eigen::Vector3d& vector) {
   Numbers(json, std::span(vector.data(), 3));
 }
 
@@ -45,47 +36,47 @@ bool HasObject(const Record& record) { return record.nbody > 0; }
 
 // A number that only exists where an object was made.
 template <typename Value>
-void OfObject(JsonWriter& json, const Record& record, Value value) {
+void OfObject(JsonText& json, const Record& record, Value value) {
   if (!HasObject(record)) {
     json.Null();
   } else if constexpr (std::is_same_v<Value, int>) {
-    json.Int(value);
+    json.Whole(static_cast<std::uint64_t>(value));
   } else {
-    Number(json, value);
+    json.Number(value);
   }
 }
 
-void Parameter(JsonWriter& json, const sample::ParameterValue& value) {
+void Parameter(JsonText& json, const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) {
-    Number(json, *number);
+    json.Number(*number);
   } else if (const auto* flag = std::get_if<bool>(&value)) {
     json.Bool(*flag);
   } else if (const auto* text = std::get_if<std::string>(&value)) {
-    Text(json, *text);
+    json.String(*text);
   } else {
     Numbers(json, std::get<std::vector<double>>(value));
   }
 }
 
-void Settings(JsonWriter& json, const Record& record) {
+void Settings(JsonText& json, const Record& record) {
   json.StartObject();
   for (const auto& [name, text] : record.settings) {
-    json.Key(name.c_str());
-    Text(json, text);
+    json.Key(name);
+    json.String(text);
   }
   json.EndObject();
 }
 
-void Parameters(JsonWriter& json, const Record& record) {
+void Parameters(JsonText& json, const Record& record) {
   json.StartObject();
   for (const auto& [name, value] : record.params) {
-    json.Key(name.c_str());
+    json.Key(name);
     Parameter(json, value);
   }
   json.EndObject();
 }
 
-void CentreOfMass(JsonWriter& json, const Record& record) {
+void CentreOfMass(JsonText& json, const Record& record) {
   if (!HasObject(record)) {
     json.Null();
   } else {
@@ -94,7 +85,7 @@ void CentreOfMass(JsonWriter& json, const Record& record) {
 }
 
 // In the order of MJCF's fullinertia.
-void Inertia(JsonWriter& json, const Record& record) {
+void Inertia(JsonText& json, const Record& record) {
   if (!HasObject(record)) {
     json.Null();
     return;
@@ -103,7 +94,7 @@ void Inertia(JsonWriter& json, const Record& record) {
   Numbers(json, std::array{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
 }
 
-void Box(JsonWriter& json, const Record& record) {
+void Box(JsonText& json, const Record& record) {
   if (!HasObject(record)) {
     json.Null();
     return;
@@ -116,15 +107,15 @@ void Box(JsonWriter& json, const Record& record) {
   json.EndObject();
 }
 
-void FindingList(JsonWriter& json, const Record& record) {
+void FindingList(JsonText& json, const Record& record) {
   json.StartArray();
   for (const std::string& finding : record.findings) {
-    json.RawValue(finding.data(), finding.size(), rapidjson::kObjectType);
+    json.Raw(finding);
   }
   json.EndArray();
 }
 
-using J = JsonWriter;
+using J = JsonText;
 using R = Record;
 
 constexpr std::string_view kWhole = R"("type": "integer", "minimum": 0)";
@@ -139,30 +130,30 @@ const std::array kFields = {
                 "written.",
                 [](J& j, const R& r) { TextOrNull(j, r.file); }},
     RecordField{"archive", kText, "The archive that holds the file, relative to the manifest.",
-                [](J& j, const R& r) { Text(j, r.archive); },
+                [](J& j, const R& r) { j.String(r.archive); },
                 [](const R& r) { return r.archive.empty(); }},
     RecordField{"name", kText, "The object's name and the prefix of all names in it.",
-                [](J& j, const R& r) { Text(j, r.name); }},
+                [](J& j, const R& r) { j.String(r.name); }},
     RecordField{"index", kWhole, "The variant's number in the family.",
-                [](J& j, const R& r) { j.Uint64(r.index); }},
+                [](J& j, const R& r) { j.Whole(r.index); }},
     RecordField{"seed", kWhole, "The seed of all draws.",
-                [](J& j, const R& r) { j.Uint64(r.seed); }},
+                [](J& j, const R& r) { j.Whole(r.seed); }},
     RecordField{"attempt", kWhole, "How many draws were rejected before this one.",
-                [](J& j, const R& r) { j.Uint64(r.attempt); }},
+                [](J& j, const R& r) { j.Whole(r.attempt); }},
     RecordField{"spec", kText, "The spec: its name in the catalogue, or its file's name.",
-                [](J& j, const R& r) { Text(j, r.spec); }},
+                [](J& j, const R& r) { j.String(r.spec); }},
     RecordField{"spec_sha256", kHash, "SHA-256 of the texts of all files the spec was read from.",
-                [](J& j, const R& r) { Text(j, r.spec_sha256); }},
+                [](J& j, const R& r) { j.String(r.spec_sha256); }},
     RecordField{"set", R"("type": "object", "additionalProperties": {"type": "string"})",
                 "Parameters that were set in place of the spec's own values, as YAML.", Settings,
                 [](const R& r) { return r.settings.empty(); }},
     RecordField{"sampler", R"("enum": ["sobol", "latin", "grid"])",
                 "How the draws are spread over the batch; left out if they are random.",
-                [](J& j, const R& r) { Text(j, r.sampler); },
+                [](J& j, const R& r) { j.String(r.sampler); },
                 [](const R& r) { return r.sampler.empty(); }},
     RecordField{"batch", R"("type": "integer", "minimum": 1)",
                 "The number of variants that the draws are spread over; left out if none are.",
-                [](J& j, const R& r) { j.Uint64(r.batch); },
+                [](J& j, const R& r) { j.Whole(r.batch); },
                 [](const R& r) { return r.batch == 0; }},
     RecordField{"params",
                 R"("type": "object", "additionalProperties": {"type": ["number", "boolean", )"
@@ -199,17 +190,17 @@ const std::array kFields = {
     RecordField{"ngeom", kCount, "Geoms in the file.",
                 [](J& j, const R& r) { OfObject(j, r, r.ngeom); }},
     RecordField{"target", kText, "Who the file is written for.",
-                [](J& j, const R& r) { Text(j, r.target); }},
+                [](J& j, const R& r) { j.String(r.target); }},
     RecordField{"validate", R"("enum": ["load", "none"])",
                 "What was asked about it: load, whether MuJoCo loads the file as it is meant.",
-                [](J& j, const R& r) { Text(j, r.validate); }},
+                [](J& j, const R& r) { j.String(r.validate); }},
     RecordField{"on_invalid", R"("enum": ["skip", "resample"])",
                 "What was to be done if it is invalid; left out where it fails.",
-                [](J& j, const R& r) { Text(j, r.on_invalid); },
+                [](J& j, const R& r) { j.String(r.on_invalid); },
                 [](const R& r) { return r.on_invalid.empty(); }},
     RecordField{"status", R"("enum": ["ok", "failed", "skipped"])",
                 "Failed and skipped variants have errors among their findings and no file.",
-                [](J& j, const R& r) { Text(j, r.status); }},
+                [](J& j, const R& r) { j.String(r.status); }},
     RecordField{"findings",
                 R"("type": "array", "items": {"type": "object", "required": ["severity", )"
                 R"("code", "message"]})",
@@ -219,6 +210,39 @@ const std::array kFields = {
 };
 
 }  // namespace
+
+void JsonText::String(std::string_view text) {
+  Separate();
+  const auto is_plain = [](char c) {
+    return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\';
+  };
+  if (std::all_of(text.begin(), text.end(), is_plain)) {
+    out_ += '"';
+    out_ += text;
+    out_ += '"';
+    return;
+  }
+  rapidjson::StringBuffer buffer;
+  rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
+  writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+  out_.append(buffer.GetString(), buffer.GetSize());
+}
+
+void JsonText::Whole(std::uint64_t number) {
+  Separate();
+  std::array<char, 20> digits;  // enough for 2^64 - 1
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  out_.append(digits.data(), end);
+}
+
+void JsonText::Number(double number) {
+  if (!std::isfinite(number)) {
+    Null();
+    return;
+  }
+  Separate();
+  expr::AppendExactNumber(out_, number);
+}
 
 std::span<const RecordField> RecordFields() { return kFields; }
 

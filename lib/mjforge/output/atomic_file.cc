@@ -24,6 +24,19 @@ std::string TemporaryName(const std::filesystem::path& file, int attempt) {
 
 }  // namespace
 
+std::optional<std::string> UnderConstruction(std::string_view hidden) {
+  const std::size_t tail = hidden.rfind(".tmp");
+  if (!hidden.starts_with('.') || tail == hidden.npos || tail < 2) return std::nullopt;
+  const std::string_view numbers = hidden.substr(tail + 4);
+  const std::size_t dash = numbers.find('-');
+  if (dash == numbers.npos || dash == 0 || dash + 1 == numbers.size() ||
+      numbers.find_first_not_of("0123456789-") != numbers.npos ||
+      numbers.find('-', dash + 1) != numbers.npos) {
+    return std::nullopt;
+  }
+  return std::string(hidden.substr(1, tail - 1));
+}
+
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings) {
   findings.Add(
       diag::Code::kOutputCannotWrite, {},

@@ -33,6 +33,10 @@ class AtomicFile {
   int descriptor_ = -1;    // -1: closed
 };
 
+/// The name of the file under construction that a hidden name is of: "x.xml" for
+/// ".x.xml.tmp123-0". Nothing for all other names.
+std::optional<std::string> UnderConstruction(std::string_view hidden);
+
 /// Adds "cannot write 'FILE': WORDS" with the words of an errno.
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
 

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <charconv>
+
+#include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
@@ -25,7 +28,32 @@ bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path&
   return WriteFile(target, *bytes, false, findings);
 }
 
+// "hammer_000042.xml" -> 42.
+std::optional<std::uint64_t> IndexOf(std::string_view file) {
+  const std::size_t start = file.rfind('_');
+  if (start == file.npos || !file.ends_with(".xml")) return std::nullopt;
+  file = file.substr(start + 1, file.size() - start - 5);
+  std::uint64_t index = 0;
+  const auto [end, error] = std::from_chars(file.data(), file.data() + file.size(), index);
+  if (error != std::errc() || end != file.data() + file.size()) return std::nullopt;
+  return index;
+}
+
 }  // namespace
+
+void RemoveHalfWritten(const std::filesystem::path& folder,
+                       const std::function<bool(std::uint64_t)>& is_ours, bool assets) {
+  std::vector<std::filesystem::path> found;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::optional<std::string> file = UnderConstruction(at->path().filename().string());
+    if (!file) continue;
+    const std::optional<std::uint64_t> index = IndexOf(*file);
+    if (index ? is_ours(*index) : assets) found.push_back(at->path());
+  }
+  for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
+}
 
 bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
                               const std::filesystem::path& folder, diag::Findings& findings) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -85,6 +86,11 @@ class ObjectFolder {
   std::filesystem::path known_folder_;          // that the last file went to
   std::set<std::filesystem::path> assets_;      // done
 };
+
+/// Removes what a process that was killed left half-written in a folder and those below it:
+/// hidden files of the objects whose index `is_ours` takes, and of assets if `assets`.
+void RemoveHalfWritten(const std::filesystem::path& folder,
+                       const std::function<bool(std::uint64_t)>& is_ours, bool assets);
 
 /// "TARGETS: FILES" for Make, as compilers write it for -MF: spaces, # and $ of
 /// files escaped, a line each. Targets stand as they are given. With `phony`

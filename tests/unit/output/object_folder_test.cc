@@ -108,5 +108,23 @@ TEST_CASE("an asset that is there with other content is replaced only where that
   CHECK(folder.Read("out/assets/wood.png") == "pixels");
 }
 
+TEST_CASE("what a killed process left half-written is removed, and nothing else") {
+  const TemporaryFolder folder;
+  const Files kept = {"out/.hammer_000042.xml.tmp7", "out/.hammer_000043.xml.tmp7-0",
+                      "out/.manifest.jsonl.part", "out/hammer_000042.xml",
+                      "out/hammer_000042.xml.tmp7-0"};
+  for (const std::string& file : kept) folder.Write(file, "");
+  folder.Write("out/.hammer_000042.xml.tmp7-0", "");
+  folder.Write("out/0010000/.hammer_000042.xml.tmp123-99", "");
+  folder.Write("out/assets/.wood.png.tmp7-0", "");
+  const auto is_ours = [](std::uint64_t index) { return index == 42; };
+  RemoveHalfWritten(folder / "out", is_ours, false);
+  CHECK(folder.Files().size() == kept.size() + 1);
+  CHECK(std::filesystem::exists(folder / "out/assets/.wood.png.tmp7-0"));
+  RemoveHalfWritten(folder / "out", is_ours, true);
+  CHECK(folder.Files() == kept);
+  RemoveHalfWritten(folder / "none", is_ours, true);
+}
+
 }  // namespace
 }  // namespace mjforge::output
