@@ -35,7 +35,7 @@ std::string Counts(const batch::Summary& summary, Clock::time_point start) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   text += fmt::format(" ({:.1f} s", seconds);
   const auto made = static_cast<double>(summary.done() - summary.kept);
-  if (seconds >= 1 && made > 0) text += fmt::format(", {:.0f}/s", made / seconds);
+  if (seconds >= 1 && made >= 100) text += fmt::format(", {:.0f}/s", made / seconds);
   return text + ")";
 }
 
@@ -123,8 +123,8 @@ class Run {
   void Say(const batch::Done& done, const output::Destination& destination) {
     std::string place = fmt::format("{} {}", done.name, done.index);
     if (!done.place.empty())
-      place = destination.kind == Kind::kFolder ? (destination.path / done.place).string()
-                                                : done.place;
+      place =
+          destination.kind == Kind::kFolder ? (destination.path / done.place).string() : done.place;
     console_.Say(fmt::format("{}: {}, attempt {}", place, done.status, done.attempt));
   }
 

@@ -97,7 +97,10 @@ ExitStatus InspectFile(const InspectOptions& options) {
 Action AddInspect(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("inspect", "Show parameters and one variant, or a batch");
   auto options = std::make_shared<InspectOptions>();
-  command.add_option("WHAT", options->what, "A spec, a FILE.xml, or a batch: its folder or manifest")->required()->option_text(" ");
+  command
+      .add_option("WHAT", options->what, "A spec, a FILE.xml, or a batch: its folder or manifest")
+      ->required()
+      ->option_text(" ");
   AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
   AddWholeNumber(command, "--index", options->index, "The variant to show");
   AddSpecOptions(command, options->spec);

@@ -48,8 +48,7 @@ std::string Misplaced(const GenerateOptions& options, const batch::Request& requ
   if (kind == Kind::kArchive && !request.shard.IsWhole()) {
     return fmt::format(
         "--shard: '{}' is one archive; shards fill a folder or a series, such as '{}'",
-        options.output,
-        std::string(options.output).insert(options.output.find(".tar"), "_%05d"));
+        options.output, std::string(options.output).insert(options.output.find(".tar"), "_%05d"));
   }
   return {};
 }
@@ -161,8 +160,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
     return std::nullopt;
   }
-  const auto destination =
-      output::ParseDestination(options.output, options.per_archive, why_not);
+  const auto destination = output::ParseDestination(options.output, options.per_archive, why_not);
   if (!destination) {
     why_not = fmt::format("-o {}: {}", options.output, why_not);
     return std::nullopt;

@@ -108,9 +108,8 @@ std::string Tables(const Batch& batch) {
     const std::string values = ValuesText(parameter);
     if (parameter.numbers.empty()) AddRow(table, parameter.name, nullptr, values);
     for (std::size_t i = 0; i < parameter.numbers.size(); ++i) {
-      const std::string name = parameter.numbers.size() == 1
-                                   ? parameter.name
-                                   : fmt::format("{}.{}", parameter.name, i);
+      const std::string name =
+          parameter.numbers.size() == 1 ? parameter.name : fmt::format("{}.{}", parameter.name, i);
       AddRow(table, name, &parameter.numbers[i], values);
     }
   }

@@ -24,8 +24,8 @@ ExitStatus Run(int argc, char** argv) {
   app.set_version_flag("--version", VersionText, "Print versions and exit");
   app.footer("'mjforge COMMAND --help' explains a command and has examples.");
   // In the order of the help.
-  const std::vector<Action> actions = {AddGenerate(app), AddCheck(app),  AddInspect(app),
-                                       AddValidate(app), AddMerge(app),  AddReplay(app),
+  const std::vector<Action> actions = {AddGenerate(app),  AddCheck(app), AddInspect(app),
+                                       AddValidate(app),  AddMerge(app), AddReplay(app),
                                        AddCatalogue(app), AddSchema(app)};
   try {
     std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});

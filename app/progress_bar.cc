@@ -41,9 +41,9 @@ std::string ProgressLine(const batch::Summary& summary, double seconds, std::siz
   const auto filled = static_cast<std::size_t>(share * kBarWidth);
   const double made = done - static_cast<double>(summary.kept);
   const double rate = seconds > 0 ? made / seconds : 0;
-  std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {} of {}", "", filled, "",
-                                 kBarWidth - filled, std::floor(100 * share), summary.done(),
-                                 summary.count);
+  std::string line =
+      fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {} of {}", "", filled, "", kBarWidth - filled,
+                  std::floor(100 * share), summary.done(), summary.count);
   if (rate > 0) {
     line += fmt::format("  {:.{}f}/s  {} left", rate, rate < 10 ? 1 : 0,
                         TimeText((static_cast<double>(summary.count) - done) / rate));

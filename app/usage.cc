@@ -55,7 +55,8 @@ ExitStatus WrongUsage(std::string_view message, std::string_view command) {
 
 ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
                              std::string_view first_word) {
-  if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr) return Print(WithShortMakeOptions(app.help()));
+  if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr)
+    return Print(WithShortMakeOptions(app.help()));
   if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return Print(VersionText());
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty() && !first_word.empty() && first_word[0] != '-') {

@@ -56,7 +56,7 @@ void TimeGenerator(LoadedRecipe& loaded, std::uint64_t count, bool validated) {
     generator.Make(i, variant);
     if (!variant.ok()) std::abort();
     manifest.clear();
-    mjforge::output::AppendRecord(manifest, variant.record);
+    mjforge::manifest::AppendRecord(manifest, variant.record);
   });
 }
 

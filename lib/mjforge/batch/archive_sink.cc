@@ -88,8 +88,7 @@ class ArchiveSink : public Sink {
     if (!archive_ && !OpenArchive(0, findings)) return false;
     std::string journal;
     if (!AppendAssets(result, journal, findings)) return false;
-    if (!archive_->Append(result.segment, findings) ||
-        !manifest_->Append(result.lines, findings)) {
+    if (!archive_->Append(result.segment, findings) || !manifest_->Append(result.lines, findings)) {
       return false;
     }
     position_.next = result.chunk.end();
@@ -126,9 +125,8 @@ class ArchiveSink : public Sink {
       return record.status != "ok" ||
              std::filesystem::exists(destination_.Folder() / record.archive, ignored);
     };
-    const std::optional<Kept> kept =
-        ReadKept(file_, std::numeric_limits<std::uint64_t>::max(), range_, batch_, is_there,
-                 findings);
+    const std::optional<Kept> kept = ReadKept(file_, std::numeric_limits<std::uint64_t>::max(),
+                                              range_, batch_, is_there, findings);
     if (!kept) {
       Drop();  // made just now
       return std::nullopt;
@@ -142,8 +140,8 @@ class ArchiveSink : public Sink {
     Kept kept;
     if (request_.resume) {
       const auto is_good = [](const manifest::Record&) { return true; };
-      const std::optional<Kept> whole = ReadKept(manifest_->temporary(), manifest_->size(), range_,
-                                                 batch_, is_good, findings);
+      const std::optional<Kept> whole =
+          ReadKept(manifest_->temporary(), manifest_->size(), range_, batch_, is_good, findings);
       if (!whole) return std::nullopt;
       GoBackTo(range_.first + whole->count());
       // Again, for the counts at that place.

@@ -74,9 +74,8 @@ class FolderSink : public Sink {
     // A finished batch: its manifest is checked, and gone on with where it ends.
     std::error_code ignored;
     if (!std::filesystem::exists(file_, ignored)) return Kept();
-    const std::optional<Kept> kept =
-        ReadKept(file_, std::numeric_limits<std::uint64_t>::max(), range_, batch_, is_there,
-                 findings);
+    const std::optional<Kept> kept = ReadKept(file_, std::numeric_limits<std::uint64_t>::max(),
+                                              range_, batch_, is_there, findings);
     if (!kept) return std::nullopt;
     return Copy(kept->bytes, findings) ? kept : std::nullopt;
   }
@@ -85,8 +84,8 @@ class FolderSink : public Sink {
     std::ifstream manifest(file_, std::ios::binary);
     std::string buffer(1 << 20, '\0');
     while (bytes > 0) {
-      manifest.read(buffer.data(), static_cast<std::streamsize>(
-                                       std::min<std::uint64_t>(bytes, buffer.size())));
+      manifest.read(buffer.data(),
+                    static_cast<std::streamsize>(std::min<std::uint64_t>(bytes, buffer.size())));
       const auto count = static_cast<std::uint64_t>(manifest.gcount());
       if (count == 0 || !part_->Append(std::string_view(buffer).substr(0, count), findings))
         return false;

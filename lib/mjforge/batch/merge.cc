@@ -124,9 +124,9 @@ class Joining {
     std::string why_not;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) {
-      findings_.Add(diag::Code::kOutputBadManifest, {},
-                    fmt::format("line {} of '{}' is not a record: {}", number, shard.string(),
-                                why_not));
+      findings_.Add(
+          diag::Code::kOutputBadManifest, {},
+          fmt::format("line {} of '{}' is not a record: {}", number, shard.string(), why_not));
       return false;
     }
     if (!first_) first_ = record;
@@ -159,9 +159,9 @@ class Joining {
     std::error_code ignored;
     const std::filesystem::path file = destination_.Folder() / name;
     if (!std::filesystem::exists(file, ignored)) {
-      AddMissing(fmt::format("'{}', which holds variant {}, is not there", file.string(),
-                             record.index),
-                 "run its shard again with --resume");
+      AddMissing(
+          fmt::format("'{}', which holds variant {}, is not there", file.string(), record.index),
+          "run its shard again with --resume");
       return false;
     }
     last_seen_ = name;

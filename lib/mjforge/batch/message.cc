@@ -14,10 +14,8 @@ namespace {
 class Encoder {
  public:
   template <typename T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void Code(const T& value) {
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value));
-  }
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Code(const T& value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value)); }
   void Code(const std::string& text) {
     Code(text.size());
     bytes_ += text;
@@ -35,10 +33,8 @@ class Decoder {
   explicit Decoder(std::string_view bytes) : bytes_(bytes) {}
 
   template <typename T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void Code(T& value) {
-    std::memcpy(&value, Take(sizeof(value)).data(), sizeof(value));
-  }
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Code(T& value) { std::memcpy(&value, Take(sizeof(value)).data(), sizeof(value)); }
   void Code(std::string& text) {
     std::size_t size = 0;
     Code(size);

@@ -129,11 +129,11 @@ struct Pool::Worker {
 
 Pool::Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
            std::function<Work()> make_work)
-    : time_limit_(time_limit), make_work_(std::move(make_work)) {
+    : time_limit_(time_limit), make_work_(std::move(make_work)), received_(kBufferBytes) {
   for (std::uint64_t i = 0; i < jobs; ++i) {
     auto worker = std::make_unique<Worker>();
-    void* memory = ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
-                          -1, 0);
+    void* memory =
+        ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED)
       throw std::system_error(errno, std::generic_category(), "cannot share memory");
     worker->slot = new (memory) Slot();
@@ -159,8 +159,7 @@ void Pool::Start(Worker& worker) {
   worker.slot->~Slot();
   new (worker.slot) Slot();
   const ::pid_t process = ::fork();
-  if (process < 0)
-    throw std::system_error(errno, std::generic_category(), "cannot start a worker");
+  if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
     // Ends of other workers' channels would keep those alive.
     for (const auto& other : workers_) other->Close();
@@ -235,12 +234,11 @@ std::optional<Result> Pool::Wait() {
 void Pool::Receive(Worker& worker) {
   bool ended = false;
   while (true) {
-    const std::size_t before = worker.buffer.size();
-    worker.buffer.resize(before + kBufferBytes / 4);
-    const ssize_t got =
-        ::recv(worker.channel, worker.buffer.data() + before, kBufferBytes / 4, MSG_DONTWAIT);
-    worker.buffer.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-    if (got > 0) continue;
+    const ssize_t got = ::recv(worker.channel, received_.data(), received_.size(), MSG_DONTWAIT);
+    if (got > 0) {
+      worker.buffer.append(received_.data(), static_cast<std::size_t>(got));
+      continue;
+    }
     if (got < 0 && errno == EINTR) continue;
     ended = got == 0 || (errno != EAGAIN && errno != EWOULDBLOCK);
     break;

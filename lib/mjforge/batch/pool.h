@@ -75,6 +75,7 @@ class Pool {
 
   std::chrono::duration<double> time_limit_;
   std::function<Work()> make_work_;
+  std::vector<char> received_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::deque<Task> waiting_;
   std::deque<Result> results_;

@@ -10,8 +10,9 @@ namespace mjforge::batch {
 bool FailedByChance(const manifest::Record& record) {
   const std::string died =
       fmt::format("\"code\":\"{}\"", diag::CodeName(diag::Code::kBatchWorkerDied));
-  return std::any_of(record.findings.begin(), record.findings.end(),
-                     [&](const std::string& finding) { return finding.find(died) != finding.npos; });
+  return std::any_of(
+      record.findings.begin(), record.findings.end(),
+      [&](const std::string& finding) { return finding.find(died) != finding.npos; });
 }
 
 std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_t bytes,

@@ -52,8 +52,7 @@ class Batch {
   }
 
   Summary operator()() {
-    const std::unique_ptr<Sink> sink =
-        MakeSink({request_, all_, range_, record_}, summary_.text);
+    const std::unique_ptr<Sink> sink = MakeSink({request_, all_, range_, record_}, summary_.text);
     diag::Findings output_findings;
     CheckSpread(recipe_, request_, output_findings);
     if (const std::optional<Kept> kept = sink->Open(output_findings)) {
@@ -89,8 +88,7 @@ class Batch {
   void Make(Sink& sink, diag::Findings& output_findings) {
     const Range todo = {range_.first + summary_.kept, range_.count - summary_.kept};
     if (todo.count == 0) return;
-    const std::uint64_t jobs =
-        std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
+    const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
     Pool pool(jobs, request_.time_limit, [&] {
       return MakeWork(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
@@ -201,7 +199,7 @@ class Batch {
   const Watch& watch_;
   Range all_;
   Range range_;
-  manifest::Record record_;  // what all records have in common
+  manifest::Record record_;                  // what all records have in common
   std::map<std::uint64_t, Result> waiting_;  // by first index
   std::size_t waiting_bytes_ = 0;
   std::uint64_t next_ = 0;

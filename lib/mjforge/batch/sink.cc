@@ -82,9 +82,9 @@ bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Fin
   const std::optional<std::string> start = output::ReadStart(file, kLongestLine);
   std::string why_not;
   // An empty one holds nothing that could be lost.
-  if (start && (start->empty() ||
-                manifest::ReadRecord(std::string_view(*start).substr(0, start->find('\n')),
-                                     why_not))) {
+  if (start &&
+      (start->empty() ||
+       manifest::ReadRecord(std::string_view(*start).substr(0, start->find('\n')), why_not))) {
     return true;
   }
   findings.Add(diag::Code::kOutputExists, {},

@@ -72,10 +72,8 @@ class Worker {
 
   diag::Finding FindingOf(const Condemned& condemned) const {
     diag::Finding finding;
-    finding.code =
-        condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
-    finding.message = fmt::format("variant {} of seed {}: its worker {}", condemned.index,
-                                  request_.variant.seed, condemned.how);
+    finding.code = condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
+    finding.message = fmt::format("variant {}: its worker {}", condemned.index, condemned.how);
     finding.hint = condemned.too_slow
                        ? "give it more with --time-limit, or look at it with inspect --index"
                        : "no other variant is touched by it; --resume tries this one again";

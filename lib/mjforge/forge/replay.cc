@@ -10,8 +10,8 @@ namespace {
 
 // What is to be made again, and what it must be equal to.
 struct Original {
-  manifest::Record record;       // as far as it is known
-  bool from_manifest = false;  // then `attempt`, `status` and `sha256` are known
+  manifest::Record record;        // as far as it is known
+  bool from_manifest = false;     // then `attempt`, `status` and `sha256` are known
   std::filesystem::path file;     // the object's; empty: none was written
   std::filesystem::path archive;  // that holds it; empty: it stands by itself
 };
@@ -134,8 +134,7 @@ std::string_view TakeLine(std::string_view& rest) {
 bool IsSame(const Original& original, const Variant& variant, diag::Sources& sources,
             diag::Findings& findings) {
   std::error_code ignored;
-  const std::filesystem::path& holder =
-      original.archive.empty() ? original.file : original.archive;
+  const std::filesystem::path& holder = original.archive.empty() ? original.file : original.archive;
   if (original.from_manifest && !std::filesystem::exists(holder, ignored)) {
     if (original.record.sha256 == variant.record.sha256) return true;
     findings.Add(diag::Code::kOutputDiffers, {},

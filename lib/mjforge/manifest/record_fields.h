@@ -55,7 +55,7 @@ struct RecordField {
   std::string_view key;
   std::string_view schema;  // members of the field's JSON Schema, on one line
   std::string_view doc;
-  void (*write)(JsonText&, const Record&);  // the value
+  void (*write)(JsonText&, const Record&);     // the value
   bool (*is_absent)(const Record&) = nullptr;  // left out where this says so
 };
 

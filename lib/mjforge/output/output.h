@@ -83,8 +83,8 @@ class ObjectFolder {
   std::filesystem::path folder_;
   Overwrite overwrite_;
   MadeFolders folders_;
-  std::filesystem::path known_folder_;          // that the last file went to
-  std::set<std::filesystem::path> assets_;      // done
+  std::filesystem::path known_folder_;      // that the last file went to
+  std::set<std::filesystem::path> assets_;  // done
 };
 
 /// Removes what a process that was killed left half-written in a folder and those below it:

@@ -25,10 +25,10 @@ std::vector<std::string> Members(const std::filesystem::path& archive) {
 
 void Extract(const std::filesystem::path& archive, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const harness::CommandResult result =
-      harness::Command{.program = "tar",
-                       .arguments = {"-xf", archive.string(), "-C", folder.string()}}
-          .Run();
+  const harness::CommandResult result = harness::Command{
+      .program = "tar",
+      .arguments = {"-xf", archive.string(), "-C",
+                    folder.string()}}.Run();
   INFO(result.err);
   REQUIRE(result.status == 0);
 }
@@ -73,9 +73,9 @@ TEST_CASE("a series has so many variants in each archive, and says where each on
   Request request = test.Of(25, "out/x-%03d.tar", 10);
   request.first = 7;
   test.Make(request);
-  CHECK(test.folder.Files() ==
-        std::vector<std::string>{"crate.yaml", "out/x-000.tar", "out/x-001.tar", "out/x-002.tar",
-                                 "out/x.manifest.jsonl"});
+  CHECK(test.folder.Files() == std::vector<std::string>{"crate.yaml", "out/x-000.tar",
+                                                        "out/x-001.tar", "out/x-002.tar",
+                                                        "out/x.manifest.jsonl"});
   const auto members = Members(test.folder / "out/x-002.tar");
   REQUIRE(members.size() == 10);
   CHECK(members.front() == "crate_000027.xml");
@@ -87,7 +87,8 @@ TEST_CASE("a series has so many variants in each archive, and says where each on
 TEST_CASE("assets come once into each archive, before the first object that needs them") {
   const std::string png(
       "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\2\0\0\0\x90wS\xde\0\0\0\x0cIDATx\x9c"
-      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae" "B`\x82",
+      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae"
+      "B`\x82",
       69);
   CrateBatch test(
       "mjforge: 1\nname: crate\nmaterials: {wood: {texture: {file: wood.png}}}\n"

@@ -62,8 +62,8 @@ TEST_CASE_METHOD(ShardTest, "a shard that is missing is named") {
   CHECK_FALSE(Merge());
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kBatchMissing);
-  CHECK(findings[0].message == "shard 2/4 is missing: there is no '" +
-                                   (folder / Manifest(2)).string() + "'");
+  CHECK(findings[0].message ==
+        "shard 2/4 is missing: there is no '" + (folder / Manifest(2)).string() + "'");
   CHECK(findings[0].hint == "make it with --shard 2/4 --resume");
 }
 

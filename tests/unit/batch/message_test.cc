@@ -27,8 +27,7 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   result.assets = {{"assets/a.png", "/a.png"}};
   result.inputs = {"knob.xml"};
   diag::Findings findings;
-  diag::Finding& finding =
-      findings.Warn(diag::Code::kModelBadValue, {2, 3, 4}, "message", "hint");
+  diag::Finding& finding = findings.Warn(diag::Code::kModelBadValue, {2, 3, 4}, "message", "hint");
   finding.notes = {{{5, 6, 7}, "note"}};
   finding.index = 8;
   result.findings = {{finding, 12, 99}};

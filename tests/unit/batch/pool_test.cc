@@ -18,9 +18,8 @@ Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
       Result result;
       result.chunk = task.chunk;
       for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
-        const auto condemned =
-            std::find_if(task.condemned.begin(), task.condemned.end(),
-                         [&](const Condemned& c) { return c.index == i; });
+        const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
+                                            [&](const Condemned& c) { return c.index == i; });
         if (condemned != task.condemned.end()) {
           result.text += condemned->how + ";";
           continue;
@@ -68,8 +67,7 @@ TEST_CASE("a worker that a signal kills costs the variant it was at, and no othe
       }
     });
     const auto texts = Work100(pool);
-    const std::string died =
-        std::string("was killed by SIG") + ::sigabbrev_np(signal) + ";";
+    const std::string died = std::string("was killed by SIG") + ::sigabbrev_np(signal) + ";";
     REQUIRE(texts.size() == 10);
     CHECK(texts.at(30) == "30;31;32;" + died + "34;" + died + "36;37;38;39;");
     CHECK(texts.at(90) == died + "91;92;93;94;95;96;97;98;99;");

@@ -149,9 +149,9 @@ TEST_CASE("files past the ten thousandth go to folders of their own") {
   Request request = test.Of(4, "out");
   request.first = 9'998;
   test.Make(request);
-  CHECK(test.folder.Files() ==
-        Files{"crate.yaml", "out/0010000/crate_010000.xml", "out/0010000/crate_010001.xml",
-              "out/crate_009998.xml", "out/crate_009999.xml", "out/manifest.jsonl"});
+  CHECK(test.folder.Files() == Files{"crate.yaml", "out/0010000/crate_010000.xml",
+                                     "out/0010000/crate_010001.xml", "out/crate_009998.xml",
+                                     "out/crate_009999.xml", "out/manifest.jsonl"});
 }
 
 TEST_CASE("files that stay the same keep their time where that is asked for") {

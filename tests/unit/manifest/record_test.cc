@@ -46,17 +46,18 @@ std::string LineOf(const Record& record) {
 }
 
 TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
-  CHECK(LineOf(WholeRecord()) ==
-        R"({"file":"mug_000003.xml","name":"mug","index":3,"seed":18446744073709551615,)"
-        R"("attempt":2,"spec":"containers/mug","spec_sha256":")" +
-            std::string(64, 'a') +
-            R"(","set":{"height":"8cm .. 12cm"},"params":{"height":0.1,"handle":true,)"
-            R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
-            R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
-            R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
-            R"("ngeom":4,"target":"mujoco","validate":"load","status":"ok","findings":[{"severity":"warning"}],)"
-            R"("sha256":")" +
-            std::string(64, 'b') + "\"}\n");
+  CHECK(
+      LineOf(WholeRecord()) ==
+      R"({"file":"mug_000003.xml","name":"mug","index":3,"seed":18446744073709551615,)"
+      R"("attempt":2,"spec":"containers/mug","spec_sha256":")" +
+          std::string(64, 'a') +
+          R"(","set":{"height":"8cm .. 12cm"},"params":{"height":0.1,"handle":true,)"
+          R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
+          R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
+          R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
+          R"("ngeom":4,"target":"mujoco","validate":"load","status":"ok","findings":[{"severity":"warning"}],)"
+          R"("sha256":")" +
+          std::string(64, 'b') + "\"}\n");
 }
 
 TEST_CASE("a variant that could not be built has nulls and no settings that were not made") {
@@ -67,13 +68,14 @@ TEST_CASE("a variant that could not be built has nulls and no settings that were
   record.target = "mujoco";
   record.validate = "none";
   record.status = "failed";
-  CHECK(LineOf(record) ==
-        R"({"file":null,"name":"mug","index":0,"seed":0,"attempt":0,"spec":"mug.yaml",)"
-        R"("spec_sha256":"c","params":{},"mass":null,"com":null,"inertia":null,"aabb":null,)"
-        R"("top_offset":null,"bottom_offset":null,"horizontal_radius":null,"nbody":null,)"
-        R"("njnt":null,"ngeom":null,"target":"mujoco","validate":"none","status":"failed","findings":[],)"
-        R"("sha256":null})"
-        "\n");
+  CHECK(
+      LineOf(record) ==
+      R"({"file":null,"name":"mug","index":0,"seed":0,"attempt":0,"spec":"mug.yaml",)"
+      R"("spec_sha256":"c","params":{},"mass":null,"com":null,"inertia":null,"aabb":null,)"
+      R"("top_offset":null,"bottom_offset":null,"horizontal_radius":null,"nbody":null,)"
+      R"("njnt":null,"ngeom":null,"target":"mujoco","validate":"none","status":"failed","findings":[],)"
+      R"("sha256":null})"
+      "\n");
 }
 
 TEST_CASE("what only some batches have stands in its place") {
@@ -105,8 +107,7 @@ TEST_CASE("records of another batch differ in what the command said") {
   };
   CHECK(difference([](Record& r) { r.index = 77; }).empty());
   CHECK(difference([](Record& r) { r.status = "failed"; }).empty());
-  CHECK(difference([](Record& r) { r.seed = 3; }) ==
-        "seed is '3', not '18446744073709551615'");
+  CHECK(difference([](Record& r) { r.seed = 3; }) == "seed is '3', not '18446744073709551615'");
   CHECK(difference([](Record& r) { r.validate = "none"; }) == "validate is 'none', not 'load'");
   CHECK(difference([](Record& r) { r.settings.clear(); }) == "the parameters set differ");
   CHECK_FALSE(difference([](Record& r) { r.spec = "x"; }).empty());

@@ -34,8 +34,7 @@ TEST_CASE("a member that is not there, and a file that is no archive, are findin
   const auto file = folder.Write("x.tar", segment.Take() + ArchiveEnd(ArchiveFormat::kTar));
   CHECK_FALSE(ReadMember(file, "b.xml", findings));
   REQUIRE(findings.size() == 1);
-  CHECK(findings[0].message ==
-        "cannot read 'b.xml' in '" + file.string() + "': it is not there");
+  CHECK(findings[0].message == "cannot read 'b.xml' in '" + file.string() + "': it is not there");
   CHECK_FALSE(ReadMember(folder.Write("y.tar", "no archive at all"), "b.xml", findings));
   CHECK_FALSE(ReadMember(folder / "none.tar", "b.xml", findings));
   CHECK(findings.size() == 3);
