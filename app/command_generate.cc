@@ -110,6 +110,7 @@ class Run {
     ExitStatus status = StatusOf(summary);
     if (status == ExitStatus::kDone && options_.make.wanted() &&
         !WriteDependencies(options_.make, request.destination, FilesOf(recipe, summary),
+                           std::filesystem::path(options_.specs[0]).is_absolute(),
                            summary.findings)) {
       status = ExitStatus::kInputOutput;
     }
@@ -123,8 +124,8 @@ class Run {
   void Say(const batch::Done& done, const output::Destination& destination) {
     std::string place = fmt::format("{} {}", done.name, done.index);
     if (!done.place.empty())
-      place = destination.kind == Kind::kFolder ? (destination.path / done.place).string()
-                                                : done.place;
+      place =
+          destination.kind == Kind::kFolder ? (destination.path / done.place).string() : done.place;
     console_.Say(fmt::format("{}: {}, attempt {}", place, done.status, done.attempt));
   }
 
