@@ -136,6 +136,26 @@ TEST_CASE("an imported file that a rule makes is made first") {
   CHECK(IsUpToDate(project, {"-f", "more.mk"}));
 }
 
+TEST_CASE("files are named from here, or by their whole path as the spec is") {
+  const Project project;
+  const std::string here = fs::canonical(project.folder().path()).string() + "/";
+  const auto rule = [&](const std::string& folder) {
+    project.Do("mjforge", {"generate", folder + "specs/drawer.yaml", "-q", "-MD", "-o", "x.xml"});
+    fs::remove_all(project.folder() / "assets");
+    return project.folder().Read("x.d");
+  };
+  const auto expected = [](const std::string& folder) {
+    std::string text = "x.xml:";
+    for (const std::string name :
+         {"parts/grip.obj", "parts/handle.xml", "parts/steel.xml", "specs/drawer.yaml"}) {
+      text += " \\\n  " + folder + name;
+    }
+    return text + "\n";
+  };
+  CHECK(rule("") == expected(""));
+  CHECK(rule(here) == expected(here));
+}
+
 TEST_CASE("rules name files with blanks, # and $") {
   Project project;
   const harness::TemporaryFolder& folder = project.folder();
