@@ -140,7 +140,8 @@ TEST_CASE("files are named from here, or by their whole path as the spec is") {
   const Project project;
   const std::string here = fs::canonical(project.folder().path()).string() + "/";
   const auto rule = [&](const std::string& folder) {
-    project.Do("mjforge", {"generate", folder + "specs/drawer.yaml", "-q", "-MD", "-o", "x.xml"});
+    project.Do(harness::MjforgeProgram(),
+               {"generate", folder + "specs/drawer.yaml", "-q", "-MD", "-o", "x.xml"});
     fs::remove_all(project.folder() / "assets");
     return project.folder().Read("x.d");
   };
