@@ -149,7 +149,7 @@ TEST_CASE("files are named from here, or by their whole path as the spec is") {
     std::string text = "x.xml:";
     for (const std::string name :
          {"parts/grip.obj", "parts/handle.xml", "parts/steel.xml", "specs/drawer.yaml"}) {
-      text += " \\\n  " + folder + name;
+      text.append(" \\\n  ").append(folder).append(name);
     }
     return text + "\n";
   };
