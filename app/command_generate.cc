@@ -110,6 +110,7 @@ class Run {
     ExitStatus status = StatusOf(summary);
     if (status == ExitStatus::kDone && options_.make.wanted() &&
         !WriteDependencies(options_.make, request.destination, FilesOf(recipe, summary),
+                           std::filesystem::path(options_.specs[0]).is_absolute(),
                            summary.findings)) {
       status = ExitStatus::kInputOutput;
     }

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -28,9 +27,8 @@ ExitStatus Run(int argc, char** argv) {
                                        AddValidate(app),  AddMerge(app), AddReplay(app),
                                        AddCatalogue(app), AddSchema(app)};
   try {
-    std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
-    std::reverse(words.begin(), words.end());  // as CLI11 takes them
-    app.parse(std::move(words));
+    const std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them
   } catch (const CLI::ParseError& error) {
     return ExplainParseError(app, error, argc > 1 ? argv[1] : "");
   }

@@ -22,6 +22,18 @@ std::filesystem::path DependencyFile(const output::Destination& destination) {
   return file.replace_extension(".d");
 }
 
+// As a makefile names it: Make knows a file by one name alone, and one that a rule
+// makes has the name of that rule.
+std::string NameForMake(const std::filesystem::path& file, bool absolute) {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::current_path(error);
+  if (error) return file.string();
+  const std::filesystem::path whole = (here / file).lexically_normal();
+  const std::filesystem::path relative = whole.lexically_relative(here);
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return (absolute || !below ? whole : relative).string();
+}
+
 }  // namespace
 
 void AddMakeOptions(CLI::App& command, MakeOptions& options) {
@@ -63,12 +75,15 @@ std::string WithShortMakeOptions(std::string text) {
 }
 
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, diag::Findings& findings) {
+                       const std::set<std::string>& files, bool absolute,
+                       diag::Findings& findings) {
+  std::set<std::string> names;
+  for (const std::string& name : files) names.insert(NameForMake(name, absolute));
   std::vector<std::string> targets = options.targets;
   if (targets.empty()) targets.push_back(output::EscapeForMake(TargetOf(destination).string()));
   const std::filesystem::path file =
       options.file.empty() ? DependencyFile(destination) : std::filesystem::path(options.file);
-  return output::WriteFile(file, output::MakeRule(targets, files, options.phony), false, findings);
+  return output::WriteFile(file, output::MakeRule(targets, names, options.phony), false, findings);
 }
 
 }  // namespace mjforge::app

@@ -35,9 +35,10 @@ std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words);
 /// The other way round, in a help text.
 std::string WithShortMakeOptions(std::string text);
 
-/// Writes the rule. False and a finding if it cannot be written.
+/// Writes the rule. Files below the current folder are named from there, or all
+/// `absolute`. False and a finding if it cannot be written.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, diag::Findings& findings);
+                       const std::set<std::string>& files, bool absolute, diag::Findings& findings);
 
 }  // namespace mjforge::app
 

@@ -82,7 +82,8 @@ TEST_CASE_METHOD(BadOutputTest, "a file that does not fit leaves nothing") {
   const auto result = RunInShell("ulimit -f 1;", "-q -o crate.xml");
   CHECK(result.status == 3);
   CHECK(result.err ==
-        "mjforge: error: cannot write 'crate.xml': File too large [output/cannot-write]\n");
+        "mjforge: error: cannot write 'crate.xml': File too large (seed 0, index 0) "
+        "[output/cannot-write]\n");
   CHECK(folder().Files() == Files{"crate.yaml"});
 }
 
@@ -90,7 +91,7 @@ TEST_CASE_METHOD(BadOutputTest, "a batch that does not fit leaves nothing") {
   const auto result = RunInShell("ulimit -f 1;", "-q -n 3 -o out");
   CHECK(result.status == 3);
   CHECK(result.err ==
-        "mjforge: error: cannot write 'out/crate_000000.xml': File too large "
+        "mjforge: error: cannot write 'out/crate_000000.xml': File too large (seed 0, index 0) "
         "[output/cannot-write]\n");
   CHECK_FALSE(std::filesystem::exists(folder() / "out"));
 }
@@ -113,7 +114,8 @@ TEST_CASE_METHOD(BadOutputTest, "somebody else's file is only overwritten with -
   const auto refused = Run({"generate", "crate.yaml", "-q", "-o", "x.xml"});
   CHECK(refused.status == 3);
   CHECK(refused.err ==
-        "mjforge: error: 'x.xml' exists and was not made by mjforge [output/exists]\n"
+        "mjforge: error: 'x.xml' exists and was not made by mjforge (seed 0, index 0) "
+        "[output/exists]\n"
         "  hint: choose another place, or overwrite it with --force\n");
   CHECK(folder().Read("x.xml") == "<mujoco/>\n");
   CHECK(Run({"generate", "crate.yaml", "-q", "-o", "x.xml", "--force"}).status == 0);
@@ -129,7 +131,7 @@ TEST_CASE_METHOD(BadOutputTest, "a folder with somebody else's manifest is refus
   CHECK(result.err ==
         "mjforge: error: 'out/manifest.jsonl' exists and was not made by mjforge "
         "[output/exists]\n"
-        "  hint: choose another folder, or overwrite it with --force\n");
+        "  hint: choose another place, or overwrite it with --force\n");
   CHECK(folder().Files() == Files{"crate.yaml", "out/manifest.jsonl"});
 }
 

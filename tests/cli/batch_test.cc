@@ -12,10 +12,16 @@ using harness::CommandResult;
 
 class BatchTest : public CrateTest {
  protected:
-  /// A shell script, with the program as $mjforge.
+  /// A shell script, with the program as $mjforge; `children PID` lists the processes
+  /// that one has started and that are alive.
   CommandResult Shell(const std::string& script) const {
+    const std::string children =
+        "children() { for stat in /proc/[0-9]*/stat; do\n"
+        "  read -r pid name state parent rest < $stat &&\n"
+        "    [ \"$parent\" = \"$1\" ] && [ $state != Z ] && echo $pid\n"
+        "done 2>/dev/null; }\n";
     return harness::Command{.program = "bash",
-                            .arguments = {"-c", script},
+                            .arguments = {"-c", children + script},
                             .environment = {{"mjforge", harness::MjforgeProgram().string()}},
                             .folder = folder().path(),
                             .timeout = std::chrono::minutes(4)}
@@ -80,7 +86,7 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
   const CommandResult result = Shell(
       "$mjforge generate crate.yaml -n 3000 -j 2 --seed 7 -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
-      "read worker rest < /proc/$p/task/$p/children\n"
+      "worker=$(children $p | head -1)\n"
       "kill -" +
       std::string(signal) + " $worker; wait $p; echo $?");
   INFO(result.err);
@@ -100,7 +106,7 @@ TEST_CASE_METHOD(BatchTest, "a worker that hangs is given up after the time limi
   const CommandResult result = Shell(
       "$mjforge generate crate.yaml -n 3000 -j 2 --time-limit 0.5 -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
-      "read worker rest < /proc/$p/task/$p/children\n"
+      "worker=$(children $p | head -1)\n"
       "kill -STOP $worker; wait $p; echo $?");
   INFO(result.err);
   CHECK(result.out == "1\n");
@@ -113,10 +119,11 @@ TEST_CASE_METHOD(BatchTest, "workers end with the process that leads them") {
   const CommandResult result = Shell(
       "$mjforge generate crate.yaml -n 2000000 -j 2 -q -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
-      "workers=$(cat /proc/$p/task/$p/children)\n"
+      "workers=$(children $p)\n"
       "kill -KILL $p; wait $p 2>/dev/null\n"
       "for i in 1 2 3 4 5 6 7 8 9 10; do\n"
-      "  alive=0; for w in $workers; do [ -d /proc/$w ] && alive=1; done\n"
+      "  alive=0; for w in $workers; do grep -q '^State:.*[RSDT]' /proc/$w/status 2>/dev/null && "
+      "alive=1; done\n"
       "  [ $alive = 0 ] && break; sleep 0.1\n"
       "done; echo alive $alive");
   CHECK(result.out == "alive 0\n");

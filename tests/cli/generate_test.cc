@@ -147,7 +147,7 @@ TEST_CASE_METHOD(UnluckyCrateTest, "with --on-invalid resample draws them again"
   CHECK(folder().Files().size() == 22);
 }
 
-TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its manifest") {
+TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its records") {
   // It interrupts itself when the third line of -v says that two more are done.
   const harness::Command command{
       .program = "/bin/sh",
@@ -159,10 +159,11 @@ TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its m
   const auto result = command.Run();
   CHECK(result.status == 130);
   CHECK(folder().Read("words").find("interrupted") != std::string::npos);
-  const std::string manifest = folder().Read("out/manifest.jsonl");
+  const std::string manifest = folder().Read("out/.manifest.jsonl.part");
   const auto lines = std::count(manifest.begin(), manifest.end(), '\n');
   CHECK(lines >= 3);
-  CHECK(folder().Files().size() == static_cast<std::size_t>(lines) + 3);
+  // Workers may be ahead of the records.
+  CHECK(folder().Files().size() >= static_cast<std::size_t>(lines) + 3);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_CASE_METHOD(UsageTest, "values that an option cannot take are wrong usage")
       {"--findings", "xml"},
       {"-n", "2", "-o", "x.xml"},
       {"-n", "2", "-o", "-"},
-      {"-o", "x.tar"},
+      {"-o", "x.zip"},
       {"--first", "18446744073709551615", "-n", "2"},
       {"other.yaml", "-o", "x.xml"},
       {"-o"}};

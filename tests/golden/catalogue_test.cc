@@ -34,8 +34,9 @@ const std::vector<Unreachable> kUnreachable = {
 
 // Codes of what has no place in a text, such as a file that is not there.
 const std::set<std::string> kWithoutPlace = {
-    "yaml/cannot-read", "output/exists",       "output/cannot-write",
-    "output/bad-name",  "output/bad-manifest", "output/differs",
+    "yaml/cannot-read",    "output/exists",  "output/cannot-write", "output/bad-name",
+    "output/bad-manifest", "output/differs", "batch/worker-died",   "batch/too-slow",
+    "batch/differs",       "batch/missing",  "batch/uneven",
 };
 
 std::vector<std::string> Codes() {

@@ -36,7 +36,8 @@ endif()
 foreach(file specs/tools/hammer.yaml schemas/object.schema.json schemas/manifest.schema.json)
   expect_file(${work_folder}/prefix/share/mjforge/${file})
 endforeach()
-foreach(file LICENSE README.md CHANGELOG.md manual.md errors.md architecture.md)
+foreach(file LICENSE README.md CHANGELOG.md manual.md errors.md architecture.md make.md
+    examples/make/Makefile)
   expect_file(${work_folder}/prefix/share/doc/mjforge/${file})
 endforeach()
 
