@@ -166,7 +166,6 @@ Action AddGenerate(CLI::App& app) {
   AddExamples(command,
               "  mjforge generate hammer -n 100 --seed 7 -o out/\n"
               "  mjforge generate mug.yaml --set 'height=8cm .. 12cm' -o mug.xml\n"
-              "  mjforge generate hammer --first 41 -o - | less\n"
               "  mjforge generate hammer -n 1000000 -o 'hammers_%05d.tar.zst'");
   return [options] {
     std::string why_not;

@@ -97,8 +97,7 @@ ExitStatus InspectFile(const InspectOptions& options) {
 Action AddInspect(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("inspect", "Show parameters and one variant, or a batch");
   auto options = std::make_shared<InspectOptions>();
-  command
-      .add_option("WHAT", options->what, "A spec, a FILE.xml, or a batch: its folder or manifest")
+  command.add_option("WHAT", options->what, "A spec, a FILE.xml, or the folder of a batch")
       ->required()
       ->option_text(" ");
   AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");

@@ -79,8 +79,7 @@ std::vector<std::string> SamplerNames() {
 
 void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command
-      .add_option("-o,--output", options.output,
-                  "A folder [./NAME/], .xml, .tar, .tar.zst, %05d.tar, -")
+      .add_option("-o,--output", options.output, "A folder [./NAME/], .xml, .tar[.zst], %d.tar, -")
       ->option_text("OUT");
   AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1);
   command.add_option("--shard", options.shard, "Part I (from 0) of the N parts of the batch")

@@ -24,7 +24,7 @@ harness::CommandResult RunLine(const std::string& line, const std::filesystem::p
 }
 
 std::string WithoutTimes(const std::string& text) {
-  static const std::regex kSeconds("\\([0-9]+\\.[0-9] s\\)");
+  static const std::regex kSeconds("\\([0-9]+\\.[0-9] s(, [0-9]+/s)?\\)");
   return std::regex_replace(text, kSeconds, "(N s)");
 }
 

@@ -96,6 +96,7 @@ class Batch {
     next_ = todo.first;
     std::optional<Chunk> chunk = schedule.Next();
     std::optional<Clock::time_point> stopped;
+    bool goes_on = true;
     while (chunk || pool.IsBusy()) {
       while (chunk && pool.HasRoom() && waiting_bytes_ < kMostWaiting) {
         pool.Submit({*chunk, {}});
@@ -105,11 +106,12 @@ class Batch {
         waiting_bytes_ += SizeOf(*result);
         waiting_.emplace(result->chunk.first, *std::move(result));
       }
-      if (!TakeInOrder(sink, output_findings)) return;
+      goes_on = goes_on && TakeInOrder(sink, output_findings);
       ShowProgress();
-      if (IsStopped() && !stopped) {
+      if (IsStopped()) summary_.interrupted = true;
+      if ((summary_.interrupted || !goes_on) && !stopped) {
+        // Workers come to an end by themselves, so that none leaves half a file.
         stopped = Clock::now();
-        summary_.interrupted = true;
         pool.AskToStop();
         chunk.reset();
       }
