@@ -30,6 +30,7 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options) {
   batch::Request request;
   request.count = options.count;
   request.variant.seed = options.seed;
+  request.variant.batch = options.count;
   const batch::Summary summary = batch::Run(*recipe, sources, request, {});
   console.Show(summary.findings, sources, summary.more_findings);
   console.Say(

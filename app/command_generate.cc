@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -48,6 +49,7 @@ class Run {
   }
 
   ExitStatus operator()() {
+    KeepMemory();
     Load();
     if (status_ != ExitStatus::kDone) return status_;
     for (const forge::Recipe& recipe : recipes_) {
@@ -58,6 +60,14 @@ class Run {
   }
 
  private:
+  // Buffers of some hundred kilobytes come and go with every chunk. Given back to the
+  // system each time, their pages cost as much as what is in them.
+  static void KeepMemory() {
+    constexpr int kKept = 64 << 20;
+    ::mallopt(M_MMAP_THRESHOLD, kKept);
+    ::mallopt(M_TRIM_THRESHOLD, kKept);
+  }
+
   // All specs first: a mistake in the last one must not show after an hour.
   void Load() {
     diag::Findings findings;

@@ -35,7 +35,7 @@ struct Batch {
 
 std::optional<Batch> ReadBatch(const std::filesystem::path& file, diag::Findings& findings) {
   std::ifstream lines(file, std::ios::binary);
-  if (!lines) {
+  if (!lines || std::filesystem::is_directory(file)) {
     output::ReadFile(file, findings);  // says why
     return std::nullopt;
   }

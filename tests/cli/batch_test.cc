@@ -88,7 +88,7 @@ constexpr const char* kHeap =
 
 TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is named") {
   folder().Write("heap.yaml", kHeap);
-  const std::string signal = GENERATE(as<std::string>(), "SEGV", "KILL");
+  const std::string signal = GENERATE(as<std::string>(), "ABRT", "KILL");
   const CommandResult result = Shell(
       "$mjforge generate heap.yaml -n 40 -j 2 --seed 7 -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"

@@ -74,9 +74,9 @@ const std::array kLibraries = {
     Library{"yaml-cpp/", {"spec"}},
 };
 
-const Words kSystem = {"fcntl.h",     "poll.h",      "sys/file.h",   "sys/ioctl.h",
-                       "sys/mman.h",  "sys/prctl.h", "sys/socket.h", "sys/stat.h",
-                       "sys/types.h", "sys/wait.h",  "unistd.h"};
+const Words kSystem = {"malloc.h",    "fcntl.h",     "poll.h",      "sys/file.h",
+                       "sys/ioctl.h", "sys/mman.h",  "sys/prctl.h", "sys/socket.h",
+                       "sys/stat.h",  "sys/types.h", "sys/wait.h",  "unistd.h"};
 
 const Room& RoomOf(std::string_view file) {
   const std::string_view top = "lib/mjforge/";

@@ -81,8 +81,13 @@ class ArchiveSink : public Sink {
   }
 
   bool Take(Result& result, diag::Findings& findings) override {
-    // Half a segment would make other bytes than a whole one.
-    if (result.done < result.chunk.count && !result.output_failed) return true;
+    if (result.done < result.chunk.count) {
+      // Half a segment would make other bytes than a whole one.
+      result.statuses.clear();
+      result.variants.clear();
+      result.findings.clear();
+      return true;
+    }
     if (result.chunk.archive != position_.archive && !NextArchive(result.chunk.archive, findings))
       return false;
     if (!archive_ && !OpenArchive(0, findings)) return false;

@@ -20,6 +20,7 @@ class Encoder {
     Code(text.size());
     bytes_ += text;
   }
+  void Reserve(std::size_t size) { bytes_.reserve(size); }
   std::string Take() { return std::move(bytes_); }
 
   static constexpr bool kReads = false;
@@ -153,8 +154,9 @@ void CodeAll(Coder& coder, Values&... values) {
 }
 
 template <typename Message>
-std::string EncodeMessage(const Message& message) {
+std::string EncodeMessage(const Message& message, std::size_t size) {
   Encoder encoder;
+  encoder.Reserve(size);
   Code(encoder, const_cast<Message&>(message));  // an encoder only reads
   return encoder.Take();
 }
@@ -169,8 +171,11 @@ Message DecodeMessage(std::string_view bytes) {
 
 }  // namespace
 
-std::string Encode(const Task& task) { return EncodeMessage(task); }
-std::string Encode(const Result& result) { return EncodeMessage(result); }
+std::string Encode(const Task& task) { return EncodeMessage(task, 0); }
+std::string Encode(const Result& result) {
+  constexpr std::size_t kRest = 4096;
+  return EncodeMessage(result, result.lines.size() + result.segment.size() + kRest);
+}
 Task DecodeTask(std::string_view bytes) { return DecodeMessage<Task>(bytes); }
 Result DecodeResult(std::string_view bytes) { return DecodeMessage<Result>(bytes); }
 

@@ -21,6 +21,7 @@ class Sink {
   virtual std::optional<Kept> Open(diag::Findings&) { return Kept(); }
   /// How workers write beside it; good after Open.
   virtual output::Overwrite overwrite() const { return {}; }
+  /// Of a result that it cannot use it clears what would be counted.
   virtual bool Take(Result& result, diag::Findings& findings) = 0;
   /// All is there: gives it its name.
   virtual bool Finish(diag::Findings&) { return true; }

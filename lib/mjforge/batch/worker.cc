@@ -27,6 +27,7 @@ class Worker {
   Result operator()(const Task& task, Slot& slot) {
     Result result;
     result.chunk = task.chunk;
+    result.lines.reserve(usual_lines_);
     Digest digest(kMaxFindings);
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
       if (slot.IsAskedToStop()) break;
@@ -38,6 +39,7 @@ class Worker {
       digest.Add(variant_.findings, variant_.record.status == "skipped");
       Tell(result);
     }
+    usual_lines_ = std::max(usual_lines_, result.lines.size());
     result.segment = segment_.Take();
     result.more_findings = digest.not_shown();
     result.findings.assign(digest.entries().begin(), digest.entries().end());
@@ -161,6 +163,7 @@ class Worker {
   output::ObjectFolder folder_;
   output::Segment segment_;
   forge::Variant variant_;
+  std::size_t usual_lines_ = 0;  // bytes of a chunk's records
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <fstream>
 
 #include "mjforge/forge/forge.h"
 
@@ -33,12 +34,14 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
 
 std::optional<Original> FromManifest(const std::filesystem::path& file, std::uint64_t index,
                                      diag::Findings& findings) {
-  const std::optional<std::string> text = output::ReadFile(file, findings);
-  if (!text) return std::nullopt;
-  std::string_view rest = *text;
-  for (int number = 1; !rest.empty(); ++number) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  // Line by line: a manifest may have a hundred million.
+  std::ifstream lines(file, std::ios::binary);
+  if (!lines || std::filesystem::is_directory(file)) {
+    output::ReadFile(file, findings);  // says why
+    return std::nullopt;
+  }
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
     std::string why_not;
     std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) {

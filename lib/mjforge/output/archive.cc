@@ -108,6 +108,7 @@ bool Segment::Add(const std::string& name, std::string_view bytes, diag::Finding
 
 std::string Segment::Take() {
   std::string members = std::exchange(state_->members, {});
+  state_->members.reserve(members.size());  // the next segment is much like this one
   if (members.empty() || state_->format == ArchiveFormat::kTar) return members;
   return Compress(members);
 }
