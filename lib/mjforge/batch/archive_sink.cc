@@ -239,7 +239,7 @@ class ArchiveSink : public Sink {
     return true;
   }
 
-  bool Note(std::string journal, diag::Findings& findings) {
+  bool Note(const std::string& journal, diag::Findings& findings) {
     position_.manifest_bytes = manifest_->size();
     position_.archive_bytes = archive_->size();
     return journal_->Append(journal + Line(position_), findings);

@@ -104,7 +104,8 @@ class Batch {
       }
       if (std::optional<Result> result = pool.Wait()) {
         waiting_bytes_ += SizeOf(*result);
-        waiting_.emplace(result->chunk.first, *std::move(result));
+        const std::uint64_t first = result->chunk.first;
+        waiting_.emplace(first, *std::move(result));
       }
       goes_on = goes_on && TakeInOrder(sink, output_findings);
       ShowProgress();
@@ -184,15 +185,16 @@ class Batch {
 
   void End(Sink& sink, diag::Findings& output_findings) {
     const bool is_broken = summary_.interrupted || summary_.output_failed;
-    if (is_broken ? summary_.done() == 0 : summary_.ok == 0 && summary_.count > 0) {
+    const bool has_nothing =
+        is_broken ? summary_.done() == 0 : summary_.ok == 0 && summary_.count > 0;
+    if (has_nothing) {
       sink.Drop();
-    } else if (is_broken) {
-      return;  // it stays as it is, to be gone on with
-    } else if (request_.all_or_nothing && summary_.failed > 0) {
       return;
-    } else if (!sink.Finish(output_findings)) {
-      summary_.output_failed = true;
     }
+    // What is broken stays as it is, to be gone on with.
+    const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
+    if (is_broken || is_withheld) return;
+    if (!sink.Finish(output_findings)) summary_.output_failed = true;
   }
 
   const forge::Recipe& recipe_;

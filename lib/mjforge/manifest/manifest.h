@@ -106,6 +106,7 @@ class Statistics {
     bool all_whole = true;
     bool more_values = false;
   };
+  Tally& TallyOf(const std::string& name, std::size_t position);
   void AddParameter(Tally& tally, const sample::ParameterValue& value);
 
   std::uint64_t variants_ = 0;

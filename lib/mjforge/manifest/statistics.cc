@@ -27,9 +27,8 @@ std::string CodeOf(const std::string& finding) {
   rapidjson::Document document;
   document.Parse(finding.data(), finding.size());
   if (!document.IsObject()) return {};
-  const auto code = document.FindMember("code");
-  return code != document.MemberEnd() && code->value.IsString() ? code->value.GetString()
-                                                                : std::string();
+  if (!document.HasMember("code") || !document["code"].IsString()) return {};
+  return document["code"].GetString();
 }
 
 }  // namespace
@@ -48,18 +47,19 @@ void Statistics::Add(const Record& record) {
   AddNumber(mass_, record.mass_properties.mass);
   AddNumber(attempts_, static_cast<double>(record.attempt));
   for (std::size_t i = 0; i < record.params.size(); ++i) {
-    const auto& [name, value] = record.params[i];
-    // The same place in every record of a batch; a search where it is not.
-    auto tally = i < tallies_.size() && tallies_[i].name == name
-                     ? tallies_.begin() + static_cast<std::ptrdiff_t>(i)
-                     : std::find_if(tallies_.begin(), tallies_.end(),
-                                    [&](const Tally& known) { return known.name == name; });
-    if (tally == tallies_.end()) {
-      tallies_.emplace_back().name = name;
-      tally = tallies_.end() - 1;
-    }
-    AddParameter(*tally, value);
+    AddParameter(TallyOf(record.params[i].first, i), record.params[i].second);
   }
+}
+
+Statistics::Tally& Statistics::TallyOf(const std::string& name, std::size_t position) {
+  // The same place in every record of a batch; a search where it is not.
+  if (position < tallies_.size() && tallies_[position].name == name) return tallies_[position];
+  const auto known = std::find_if(tallies_.begin(), tallies_.end(),
+                                  [&](const Tally& tally) { return tally.name == name; });
+  if (known != tallies_.end()) return *known;
+  Tally& tally = tallies_.emplace_back();
+  tally.name = name;
+  return tally;
 }
 
 void Statistics::AddParameter(Tally& tally, const sample::ParameterValue& value) {
