@@ -76,7 +76,7 @@ std::string Compress(std::string_view bytes) {
 
 struct Segment::State {
   ArchiveFormat format;
-  std::string members;  // as tar has them
+  std::string members;  // as tar has them; before the writer, which writes there to its end
   Writer writer{archive_write_new()};
   Entry entry{archive_entry_new()};
 };
@@ -87,8 +87,8 @@ Segment::Segment(ArchiveFormat format) : state_(new State{.format = format, .mem
   Open(writer, state_->members);
 }
 
-// Freeing a writer that has not failed would append an archive's end.
-Segment::~Segment() { archive_write_fail(state_->writer.get()); }
+// The writer ends its archive when it goes, in bytes that go with it.
+Segment::~Segment() = default;
 
 bool Segment::Add(const std::string& name, std::string_view bytes, diag::Findings& findings) {
   archive* writer = state_->writer.get();
