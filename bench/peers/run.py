@@ -34,7 +34,7 @@ OBJECTS = {
 }
 PEERS = ["robosuite", "pymjcf", "mjspec"]
 
-REPETITIONS = 9
+REPETITIONS = 5
 SECONDS = 0.25  # that a measurement inside a process should take
 COMMAND_SECONDS = 2.0  # and one of the whole command, so that its start weighs little
 ENVIRONMENT = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore",
