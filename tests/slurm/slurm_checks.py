@@ -1,5 +1,6 @@
 """The page's job arrays in a real Slurm, with tasks that are killed, stopped and requeued."""
 
+import concurrent.futures
 import signal
 
 import halfway
@@ -88,19 +89,23 @@ def submit_again(array, reference):
 
 def stop_in_other_ways(array, reference):
     """Three tasks: SIGKILL by scancel, SIGTERM as before a time limit, requeued while it runs."""
+    # Watched from now on: a task may begin and end while another one is waited for.
+    watchers = concurrent.futures.ThreadPoolExecutor()
+    stopped = {index: watchers.submit(array.stop, index) for index in (2, 4, 6)}
+
     def by_kill():
-        array.stop(2)
+        stopped[2].result()
         array.signal(2, "KILL")
         return array.wait_until_failed(2, "0:9")
 
     def by_term():
-        pids = array.stop(4)
+        pids = stopped[4].result()
         array.signal(4, "TERM")
         halfway.signal_all(pids, signal.SIGCONT)
         return array.wait_until_failed(4, "130:0")
 
     def by_requeue():
-        pids = array.stop(6)
+        pids = stopped[6].result()
         array.requeue(6)
         halfway.signal_all(pids, signal.SIGCONT)
         array.wait_for([6], ["COMPLETED"])
