@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 #include <sstream>
-
 #include <string>
 
 #include "crate.h"
