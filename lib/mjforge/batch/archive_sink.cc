@@ -157,16 +157,9 @@ class ArchiveSink : public Sink {
     if (position_.archive_bytes > 0 && !OpenArchive(position_.archive_bytes, findings))
       return std::nullopt;
     // The journal is written anew: what came after the place is not so any more.
-    const std::set<std::string> assets = position_.assets;
-    std::string lines = Line({.next = position_.next,
-                              .manifest_bytes = position_.manifest_bytes,
-                              .archive = position_.archive,
-                              .assets = {}});
-    if (position_.archive_bytes > 0) {
-      lines.clear();
-      for (const std::string& name : assets) lines += fmt::format("+ {}\n", name);
-      lines += Line(position_);
-    }
+    std::string lines;
+    for (const std::string& name : position_.assets) lines += fmt::format("+ {}\n", name);
+    lines += Line(position_);
     if (!journal_->Truncate(0, findings) || !journal_->Append(lines, findings)) return std::nullopt;
     return kept;
   }
@@ -198,9 +191,7 @@ class ArchiveSink : public Sink {
     const std::filesystem::path file = destination_.Archive(position_.archive);
     std::error_code ignored;
     if (!ours_ && std::filesystem::exists(file, ignored)) {
-      findings.Add(diag::Code::kOutputExists, {},
-                   fmt::format("'{}' exists and was not made by mjforge", file.string()),
-                   "choose another place, or overwrite it with --force");
+      output::AddForeign(file, findings);
       return false;
     }
     archive_ = output::PartFile::Open(file, findings);

@@ -298,13 +298,11 @@ void Pool::KillSlowWorkers() {
   }
 }
 
+// Tasks that are begun come back as far as they are.
 void Pool::AskToStop() {
   stopped_ = true;
   waiting_.clear();
-  for (const auto& worker : workers_) {
-    worker->slot->AskToStop();
-    // Those begun are finished as far as they are; of the others nothing is made.
-  }
+  for (const auto& worker : workers_) worker->slot->AskToStop();
 }
 
 }  // namespace mjforge::batch

@@ -87,9 +87,7 @@ bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Fin
        manifest::ReadRecord(std::string_view(*start).substr(0, start->find('\n')), why_not))) {
     return true;
   }
-  findings.Add(diag::Code::kOutputExists, {},
-               fmt::format("'{}' exists and was not made by mjforge", file.string()),
-               "choose another place, or overwrite it with --force");
+  output::AddForeign(file, findings);
   return false;
 }
 

@@ -28,6 +28,7 @@ class Worker {
     Result result;
     result.chunk = task.chunk;
     result.lines.reserve(usual_lines_);
+    archive_ = request_.destination.Archive(task.chunk.archive).filename().string();
     Digest digest(kMaxFindings);
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
       if (slot.IsAskedToStop()) break;
@@ -110,7 +111,7 @@ class Worker {
     const std::string stem = output::VariantStem(record.name, record.index);
     if (variant_.ok()) {
       record.file = stem + ".xml";
-      record.archive = request_.destination.Archive(result.chunk.archive).filename().string();
+      record.archive = archive_;
     }
     AppendRecord(result.lines, record);
     return !variant_.ok() ||
@@ -163,6 +164,7 @@ class Worker {
   output::ObjectFolder folder_;
   output::Segment segment_;
   forge::Variant variant_;
+  std::string archive_;          // the name of the one that the chunk goes to
   std::size_t usual_lines_ = 0;  // bytes of a chunk's records
 };
 

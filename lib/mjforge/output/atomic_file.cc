@@ -78,18 +78,24 @@ std::optional<AtomicFile> AtomicFile::Create(const std::filesystem::path& file,
   return std::nullopt;
 }
 
-bool AtomicFile::Append(std::string_view bytes, diag::Findings& findings) {
+bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::path& file,
+              diag::Findings& findings) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      if (errno == EINTR) continue;
-      AddCannotWrite(file_, errno, findings);
-      Drop();
+      AddCannotWrite(file, errno, findings);
       return false;
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
+}
+
+bool AtomicFile::Append(std::string_view bytes, diag::Findings& findings) {
+  const bool written = WriteAll(descriptor_, bytes, file_, findings);
+  if (!written) Drop();
+  return written;
 }
 
 // No fsync: it would cost more than making the object does, and what it guards

@@ -40,6 +40,11 @@ std::optional<std::string> UnderConstruction(std::string_view hidden);
 /// Adds "cannot write 'FILE': WORDS" with the words of an errno.
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
 
+/// Writes all bytes to an open file; false, and that finding about `file`, if it
+/// cannot.
+bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::path& file,
+              diag::Findings& findings);
+
 }  // namespace mjforge::output
 
 #endif  // MJFORGE_OUTPUT_ATOMIC_FILE_H_

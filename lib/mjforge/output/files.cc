@@ -63,10 +63,14 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
   if (force || !Exists(file)) return true;
   const std::optional<std::string> opening = ReadStart(file, kCommentBytes);
   if (opening && mjcf::ReadProvenance(*opening)) return true;
+  AddForeign(file, findings);
+  return false;
+}
+
+void AddForeign(const std::filesystem::path& file, diag::Findings& findings) {
   findings.Add(diag::Code::kOutputExists, {},
                fmt::format("'{}' exists and was not made by mjforge", file.string()),
                "choose another place, or overwrite it with --force");
-  return false;
 }
 
 }  // namespace mjforge::output

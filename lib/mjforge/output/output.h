@@ -49,6 +49,9 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::siz
 /// object that mjforge wrote, or `force` says so. Else a finding.
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
+/// Adds "'FILE' exists and was not made by mjforge".
+void AddForeign(const std::filesystem::path& file, diag::Findings& findings);
+
 /// Folders made for a batch; those still empty vanish with it.
 class MadeFolders {
  public:

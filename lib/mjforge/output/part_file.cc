@@ -108,17 +108,9 @@ std::optional<PartFile> PartFile::Open(const std::filesystem::path& file,
 }
 
 bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      AddCannotWrite(file_, errno, findings);
-      return false;
-    }
-    size_ += static_cast<std::uint64_t>(written);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
+  const bool written = WriteAll(descriptor_, bytes, file_, findings);
+  if (written) size_ += bytes.size();
+  return written;
 }
 
 bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
