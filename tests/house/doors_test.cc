@@ -29,17 +29,20 @@ const std::array kRooms = {
     Room{"engine", {"diag"}},
     Room{"model", {"diag", "expr", "spec", "sample"}},
     Room{"mjcf", {"diag", "expr", "model"}},
-    Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine"}},
-    Room{"validate", {"diag", "expr", "model", "engine", "mjcf"}},  // expr: numbers in messages
-    Room{"manifest", {"diag", "expr", "sample", "model"}},
+    Room{"compiled", {"model"}},
+    Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine", "compiled"}},
+    // expr: numbers in messages
+    Room{"validate", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},
+    Room{"physics", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},
+    Room{"manifest", {"diag", "expr", "sample", "model", "physics"}},
     Room{"output", {"diag", "mjcf"}},
     Room{"forge",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "manifest",
-          "output"}},
-    Room{"batch", {"diag", "sample", "mjcf", "validate", "manifest", "output", "forge"}},
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "physics",
+          "manifest", "output"}},
+    Room{"batch", {"diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
     Room{"app",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "manifest", "output",
-          "forge", "batch"}},
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",
+          "output", "forge", "batch"}},
 };
 
 struct Library {
@@ -51,20 +54,23 @@ struct Library {
 const std::array kLibraries = {
     Library{"CLI/", {"app"}},
     Library{"Eigen/",
-            {"model", "mjcf", "attach", "validate", "manifest", "output", "forge", "app"},
+            {"model", "compiled", "mjcf", "attach", "validate", "physics", "manifest", "output",
+             "forge", "app"},
             true},
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
-    Library{"boost/random/", {"sample", "validate"}},  // validate: points over joint ranges
+    // validate: points over joint ranges; physics: points in parts
+    Library{"boost/random/", {"sample", "validate", "physics"}},
+    Library{"ccd/", {"physics"}},
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "manifest", "output", "forge", "batch", "app"}},
+             "physics", "manifest", "output", "forge", "batch", "app"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
-    Library{"mujoco/", {"engine", "attach", "validate"}, true},
+    Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics"}, true},
     Library{"openssl/", {"spec", "output"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
