@@ -98,8 +98,7 @@ TEST_CASE("what MuJoCo refuses is not loaded, and why") {
   std::string why_not;
   CHECK(Loader().LoadText("<mujoco><worldbody><geom/></worldbody></mujoco>", {}, why_not) ==
         nullptr);
-  CAPTURE(why_not);
-  CHECK(why_not.find("size 0 must be positive in geom") != std::string::npos);
+  CHECK(why_not.find("sizes must be positive") != std::string::npos);
 }
 
 }  // namespace
