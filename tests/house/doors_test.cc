@@ -74,6 +74,7 @@ const std::array kLibraries = {
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
     Library{"rapidjson/", {"diag", "spec", "manifest", "app"}},
+    Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"webp/", {"picture"}},
     Library{"xxhash.h", {"expr", "sample"}},
