@@ -40,9 +40,10 @@ const std::array kRooms = {
          {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "physics",
           "manifest", "output"}},
     Room{"batch", {"diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
+    Room{"picture", {"diag", "engine"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",
-          "output", "forge", "batch"}},
+          "output", "forge", "batch", "picture"}},
 };
 
 struct Library {
@@ -53,9 +54,10 @@ struct Library {
 
 const std::array kLibraries = {
     Library{"CLI/", {"app"}},
+    Library{"EGL/", {"picture"}},  // headers alone: it is opened at run time
     Library{"Eigen/",
             {"model", "compiled", "mjcf", "attach", "validate", "physics", "manifest", "output",
-             "forge", "app"},
+             "forge", "picture", "app"},
             true},
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
@@ -67,22 +69,27 @@ const std::array kLibraries = {
     Library{"ccd/", {"physics"}},
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "physics", "manifest", "output", "forge", "batch", "app"}},
+             "physics", "manifest", "output", "forge", "batch", "picture", "app"}},
+    Library{"gif_lib.h", {"picture"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
-    Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics"}, true},
+    Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
     Library{"openssl/", {"spec", "output"}},
+    Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
     Library{"rapidjson/", {"diag", "spec", "manifest", "app"}},
+    Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},
+    Library{"webp/", {"picture"}},
     Library{"xxhash.h", {"expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},
+    Library{"zlib.h", {"picture"}},
 };
 
-const Words kSystem = {"malloc.h",    "fcntl.h",     "poll.h",      "sys/file.h",
-                       "sys/ioctl.h", "sys/mman.h",  "sys/prctl.h", "sys/socket.h",
-                       "sys/stat.h",  "sys/types.h", "sys/wait.h",  "unistd.h"};
+const Words kSystem = {"dlfcn.h",     "malloc.h",   "fcntl.h",     "poll.h",       "sys/file.h",
+                       "sys/ioctl.h", "sys/mman.h", "sys/prctl.h", "sys/socket.h", "sys/stat.h",
+                       "sys/types.h", "sys/wait.h", "unistd.h"};
 
 const Room& RoomOf(std::string_view file) {
   const std::string_view top = "lib/mjforge/";

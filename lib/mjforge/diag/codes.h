@@ -107,6 +107,13 @@ enum class Code {
   kBatchDiffers,
   kBatchMissing,
   kBatchUneven,
+  // Pictures and viewers.
+  kPictureNoRenderer,
+  kPictureNothingVisible,
+  kPictureUnknownJoint,
+  kPictureBadJointValue,
+  kPictureNoViewer,
+  kPictureNoDisplay,
 };
 
 struct CodeInfo {
