@@ -13,5 +13,9 @@ set(mjforge_dependencies
   "LibArchive 3.6"
   "tinyobjloader"
   "assimp 5"
+  "PNG 1.6"
+  "ZLIB 1.2"
+  "GIF 5.2"
+  "WebP"
   "Random123"
   "xxhash")
