@@ -3,13 +3,14 @@
 
     docs/pictures/make.py MJFORGE
 
-writes, beside itself, NAME.png for every bundled spec, hero.png for the README, and catalogue.json,
-which says of which specs these are; and ../catalogue.md. A test compares the hashes in catalogue.json
+writes, beside itself, NAME.png for every bundled spec, materials.png, hero.png for the README, and
+catalogue.json, which says of which specs these are; and ../catalogue.md. A test compares the hashes in catalogue.json
 with the specs. `./dev pictures` builds the program and runs this.
 """
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -39,6 +40,20 @@ HERO_JOINTS = {
     "scissors_1_pivot": "20deg",
     "box_hinge": "60deg",
 }
+
+# A block of every material of the library.
+LIBRARY = HERE.parent.parent / "specs/materials.yaml"
+BLOCK = "primitives/box"
+BLOCK_SETTINGS = ("--set", "size=[4cm, 3cm, 3cm]", "--set", "rgba=[1, 1, 1, 1]")
+BLOCK_TILE = "144x104"
+
+MATERIALS = """
+## Materials
+
+`import: materials` gives a spec [these materials](../specs/materials.yaml), each with its density, friction and look.
+
+![{count} equal blocks, each of another material of the library: woods, metals, plastics, glass, stone and more](pictures/materials.png)
+"""
 
 INTRODUCTION = """# The bundled specs
 
@@ -93,6 +108,14 @@ def chapter(spec, inspected):
     return "\n".join(lines) + "\n"
 
 
+def draw_materials(program, picture):
+    names = re.findall(r"^  (\w+): {", LIBRARY.read_text(encoding="utf-8"), re.MULTILINE)
+    cycle = f"material={{cycle: [{', '.join(names)}]}}"
+    draw(program, BLOCK, picture, {}, "-n", str(len(names)), "--size", BLOCK_TILE, "--set", cycle,
+         *BLOCK_SETTINGS)
+    return len(names)
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -107,14 +130,15 @@ def main():
         hashes[picture.name] = {"spec": spec, "sha256": inspected["spec_sha256"]}
         chapters.append(chapter(spec, inspected))
         print(f"{picture.name}: {picture.stat().st_size // 1000} kB", flush=True)
+    materials = draw_materials(program, HERE / "materials.png")
+    hashes["materials.png"] = {"spec": BLOCK, "sha256": hashes[picture_name(BLOCK)]["sha256"]}
     draw(program, HERO, HERE / "hero.png", HERO_JOINTS, "--size", HERO_SIZE)
     hero = json.loads(run(program, "inspect", str(HERO), "--json"))
     hashes["hero.png"] = {"spec": HERO.name, "sha256": hero["spec_sha256"]}
     for gone in set(HERE.glob("*.png")) - {HERE / name for name in hashes}:
         gone.unlink()
-    PAGE.write_text(
-        INTRODUCTION.format(seed=SEED, last=VARIANTS - 1) + "\n".join(chapters), encoding="utf-8"
-    )
+    page = INTRODUCTION.format(seed=SEED, last=VARIANTS - 1) + "\n".join(chapters)
+    PAGE.write_text(page + MATERIALS.format(count=materials), encoding="utf-8")
     text = json.dumps(hashes, indent=1, sort_keys=True) + "\n"
     (HERE / "catalogue.json").write_text(text, encoding="utf-8")
 
