@@ -14,6 +14,7 @@ struct CheckOptions {
   std::vector<std::string> specs;
   std::uint64_t count = 20;
   std::uint64_t seed = 0;
+  bool physics = false;
   SpecOptions spec;
   ReportOptions report;
 };
@@ -31,6 +32,7 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options) {
   request.count = options.count;
   request.variant.seed = options.seed;
   request.variant.batch = options.count;
+  if (options.physics) request.variant.validation = forge::Validation::kPhysics;
   const batch::Summary summary = batch::Run(*recipe, sources, request, {});
   console.Show(summary.findings, sources, summary.more_findings);
   console.Say(
@@ -48,11 +50,13 @@ Action AddCheck(CLI::App& app) {
       ->option_text("...");
   AddWholeNumber(command, "-n,--count", options->count, "Variants to try", 1);
   AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
+  command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSpecOptions(command, options->spec);
   AddReportOptions(command, options->report);
   AddExamples(command,
               "  mjforge check mug.yaml\n"
-              "  mjforge check specs/*.yaml -n 100 --findings json");
+              "  mjforge check specs/*.yaml -n 100 --findings json\n"
+              "  mjforge check mug.yaml --physics --set checks.stable=true");
   return [options] {
     ExitStatus status = ExitStatus::kDone;
     for (const std::string& spec : options->specs) {

@@ -60,7 +60,8 @@ ExitStatus InspectSpec(const InspectOptions& options) {
   if (recipe) {
     forge::Options generator_options;
     generator_options.seed = options.seed;
-    forge::Generator(*recipe, sources, generator_options, nullptr).Make(options.index, variant);
+    generator_options.validation = forge::Validation::kNone;
+    forge::Generator(*recipe, sources, generator_options).Make(options.index, variant);
     findings.Append(variant.findings);
   }
   std::optional<validate::Sweep> sweep;

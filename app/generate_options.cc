@@ -72,6 +72,11 @@ std::vector<std::string> TargetNames() {
   return names;
 }
 
+std::vector<std::string> ValidationNames() {
+  const auto names = forge::ValidationNames();
+  return {names.begin(), names.end()};
+}
+
 std::vector<std::string> SamplerNames() {
   const auto names = sample::MethodNames();
   return {names.begin(), names.end()};
@@ -120,7 +125,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
       ->option_text("TEXT");
   AddSpecOptions(command, options.spec);
   AddWord(command, "--target", options.target, TargetNames(), "For");
-  AddWord(command, "--validate", options.validate, {"load", "none"}, "MuJoCo's verdict");
+  AddWord(command, "--validate", options.validate, ValidationNames(), "MuJoCo's verdict");
   AddWord(command, "--on-invalid", options.on_invalid, {"fail", "skip", "resample"},
           "Bad variants");
   AddTimeLimit(command, options.time_limit);
@@ -144,7 +149,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   request.on_invalid = options.on_invalid == "skip"       ? batch::OnInvalid::kSkip
                        : options.on_invalid == "resample" ? batch::OnInvalid::kResample
                                                           : batch::OnInvalid::kFail;
-  request.load = options.validate == "load";
+  request.variant.validation = *forge::FindValidation(options.validate);
   request.force = options.force;
   request.if_changed = options.if_changed;
   request.resume = options.resume;

@@ -21,22 +21,32 @@ std::string CheckSetting(const std::string& text) {
 
 }  // namespace
 
-void AddSpecOptions(CLI::App& command, SpecOptions& options) {
-  command.add_option("--set", options.settings, "Set a parameter, in any form a spec allows")
+void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
+  command.add_option("--set", settings, doc)
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false)
       ->check(CheckSetting);
+}
+
+void AddSpecOptions(CLI::App& command, SpecOptions& options) {
+  AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");
   command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
       ->option_text("FILE")
       ->allow_extra_args(false);
 }
 
+std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
+  std::vector<spec::Setting> settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return settings;
+}
+
 spec::LoadOptions MakeLoadOptions(const SpecOptions& options) {
   spec::LoadOptions load;
-  for (const std::string& setting : options.settings) {
-    const std::size_t equals = setting.find('=');
-    load.settings.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
-  }
+  load.settings = MakeSettings(options.settings);
   load.parameter_files.assign(options.parameter_files.begin(), options.parameter_files.end());
   load.search_path = forge::SearchPath();
   return load;

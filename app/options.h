@@ -24,6 +24,9 @@ struct SpecOptions {
   std::vector<std::string> settings;  // name=value
   std::vector<std::string> parameter_files;
 };
+/// --set NAME=VALUE
+void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);
+std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts);
 void AddSpecOptions(CLI::App& command, SpecOptions& options);
 spec::LoadOptions MakeLoadOptions(const SpecOptions& options);
 

@@ -27,9 +27,7 @@ BENCHMARK(BM_LoadDefault)->Unit(benchmark::kMicrosecond);
 
 void BM_GenerateValidated(benchmark::State& state) {
   LoadedRecipe& hammer = Hammer();
-  validate::Loader loader;
-  forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}},
-                             &loader);
+  forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}});
   forge::Variant variant;
   std::uint64_t index = 0;
   for (auto _ : state) {

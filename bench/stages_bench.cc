@@ -65,8 +65,10 @@ BENCHMARK(BM_SampleAssembleWrite)->Unit(benchmark::kMicrosecond);
 
 void BM_GenerateRecord(benchmark::State& state) {
   LoadedRecipe& hammer = Hammer();
-  forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}},
-                             nullptr);
+  forge::Options options;
+  options.seed = 7;
+  options.validation = forge::Validation::kNone;
+  forge::Generator generator(hammer.recipe, hammer.sources, options);
   forge::Variant variant;
   std::string manifest;
   std::uint64_t index = 0;

@@ -45,11 +45,10 @@ void TimeBare(const LoadedRecipe& loaded, std::uint64_t count) {
 }
 
 void TimeGenerator(LoadedRecipe& loaded, std::uint64_t count, bool validated) {
-  std::optional<mjforge::validate::Loader> loader;
-  if (validated) loader.emplace();
-  mjforge::forge::Generator generator(loaded.recipe, loaded.sources,
-                                      {.seed = 7, .target = {}, .name = {}},
-                                      loader ? &*loader : nullptr);
+  mjforge::forge::Options options;
+  options.seed = 7;
+  if (!validated) options.validation = mjforge::forge::Validation::kNone;
+  mjforge::forge::Generator generator(loaded.recipe, loaded.sources, options);
   mjforge::forge::Variant variant;
   std::string manifest;
   Time(count, [&](std::uint64_t i) {

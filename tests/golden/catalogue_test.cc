@@ -30,6 +30,8 @@ struct Unreachable {
 const std::vector<Unreachable> kUnreachable = {
     {"mujoco/mismatch", "tests/unit/validate/mismatch_test.cc",
      "another mass, centre or inertia of a body is found"},
+    {"physics/inertia", "tests/unit/physics/proportions_test.cc",
+     "an inertia that no solid has is an error"},
 };
 
 // Codes of what has no place in a text, such as a file that is not there.

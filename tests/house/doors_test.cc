@@ -29,18 +29,21 @@ const std::array kRooms = {
     Room{"engine", {"diag"}},
     Room{"model", {"diag", "expr", "spec", "sample"}},
     Room{"mjcf", {"diag", "expr", "model"}},
-    Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine"}},
-    Room{"validate", {"diag", "expr", "model", "engine", "mjcf"}},  // expr: numbers in messages
-    Room{"manifest", {"diag", "expr", "sample", "model"}},
+    Room{"compiled", {"model"}},
+    Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine", "compiled"}},
+    // expr: numbers in messages
+    Room{"validate", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},
+    Room{"physics", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},
+    Room{"manifest", {"diag", "expr", "sample", "model", "physics"}},
     Room{"output", {"diag", "mjcf"}},
     Room{"forge",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "manifest",
-          "output"}},
-    Room{"batch", {"diag", "sample", "mjcf", "validate", "manifest", "output", "forge"}},
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "physics",
+          "manifest", "output"}},
+    Room{"batch", {"diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
     Room{"picture", {"diag", "engine"}},
     Room{"app",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "manifest", "output",
-          "forge", "batch", "picture"}},
+         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",
+          "output", "forge", "batch", "picture"}},
 };
 
 struct Library {
@@ -52,23 +55,25 @@ struct Library {
 const std::array kLibraries = {
     Library{"CLI/", {"app"}},
     Library{"EGL/", {"picture"}},  // headers alone: it is opened at run time
-    Library{
-        "Eigen/",
-        {"model", "mjcf", "attach", "validate", "manifest", "output", "forge", "picture", "app"},
-        true},
+    Library{"Eigen/",
+            {"model", "compiled", "mjcf", "attach", "validate", "physics", "manifest", "output",
+             "forge", "picture", "app"},
+            true},
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
-    Library{"boost/random/", {"sample", "validate"}},  // validate: points over joint ranges
+    // validate: points over joint ranges; physics: points in parts
+    Library{"boost/random/", {"sample", "validate", "physics"}},
+    Library{"ccd/", {"physics"}},
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "manifest", "output", "forge", "batch", "picture", "app"}},
+             "physics", "manifest", "output", "forge", "batch", "picture", "app"}},
     Library{"gif_lib.h", {"picture"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
-    Library{"mujoco/", {"engine", "attach", "validate", "picture"}, true},
+    Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
     Library{"openssl/", {"spec", "output"}},
     Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.

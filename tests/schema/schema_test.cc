@@ -131,7 +131,7 @@ TEST_CASE("the manifest's schema accepts the records of made and of failed varia
   recipe.spec = mjforge::spec::LoadSpecText("thing.yaml", yaml, ".", {}, sources, findings);
   REQUIRE(recipe.spec != nullptr);
   recipe.reference = "thing.yaml";
-  mjforge::forge::Generator generator(recipe, sources, {}, nullptr);
+  mjforge::forge::Generator generator(recipe, sources, {});
   mjforge::forge::Variant variant;
   int failed = 0;
   for (std::uint64_t index = 0; index < 20; ++index) {

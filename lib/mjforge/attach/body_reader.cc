@@ -8,34 +8,16 @@
 
 #include "mjforge/attach/attributes.h"
 #include "mjforge/attach/mujoco_numbers.h"
+#include "mjforge/compiled/compiled.h"
 
 namespace mjforge::attach {
 namespace {
 
+using compiled::PoseAt;
 using diag::Code;
 
-constexpr std::array<std::string_view, 4> kJointTypes = {"free", "ball", "slide", "hinge"};
 constexpr std::array<std::string_view, 5> kModes = {"fixed", "track", "trackcom", "targetbody",
                                                     "targetbodycom"};
-
-std::optional<model::GeomType> TypeOf(int type) {
-  switch (type) {
-    case mjGEOM_SPHERE:
-      return model::GeomType::kSphere;
-    case mjGEOM_CAPSULE:
-      return model::GeomType::kCapsule;
-    case mjGEOM_ELLIPSOID:
-      return model::GeomType::kEllipsoid;
-    case mjGEOM_CYLINDER:
-      return model::GeomType::kCylinder;
-    case mjGEOM_BOX:
-      return model::GeomType::kBox;
-    case mjGEOM_MESH:
-      return model::GeomType::kMesh;
-    default:
-      return std::nullopt;
-  }
-}
 
 class BodyReader {
  public:
@@ -99,7 +81,7 @@ class BodyReader {
     const int type = m_.jnt_type[id];
     joint.name = taken_.Name(mjOBJ_JOINT, id);
     joint.mark = file_.MarkOf(mjOBJ_JOINT, id);
-    joint.type = kJointTypes[static_cast<std::size_t>(type)];
+    joint.type = compiled::kJointTypes[static_cast<std::size_t>(type)];
     joint.pos = VectorAt(m_.jnt_pos, id);
     joint.axis = VectorAt(m_.jnt_axis, id);
     if (m_.jnt_limited[id] != 0) {
@@ -126,7 +108,7 @@ class BodyReader {
   }
 
   void ReadGeom(int id) {
-    const std::optional<model::GeomType> type = TypeOf(m_.geom_type[id]);
+    const std::optional<model::GeomType> type = compiled::GeomTypeOf(m_.geom_type[id]);
     if (!type) {
       const bool plane = m_.geom_type[id] == mjGEOM_PLANE;
       AddError(findings_, Code::kAttachNotCarried, file_.MarkOf(mjOBJ_GEOM, id),
@@ -184,7 +166,7 @@ class BodyReader {
     model::Site& site = BodyOf(m_.site_bodyid[id]).sites.emplace_back();
     site.name = taken_.Name(mjOBJ_SITE, id);
     site.mark = file_.MarkOf(mjOBJ_SITE, id);
-    site.type = TypeOf(m_.site_type[id]).value_or(model::GeomType::kSphere);
+    site.type = compiled::GeomTypeOf(m_.site_type[id]).value_or(model::GeomType::kSphere);
     site.size = VectorAt(m_.site_size, id);
     site.X_BS = PoseAt(m_.site_pos, m_.site_quat, id);
     site.material = assets_.Material(m_.site_matid[id]);

@@ -10,6 +10,7 @@
 
 #include "mjforge/attach/attributes.h"
 #include "mjforge/attach/mujoco_numbers.h"
+#include "mjforge/compiled/compiled.h"
 
 namespace mjforge::attach {
 namespace {
@@ -103,7 +104,7 @@ void MeshReader::FindFrames(diag::Findings& findings) {
   }
   int geom = 0;
   for (const int mesh : used) {
-    frames_[mesh] = PoseAt(loaded.model->geom_pos, loaded.model->geom_quat, geom++);
+    frames_[mesh] = compiled::PoseAt(loaded.model->geom_pos, loaded.model->geom_quat, geom++);
   }
 }
 

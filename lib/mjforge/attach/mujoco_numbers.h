@@ -28,10 +28,6 @@ inline Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id) {
   return {q[0], q[1], q[2], q[3]};
 }
 
-inline model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id) {
-  return {VectorAt(pos, id), QuaternionAt(quat, id)};
-}
-
 /// What MuJoCo takes where nothing is said.
 inline constexpr std::initializer_list<double> kSolref = {0.02, 1};
 inline constexpr std::initializer_list<double> kSolimp = {0.9, 0.95, 0.001, 0.5, 2};

@@ -30,7 +30,6 @@ struct Request {
   output::Shard shard;      // which part of those to make
   forge::Options variant;   // but `resample`, which on_invalid says
   OnInvalid on_invalid = OnInvalid::kFail;
-  bool load = true;  // ask MuJoCo about each variant
 
   output::Destination destination;
   bool force = false;       // replace files that mjforge did not make

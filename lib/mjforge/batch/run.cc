@@ -46,7 +46,6 @@ class Batch {
         all_{request.first, request.count},
         range_(RangeOf(request.shard, all_, request.destination)),
         record_(forge::BatchRecord(recipe, request.variant)) {
-    record_.validate = request.load ? "load" : "none";
     record_.on_invalid = OnInvalidText(request.on_invalid);
     summary_.count = range_.count;
   }

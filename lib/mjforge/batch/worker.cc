@@ -19,8 +19,7 @@ class Worker {
         sources_(sources),
         known_sources_(sources.size()),
         told_sources_(sources.size()),
-        loader_(request.load ? std::make_unique<validate::Loader>() : nullptr),
-        generator_(recipe, sources, OptionsOf(request), loader_.get()),
+        generator_(recipe, sources, OptionsOf(request)),
         folder_(request.destination.Folder(), overwrite),
         segment_(request.destination.format) {}
 
@@ -159,7 +158,6 @@ class Worker {
   std::uint32_t known_sources_;  // the leading process has these
   std::uint32_t told_sources_;
   std::set<std::string> told_assets_;
-  std::unique_ptr<validate::Loader> loader_;
   forge::Generator generator_;
   output::ObjectFolder folder_;
   output::Segment segment_;

@@ -119,6 +119,12 @@ Loaded Engine::LoadText(const std::string& text) {
   return Load(kTextName, vfs_.get());
 }
 
+Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
+  vfs_->nfile = 1;
+  SetFile(0, kTextName, text);
+  return Load((folder / kTextName).c_str(), vfs_.get());
+}
+
 Loaded Engine::LoadFile(const std::filesystem::path& file) { return Load(file.c_str(), nullptr); }
 
 }  // namespace mjforge::engine

@@ -52,6 +52,8 @@ class Engine {
 
   /// Loads a text that may refer to the assets.
   Loaded LoadText(const std::string& text);
+  /// As if the text were a file in that folder: what it refers to is on the disk.
+  Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
   /// Loads a file and what it refers to from the disk.
   Loaded LoadFile(const std::filesystem::path& file);
 

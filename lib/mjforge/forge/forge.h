@@ -8,8 +8,7 @@
 //   diag::Findings findings;
 //   auto recipe = forge::LoadRecipe("hammer", {.search_path = forge::SearchPath()}, sources,
 //                                   findings);
-//   validate::Loader loader;
-//   forge::Generator generator(*recipe, sources, {.seed = 7}, &loader);
+//   forge::Generator generator(*recipe, sources, {.seed = 7});
 //   forge::Variant variant;
 //   generator.Make(41, variant);  // variant.document.text is the MJCF
 
@@ -17,6 +16,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +28,7 @@
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/output/output.h"
+#include "mjforge/physics/physics.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/validate/validate.h"
@@ -67,6 +68,10 @@ struct Recipe {
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
 
+/// Thresholds set from outside, for a file that has no spec: names are `checks.` and a key.
+std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,
+                                        diag::Sources& sources, diag::Findings& findings);
+
 /// The object's name for a variant: `text` with every ${index} replaced.
 std::string ExpandName(std::string_view text, std::uint64_t index);
 /// Whether names made from `text` are names: [A-Za-z][A-Za-z0-9_]*. Else a finding.
@@ -82,6 +87,14 @@ struct Variant {
   bool ok() const { return record.status == "ok"; }
 };
 
+/// What is asked about each variant: nothing, whether MuJoCo loads it as it is
+/// meant, whether it also behaves.
+enum class Validation { kNone, kLoad, kPhysics };
+/// "none", "load", "physics".
+std::span<const std::string_view> ValidationNames();
+std::string_view NameOf(Validation validation);
+std::optional<Validation> FindValidation(std::string_view name);
+
 struct Options {
   std::uint64_t seed = 0;
   mjcf::Target target = mjcf::Target::kMujoco;
@@ -91,6 +104,7 @@ struct Options {
   bool resample = false;
   sample::Method sampler = sample::Method::kRandom;
   std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
+  Validation validation = Validation::kLoad;
 };
 inline constexpr int kMaxResamples = 100;
 
@@ -102,11 +116,9 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 /// need; takes no more of it however many it makes.
 class Generator {
  public:
-  /// The recipe, its sources and the loader must outlive the generator. Without
-  /// a loader MuJoCo is not asked for its verdict. Attached XML files are added
-  /// to the sources.
-  Generator(const Recipe& recipe, diag::Sources& sources, const Options& options,
-            validate::Loader* loader);
+  /// The recipe and its sources must outlive the generator. Attached XML files
+  /// are added to the sources.
+  Generator(const Recipe& recipe, diag::Sources& sources, const Options& options);
 
   /// Replaces the content of `variant`. A pure function of the index.
   void Make(std::uint64_t index, Variant& variant);
@@ -120,13 +132,15 @@ class Generator {
   enum class Outcome { kMade, kFailed, kHopeless };
   void Begin(std::uint64_t index, Variant& variant);
   Outcome Attempt(std::uint64_t attempt, Variant& variant);
+  void Judge(Variant& variant);
   void End(Outcome outcome, Variant& variant);
   void NameSources();
   void Describe(const model::Object& object, manifest::Record& record) const;
 
   const Recipe& recipe_;
   Options options_;
-  validate::Loader* loader_;
+  std::unique_ptr<validate::Loader> loader_;         // null: MuJoCo is not asked
+  std::unique_ptr<physics::Laboratory> laboratory_;  // null: nothing is simulated
   const diag::Sources& sources_;
   diag::Sources record_sources_;  // names as records show them
   manifest::Record common_;       // BatchRecord, and who validates

@@ -20,6 +20,7 @@ void Clear(Variant& variant) {
   record.findings.clear();
   record.mass_properties = {};
   record.bounds = {};
+  record.physics.reset();
   record.nbody = record.njnt = record.ngeom = 0;
 }
 
@@ -32,23 +33,26 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
+  record.validate = NameOf(options.validation);
   if (options.sampler != sample::Method::kRandom)
     record.sampler = sample::MethodName(options.sampler);
   if (sample::Sampler::NeedsBatch(*recipe.spec, options.sampler)) record.batch = options.batch;
   return record;
 }
 
-Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options& options,
-                     validate::Loader* loader)
+Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options& options)
     : recipe_(recipe),
       options_(options),
-      loader_(loader),
+      loader_(options.validation == Validation::kNone ? nullptr
+                                                      : std::make_unique<validate::Loader>()),
+      laboratory_(options.validation == Validation::kPhysics
+                      ? std::make_unique<physics::Laboratory>()
+                      : nullptr),
       sources_(sources),
       common_(BatchRecord(recipe, options)),
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
       assembler_(&attachments_) {
-  common_.validate = loader == nullptr ? "none" : "load";
   if (options.resample) common_.on_invalid = "resample";
   provenance_.version = Version();
   provenance_.spec = common_.spec;
@@ -143,8 +147,18 @@ Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
   if (variant.findings.HasErrors()) return Outcome::kFailed;
   Describe(*variant.object, record);
   mjcf::WriteMjcf(*variant.object, options_.target, provenance_, variant.document);
-  if (loader_ != nullptr) loader_->Validate(variant.document, *variant.object, variant.findings);
+  Judge(variant);
   return variant.findings.HasErrors() ? Outcome::kFailed : Outcome::kMade;
+}
+
+void Generator::Judge(Variant& variant) {
+  if (loader_ == nullptr ||
+      !loader_->Validate(variant.document, *variant.object, variant.findings)) {
+    return;
+  }
+  if (laboratory_ == nullptr) return;
+  variant.record.physics =
+      laboratory_->Examine(variant.document, *variant.object, variant.findings);
 }
 
 void Generator::Describe(const model::Object& object, manifest::Record& record) const {

@@ -182,12 +182,13 @@ bool ReplayFailure(const Original& original, const Variant& variant, diag::Findi
 
 bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
                diag::Sources& sources, diag::Findings& findings) {
-  validate::Loader loader;
   Variant variant;
   const bool failed = original.from_manifest && original.record.status != "ok";
   // A file that is there was found valid, or not asked about: MuJoCo's verdict
   // has no part in its bytes.
-  Generator generator(recipe, sources, options, failed ? &loader : nullptr);
+  const Validation validation = options.validation;
+  if (!failed) options.validation = Validation::kNone;
+  Generator generator(recipe, sources, options);
   generator.Make(original.record.index, variant);
   if (failed) return ReplayFailure(original, variant, findings);
   diag::Findings differences;
@@ -195,8 +196,9 @@ bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
   if (!original.from_manifest) {
     // The comment does not say which draw it was, if earlier ones were invalid.
     options.resample = true;
+    options.validation = validation;
     Variant resampled;
-    Generator resampler(recipe, sources, options, &loader);
+    Generator resampler(recipe, sources, options);
     resampler.Make(original.record.index, resampled);
     diag::Findings ignored;
     if (resampled.ok() && resampled.record.attempt != variant.record.attempt &&
@@ -241,6 +243,7 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
   options.attempt = original->record.attempt;
   options.sampler = *method;
   options.batch = original->record.batch;
+  options.validation = FindValidation(original->record.validate).value_or(Validation::kLoad);
   return MakeAgain(*original, *recipe, options, sources, findings);
 }
 

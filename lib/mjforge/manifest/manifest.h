@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mjforge/model/model.h"
+#include "mjforge/physics/physics.h"
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::manifest {
@@ -39,15 +40,19 @@ struct Record {
   int njnt = 0;
   int ngeom = 0;
   std::string target;
-  std::string validate;               // "load", "none"
-  std::string on_invalid;             // "skip", "resample"; empty: fail
-  std::string status;                 // "ok", "failed", "skipped"
-  std::vector<std::string> findings;  // JSON objects, as diag::RenderJson makes them
-  std::string sha256;                 // of the file's bytes; empty: none was written
+  std::string validate;                    // "load", "none", "physics"
+  std::optional<physics::Result> physics;  // where it was asked for and could be measured
+  std::string on_invalid;                  // "skip", "resample"; empty: fail
+  std::string status;                      // "ok", "failed", "skipped"
+  std::vector<std::string> findings;       // JSON objects, as diag::RenderJson makes them
+  std::string sha256;                      // of the file's bytes; empty: none was written
 };
 
 /// Appends one JSON object and a line end.
 void AppendRecord(std::string& out, const Record& record);
+
+/// What was measured, as a record's `physics` has it.
+std::string PhysicsJson(const physics::Result& result);
 
 /// Reads all back but com, inertia, bounds and counts. Nothing, and why, if the
 /// line is not a record. Of nbody it only says whether there was an object.

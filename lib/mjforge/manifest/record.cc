@@ -4,6 +4,7 @@
 #include <rapidjson/writer.h>
 
 #include "mjforge/manifest/manifest.h"
+#include "mjforge/manifest/physics_json.h"
 #include "mjforge/manifest/record_fields.h"
 
 namespace mjforge::manifest {
@@ -70,6 +71,13 @@ class LineReader {
     if (value != nullptr && value->IsNumber()) return value->GetDouble();
     if (value != nullptr && !value->IsNull()) Miss(fmt::format("'{}' is not a number", key));
     return std::nullopt;
+  }
+  std::optional<physics::Result> Physics() {
+    const auto member = line_.FindMember("physics");
+    if (member == line_.MemberEnd()) return std::nullopt;
+    std::optional<physics::Result> result = ReadPhysics(member->value);
+    if (!result) Miss("'physics' is not what was measured");
+    return result;
   }
   std::vector<std::string> Findings() {
     std::vector<std::string> findings;
@@ -158,6 +166,7 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   record.nbody = mass ? 1 : 0;
   record.target = reader.Text("target");
   record.validate = reader.Text("validate");
+  record.physics = reader.Physics();
   record.on_invalid = reader.OptionalText("on_invalid");
   record.status = reader.Text("status");
   record.findings = reader.Findings();

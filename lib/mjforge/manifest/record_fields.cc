@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/manifest/physics_json.h"
 
 namespace mjforge::manifest {
 namespace {
@@ -124,6 +125,21 @@ constexpr std::string_view kNumber = R"("type": ["number", "null"])";
 constexpr std::string_view kText = R"("type": "string")";
 constexpr std::string_view kHash = R"("type": "string", "pattern": "^[0-9a-f]{64}$")";
 
+constexpr std::string_view kPhysicsSchema =
+    R"("type": "object", "properties": {"dropped": {"type": "boolean"}, )"
+    R"("at_rest": {"type": "boolean"}, "time": {"type": ["number", )"
+    R"("null"]}, "drift": {"type": ["number", "null"]}, "tilt": {"type": )"
+    R"(["number", "null"]}, "speed": {"type": ["number", "null"]}, )"
+    R"("penetration": {"type": ["number", "null"]}, "sink": {"type": ["number", "null"]}, )"
+    R"("energy_gain": {"type": )"
+    R"(["number", "null"]}, "ncon": {"type": "integer"}, "nefc": {"type": )"
+    R"("integer"}, "overlap": {"type": ["number", "null"]}, "joints": )"
+    R"({"type": "array", "items": {"type": "object", "properties": {"name": )"
+    R"({"type": "string"}, "overshoot": {"type": ["number", "null"]}, )"
+    R"("reach": {"type": ["number", "null"]}, "penetration": {"type": )"
+    R"(["number", "null"]}, "return_error": {"type": ["number", )"
+    R"("null"]}}}}})";
+
 const std::array kFields = {
     RecordField{"file", R"("type": ["string", "null"])",
                 "The object's file, relative to the manifest or in the archive; null if none was "
@@ -191,9 +207,14 @@ const std::array kFields = {
                 [](J& j, const R& r) { OfObject(j, r, r.ngeom); }},
     RecordField{"target", kText, "Who the file is written for.",
                 [](J& j, const R& r) { j.String(r.target); }},
-    RecordField{"validate", R"("enum": ["load", "none"])",
-                "What was asked about it: load, whether MuJoCo loads the file as it is meant.",
+    RecordField{"validate", R"("enum": ["load", "none", "physics"])",
+                "What was asked about it: load, whether MuJoCo loads the file as it is meant; "
+                "physics, whether it also behaves.",
                 [](J& j, const R& r) { j.String(r.validate); }},
+    RecordField{"physics", kPhysicsSchema,
+                "What was measured of it, in SI units; left out where that was not asked for.",
+                [](J& j, const R& r) { WritePhysics(j, *r.physics); },
+                [](const R& r) { return !r.physics; }},
     RecordField{"on_invalid", R"("enum": ["skip", "resample"])",
                 "What was to be done if it is invalid; left out where it fails.",
                 [](J& j, const R& r) { j.String(r.on_invalid); },

@@ -43,6 +43,8 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   }
   writer.Open("worldbody");
   writer.Content();
+  document.world_position = scene ? std::string::npos : document.text.size();
+  document.host_frees = !rules.free_joint;
   if (scene) WriteSceneWorld(object, writer);
   WriteBodies(object, GroupsOf(target), document.lift, writer);
   writer.End("worldbody");

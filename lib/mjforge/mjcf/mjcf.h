@@ -45,6 +45,11 @@ struct MjcfDocument {
   /// Byte where a <size> element may be put in; npos where MuJoCo must see the
   /// text as it is (a scene has contacts).
   std::size_t size_position = 0;
+  /// Byte where an element of the world may be put in, right before the root body; npos where
+  /// the file has a floor of its own.
+  std::size_t world_position = 0;
+  /// The host gives the root body a free joint, so that the file has none.
+  bool host_frees = false;
   double lift = 0;  // m, added to the height of the root body
   /// Files the text refers to: name in the text, file to copy.
   std::vector<std::pair<std::string, std::filesystem::path>> assets;

@@ -52,6 +52,7 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::
   root.parts.reserve(spec.parts.size());
   AddSpec(scope);
   AddRootJoints(scope);
+  ReadChecks(scope);
   if (!HasErrorsSince(findings_, before)) Finish(scope);
   if (HasErrorsSince(findings_, before) || values.failed()) return std::nullopt;
   return std::move(object_);

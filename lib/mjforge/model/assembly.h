@@ -66,6 +66,7 @@ class Assembly {
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
   void ReadTotalSize(Scope& scope);
+  void ReadChecks(Scope& scope);  // checks.cc
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // bodies.cc

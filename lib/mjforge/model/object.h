@@ -16,6 +16,7 @@
 #include <Eigen/Dense>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/model/checks.h"
 #include "mjforge/model/meshes.h"
 #include "mjforge/model/poses.h"
 #include "mjforge/model/shapes.h"
@@ -168,6 +169,7 @@ struct Object {
   std::vector<Section> sections;                   // in the order of spec::Sections()
   Bounds bounds;
   MassProperties mass_properties;  // in the root frame, at the joints' zero
+  Checks checks;
 };
 
 /// X_RootB of every body at the joints' zero; the root's is the identity.

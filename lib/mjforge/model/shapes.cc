@@ -73,6 +73,32 @@ double Support(const Shape& shape, const Eigen::Vector3d& direction_G) {
   return 0;
 }
 
+Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& direction_G) {
+  const Eigen::Vector3d& d = direction_G;
+  const Eigen::Vector3d& s = shape.size;
+  const auto towards = [](double number) { return number < 0 ? -1.0 : 1.0; };
+  const Eigen::Vector3d along = d.stableNormalized();
+  switch (shape.type) {
+    case GeomType::kSphere:
+      return s.x() * along;
+    case GeomType::kCapsule:
+      return s.x() * along + Eigen::Vector3d(0, 0, s.y() * towards(d.z()));
+    case GeomType::kEllipsoid:
+      return s.cwiseProduct(s.cwiseProduct(d).stableNormalized());
+    case GeomType::kCylinder: {
+      const Eigen::Vector2d across = s.x() * d.head<2>().stableNormalized();
+      return {across.x(), across.y(), s.y() * towards(d.z())};
+    }
+    case GeomType::kBox:
+      return s.cwiseProduct(d.unaryExpr(towards));
+    case GeomType::kMesh: {
+      const auto& vertices = shape.mesh->vertices;
+      return *std::ranges::max_element(vertices, {}, [&](const auto& v) { return d.dot(v); });
+    }
+  }
+  return Eigen::Vector3d::Zero();
+}
+
 // Every shape but the mesh is symmetric about its centre, so that one support
 // value an axis gives both sides of the box.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {

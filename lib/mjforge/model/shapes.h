@@ -55,6 +55,9 @@ MassProperties Combine(const MassProperties& a, const MassProperties& b);
 /// The largest value of dot(direction, point) over the shape; direction of any length.
 double Support(const Shape& shape, const Eigen::Vector3d& direction_G);
 
+/// A point of the shape, or of its convex hull, where that value is reached, in G.
+Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& direction_G);
+
 struct Box3 {
   Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());

@@ -98,6 +98,10 @@ constexpr FieldInfo kObjectFields[] = {
      .doc =
          "Half sizes of the declared bounding box, centred on the root body; used as the object's "
          "bounds in place of the computed ones."},
+    {.key = "checks",
+     .id = Key::kChecks,
+     .slot = Slot::kChecks,
+     .doc = "Thresholds of physical checks, and which of them do not matter."},
 };
 
 constexpr FieldInfo kParameterFields[] = {
@@ -689,6 +693,122 @@ constexpr FieldInfo kDefaultsFields[] = {
     {.key = "joint", .id = Key::kJoint, .slot = Slot::kFields, .doc = "Values for joints."},
 };
 
+constexpr FieldInfo kChecksFields[] = {
+    {.key = "stable",
+     .slot = Slot::kBoolean,
+     .default_text = "false",
+     .doc =
+         "Whether a tilt of more than `tilt` is an error: whether it must stay as it is put down."},
+    {.key = "settle_time",
+     .slot = Slot::kNumber,
+     .unit = "s",
+     .default_text = "3",
+     .lower = 0,
+     .above = true,
+     .doc = "How long it may take to come to rest."},
+    {.key = "rest_speed",
+     .slot = Slot::kNumber,
+     .unit = "m/s",
+     .default_text = "0.01",
+     .lower = 0,
+     .above = true,
+     .doc = "What is slower than this is at rest."},
+    {.key = "tilt",
+     .slot = Slot::kNumber,
+     .unit = "rad",
+     .default_text = "15deg",
+     .lower = 0,
+     .doc = "How far a stable object may lean over as it settles."},
+    {.key = "drift",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "unlimited",
+     .lower = 0,
+     .doc = "How far it may move along the floor as it settles."},
+    {.key = "penetration",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "unlimited",
+     .lower = 0,
+     .doc = "How deep contacts may get as it lands: MuJoCo's are soft, and a heavy part that "
+            "topples onto the floor goes deep for a moment."},
+    {.key = "sink",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "1mm",
+     .lower = 0,
+     .doc = "How deep contacts may be when it has settled."},
+    {.key = "energy_gain",
+     .slot = Slot::kNumber,
+     .default_text = "0.02",
+     .lower = 0,
+     .doc = "How much energy may come from nowhere, as a share of mass * gravity * size."},
+    {.key = "joint_overshoot",
+     .slot = Slot::kNumber,
+     .default_text = "0.05",
+     .lower = 0,
+     .doc = "How far a joint may be driven beyond its range, as a share of it."},
+    {.key = "joint_reach",
+     .slot = Slot::kNumber,
+     .default_text = "0.9",
+     .lower = 0,
+     .doc = "How much of its range a joint must reach, as a share of it."},
+    {.key = "joint_penetration",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "1mm",
+     .lower = 0,
+     .doc = "How deep bodies of the object may get into each other as a joint is driven."},
+    {.key = "joint_return",
+     .slot = Slot::kNumber,
+     .default_text = "0.05",
+     .lower = 0,
+     .doc = "How far from where it began a joint may end, as a share of its range."},
+    {.key = "density",
+     .slot = Slot::kNumbers,
+     .min_count = 2,
+     .max_count = 2,
+     .unit = "kg/m^3",
+     .default_text = "20 22000",
+     .lower = 0,
+     .doc = "Lowest and highest density of a part."},
+    {.key = "bulk_density",
+     .slot = Slot::kNumbers,
+     .min_count = 2,
+     .max_count = 2,
+     .unit = "kg/m^3",
+     .default_text = "1 22000",
+     .lower = 0,
+     .doc = "Lowest and highest mass of the whole over the volume of its bounding box."},
+    {.key = "overlap",
+     .slot = Slot::kNumber,
+     .default_text = "0.05",
+     .lower = 0,
+     .doc =
+         "How much of a body's mass may be counted twice because parts overlap, as a share of it."},
+    {.key = "thickness",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "1mm",
+     .lower = 0,
+     .doc = "Thinnest part."},
+    {.key = "aspect",
+     .slot = Slot::kNumber,
+     .default_text = "100",
+     .lower = 1,
+     .doc = "Longest side of a part over its shortest."},
+    {.key = "gap",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "0.5mm",
+     .lower = 0,
+     .doc = "How far parts may be from each other and still be one piece."},
+    {.key = "silence",
+     .id = Key::kSilence,
+     .slot = Slot::kSilence,
+     .doc = "Findings that are not to be made: `physics/CODE: reason`."},
+};
+
 constexpr ElementInfo kObject = {"object", "The whole spec: one mapping.", kObjectFields};
 constexpr ElementInfo kParameter = {
     "parameter",
@@ -715,9 +835,15 @@ constexpr ElementInfo kDefaults = {
     "Values for keys that entries leave out; an entry's own and its material's values win.",
     kDefaultsFields};
 
-constexpr const ElementInfo* kElements[] = {&kObject, &kParameter, &kMaterial, &kTexture,
-                                            &kPart,   &kFrame,     &kSite,     &kJoint,
-                                            &kBody,   &kContact,   &kExclude,  &kDefaults};
+constexpr ElementInfo kChecks = {
+    "checks",
+    "What the object must do and be, beyond being loaded: thresholds of `--validate physics`. They "
+    "may be expressions of parameters. Those of a spec within another are not asked.",
+    kChecksFields};
+
+constexpr const ElementInfo* kElements[] = {
+    &kObject, &kParameter, &kMaterial, &kTexture, &kPart,     &kFrame, &kSite,
+    &kJoint,  &kBody,      &kContact,  &kExclude, &kDefaults, &kChecks};
 
 constexpr DistributionInfo kDistributions[] = {
     {"uniform",
@@ -791,6 +917,7 @@ const ElementInfo& BodyElement() { return kBody; }
 const ElementInfo& ContactElement() { return kContact; }
 const ElementInfo& ExcludeElement() { return kExclude; }
 const ElementInfo& DefaultsElement() { return kDefaults; }
+const ElementInfo& ChecksElement() { return kChecks; }
 std::span<const ElementInfo* const> AllElements() { return kElements; }
 std::span<const DistributionInfo> Distributions() { return kDistributions; }
 

@@ -31,6 +31,7 @@ enum class Key {
   kMjcf,
   kPlacement,
   kTotalSize,
+  kChecks,
   // parameters
   kValue,
   kDoc,
@@ -76,6 +77,8 @@ enum class Key {
   kPart,
   kSite,
   kJoint,
+  // checks
+  kSilence,
 };  // clang-format: one group a line
 
 /// What may stand in a field.
@@ -109,6 +112,8 @@ enum class Slot {
   kExcludes,
   kBodyPair,
   kSections,
+  kChecks,
+  kSilence,
   kAnything,
 };
 
@@ -157,6 +162,7 @@ const ElementInfo& BodyElement();
 const ElementInfo& ContactElement();
 const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
 const ElementInfo& DefaultsElement();
+const ElementInfo& ChecksElement();
 std::span<const ElementInfo* const> AllElements();
 
 /// One kind of random draw, as a mapping's first key.

@@ -104,6 +104,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
+    ReadChecks(root.Find("checks"), settings, reading);
     ReadWhole(root, reading);
     if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
   }

@@ -75,6 +75,11 @@ void ReadBodies(const YamlNode& bodies, Reading& reading);
 void ReadContact(const YamlNode& contact, Reading& reading);
 void ReadSections(const YamlNode& sections, Reading& reading);
 
+/// checks:, with those settings in place of its own values whose name is
+/// `checks.` and a key. `checks` may be null.
+inline constexpr std::string_view kChecksPrefix = "checks.";
+void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading);
+
 /// What can be told of a part's fields from its literal type: which must be
 /// there, which mean nothing, how many sizes.
 void CheckPart(const Entry& part, Reading& reading);

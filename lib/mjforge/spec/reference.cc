@@ -70,6 +70,10 @@ std::string SlotText(const FieldInfo& field) {
       return "two names";
     case Slot::kSections:
       return "section: elements";
+    case Slot::kChecks:
+      return "checks";
+    case Slot::kSilence:
+      return "code: reason";
     case Slot::kAnything:
       return "any value";
   }

@@ -195,6 +195,10 @@ class SpecSchema : private SectionSchema {
         return BodyPair();
       case Slot::kSections:
         return SectionProperties();
+      case Slot::kChecks:
+        return Ref("checks");
+      case Slot::kSilence:
+        return Silence();
       case Slot::kCondition:
         return Ref("condition");
       case Slot::kConditions:
@@ -215,6 +219,17 @@ class SpecSchema : private SectionSchema {
       default:
         return;
     }
+  }
+
+  void Silence() {
+    Text("type", "object");
+    Key("properties");
+    Object([this] {
+      for (const diag::CodeInfo& info : diag::AllCodes()) {
+        if (CanBeSilenced(info.code)) Define(info.name, [this] { Text("type", "string"); });
+      }
+    });
+    NoOtherKeys();
   }
 
   // The element's own fields, none of them required.
@@ -283,6 +298,7 @@ class SpecSchema : private SectionSchema {
     Element(ContactElement(), "contacts", [] {});
     Element(ExcludeElement(), [this] { Strings("required", {"bodies"}); });
     Element(DefaultsElement(), [] {});
+    Element(ChecksElement(), [] {});
     SectionDefinitions();
   }
 

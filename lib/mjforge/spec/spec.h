@@ -103,6 +103,18 @@ struct Material {
   const Field* Find(Key id) const;
 };
 
+/// `checks:`, and what was set of it from outside.
+struct Checks {
+  std::vector<Field> fields;
+  struct Silence {
+    diag::Code code{};
+    std::string reason;
+  };
+  std::vector<Silence> silenced;
+};
+/// Whether findings of a code are about how an object behaves, not whether it exists.
+bool CanBeSilenced(diag::Code code);
+
 enum class RootJoints { kFree, kNone, kList };
 enum class Placement { kCenter, kCorner };
 
@@ -139,11 +151,12 @@ struct ObjectSpec {
   Placement placement = Placement::kCenter;
   bool has_exact_choice = false;    // it or a spec it brings: a variant depends on the batch's size
   std::optional<Field> total_size;  // half sizes, m
+  Checks checks;
 
   const Parameter* FindParameter(std::string_view parameter) const;
 };
 
-/// A value given from outside in place of a parameter's own.
+/// A value given from outside in place of a parameter's own, or of a threshold (`checks.tilt`).
 struct Setting {
   std::string name;
   std::string text;              // YAML flow text: "0.02", "1 .. 2", "{choice: [box, cylinder]}"

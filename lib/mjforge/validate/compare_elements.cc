@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/validate/compare.h"
-#include "mjforge/validate/geoms.h"
 
 namespace mjforge::validate {
 namespace {
@@ -135,11 +135,12 @@ void Comparison::CompareGeom(int id, const model::Part& part, const Subject& sub
 /// principal axes, so only where its vertices are can be compared.
 void Comparison::CompareMesh(int id, const model::Part& part, const Subject& subject) {
   if (part.shape.mesh == nullptr) return;
-  const model::Box3 compiled = GeomBox(m_, id, PoseAt(m_.geom_pos, m_.geom_quat, id));
+  const model::Box3 made =
+      compiled::GeomBox(m_, id, compiled::PoseAt(m_.geom_pos, m_.geom_quat, id));
   const model::Box3 meant = model::BoundsOf(part.shape, part.X_BG);
   const double tolerance = kFloatRelative * scale_;
-  Vector(subject, "lower corner", compiled.min.data(), meant.min, tolerance);
-  Vector(subject, "upper corner", compiled.max.data(), meant.max, tolerance);
+  Vector(subject, "lower corner", made.min.data(), meant.min, tolerance);
+  Vector(subject, "upper corner", made.max.data(), meant.max, tolerance);
 }
 
 void Comparison::CompareGeomAttribute(int id, const model::Attribute& attribute,

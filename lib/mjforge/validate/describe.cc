@@ -4,10 +4,12 @@
 #include <string_view>
 #include <vector>
 
-#include "mjforge/validate/geoms.h"
+#include "mjforge/compiled/compiled.h"
 
 namespace mjforge::validate {
 namespace {
+
+using compiled::PoseAt;
 
 /// X_WB of every body with the joints at their reference; parents come first.
 std::vector<model::Pose> BodyPoses(const mjModel& m) {
@@ -19,19 +21,6 @@ std::vector<model::Pose> BodyPoses(const mjModel& m) {
   return poses;
 }
 
-std::string_view JointType(int type) {
-  switch (type) {
-    case mjJNT_FREE:
-      return "free";
-    case mjJNT_BALL:
-      return "ball";
-    case mjJNT_SLIDE:
-      return "slide";
-    default:
-      return "hinge";
-  }
-}
-
 model::MassProperties MassOfBody(const mjModel& m, int id) {
   const model::Pose X_BI = PoseAt(m.body_ipos, m.body_iquat, id);
   model::MassProperties properties;
@@ -40,12 +29,12 @@ model::MassProperties MassOfBody(const mjModel& m, int id) {
   return model::InFrame(X_BI, properties);
 }
 
-void DescribeJoints(const mjModel& m, CompiledModel& compiled) {
+void DescribeJoints(const mjModel& m, CompiledModel& described) {
   for (int i = 0; i < m.njnt; ++i) {
-    CompiledModel::Joint& joint = compiled.joints.emplace_back();
+    CompiledModel::Joint& joint = described.joints.emplace_back();
     joint.name = m.names + m.name_jntadr[i];
     joint.body = m.names + m.name_bodyadr[m.jnt_bodyid[i]];
-    joint.type = JointType(m.jnt_type[i]);
+    joint.type = compiled::kJointTypes[static_cast<std::size_t>(m.jnt_type[i])];
     joint.limited = m.jnt_limited[i] != 0;
     joint.range = Eigen::Map<const Eigen::Vector2d>(m.jnt_range + 2 * i);
     joint.axis = Eigen::Map<const Eigen::Vector3d>(m.jnt_axis + 3 * i);
@@ -53,7 +42,7 @@ void DescribeJoints(const mjModel& m, CompiledModel& compiled) {
 }
 
 /// The names of what stands beside the bodies.
-void DescribeElements(const mjModel& m, CompiledModel& compiled) {
+void DescribeElements(const mjModel& m, CompiledModel& described) {
   struct Kind {
     std::string_view kind;
     const int* names;
@@ -66,7 +55,7 @@ void DescribeElements(const mjModel& m, CompiledModel& compiled) {
       {"actuator", m.name_actuatoradr, m.nu}, {"sensor", m.name_sensoradr, m.nsensor}};
   for (const Kind& kind : kinds) {
     for (int i = 0; i < kind.count; ++i) {
-      compiled.elements.push_back({std::string(kind.kind), m.names + kind.names[i]});
+      described.elements.push_back({std::string(kind.kind), m.names + kind.names[i]});
     }
   }
 }
@@ -74,13 +63,13 @@ void DescribeElements(const mjModel& m, CompiledModel& compiled) {
 }  // namespace
 
 CompiledModel Describe(const mjModel& m) {
-  CompiledModel compiled;
-  compiled.name = m.names;  // the model's name is the first
-  compiled.geoms = m.ngeom;
-  compiled.sites = m.nsite;
+  CompiledModel described;
+  described.name = m.names;  // the model's name is the first
+  described.geoms = m.ngeom;
+  described.sites = m.nsite;
   const std::vector<model::Pose> poses = BodyPoses(m);
   for (int i = 1; i < m.nbody; ++i) {
-    CompiledModel::Body& body = compiled.bodies.emplace_back();
+    CompiledModel::Body& body = described.bodies.emplace_back();
     body.name = m.names + m.name_bodyadr[i];
     body.parent = m.names + m.name_bodyadr[m.body_parentid[i]];
     body.mass = m.body_mass[i];
@@ -91,19 +80,19 @@ CompiledModel Describe(const mjModel& m) {
     if (body.mass <= 0) continue;
     const model::MassProperties in_world =
         model::InFrame(poses[static_cast<std::size_t>(i)], body.mass_properties);
-    compiled.mass_properties = compiled.mass_properties.mass > 0
-                                   ? model::Combine(compiled.mass_properties, in_world)
-                                   : in_world;
+    described.mass_properties = described.mass_properties.mass > 0
+                                    ? model::Combine(described.mass_properties, in_world)
+                                    : in_world;
   }
-  DescribeJoints(m, compiled);
-  DescribeElements(m, compiled);
+  DescribeJoints(m, described);
+  DescribeElements(m, described);
   for (int i = 0; i < m.ngeom; ++i) {
-    if (!CollidesInBody(m, i)) continue;
+    if (!compiled::CollidesInBody(m, i)) continue;
     const model::Pose X_WG =
         poses[static_cast<std::size_t>(m.geom_bodyid[i])] * PoseAt(m.geom_pos, m.geom_quat, i);
-    compiled.aabb.Add(GeomBox(m, i, X_WG));
+    described.aabb.Add(compiled::GeomBox(m, i, X_WG));
   }
-  return compiled;
+  return described;
 }
 
 }  // namespace mjforge::validate

@@ -14,11 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/validate/contacts.h"
-#include "mjforge/validate/geoms.h"
 
 namespace mjforge::validate {
 namespace {
+
+using compiled::CollidesInBody;
+using compiled::PoseAt;
 
 constexpr int kTogether = -1;  // in place of a joint: several at once
 // With so many numbers all combinations of the ends of ranges are tried, too.
@@ -225,7 +228,7 @@ class Sweeper {
       const model::Pose X_WG = {
           Eigen::Map<const Eigen::Vector3d>(data.geom_xpos + 3 * geom),
           Eigen::Quaterniond(Eigen::Map<const RowMajor>(data.geom_xmat + 9 * geom))};
-      sweep_.aabb.Add(GeomBox(m_, geom, X_AW_ * X_WG));
+      sweep_.aabb.Add(compiled::GeomBox(m_, geom, X_AW_ * X_WG));
     }
   }
 

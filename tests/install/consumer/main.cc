@@ -13,8 +13,7 @@ int main() {
   const auto recipe =
       forge::LoadRecipe("hammer", {.search_path = {MJFORGE_SPECS}}, sources, findings);
   if (recipe) {
-    validate::Loader loader;
-    forge::Generator generator(*recipe, sources, {.seed = 7}, &loader);
+    forge::Generator generator(*recipe, sources, {.seed = 7});
     generator.Make(41, variant);
     findings.Append(variant.findings);
   }

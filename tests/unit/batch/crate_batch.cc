@@ -20,7 +20,7 @@ Request CrateBatch::Of(std::uint64_t count, const std::string& output,
   Request request;
   request.count = count;
   request.variant.seed = 1;
-  request.load = false;
+  request.variant.validation = forge::Validation::kNone;
   request.jobs = 2;
   std::string why_not;
   const auto destination =

@@ -7,9 +7,8 @@
 namespace mjforge::forge {
 namespace {
 
-Variant MakeOne(LoadedRecipe& loaded, const Options& options, std::uint64_t index,
-                validate::Loader* loader = nullptr) {
-  Generator generator(loaded.recipe, loaded.sources, options, loader);
+Variant MakeOne(LoadedRecipe& loaded, const Options& options, std::uint64_t index) {
+  Generator generator(loaded.recipe, loaded.sources, options);
   Variant variant;
   generator.Make(index, variant);
   return variant;
@@ -18,13 +17,15 @@ Variant MakeOne(LoadedRecipe& loaded, const Options& options, std::uint64_t inde
 Options Seeded(std::uint64_t seed) {
   Options options;
   options.seed = seed;
+  options.validation = Validation::kNone;
   return options;
 }
 
 TEST_CASE("a variant is a file's text and a record of what it is") {
   LoadedRecipe loaded(kBoxSpec);
-  validate::Loader loader;
-  const Variant variant = MakeOne(loaded, Seeded(7), 42, &loader);
+  Options options = Seeded(7);
+  options.validation = Validation::kLoad;
+  const Variant variant = MakeOne(loaded, options, 42);
   const manifest::Record& record = variant.record;
   REQUIRE(variant.ok());
   CHECK(variant.findings.empty());
@@ -48,7 +49,7 @@ TEST_CASE("a variant is a file's text and a record of what it is") {
 
 TEST_CASE("a variant does not depend on those made before it") {
   LoadedRecipe loaded(kBoxSpec);
-  Generator generator(loaded.recipe, loaded.sources, Seeded(7), nullptr);
+  Generator generator(loaded.recipe, loaded.sources, Seeded(7));
   Variant variant;
   for (const std::uint64_t index : {5, 0, 41, 3}) generator.Make(index, variant);
   generator.Make(41, variant);
@@ -155,7 +156,7 @@ TEST_CASE("resampling keeps exact choices, and an item is the same in any order"
   options.resample = true;
   options.sampler = sample::Method::kLatin;
   options.batch = 20;
-  Generator forward(loaded.recipe, loaded.sources, options, nullptr);
+  Generator forward(loaded.recipe, loaded.sources, options);
   std::vector<std::string> texts;
   std::map<double, int> counts;
   std::uint64_t redraws = 0;
@@ -169,7 +170,7 @@ TEST_CASE("resampling keeps exact choices, and an item is the same in any order"
   }
   CHECK(redraws > 5);
   CHECK(counts == std::map<double, int>{{300, 10}, {500, 5}, {800, 5}});
-  Generator backward(loaded.recipe, loaded.sources, options, nullptr);
+  Generator backward(loaded.recipe, loaded.sources, options);
   for (std::uint64_t index = 20; index-- > 0;) {
     backward.Make(index, variant);
     CHECK(variant.document.text == texts[index]);
@@ -186,7 +187,7 @@ TEST_CASE("welded specs are planned over the same batch") {
       {}, {{"box.yaml", kExactSpec}});
   Options options;
   options.batch = 8;
-  Generator generator(loaded.recipe, loaded.sources, options, nullptr);
+  Generator generator(loaded.recipe, loaded.sources, options);
   std::array<std::map<double, int>, 2> counts;
   Variant variant;
   for (std::uint64_t index = 0; index < 8; ++index) {

@@ -16,7 +16,7 @@ struct ReplayTest {
     request.count = count;
     request.variant = options;
     if (options.resample) request.on_invalid = batch::OnInvalid::kResample;
-    request.load = false;
+    request.variant.validation = Validation::kNone;
     request.destination = {.kind = output::Destination::Kind::kFolder,
                            .path = loaded.folder / "crate"};
     REQUIRE(batch::Run(loaded.recipe, loaded.sources, request, {}).ok > 0);

@@ -1,0 +1,30 @@
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::forge {
+
+std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,
+                                        diag::Sources& sources, diag::Findings& findings) {
+  // The least spec there is: thresholds are read as in any other.
+  constexpr const char* kSpec =
+      "mjforge: 1\n"
+      "name: checks\n"
+      "parts: [{name: part, type: sphere, size: 1}]\n";
+  spec::LoadOptions options;
+  options.settings = settings;
+  for (const spec::Setting& setting : settings) {
+    if (setting.name.starts_with("checks.")) continue;
+    findings.Add(diag::Code::kSpecUnknownParameter, {},
+                 "'" + setting.name + "' is no threshold of a check",
+                 "a file has no parameters to set, only thresholds: checks.NAME");
+  }
+  if (findings.HasErrors()) return std::nullopt;
+  const auto spec = spec::LoadSpecText("checks", kSpec, ".", options, sources, findings);
+  if (spec == nullptr) return std::nullopt;
+  auto values = sample::Sample(*spec, {}, sample::kRootStream, {}, findings);
+  if (!values) return std::nullopt;
+  const auto object = model::Assembler().Assemble(*values, {}, findings);
+  if (!object) return std::nullopt;
+  return object->checks;
+}
+
+}  // namespace mjforge::forge

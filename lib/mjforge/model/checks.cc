@@ -1,0 +1,71 @@
+// checks: of the spec, evaluated for one variant.
+
+#include <algorithm>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/assembly.h"
+
+namespace mjforge::model {
+namespace {
+
+struct NumberCheck {
+  std::string_view key;
+  double Checks::*member;
+};
+constexpr NumberCheck kNumbers[] = {
+    {"settle_time", &Checks::settle_time},
+    {"rest_speed", &Checks::rest_speed},
+    {"tilt", &Checks::tilt},
+    {"drift", &Checks::drift},
+    {"penetration", &Checks::penetration},
+    {"sink", &Checks::sink},
+    {"energy_gain", &Checks::energy_gain},
+    {"joint_overshoot", &Checks::joint_overshoot},
+    {"joint_reach", &Checks::joint_reach},
+    {"joint_penetration", &Checks::joint_penetration},
+    {"joint_return", &Checks::joint_return},
+    {"overlap", &Checks::overlap},
+    {"thickness", &Checks::thickness},
+    {"aspect", &Checks::aspect},
+    {"gap", &Checks::gap},
+};
+
+struct RangeCheck {
+  std::string_view key;
+  Eigen::Vector2d Checks::*member;
+};
+constexpr RangeCheck kRanges[] = {
+    {"density", &Checks::density},
+    {"bulk_density", &Checks::bulk_density},
+};
+
+void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
+  if (field.info->key == "stable") {
+    checks.stable = reader.Boolean(field).value_or(checks.stable);
+  }
+  for (const NumberCheck& check : kNumbers) {
+    if (check.key == field.info->key)
+      checks.*check.member = reader.Number(field).value_or(checks.*check.member);
+  }
+  for (const RangeCheck& check : kRanges) {
+    if (check.key != field.info->key) continue;
+    const auto range = reader.Vector<2>(field);
+    if (range && range->x() > range->y()) {
+      reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
+    }
+    checks.*check.member = range.value_or(checks.*check.member);
+  }
+}
+
+}  // namespace
+
+void Assembly::ReadChecks(Scope& scope) {
+  const spec::Checks& checks = scope.values.spec().checks;
+  FieldReader reader(scope.values, findings_, "checks", object_.name, scope.values.root());
+  for (const spec::Field& field : checks.fields) ReadCheck(field, reader, object_.checks);
+  for (const auto& [code, reason] : checks.silenced) {
+    object_.checks.silenced.emplace_back(diag::CodeName(code), reason);
+  }
+}
+
+}  // namespace mjforge::model

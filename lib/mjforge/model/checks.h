@@ -1,0 +1,47 @@
+#ifndef MJFORGE_MODEL_CHECKS_H_
+#define MJFORGE_MODEL_CHECKS_H_
+
+// What an object must do and be, beyond being loaded: `checks:` of its spec.
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace mjforge::model {
+
+/// The thresholds of physical checks, SI units. The defaults are those of the
+/// field table.
+struct Checks {
+  // Dropped on a floor.
+  bool stable = false;               // whether a tilt beyond `tilt` is an error
+  double settle_time = 3;            // s, at most
+  double rest_speed = 0.01;          // m/s; slower is at rest
+  double tilt = 0.2617993877991494;  // rad
+  double drift = std::numeric_limits<double>::infinity();        // m
+  double penetration = std::numeric_limits<double>::infinity();  // m
+  double sink = 0.001;                                           // m
+  double energy_gain = 0.02;                                     // share of mass * g * size
+  // Joints driven.
+  double joint_overshoot = 0.05;     // share of the range
+  double joint_reach = 0.9;          // share of the range
+  double joint_penetration = 0.001;  // m
+  double joint_return = 0.05;        // share of the range
+  // Numbers.
+  Eigen::Vector2d density = {20, 22'000};      // kg/m^3, of a part
+  Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, of the whole in its box
+  double overlap = 0.05;                       // share of the mass
+  double thickness = 0.001;                    // m, of a part
+  double aspect = 100;                         // longest to shortest side of a part
+  double gap = 0.0005;                         // m, between parts that hold together
+  /// Codes of findings that are not to be made, and why.
+  std::vector<std::pair<std::string, std::string>> silenced;
+
+  bool operator==(const Checks&) const = default;
+};
+
+}  // namespace mjforge::model
+
+#endif  // MJFORGE_MODEL_CHECKS_H_

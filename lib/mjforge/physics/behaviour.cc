@@ -1,0 +1,145 @@
+#include "mjforge/physics/behaviour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace mjforge::physics {
+namespace {
+
+using diag::Code;
+
+constexpr const char* kHarderContacts = "harder contacts: a smaller solref, solimp nearer to 1";
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// A joint's distance for people: degrees of hinges and balls, millimetres of slides.
+std::string Distance(const mjModel& m, int joint, double value) {
+  if (m.jnt_type[joint] == mjJNT_SLIDE) return fmt::format("{:.3g} mm", 1000 * value);
+  return fmt::format("{:.3g} deg", kDegrees * value);
+}
+
+}  // namespace
+
+diag::SourceMark Behaviour::MarkOf(std::string_view joint) const {
+  const auto found = std::ranges::find(marks_, joint, &JointMark::name);
+  return found == marks_.end() || !found->mark ? subject_.mark : found->mark;
+}
+
+Trouble Behaviour::Drop(Result& result) {
+  for (;;) {
+    mjData& d = workspace_.For(m_);
+    const Trouble trouble = Settle(m_, d, verdict_.checks(), result);
+    // Without room for its contacts it would have fallen through the floor.
+    if (!IsCrowded(d) || !MakeRoom(m_)) return trouble;
+    result = {};
+  }
+}
+
+void Behaviour::Check(Result& result) {
+  const Trouble trouble = Drop(result);
+  ReportDrop(trouble, result);
+  if (trouble.blown_up) return;
+  for (const Driven& driven : DriveJoints(m_, workspace_.For(m_))) {
+    result.joints.push_back(driven.measured);
+    ReportJoint(driven);
+  }
+}
+
+void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
+  for (const std::string& warning : trouble.warnings) {
+    verdict_.Error(Code::kPhysicsUnstable, subject_.mark,
+                   fmt::format("MuJoCo warns as '{}' settles: {}", subject_.name, warning),
+                   trouble.blown_up ? "a smaller timestep, softer contacts, or larger masses and "
+                                      "inertias beside its forces"
+                                    : "");
+  }
+  if (trouble.blown_up) return;
+  const model::Checks& checks = verdict_.checks();
+  if (result.energy_gain > checks.energy_gain) {
+    verdict_.Error(Code::kPhysicsGainsEnergy, subject_.mark,
+                   fmt::format("'{}' gains energy as it settles: {:.3g} of mass * gravity * size, "
+                               "more than {:g}",
+                               subject_.name, result.energy_gain, checks.energy_gain),
+                   "parts that push each other apart, springs, or actuators");
+  }
+  if (!result.at_rest && result.dropped) {
+    verdict_.Warning(Code::kPhysicsNotAtRest, subject_.mark,
+                     fmt::format("'{}' still moves after {:g} s, at {:.3g} m/s", subject_.name,
+                                 result.time, result.speed),
+                     "a joint without damping, something round, or a longer `settle_time`");
+  }
+  if (result.penetration > checks.penetration) {
+    verdict_.Error(Code::kPhysicsPenetrates, subject_.mark,
+                   fmt::format("contacts get {:.3g} mm deep as '{}' lands, more than {:g} mm",
+                               1000 * result.penetration, subject_.name, 1000 * checks.penetration),
+                   kHarderContacts);
+  }
+  if (result.sink > checks.sink) {
+    verdict_.Error(
+        Code::kPhysicsSinks, subject_.mark,
+        fmt::format("contacts are {:.3g} mm deep when '{}' has settled, more than {:g} mm",
+                    1000 * result.sink, subject_.name, 1000 * checks.sink),
+        kHarderContacts);
+  }
+  ReportPose(result);
+}
+
+void Behaviour::ReportPose(const Result& result) {
+  const model::Checks& checks = verdict_.checks();
+  if (checks.stable && result.tilt > checks.tilt) {
+    verdict_.Error(Code::kPhysicsTopples, subject_.mark,
+                   fmt::format("'{}' topples: it leans over by {:.3g} deg, more than {:.3g}",
+                               subject_.name, kDegrees * result.tilt, kDegrees * checks.tilt),
+                   "a wider foot, or a lower centre of mass");
+  }
+  if (result.drift > checks.drift) {
+    verdict_.Error(Code::kPhysicsDrifts, subject_.mark,
+                   fmt::format("'{}' moves {:.3g} mm along the floor, more than {:g} mm",
+                               subject_.name, 1000 * result.drift, 1000 * checks.drift),
+                   "a level foot, or more friction");
+  }
+}
+
+void Behaviour::ReportJoint(const Driven& driven) {
+  const model::Checks& checks = verdict_.checks();
+  const Result::Joint& joint = driven.measured;
+  const diag::SourceMark mark = MarkOf(joint.name);
+  if (driven.blown_up) {
+    verdict_.Error(Code::kPhysicsUnstable, mark,
+                   fmt::format("MuJoCo finds no numbers as joint '{}' is driven", joint.name));
+    return;
+  }
+  if (joint.overshoot > checks.joint_overshoot * driven.range) {
+    verdict_.Error(Code::kPhysicsJointOvershoots, mark,
+                   fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
+                               Distance(m_, driven.joint, joint.overshoot),
+                               Distance(m_, driven.joint, driven.range)),
+                   "a harder limit: a smaller solreflimit, solimplimit nearer to 1");
+  }
+  if (joint.penetration > checks.joint_penetration) {
+    verdict_.Error(Code::kPhysicsJointCollides, mark,
+                   fmt::format("driving joint '{}', bodies '{}' and '{}' get {:.3g} mm into each "
+                               "other, at {}",
+                               joint.name, driven.body1, driven.body2, 1000 * joint.penetration,
+                               Distance(m_, driven.joint, driven.where)),
+                   "a shorter range, more room, or `contact: exclude`");
+  }
+  if (joint.reach < checks.joint_reach) {
+    verdict_.Error(Code::kPhysicsJointBlocked, mark,
+                   fmt::format("joint '{}' reaches only {:.3g} % of its range of {}{}", joint.name,
+                               100 * joint.reach, Distance(m_, driven.joint, driven.range),
+                               driven.body1.empty() ? std::string()
+                                                    : fmt::format(": '{}' and '{}' collide",
+                                                                  driven.body1, driven.body2)),
+                   "a shorter range, more room, or `contact: exclude`");
+  }
+  if (joint.return_error > checks.joint_return * driven.range) {
+    verdict_.Error(Code::kPhysicsJointNotBack, mark,
+                   fmt::format("joint '{}' does not come back: it ends {} from where it began",
+                               joint.name, Distance(m_, driven.joint, joint.return_error)));
+  }
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,38 @@
+#ifndef MJFORGE_PHYSICS_DRIVE_H_
+#define MJFORGE_PHYSICS_DRIVE_H_
+
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+/// What came of driving one joint.
+struct Driven {
+  int joint = 0;
+  double range = 0;  // rad or m, from end to end
+  Result::Joint measured;
+  /// The bodies that were deepest in each other; empty: none were.
+  std::string body1;
+  std::string body2;
+  double where = 0;  // the joint's value there, rad or m
+  bool blown_up = false;
+};
+
+/// Drives each hinge, slide and ball joint from its zero to both ends of its
+/// range and back: an unlimited hinge through a full turn, a ball about each of
+/// its axes. An unlimited slide has no ends and is left out. A force makes the
+/// joint follow smooth moves of half a second; it knows the inertia that it has
+/// to move, and nothing of what stands in its way. Free bodies are held, other
+/// joints stay where they are unless something couples them to this one, and
+/// there is no gravity, no friction, spring or actuator in joints, no floor.
+/// Changes the model for that while it works, and puts it back. `d` is its data.
+/// May throw std::exception.
+std::vector<Driven> DriveJoints(mjModel& m, mjData& d);
+
+}  // namespace mjforge::physics
+
+#endif  // MJFORGE_PHYSICS_DRIVE_H_

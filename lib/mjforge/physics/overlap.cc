@@ -1,0 +1,75 @@
+#include "mjforge/physics/overlap.h"
+
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <vector>
+
+namespace mjforge::physics {
+namespace {
+
+constexpr int kPoints = 2000;
+
+bool Meet(const model::Box3& a, const model::Box3& b) {
+  return (a.min.array() < b.max.array()).all() && (b.min.array() < a.max.array()).all();
+}
+
+// Points in the box of a solid in its own frame, from a sequence that fills it evenly.
+class PointsIn {
+ public:
+  explicit PointsIn(const Solid& solid) : box_(model::BoundsOf(solid.shape, {})), sequence_(3) {}
+  Eigen::Vector3d Next() {
+    Eigen::Vector3d share;
+    for (double& number : share) number = std::ldexp(static_cast<double>(sequence_()), -64);
+    return box_.min + share.cwiseProduct(box_.max - box_.min);
+  }
+
+ private:
+  model::Box3 box_;
+  boost::random::sobol sequence_;
+};
+
+}  // namespace
+
+Overlap FindOverlap(const RigidBody& body) {
+  Overlap overlap;
+  double most = 0;
+  std::vector<model::Box3> boxes;
+  for (const Solid& solid : body.solids) boxes.push_back(model::BoundsOf(solid.shape, solid.X_BG));
+  for (std::size_t i = 1; i < body.solids.size(); ++i) {
+    const Solid& solid = body.solids[i];
+    std::vector<std::size_t> others;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (Meet(boxes[i], boxes[j])) others.push_back(j);
+    }
+    if (others.empty() || !(solid.mass > 0)) continue;
+    PointsIn points(solid);
+    int inside = 0;
+    std::vector<int> shared(others.size());
+    int twice = 0;
+    for (int k = 0; k < kPoints; ++k) {
+      const Eigen::Vector3d p_G = points.Next();
+      if (!model::Contains(solid.shape, {}, p_G)) continue;
+      ++inside;
+      const Eigen::Vector3d p_B = solid.X_BG.p + solid.X_BG.q * p_G;
+      for (std::size_t j = 0; j < others.size(); ++j) {
+        const Solid& other = body.solids[others[j]];
+        if (!model::Contains(other.shape, other.X_BG, p_B)) continue;
+        ++twice;
+        ++shared[j];
+        break;
+      }
+    }
+    if (inside == 0) continue;
+    overlap.mass += solid.mass * twice / inside;
+    for (std::size_t j = 0; j < others.size(); ++j) {
+      const double mass = solid.mass * shared[j] / inside;
+      if (mass <= most) continue;
+      most = mass;
+      overlap.first = others[j];
+      overlap.second = i;
+    }
+  }
+  return overlap;
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,163 @@
+#include "mjforge/physics/physics.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <string_view>
+
+#include "mjforge/engine/engine.h"
+#include "mjforge/physics/behaviour.h"
+#include "mjforge/physics/proportions.h"
+#include "mjforge/physics/simulation.h"
+#include "mjforge/physics/subject.h"
+#include "mjforge/physics/verdict.h"
+
+namespace mjforge::physics {
+namespace {
+
+using diag::Code;
+
+constexpr std::string_view kFloor = R"(<geom name="mjforge-floor" type="plane" size="0 0 1"/>)";
+constexpr std::string_view kFreeJoint = R"(<joint name="mjforge-free" type="free"/>)";
+
+/// The document with what its host has around it: a floor, a free root. Without
+/// line ends, so that line numbers stay.
+std::string WithSurroundings(const mjcf::MjcfDocument& document) {
+  std::string text = document.text;
+  if (document.world_position == std::string::npos) return text;
+  const std::size_t in_root = text.find('\n', document.world_position) + 1;
+  if (document.host_frees) text.insert(in_root, kFreeJoint);
+  text.insert(document.world_position, kFloor);
+  return text;
+}
+
+/// Four digits, and what is below 1e-9 is nothing: more would depend on the last bits of
+/// a long simulation.
+double Rounded(double number) {
+  if (std::abs(number) < 1e-9) return 0;
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                 std::chars_format::scientific, 3);
+  double rounded = number;
+  std::from_chars(digits.data(), end.ptr, rounded);
+  return rounded;
+}
+
+void Round(Result& result) {
+  for (double* number : {&result.time, &result.drift, &result.tilt, &result.speed,
+                         &result.penetration, &result.sink, &result.energy_gain, &result.overlap}) {
+    *number = Rounded(*number);
+  }
+  for (Result::Joint& joint : result.joints) {
+    for (double* number :
+         {&joint.overshoot, &joint.reach, &joint.penetration, &joint.return_error}) {
+      *number = Rounded(*number);
+    }
+  }
+}
+
+/// What a model has to lie on, and whether anything may fall.
+struct Scenery {
+  bool plane = false;
+  bool free = false;
+};
+
+Scenery SceneryOf(const mjModel& m) {
+  Scenery scenery;
+  for (int i = 0; i < m.ngeom; ++i) scenery.plane |= m.geom_type[i] == mjGEOM_PLANE;
+  for (int i = 0; i < m.njnt; ++i) scenery.free |= m.jnt_type[i] == mjJNT_FREE;
+  return scenery;
+}
+
+/// The file as it is, with a floor. The name is one of the file's folder.
+std::string WithFloor(const std::filesystem::path& file) {
+  std::string name;
+  for (const char c : file.filename().string()) {
+    name += c == '&' ? std::string("&amp;") : c == '"' ? std::string("&quot;") : std::string(1, c);
+  }
+  return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)", name,
+                     kFloor);
+}
+
+}  // namespace
+
+struct Laboratory::State {
+  engine::Engine engine;
+  Workspace workspace;
+
+  std::optional<Result> Examine(engine::Model model, const Subject& subject,
+                                const std::vector<JointMark>& marks, const model::Checks& checks,
+                                diag::Findings& findings);
+};
+
+Laboratory::Laboratory() : state_(std::make_unique<State>()) {}
+Laboratory::~Laboratory() = default;
+
+std::optional<Result> Laboratory::State::Examine(engine::Model model, const Subject& subject,
+                                                 const std::vector<JointMark>& marks,
+                                                 const model::Checks& checks,
+                                                 diag::Findings& findings) {
+  Verdict verdict(checks, findings);
+  try {
+    Result result;
+    Behaviour(*model, workspace, subject, marks, verdict).Check(result);
+    result.overlap = CheckProportions(subject, verdict);
+    Round(result);
+    return result;
+  } catch (const std::exception& error) {
+    findings.Add(
+        Code::kMujocoError, subject.mark,
+        fmt::format("MuJoCo cannot simulate the object: {}", engine::OneLine(error.what())));
+    return std::nullopt;
+  }
+}
+
+std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
+                                          const model::Object& object, diag::Findings& findings) {
+  const Subject subject = SubjectOf(object);
+  engine::Loaded loaded;
+  if (const auto problem = state_->engine.SetAssets(document.assets)) {
+    loaded.error = problem->message;
+  } else {
+    loaded = state_->engine.LoadText(WithSurroundings(document));
+  }
+  if (!loaded.model) {
+    findings.Add(Code::kMujocoError, subject.mark,
+                 fmt::format("MuJoCo refused the object on a floor: {}",
+                             engine::ParseRefusal(loaded.error).reason));
+    return std::nullopt;
+  }
+  std::vector<JointMark> marks;
+  for (const model::Body& body : object.bodies) {
+    for (const model::Joint& joint : body.joints) marks.push_back({joint.name, joint.mark});
+  }
+  return state_->Examine(std::move(loaded.model), subject, marks, object.checks, findings);
+}
+
+std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
+                                          const model::Checks& checks, diag::Sources& sources,
+                                          diag::Findings& findings) {
+  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
+  if (!xml) return std::nullopt;
+  const diag::SourceMark start = {xml->source, 1, 1};
+  engine::Loaded loaded = state_->engine.LoadFile(file);
+  if (loaded.model) {
+    const Subject subject = SubjectOf(*loaded.model, start);
+    const Scenery scenery = SceneryOf(*loaded.model);
+    if (scenery.free && !scenery.plane) {
+      const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+      loaded = state_->engine.LoadTextIn(folder, WithFloor(file));
+    }
+    if (loaded.model)
+      return state_->Examine(std::move(loaded.model), subject, {}, checks, findings);
+  }
+  findings.Add(
+      Code::kMujocoError, start,
+      fmt::format("MuJoCo refused the model: {}", engine::ParseRefusal(loaded.error).reason));
+  return std::nullopt;
+}
+
+}  // namespace mjforge::physics

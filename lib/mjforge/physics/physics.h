@@ -1,0 +1,75 @@
+#ifndef MJFORGE_PHYSICS_PHYSICS_H_
+#define MJFORGE_PHYSICS_PHYSICS_H_
+
+// Whether an object behaves: it is dropped on a floor, its joints are driven,
+// and its numbers are held against what things are made of. In MuJoCo 2.2.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::physics {
+
+/// What was measured, in SI units, rounded to four digits.
+struct Result {
+  /// One joint driven to both ends of its range and back, the root held, without gravity.
+  struct Joint {
+    std::string name;
+    double overshoot = 0;     // beyond its range, rad or m
+    double reach = 1;         // share of its range that it could be driven to
+    double penetration = 0;   // deepest of two bodies of the object, m
+    double return_error = 0;  // distance from where it began, rad or m
+    bool operator==(const Joint&) const = default;
+  };
+  /// The drop: from 2 mm above the floor, until it rests or the time is over. An
+  /// object that is fixed to the world only hangs there under its weight.
+  bool dropped = false;
+  bool at_rest = false;
+  double time = 0;         // simulated, s
+  double drift = 0;        // of the centre of mass, along the floor, m
+  double tilt = 0;         // angle between upwards before and after, rad
+  double speed = 0;        // of the fastest point at the end, m/s
+  double penetration = 0;  // deepest contact on the way: that of the hardest landing, m
+  double sink = 0;         // deepest contact at the end, m
+  double energy_gain = 0;  // most above the energy at the start, as a share of mass * g * size
+  int ncon = 0;            // most contacts in a step
+  int nefc = 0;            // most constraint rows in a step
+  double overlap = 0;      // share of the mass that is counted twice
+  std::vector<Joint> joints;
+  bool operator==(const Result&) const = default;
+};
+
+/// Where things are tried. Keeps MuJoCo's memory from one object to the next;
+/// make one per process.
+class Laboratory {
+ public:
+  Laboratory();
+  ~Laboratory();
+  Laboratory(const Laboratory&) = delete;
+  Laboratory& operator=(const Laboratory&) = delete;
+
+  /// A document made from `object`, valid for MuJoCo. What is not as
+  /// object.checks has it is a finding at its place in the spec. Nothing if
+  /// MuJoCo gives up, which is a finding.
+  std::optional<Result> Examine(const mjcf::MjcfDocument& document, const model::Object& object,
+                                diag::Findings& findings);
+
+  /// Any MJCF file that MuJoCo loads; findings point at its start. Where it has
+  /// no plane of its own and something in it is free, it gets a floor.
+  std::optional<Result> Examine(const std::filesystem::path& file, const model::Checks& checks,
+                                diag::Sources& sources, diag::Findings& findings);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mjforge::physics
+
+#endif  // MJFORGE_PHYSICS_PHYSICS_H_

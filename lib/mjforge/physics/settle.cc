@@ -1,0 +1,203 @@
+#include "mjforge/physics/settle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/simulation.h"
+
+namespace mjforge::physics {
+namespace {
+
+constexpr double kDropHeight = 0.002;  // m
+// It rests when it has been slow at every look for so long: a pendulum turns
+// round faster, and something that has just been let go is soon beyond it.
+constexpr double kRestTime = 0.1;    // s
+constexpr double kLookEvery = 0.01;  // s
+constexpr double kLevel = 1e-9;      // a plane whose normal is this near to upwards
+
+Eigen::Map<const Eigen::Vector3d> VectorAt(const mjtNum* array, int id) {
+  return Eigen::Map<const Eigen::Vector3d>(array + 3 * static_cast<std::ptrdiff_t>(id));
+}
+
+/// What the world, which does not move, has to lie on.
+struct Ground {
+  int planes = 0;
+  int others = 0;
+  double height = 0;  // of the level plane, m
+};
+
+Ground GroundOf(const mjModel& m, const mjData& d) {
+  Ground ground;
+  for (int i = 0; i < m.ngeom; ++i) {
+    if (m.body_weldid[m.geom_bodyid[i]] != 0) continue;
+    if (m.geom_contype[i] == 0 && m.geom_conaffinity[i] == 0) continue;
+    const bool level = d.geom_xmat[9 * i + 8] > 1 - kLevel;
+    if (m.geom_type[i] == mjGEOM_PLANE && level) {
+      ++ground.planes;
+      ground.height = d.geom_xpos[3 * i + 2];
+    } else {
+      ++ground.others;
+    }
+  }
+  return ground;
+}
+
+class Drop {
+ public:
+  Drop(const mjModel& m, mjData& d, const model::Checks& checks, Result& result)
+      : m_(m), d_(d), checks_(checks), result_(result) {
+    for (int joint = 0; joint < m.njnt; ++joint) {
+      if (m.jnt_type[joint] == mjJNT_FREE) roots_.emplace_back().body = m.jnt_bodyid[joint];
+    }
+  }
+
+  Trouble Run() {
+    mj_kinematics(&m_, &d_);
+    const Ground ground = GroundOf(m_, d_);
+    result_.dropped = !roots_.empty() && ground.planes + ground.others > 0;
+    if (roots_.size() == 1 && ground.planes == 1 && ground.others == 0) Lift(ground.height);
+    mj_forward(&m_, &d_);
+    Begin();
+    const int most = static_cast<int>(std::ceil(checks_.settle_time / m_.opt.timestep));
+    const int look = std::max(1, static_cast<int>(std::lround(kLookEvery / m_.opt.timestep)));
+    const double steps_at_rest = kRestTime / m_.opt.timestep;
+    int slow = 0;
+    int step = 0;
+    while (step < most && slow < steps_at_rest && !HasBlownUp(d_)) {
+      for (int i = 0; i < look && step < most; ++i, ++step) {
+        mj_step(&m_, &d_);
+        CountContacts();
+      }
+      slow = Speed() < checks_.rest_speed ? slow + look : 0;
+      highest_energy_ = std::max(highest_energy_, Energy());
+    }
+    result_.at_rest = slow >= steps_at_rest;
+    result_.time = step * m_.opt.timestep;
+    End();
+    return {HasBlownUp(d_), WarningsOf(d_)};
+  }
+
+ private:
+  struct Root {
+    int body = 0;
+    Eigen::Vector3d start = Eigen::Vector3d::Zero();  // centre of mass of it and all on it
+    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // upwards at the start, in the body
+  };
+
+  void Lift(double floor) {
+    const int root = roots_.front().body;
+    model::Box3 box;
+    for (int i = 0; i < m_.ngeom; ++i) {
+      if (m_.body_rootid[m_.geom_bodyid[i]] != root || !compiled::CollidesInBody(m_, i)) continue;
+      box.Add(compiled::GeomBox(m_, i, PoseOf(i)));
+    }
+    if (box.empty()) {
+      result_.dropped = false;  // it would fall for ever
+      return;
+    }
+    const int joint = m_.body_jntadr[root];
+    d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + kDropHeight - box.min.z();
+  }
+
+  model::Pose PoseOf(int geom) const {
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    return {VectorAt(d_.geom_xpos, geom),
+            Eigen::Quaterniond(Eigen::Map<const RowMajor>(d_.geom_xmat + 9 * geom))};
+  }
+
+  Eigen::Quaterniond TurnOf(int body) const {
+    const mjtNum* q = d_.xquat + 4 * body;
+    return {q[0], q[1], q[2], q[3]};
+  }
+
+  void Begin() {
+    for (Root& root : roots_) {
+      root.start = VectorAt(d_.subtree_com, root.body);
+      root.up_B = TurnOf(root.body).conjugate() * Eigen::Vector3d::UnitZ();
+    }
+    // What energy is held against: lifting the object by its own size.
+    double radius = 0;
+    for (int i = 0; i < m_.ngeom; ++i) {
+      if (m_.geom_bodyid[i] != 0) radius = std::max(radius, Reach(i));
+    }
+    const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
+    energy_scale_ = m_.body_subtreemass[0] * (gravity > 0 ? gravity : 9.81) * 2 * radius;
+    start_energy_ = highest_energy_ = Energy();
+  }
+
+  /// How far a geom reaches from the centre of mass of the object that it belongs to.
+  double Reach(int geom) const {
+    const int root = m_.body_rootid[m_.geom_bodyid[geom]];
+    return m_.geom_rbound[geom] +
+           (VectorAt(d_.geom_xpos, geom) - VectorAt(d_.subtree_com, root)).norm();
+  }
+
+  double Energy() {
+    mj_energyPos(&m_, &d_);
+    mj_energyVel(&m_, &d_);
+    return d_.energy[0] + d_.energy[1];
+  }
+
+  void CountContacts() {
+    result_.ncon = std::max(result_.ncon, d_.ncon);
+    result_.nefc = std::max(result_.nefc, d_.nefc);
+    result_.penetration = std::max(result_.penetration, Depth());
+  }
+
+  double Depth() const {
+    double deepest = 0;
+    for (int i = 0; i < d_.ncon; ++i) deepest = std::max(deepest, -d_.contact[i].dist);
+    return deepest;
+  }
+
+  /// Of the fastest point, no point of a geom being farther from its body's centre of mass
+  /// than the geom's centre and bounding radius say.
+  double Speed() const {
+    double fastest = 0;
+    for (int i = 0; i < m_.ngeom; ++i) {
+      const int body = m_.geom_bodyid[i];
+      if (m_.body_weldid[body] == 0) continue;
+      // MuJoCo's cvel is about the centre of mass of the whole tree, rotation first.
+      const mjtNum* cvel = d_.cvel + 6 * body;
+      const Eigen::Map<const Eigen::Vector3d> turn(cvel);
+      const Eigen::Map<const Eigen::Vector3d> move(cvel + 3);
+      const Eigen::Vector3d arm =
+          VectorAt(d_.geom_xpos, i) - VectorAt(d_.subtree_com, m_.body_rootid[body]);
+      fastest =
+          std::max(fastest, (move + turn.cross(arm)).norm() + turn.norm() * m_.geom_rbound[i]);
+    }
+    return fastest;
+  }
+
+  void End() {
+    result_.speed = Speed();
+    result_.sink = Depth();
+    if (energy_scale_ > 0)
+      result_.energy_gain = std::max(0.0, highest_energy_ - start_energy_) / energy_scale_;
+    for (const Root& root : roots_) {
+      const Eigen::Vector3d way = VectorAt(d_.subtree_com, root.body) - root.start;
+      result_.drift = std::max(result_.drift, way.head<2>().norm());
+      const double up = (TurnOf(root.body) * root.up_B).z();
+      result_.tilt = std::max(result_.tilt, std::acos(std::clamp(up, -1.0, 1.0)));
+    }
+  }
+
+  const mjModel& m_;
+  mjData& d_;
+  const model::Checks& checks_;
+  Result& result_;
+  std::vector<Root> roots_;
+  double start_energy_ = 0;
+  double highest_energy_ = 0;
+  double energy_scale_ = 0;  // J
+};
+
+}  // namespace
+
+Trouble Settle(const mjModel& m, mjData& d, const model::Checks& checks, Result& result) {
+  return Drop(m, d, checks, result).Run();
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,29 @@
+#ifndef MJFORGE_PHYSICS_SETTLE_H_
+#define MJFORGE_PHYSICS_SETTLE_H_
+
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/model/model.h"
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+/// What a drop ended in beside numbers.
+struct Trouble {
+  bool blown_up = false;  // numbers that are none, or too large
+  std::vector<std::string> warnings;
+};
+
+/// Puts what is free 2 mm above the floor, if the model has a horizontal plane
+/// and one free body and nothing else to lie on, and simulates from there with
+/// the model's own options: until it rests, or checks.settle_time is over. `d` is
+/// the model's data at its initial state; it is left as the drop left it. Fills in
+/// all of `result` but overlap and joints. May throw std::exception.
+Trouble Settle(const mjModel& m, mjData& d, const model::Checks& checks, Result& result);
+
+}  // namespace mjforge::physics
+
+#endif  // MJFORGE_PHYSICS_SETTLE_H_

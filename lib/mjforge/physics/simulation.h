@@ -1,0 +1,41 @@
+#ifndef MJFORGE_PHYSICS_SIMULATION_H_
+#define MJFORGE_PHYSICS_SIMULATION_H_
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+namespace mjforge::physics {
+
+/// MuJoCo's mjData, kept from one model to the next where it fits: most members
+/// of a family have the same sizes, and making it costs as much as 50 steps.
+class Workspace {
+ public:
+  /// Data for the model at its initial state, good until the next call. Throws
+  /// std::exception if there is not enough memory.
+  mjData& For(const mjModel& m);
+
+ private:
+  struct Delete {
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+  std::unique_ptr<mjData, Delete> data_;
+  std::vector<std::byte> sizes_;  // of the model it was made for
+};
+
+/// Did contacts or constraint rows find no room in the last steps?
+bool IsCrowded(const mjData& d);
+/// Makes more room for both; false if that would be too much. The data must be made anew.
+bool MakeRoom(mjModel& m);
+
+/// MuJoCo found numbers that are none, or too large, and began anew.
+bool HasBlownUp(const mjData& d);
+/// MuJoCo's words for what went wrong since the data was reset.
+std::vector<std::string> WarningsOf(const mjData& d);
+
+}  // namespace mjforge::physics
+
+#endif  // MJFORGE_PHYSICS_SIMULATION_H_

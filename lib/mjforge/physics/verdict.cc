@@ -1,0 +1,23 @@
+#include "mjforge/physics/verdict.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mjforge::physics {
+
+bool Verdict::IsSilenced(diag::Code code) const {
+  const std::string_view name = diag::CodeName(code);
+  return std::ranges::any_of(checks_.silenced,
+                             [&](const auto& silence) { return silence.first == name; });
+}
+
+void Verdict::Error(diag::Code code, diag::SourceMark mark, std::string message, std::string hint) {
+  if (!IsSilenced(code)) findings_.Add(code, mark, std::move(message), std::move(hint));
+}
+
+void Verdict::Warning(diag::Code code, diag::SourceMark mark, std::string message,
+                      std::string hint) {
+  if (!IsSilenced(code)) findings_.Warn(code, mark, std::move(message), std::move(hint));
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,113 @@
+#include <numbers>
+
+#include "examined.h"
+
+namespace mjforge::physics {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+std::string Child(const std::string& name, const std::string& pos, const std::string& joint,
+                  const std::string& geom) {
+  return "<body name=\"" + name + "\" pos=\"" + pos + "\"><joint name=\"" + name + "_joint\" " +
+         joint + "/><geom name=\"" + name + "_geom\" " + geom + "/></body>";
+}
+const std::string kBar = R"(type="capsule" fromto="0 0 0 0.2 0 0" size="0.01")";
+const std::string kDoorRange = R"(axis="0 0 1" limited="true" range="0 1.5")";
+
+const Result::Joint& Only(const Examined& examined) {
+  REQUIRE(examined.result);
+  REQUIRE(examined.result->joints.size() == 1);
+  return examined.result->joints.front();
+}
+
+TEST_CASE("a hinge reaches both ends, is stopped by its limits, and comes back") {
+  const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", kDoorRange, kBar)));
+  const Result::Joint& joint = Only(door);
+  CHECK(joint.name == "door_joint");
+  CHECK(joint.reach > 0.99);
+  CHECK(joint.overshoot < 0.02 * 1.5);
+  CHECK(joint.return_error < 0.01);
+  CHECK(joint.penetration == 0);
+  CHECK(door.Codes().empty());
+}
+
+TEST_CASE("springs, damping, dry friction, weight and actuators do not hold a joint back") {
+  const std::string stiff = kDoorRange + R"( stiffness="30" damping="5" frictionloss="3")";
+  const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", stiff, kBar)),
+                                "<actuator><position joint=\"door_joint\" kp=\"100\"/></actuator>");
+  CHECK(Only(door).reach > 0.99);
+}
+
+TEST_CASE("a joint that something stands in the way of reaches as far as that") {
+  // A post at 90 degrees of a door that should open by 1.5 rad more than that.
+  const std::string range = R"(axis="0 0 1" limited="true" range="0 3")";
+  const std::string post =
+      "<body name=\"post\"><geom name=\"post_geom\" type=\"box\" "
+      "size=\"0.01 0.01 0.01\" pos=\"0.06 0.15 0\"/></body>";
+  const Examined door = Examine("<body name=\"frame\">" + kCube + post +
+                                Child("door", "0.06 0 0", range, kBar) + "</body>");
+  const Result::Joint& joint = Only(door);
+  // The bar's radius and the post's half width, seen from the hinge.
+  const double expected = std::numbers::pi / 2 - std::asin(0.02 / 0.15);
+  CHECK(joint.reach == Approx(expected / 3).margin(0.03));
+  REQUIRE(door.findings.size() >= 1);
+  const diag::Finding& finding = door.findings[door.findings.size() - 1];
+  CHECK(diag::CodeName(finding.code) == "physics/joint-blocked");
+  CHECK(finding.message.find("'post' and 'door' collide") != std::string::npos);
+}
+
+TEST_CASE("a screw is driven through what it makes turn") {
+  // A turn lifts by 5 mm: turning inertia counts 1.6 million times in the lift.
+  const std::string lid =
+      "<body name=\"lid\" pos=\"0 0 0.1\">"
+      "<joint name=\"lift\" type=\"slide\" axis=\"0 0 1\" limited=\"true\" range=\"0 0.01\"/>"
+      "<joint name=\"turn\" axis=\"0 0 1\" limited=\"true\" range=\"0 12.56637\"/>"
+      "<geom type=\"cylinder\" size=\"0.04 0.01\"/></body>";
+  const std::string thread =
+      "<equality><joint joint1=\"lift\" joint2=\"turn\" polycoef=\"0 0.000795775 0 0 "
+      "0\"/></equality>";
+  const Examined jar = Examine("<body name=\"jar\">" + kCube + lid + "</body>", thread);
+  REQUIRE(jar.result);
+  REQUIRE(jar.result->joints.size() == 2);
+  for (const Result::Joint& joint : jar.result->joints) CHECK(joint.reach > 0.95);
+  CHECK(jar.Codes().empty());
+}
+
+TEST_CASE("a ball joint turns about each of its axes up to its range") {
+  const std::string joint = R"(type="ball" limited="true" range="0 0.8")";
+  const Examined arm = Examine(Free(0, kCube + Child("arm", "0 0 0.3", joint, kBar)));
+  CHECK(Only(arm).reach > 0.98);
+  CHECK(Only(arm).overshoot < 0.05);
+}
+
+TEST_CASE("an unlimited hinge makes a full turn; an unlimited slide has no ends") {
+  const Examined wheel =
+      Examine(Free(0, kCube + Child("wheel", "0 0 0.3", "axis=\"0 1 0\"", kBar)));
+  CHECK(Only(wheel).reach > 0.99);
+  CHECK(Only(wheel).overshoot == 0);
+  const Examined rail =
+      Examine("<body name=\"base\">" + kCube +
+              Child("cart", "0 0 0.3", "type=\"slide\" axis=\"1 0 0\"", kBar) + "</body>");
+  REQUIRE(rail.result);
+  CHECK(rail.result->joints.empty());
+}
+
+TEST_CASE("soft limits let a joint overshoot") {
+  const std::string soft = kDoorRange + R"( solreflimit="1 1")";
+  const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", soft, kBar)));
+  CHECK(Only(door).overshoot > 0);
+  model::Checks strict;
+  strict.joint_overshoot = 0.001;
+  CHECK(Examine(Free(0, kCube + Child("door", "0.06 0 0", soft, kBar)), {}, strict).Codes() ==
+        Strings{"error physics/joint-overshoots"});
+}
+
+TEST_CASE("the model is as it was when its joints have been driven") {
+  // Two runs on one file: the second would differ if gravity, armature or bits had stayed.
+  const std::string door = Free(0, kCube + Child("door", "0.06 0 0", kDoorRange, kBar));
+  CHECK(Examine(door).result == Examine(door).result);
+}
+
+}  // namespace
+}  // namespace mjforge::physics

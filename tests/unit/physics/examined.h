@@ -1,0 +1,57 @@
+#ifndef MJFORGE_TESTS_PHYSICS_EXAMINED_H_
+#define MJFORGE_TESTS_PHYSICS_EXAMINED_H_
+
+// MJCF that is examined, and what was found.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+struct Examined {
+  std::optional<Result> result;
+  diag::Findings findings;
+
+  /// "error physics/topples"
+  std::vector<std::string> Codes() const {
+    std::vector<std::string> codes;
+    for (const diag::Finding& finding : findings) {
+      const std::string severity =
+          finding.severity == diag::Severity::kError ? "error " : "warning ";
+      codes.push_back(severity + std::string(diag::CodeName(finding.code)));
+    }
+    return codes;
+  }
+};
+
+/// A file with these things in the world and these sections behind it.
+inline Examined Examine(const std::string& world, const std::string& sections = {},
+                        const model::Checks& checks = {}) {
+  static Laboratory laboratory;
+  const TemporaryFolder folder;
+  const auto file =
+      folder.Write("m.xml", "<mujoco model=\"m\"><compiler angle=\"radian\"/><worldbody>" + world +
+                                "</worldbody>" + sections + "</mujoco>");
+  Examined examined;
+  diag::Sources sources;
+  examined.result = laboratory.Examine(file, checks, sources, examined.findings);
+  return examined;
+}
+
+/// A body on a free joint, this high, with these things in it.
+inline std::string Free(double z, const std::string& content) {
+  return "<body name=\"root\" pos=\"0 0 " + std::to_string(z) + "\"><freejoint name=\"free\"/>" +
+         content + "</body>";
+}
+
+inline const std::string kCube = R"(<geom name="cube" type="box" size="0.05 0.05 0.05"/>)";
+
+}  // namespace mjforge::physics
+
+#endif  // MJFORGE_TESTS_PHYSICS_EXAMINED_H_

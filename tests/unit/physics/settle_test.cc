@@ -1,0 +1,148 @@
+#include <cmath>
+#include <numbers>
+
+#include "examined.h"
+
+namespace mjforge::physics {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+TEST_CASE("a cube comes to rest on the floor where it was put down") {
+  const Examined cube = Examine(Free(7, kCube));
+  REQUIRE(cube.result);
+  CHECK(cube.Codes().empty());
+  const Result& result = *cube.result;
+  CHECK(result.dropped);
+  CHECK(result.at_rest);
+  CHECK(result.time < 0.5);
+  CHECK(result.tilt == 0);
+  CHECK(result.drift == 0);
+  CHECK(result.speed < 0.01);
+  CHECK(result.ncon == 4);
+  CHECK(result.nefc == 16);  // four sides of a pyramid a contact
+  CHECK(result.energy_gain == 0);
+  // From 2 mm it lands at 0.2 m/s: less deep than it would go in the contact's time constant.
+  CHECK(result.penetration > 0.0005);
+  CHECK(result.penetration < 0.2 * 0.02);
+  CHECK(result.sink < 0.0002);
+  CHECK(result.joints.empty());
+}
+
+TEST_CASE("a box on its edge topples by what is left to a side") {
+  const double angle = 0.9;  // rad; it falls to the nearer side, at pi/2
+  const Examined box =
+      Examine(Free(1, "<geom type=\"box\" size=\"0.05 0.05 0.05\" euler=\"0.9 0 0\"/>"));
+  REQUIRE(box.result);
+  CHECK(box.result->at_rest);
+  CHECK(box.result->tilt == Approx(std::numbers::pi / 2 - angle).margin(0.01));
+  CHECK(box.result->drift > 0.001);
+  CHECK(box.Codes().empty());
+  model::Checks checks;
+  checks.stable = true;
+  checks.drift = 0.0001;
+  const Examined strict = Examine(
+      Free(1, "<geom type=\"box\" size=\"0.05 0.05 0.05\" euler=\"0.9 0 0\"/>"), {}, checks);
+  CHECK(strict.Codes() == Strings{"error physics/topples", "error physics/drifts"});
+}
+
+TEST_CASE("a plane of the file's own is the floor, wherever it is") {
+  const Examined cube = Examine(
+      "<geom name=\"floor\" type=\"plane\" size=\"1 1 1\" pos=\"0 0 -3\"/>" + Free(7, kCube));
+  REQUIRE(cube.result);
+  CHECK(cube.result->at_rest);
+  CHECK(cube.result->ncon == 4);
+  CHECK(cube.result->time < 0.5);  // not after a fall of 10 m
+}
+
+TEST_CASE("what lies on a table is simulated where it lies") {
+  const Examined cube = Examine(
+      "<geom type=\"plane\" size=\"1 1 1\"/><geom type=\"box\" size=\"1 1 1\" pos=\"0 0 1\"/>" +
+      Free(2.051, kCube));
+  REQUIRE(cube.result);
+  CHECK(cube.result->dropped);
+  CHECK(cube.result->at_rest);
+  CHECK(cube.result->drift < 0.001);
+}
+
+TEST_CASE("what touches nothing is not dropped") {
+  const Examined ghost =
+      Examine(Free(1, R"(<geom type="box" size="0.05 0.05 0.05" contype="0" conaffinity="0"/>)"));
+  REQUIRE(ghost.result);
+  CHECK_FALSE(ghost.result->dropped);
+  CHECK(ghost.Codes().empty());
+}
+
+TEST_CASE("what is fixed to the world is not dropped, and needs no floor") {
+  const Examined post = Examine("<body name=\"post\">" + kCube + "</body>");
+  REQUIRE(post.result);
+  CHECK_FALSE(post.result->dropped);
+  CHECK(post.result->at_rest);
+  CHECK(post.result->ncon == 0);
+}
+
+TEST_CASE("an undamped pendulum on a foot does not come to rest") {
+  const std::string pendulum =
+      kCube +
+      "<body name=\"rod\" pos=\"0 0.06 0.2\"><joint name=\"swing\" axis=\"0 1 0\"/>"
+      "<geom type=\"capsule\" fromto=\"0 0 0 0.1 0 0\" size=\"0.004\"/></body>";
+  const Examined free = Examine(Free(0, pendulum));
+  REQUIRE(free.result);
+  CHECK_FALSE(free.result->at_rest);
+  CHECK(free.result->time == 3);
+  CHECK(free.result->speed > 0.01);
+  CHECK(free.Codes() == Strings{"warning physics/not-at-rest"});
+  model::Checks patient;
+  patient.settle_time = 0.5;
+  CHECK(Examine(Free(0, pendulum), {}, patient).result->time == 0.5);
+}
+
+TEST_CASE("a spring that its timestep cannot follow is an error, and the end of it") {
+  const Examined spring = Examine(
+      Free(0, kCube + "<body name=\"head\" pos=\"0 0 0.2\"><joint name=\"slide\" type=\"slide\" "
+                      "stiffness=\"1e9\" springref=\"0.1\"/><geom size=\"0.005\"/></body>"));
+  REQUIRE(spring.result);
+  REQUIRE_FALSE(spring.findings.empty());
+  CHECK(spring.Codes().front() == "error physics/unstable");
+  CHECK(spring.result->joints.empty());
+}
+
+TEST_CASE("an actuator that lifts without a command gains energy") {
+  const Examined jack = Examine(
+      Free(0, kCube +
+                  "<body name=\"lift\" pos=\"0 0 0.2\"><joint name=\"screw\" type=\"slide\" "
+                  "damping=\"5\" limited=\"true\" range=\"0 0.1\"/><geom size=\"0.03\"/></body>"),
+      "<actuator><general joint=\"screw\" biastype=\"affine\" biasprm=\"20 0 0\"/></actuator>");
+  CHECK(jack.Codes() == Strings{"error physics/gains-energy"});
+  CHECK(jack.result->energy_gain > 0.02);
+}
+
+TEST_CASE("soft contacts sink, and hard landings go deep") {
+  const std::string soft = Free(0, R"(<geom type="box" size="0.05 0.05 0.05" solref="0.1 1"/>)");
+  const Examined sunk = Examine(soft);
+  CHECK(sunk.Codes() == Strings{"error physics/sinks"});
+  CHECK(sunk.result->sink > 0.001);
+  model::Checks checks;
+  checks.sink = 1;
+  checks.penetration = 0.001;
+  CHECK(Examine(Free(0, kCube), {}, checks).Codes() == Strings{"error physics/penetrates"});
+}
+
+TEST_CASE("an object with more contacts than MuJoCo has room for gets more room") {
+  std::string legs;
+  for (int i = 0; i < 15; ++i) {
+    for (int k = 0; k < 15; ++k) {
+      legs += "<geom type=\"box\" size=\"0.004 0.004 0.02\" pos=\"" + std::to_string(0.01 * i) +
+              " " + std::to_string(0.01 * k) + " 0\"/>";
+    }
+  }
+  const Examined brush = Examine(Free(0, legs));
+  REQUIRE(brush.result);
+  CHECK(brush.result->ncon == 4 * 15 * 15);
+  CHECK(brush.result->at_rest);
+  CHECK(brush.Codes().empty() == false);  // its legs hang in the air beside each other
+  for (const std::string& code : brush.Codes()) CHECK(code == "warning physics/loose");
+}
+
+}  // namespace
+}  // namespace mjforge::physics
