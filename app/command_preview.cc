@@ -44,6 +44,7 @@ class Preview {
       return std::nullopt;
     const auto renderer = picture::Renderer::Open(findings_);
     if (!renderer) return std::nullopt;
+    if (options_.sweep) return DrawSweep(*renderer, sights.front());
     return options_.count > 1 ? DrawSheet(*renderer, sights) : DrawOne(*renderer, sights.front());
   }
 
@@ -119,6 +120,22 @@ class Preview {
     return picture::EncodePng(*image, TextsOf(sight.record, ""));
   }
 
+  std::optional<std::string> DrawSweep(picture::Renderer& renderer, Sight& sight) {
+    constexpr int kDelay = 50;  // ms
+    std::optional<int> joint;
+    if (!request_.swept.empty()) {
+      joint = sight.subject->FindJoint(request_.swept, findings_);
+      if (!joint) return std::nullopt;
+    }
+    const std::vector<picture::Pose> poses = sight.subject->Sweep(joint, findings_);
+    if (poses.empty()) return std::nullopt;
+    const auto frames = renderer.DrawMotion(*sight.subject, poses, request_.picture, findings_);
+    if (!frames) return std::nullopt;
+    const picture::Texts texts = TextsOf(sight.record, "");
+    return place_.extension() == ".gif" ? picture::EncodeGif(*frames, kDelay, texts)
+                                        : picture::EncodeApng(*frames, kDelay, texts);
+  }
+
   std::optional<std::string> DrawSheet(picture::Renderer& renderer, std::vector<Sight>& sights) {
     picture::Options tile = request_.picture;
     tile.background.transparent = true;
@@ -174,6 +191,7 @@ Action AddPreview(CLI::App& app) {
   AddExamples(command,
               "  mjforge preview hammer -n 16 -o hammers.png\n"
               "  mjforge preview hinged_box --joint lid_hinge=45deg\n"
+              "  mjforge preview faucet --sweep -o faucet.gif --size 320\n"
               "  mjforge preview robot.xml --layer collision --size 1280x720");
   return [options] {
     std::string why_not;

@@ -20,6 +20,7 @@ Action AddCheck(CLI::App& app);
 Action AddInspect(CLI::App& app);
 Action AddValidate(CLI::App& app);
 Action AddPreview(CLI::App& app);
+Action AddView(CLI::App& app);
 Action AddMerge(CLI::App& app);
 Action AddReplay(CLI::App& app);
 Action AddCatalogue(CLI::App& app);

@@ -53,6 +53,9 @@ std::string Contradiction(const PreviewOptions& options) {
   if (options.count == 0) return "-n 0: there is nothing to draw";
   if (options.count > kMostTiles)
     return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMostTiles);
+  if (options.sweep && options.count > 1) return "--sweep takes one object, not a sheet";
+  if (options.output.ends_with(".gif") && !options.sweep)
+    return fmt::format("-o {}: a picture is a PNG; GIF is for --sweep", options.output);
   if (!options.is_file()) return {};
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
@@ -82,6 +85,8 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
                   "studio, transparent, white, gray, black, #rrggbb")
       ->check(CheckBackground)
       ->option_text("COLOR [studio]");
+  command.add_flag("--sweep", options.sweep,
+                   "Animate joints, or that of --joint NAME (PNG or GIF)");
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
   AddSpecOptions(command, options.spec);
   AddReportOptions(command, options.report);
@@ -105,6 +110,15 @@ std::optional<PreviewRequest> RequestOf(const PreviewOptions& options, std::stri
   request.picture.layer = *picture::ParseLayer(options.layer);
   request.picture.background = *picture::ParseBackground(options.background);
   for (const std::string& text : options.joints) {
+    if (options.sweep && text.find('=') == text.npos) {
+      if (!request.swept.empty()) {
+        why_not =
+            fmt::format("--sweep moves one joint, or all: '{}' or '{}'?", request.swept, text);
+        return std::nullopt;
+      }
+      request.swept = text;
+      continue;
+    }
     const auto joint = ParseJoint(text, why_not);
     if (!joint) return std::nullopt;
     request.joints.push_back(*joint);

@@ -40,6 +40,7 @@ inline constexpr std::uint64_t kMostTiles = 400;
 struct PreviewRequest {
   picture::Options picture;
   std::vector<std::pair<std::string, double>> joints;  // rad, m
+  std::string swept;                                   // a joint; empty: each of them
 };
 std::optional<PreviewRequest> RequestOf(const PreviewOptions& options, std::string& why_not);
 

@@ -146,7 +146,7 @@ constexpr std::array kCodes = {
              "a joint that is to be moved does not exist"},
     CodeInfo{Code::kPictureBadJointValue, "picture/bad-joint-value",
              "a joint cannot stand where it is told to"},
-    CodeInfo{Code::kPictureNoViewer, "picture/no-viewer", "MuJoCo's viewer is not installed"},
+    CodeInfo{Code::kPictureNoViewer, "picture/no-viewer", "MuJoCo's viewer is not installed, or fails"},
     CodeInfo{Code::kPictureNoDisplay, "picture/no-display", "there is no display for a window"},
 };
 

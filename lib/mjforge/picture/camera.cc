@@ -18,12 +18,27 @@ constexpr double kMargin = 0.10;
 // Half the space's diagonal at least: nothing has less than its own size.
 constexpr double kSmallest = 1e-9;  // m
 
+// Where across the eye stands at a depth so that what sticks out to both sides is
+// seen under the same angle: that angle's tangent is the least that holds all of it.
+double Balanced(const Shapes& shapes, const Eigen::Vector3d& across, const Eigen::Vector3d& forward,
+                double depth, double most) {
+  constexpr int kSteps = 40;
+  double least = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double tangent = (least + most) / 2;
+    const double right = shapes.Support(across - tangent * forward);
+    const double left = shapes.Support(-across - tangent * forward);
+    (right + left + 2 * tangent * depth > 0 ? least : most) = tangent;
+  }
+  return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
+}
+
 Eigen::Vector3f ToFloat(const Eigen::Vector3d& v) { return v.cast<float>(); }
 
 }  // namespace
 
 // Shapes are inside a frustum exactly if their support in the direction of each
-// of its four sides is: two sides give the eye's place across and its depth.
+// of its four sides is; two opposite sides give the depth that the eye needs.
 Camera FrameShapes(const Shapes& shapes, double width, double height) {
   Camera camera;
   camera.forward = -kToEye.normalized();
@@ -47,7 +62,8 @@ Camera FrameShapes(const Shapes& shapes, double width, double height) {
   const double nearest = -shapes.Support(-camera.forward);
   const double depth = std::min(
       {-(x_right + x_left) / (2 * tx), -(y_up + y_down) / (2 * ty), nearest - 0.5 * camera.radius});
-  camera.eye = (x_right - x_left) / 2 * camera.right + (y_up - y_down) / 2 * camera.up +
+  camera.eye = Balanced(shapes, camera.right, camera.forward, depth, tx) * camera.right +
+               Balanced(shapes, camera.up, camera.forward, depth, ty) * camera.up +
                depth * camera.forward;
   camera.near = 0.5 * (nearest - depth);
   camera.far = (camera.center - camera.eye).dot(camera.forward) + 12 * camera.radius;

@@ -164,6 +164,10 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
             kDisk);
   Rod(foot, head, 1.5 * thin, kMark, scene);
   Ball(root, 8 * thin, kMark, scene);
+  Shape box;
+  box.size = (max - min) / 2;
+  box.p_WS = (min + max) / 2;
+  scene.AddToFrame(box);
   Shape disk;
   disk.type = mjGEOM_CYLINDER;
   disk.size = {reach, reach, thin};

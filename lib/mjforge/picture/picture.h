@@ -65,7 +65,7 @@ struct Options {
   int width = 640;
   int height = 640;
   Layer layer = Layer::kVisual;
-  Background background;
+  Background background = {};
 };
 
 /// A joint of a subject and where it stands; rad for hinges, m for slides.
@@ -127,7 +127,8 @@ class Loader {
 
 /// Draws without a display: through EGL, else OSMesa, as they are found when it
 /// runs. The environment's MUJOCO_GL chooses one ("egl", "osmesa") or none
-/// ("disable", "off"). One at a time in a process.
+/// ("disable", "off"). One at a time in a process, and always through the same:
+/// MuJoCo looks for OpenGL's functions once.
 class Renderer {
  public:
   /// Nothing, and a finding, if neither works.

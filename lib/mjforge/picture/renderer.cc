@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -18,7 +19,12 @@ namespace {
 
 using diag::Code;
 
-constexpr int kShadowSize = 2048;  // samples along each side of the shadow map
+// Samples along each side of the shadow map: a few for each pixel of the picture.
+int ShadowSize(int width, int height) {
+  const auto samples = std::bit_ceil(2 * static_cast<unsigned>(std::max(width, height)));
+  return std::clamp(static_cast<int>(samples), 512, 4096);
+}
+
 // Large pictures are drawn in bands, for the memory they take.
 constexpr int kMostSamples = 1 << 22;
 
@@ -29,11 +35,12 @@ int RowsOfBand(int width, int height) {
 // Meshes and textures of one model on the graphics side.
 class ModelContext {
  public:
-  ModelContext(mjModel& model, int width, int height) {
-    model.vis.global.offwidth = width * kSamples;
-    model.vis.global.offheight = height * kSamples;
+  ModelContext(mjModel& model, const Options& options) {
+    const int rows = RowsOfBand(options.width, options.height);
+    model.vis.global.offwidth = options.width * kSamples;
+    model.vis.global.offheight = rows * kSamples;
     model.vis.quality.offsamples = 0;
-    model.vis.quality.shadowsize = kShadowSize;
+    model.vis.quality.shadowsize = ShadowSize(options.width, options.height);
     model.vis.quality.numslices = 48;
     model.vis.quality.numstacks = 24;
     mjr_defaultContext(&context_);
@@ -168,7 +175,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
     lowest = std::min(lowest, scene.floor_height());
   }
   const Camera camera = FrameShapes(all, options.width, options.height);
-  ModelContext context(model, options.width, RowsOfBand(options.width, options.height));
+  ModelContext context(model, options);
   std::vector<Image> images;
   for (const Pose& pose : poses) {
     diag::Findings again;

@@ -22,8 +22,9 @@ constexpr float kKey = 0.60F;
 constexpr float kKeySpecular = 0.45F;
 constexpr float kFill = 0.40F;
 constexpr float kAmbient = 0.30F;
-constexpr float kFaded = 0.35F;  // of alpha
-constexpr float kFloor = 0.85F;  // of the light floor's color
+constexpr float kFaded = 0.35F;   // of alpha
+constexpr double kBelow = 0.003;  // of the object's radius
+constexpr float kFloor = 0.85F;   // of the light floor's color
 
 void SetColor(float* rgba, const std::array<float, 4>& color) {
   std::copy(color.begin(), color.end(), rgba);
@@ -144,7 +145,7 @@ void Scene::KeepColliding(const mjModel& m) {
 bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   Subject::State& state = subject.state();
   labels_.clear();
-  floor_ = -1;
+  floor_ = backdrop_ = -1;
   const char* lacking = "there is nothing to show: no geom and no site";
   if (layer == Layer::kCollision) {
     mjvOption option = VisibleOption();
@@ -203,7 +204,7 @@ void Scene::Measure(const mjModel& m) {
   Shapes ground;
   for (int i = 0; i < scene_.ngeom; ++i) {
     const mjvGeom& geom = scene_.geoms[i];
-    const bool of_world = geom.category == mjCAT_STATIC;
+    const bool of_world = geom.objtype == mjOBJ_GEOM && m.geom_bodyid[geom.objid] == 0;
     has_ground_ = has_ground_ || of_world || IsGround(geom);
     (IsGround(geom) ? ground : shapes_).Add(ShapeOf(m, geom));
   }
@@ -217,11 +218,16 @@ void Scene::Measure(const mjModel& m) {
     floor_height_ = shapes_.Min().z();
     return;
   }
-  // Of a plane without end, a piece.
+  // Of a plane without end a piece, so that it looks like one.
+  constexpr float kPiece = 1;  // m
   for (int i = 0; i < scene_.ngeom; ++i) {
-    Shape shape = ShapeOf(m, scene_.geoms[i]);
-    shape.size = shape.size.cwiseMin(5);
-    shapes_.Add(shape);
+    mjvGeom& geom = scene_.geoms[i];
+    const int plane = geom.objtype == mjOBJ_GEOM ? geom.objid : -1;
+    if (geom.type == mjGEOM_PLANE && plane >= 0 && m.geom_size[3 * plane] <= 0) {
+      geom.size[0] = geom.size[1] = kPiece;
+      geom.dataid = -1;
+    }
+    shapes_.Add(ShapeOf(m, geom));
   }
 }
 
@@ -246,8 +252,11 @@ void Scene::Light(const Camera& camera, double floor_height) {
   Eigen::Map<Eigen::Vector3f>(scene_.lights[0].pos) = eye.cast<float>();
   scene_.lights[1] = MakeLight(camera.forward, kFill, 0.1F, kAmbient);
   scene_.nlight = 2;
+  AddBackdrop(camera);
   if (has_ground_) return;
-  const Eigen::Vector3d place(camera.center.x(), camera.center.y(), floor_height);
+  // Not quite as high as the object's lowest faces, which would flicker with it.
+  const Eigen::Vector3d place(camera.center.x(), camera.center.y(),
+                              floor_height - kBelow * camera.radius);
   const double side = 40 * camera.radius;
   mjvGeom* floor = Add(mjGEOM_PLANE, {side, side, side}, place, Eigen::Matrix3d::Identity(),
                        {kFloor, kFloor, kFloor, 1});
@@ -259,7 +268,24 @@ void Scene::Light(const Camera& camera, double floor_height) {
   floor_ = scene_.ngeom - 1;
 }
 
+// Whatever its light, it shines.
+void Scene::AddBackdrop(const Camera& camera) {
+  Eigen::Matrix3d axes;
+  axes << camera.right, camera.up, -camera.forward;
+  const double depth = 0.98 * camera.far;
+  const double side = 2 * depth * std::max(camera.tan_x, camera.tan_y);
+  mjvGeom* backdrop = Add(mjGEOM_PLANE, {side, side, side}, camera.eye + depth * camera.forward,
+                          axes, {1, 1, 1, 1});
+  if (backdrop == nullptr) return;
+  backdrop->emission = 1;
+  backdrop->specular = 0;
+  backdrop->dataid = -1;
+  backdrop_ = scene_.ngeom - 1;
+}
+
 int Scene::SetFloor(bool light) {
+  const float shining = light ? 1 : 0;
+  if (backdrop_ >= 0) SetColor(scene_.geoms[backdrop_].rgba, {shining, shining, shining, 1});
   if (floor_ < 0) return 255;
   const float color = light ? kFloor : 0;
   SetColor(scene_.geoms[floor_].rgba, {color, color, color, 1});

@@ -37,9 +37,10 @@ class Scene {
   };
   const std::vector<Label>& labels() const { return labels_; }
 
-  /// Adds light, and a floor of the given height, or none if it has one.
+  /// Adds light, a backdrop, and a floor of the given height, or none if it has one.
   void Light(const Camera& camera, double floor_height);
-  /// Makes the floor light or black, and returns how light it is in full light, 0..255.
+  /// Makes the floor, and what is behind it, light or black, and returns how light it is in full
+  /// light, 0..255.
   int SetFloor(bool light);
   void SetCamera(const mjvGLCamera& camera);
 
@@ -60,6 +61,7 @@ class Scene {
   bool CollectVisible(Subject::State& state, diag::Findings& findings);
   Shapes CollidingShapes(Subject::State& state);
   void Fade();
+  void AddBackdrop(const Camera& camera);
   void KeepColliding(const mjModel& m);
   void Measure(const mjModel& m);
 
@@ -68,7 +70,8 @@ class Scene {
   std::vector<Label> labels_;
   bool has_ground_ = false;
   double floor_height_ = 0;
-  int floor_ = -1;  // its geom
+  int floor_ = -1;     // its geom
+  int backdrop_ = -1;  // its geom
 };
 
 }  // namespace mjforge::picture

@@ -10,6 +10,8 @@ namespace {
 constexpr float kDarkest = 0.62F;
 // Half the width of a shadow's soft edge, of the picture's shorter side.
 constexpr double kSoftness = 0.011;
+// Where a shadow leaves the picture it fades, over this share of its shorter side.
+constexpr float kEdge = 0.10F;
 // Below that it is rounding.
 constexpr int kNothing = 2;  // of 255
 
@@ -95,12 +97,22 @@ void Matte::Soften() {
   }
 }
 
+float Matte::EdgeFade(std::size_t pixel) const {
+  const int x = static_cast<int>(pixel % static_cast<std::size_t>(width_));
+  const int y = static_cast<int>(pixel / static_cast<std::size_t>(width_));
+  const int inside = std::min({x, y, width_ - 1 - x, height_ - 1 - y});
+  const float way =
+      static_cast<float>(inside) / (kEdge * static_cast<float>(std::min(width_, height_)));
+  const float t = std::min(way, 1.0F);
+  return t * t * (3 - 2 * t);
+}
+
 Image Matte::Finish() {
   Soften();
   Image image{width_, height_, {}};
   image.rgba.resize(4 * alpha_.size());
   for (std::size_t i = 0; i < alpha_.size(); ++i) {
-    const float alpha = std::min(alpha_[i] + kDarkest * shade_[i], 1.0F);
+    const float alpha = std::min(alpha_[i] + kDarkest * EdgeFade(i) * shade_[i], 1.0F);
     if (alpha <= 0) continue;
     for (std::size_t c = 0; c < 3; ++c) image.rgba[4 * i + c] = ToByte(color_[3 * i + c] / alpha);
     image.rgba[4 * i + 3] = ToByte(alpha);

@@ -37,6 +37,7 @@ class Matte {
 
  private:
   void Soften();
+  float EdgeFade(std::size_t pixel) const;
 
   int width_;
   int height_;

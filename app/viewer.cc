@@ -1,0 +1,137 @@
+#include "viewer.h"
+
+#include <fmt/format.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::app {
+namespace {
+
+using diag::Code;
+
+constexpr int kCannotRun = 127;  // as shells say it
+
+bool IsSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+std::filesystem::path FindInPath(std::string_view program) {
+  const char* variable = std::getenv("PATH");
+  std::string_view rest = variable == nullptr ? "" : variable;
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    const std::filesystem::path file = std::filesystem::path(folder) / program;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0)
+      return std::filesystem::absolute(file, error);
+  }
+  return {};
+}
+
+sigset_t WatchedSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, signal);
+  return signals;
+}
+
+// In the new process; does not return.
+[[noreturn]] void Become(const std::filesystem::path& viewer, const std::filesystem::path& file,
+                         const std::filesystem::path& folder, const sigset_t& signals) {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &signals, nullptr);
+  if (::chdir(folder.c_str()) == 0) ::execl(viewer.c_str(), viewer.c_str(), file.c_str(), nullptr);
+  ::_exit(kCannotRun);
+}
+
+// Until the process ends; its status as waitpid says it. `interrupted` is set if a
+// signal came.
+int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
+  int status = 0;
+  while (::waitpid(process, &status, WNOHANG) == 0) {
+    int signal = 0;
+    if (::sigwait(&watched, &signal) != 0 || signal == SIGCHLD) continue;
+    ::kill(process, interrupted ? SIGKILL : signal);
+    interrupted = true;
+  }
+  return status;
+}
+
+std::string HowItEnded(int status) {
+  if (WIFSIGNALED(status)) return fmt::format("signal {} ended it", WTERMSIG(status));
+  if (WEXITSTATUS(status) == kCannotRun) return "it cannot be run";
+  return fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+std::optional<TemporaryFolder> TemporaryFolder::Make(diag::Findings& findings) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+  std::string name = ((error ? "/tmp" : parent) / "mjforge-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    findings.Add(Code::kOutputCannotWrite, {},
+                 fmt::format("cannot make a temporary folder '{}': {}", name,
+                             std::generic_category().message(errno)));
+    return std::nullopt;
+  }
+  return TemporaryFolder(name);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
+  for (const std::string_view program : {"mujoco-simulate", "simulate"}) {
+    const std::filesystem::path file = FindInPath(program);
+    if (file.empty()) continue;
+    if (IsSet("DISPLAY") || IsSet("WAYLAND_DISPLAY")) return file;
+    findings.Add(Code::kPictureNoDisplay, {},
+                 "there is no display for MuJoCo's viewer: neither DISPLAY nor WAYLAND_DISPLAY "
+                 "is set",
+                 "'mjforge preview' draws without one");
+    return std::nullopt;
+  }
+  findings.Add(Code::kPictureNoViewer, {},
+               "MuJoCo's viewer is not installed: there is no 'mujoco-simulate' in PATH",
+               "install the package libmujoco-samples");
+  return std::nullopt;
+}
+
+ExitStatus RunViewer(const std::filesystem::path& viewer, const std::filesystem::path& file,
+                     const std::filesystem::path& folder, diag::Findings& findings) {
+  const sigset_t watched = WatchedSignals();
+  sigset_t before;
+  ::sigprocmask(SIG_BLOCK, &watched, &before);
+  const pid_t process = ::fork();
+  if (process == 0) Become(viewer, file, folder, before);
+  bool interrupted = false;
+  const int status = process < 0 ? 0 : WaitFor(process, watched, interrupted);
+  if (process < 0) {
+    findings.Add(Code::kPictureNoViewer, {},
+                 fmt::format("cannot start MuJoCo's viewer '{}': {}", viewer.string(),
+                             std::generic_category().message(errno)));
+  } else if (status != 0 && !interrupted) {
+    findings.Add(Code::kPictureNoViewer, {},
+                 fmt::format("MuJoCo's viewer '{}' failed: {}", viewer.filename().string(),
+                             HowItEnded(status)));
+  }
+  // Signals stay blocked: what is left to do is quick.
+  return interrupted ? ExitStatus::kInterrupted : StatusOf(findings);
+}
+
+}  // namespace mjforge::app

@@ -1,0 +1,240 @@
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "crate.h"
+#include "harness/png.h"
+
+namespace mjforge {
+namespace {
+
+using harness::DecodePng;
+
+constexpr const char* kChest =
+    "<mujoco><worldbody><body name='chest'><geom size='0.1 0.2 0.1' type='box' name='side'/>"
+    "<body name='lid' pos='-0.1 0 0.1'>"
+    "<joint name='chest_lid_hinge' axis='0 -1 0' range='0 100' limited='true'/>"
+    "<geom size='0.1 0.2 0.01' pos='0.1 0 0.01' type='box' rgba='0.2 0.3 0.8 1'/>"
+    "</body></body></worldbody></mujoco>";
+
+class PreviewTest : public CrateTest {
+ protected:
+  PreviewTest() { folder().Write("chest.xml", kChest); }
+
+  // One run that does as it is told.
+  std::string Draw(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "preview");
+    arguments.insert(arguments.end(), {"-o", "-"});
+    const auto result = Run(arguments);
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    REQUIRE(result.err.empty());
+    return result.out;
+  }
+};
+
+TEST_CASE_METHOD(PreviewTest, "preview draws one object and says what it is") {
+  const auto result = Run({"preview", "crate.yaml", "--seed", "7"});
+  CHECK(result.status == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out.empty());
+  const std::string bytes = folder().Read("crate.png");
+  const harness::Png png = DecodePng(bytes);
+  CHECK(png.width == 640);
+  CHECK(png.height == 640);
+  CHECK(png.Edges(12) > 300);
+  CHECK(harness::PngText(bytes, "Software").starts_with("mjforge "));
+  const std::string text = harness::PngText(bytes, "mjforge");
+  CHECK(text.starts_with("spec=crate.yaml sha256="));
+  CHECK(text.ends_with(" seed=7 index=0"));
+}
+
+TEST_CASE_METHOD(PreviewTest, "a contact sheet has a picture and a caption for each variant") {
+  const harness::Png four = DecodePng(Draw({"crate.yaml", "-n", "4", "--size", "100"}));
+  CHECK(four.width == 2 * 112 + 12);
+  CHECK(four.height > 2 * 112 + 12);
+  const harness::Png six = DecodePng(Draw({"crate.yaml", "-n", "6", "--size", "100x60"}));
+  CHECK(six.width == 3 * 112 + 12);
+  // Each row has its objects: edges in each of the four tiles.
+  for (int tile = 0; tile < 4; ++tile) {
+    int dark = 0;
+    const int left = 12 + tile % 2 * 112;
+    const int top = 12 + tile / 2 * ((four.height - 12) / 2);
+    for (int y = top; y < top + 100; ++y) {
+      for (int x = left; x < left + 100; ++x) dark += four.At(x, y)[0] < 160 ? 1 : 0;
+    }
+    CHECK(dark > 1000);
+  }
+}
+
+TEST_CASE_METHOD(PreviewTest, "a picture of a sheet is the variant's own picture") {
+  const std::string third = Draw({"crate.yaml", "--first", "2", "--size", "100"});
+  CHECK(third == Draw({"crate.yaml", "--first", "2", "--size", "100"}));
+  CHECK(third != Draw({"crate.yaml", "--first", "1", "--size", "100"}));
+  CHECK(third != Draw({"crate.yaml", "--first", "2", "--size", "100", "--seed", "1"}));
+  const std::vector<std::string> sheet = {"crate.yaml", "-n", "3", "--size", "64"};
+  CHECK(Draw(sheet) == Draw(sheet));
+}
+
+TEST_CASE_METHOD(PreviewTest, "size, background and layer are as they are asked for") {
+  const harness::Png wide = DecodePng(Draw({"chest.xml", "--size", "200x100"}));
+  CHECK(wide.width == 200);
+  CHECK(wide.height == 100);
+  const harness::Png blue =
+      DecodePng(Draw({"chest.xml", "--size", "64", "--background", "#1020f0"}));
+  CHECK(blue.At(0, 0) == std::array<int, 4>{16, 32, 240, 255});
+  const harness::Png clear =
+      DecodePng(Draw({"chest.xml", "--size", "64", "--background", "transparent"}));
+  CHECK(clear.At(0, 0)[3] == 0);
+  CHECK(clear.Seen() > 1000);
+  std::set<std::string> layers;
+  for (const char* layer : {"visual", "collision", "bounds", "inertia", "joints"})
+    layers.insert(Draw({"chest.xml", "--size", "200", "--layer", layer}));
+  CHECK(layers.size() == 5);
+}
+
+TEST_CASE_METHOD(PreviewTest, "--joint moves a joint, in any unit, with or without its prefix") {
+  const std::string closed = Draw({"chest.xml", "--size", "100"});
+  const std::string open = Draw({"chest.xml", "--size", "100", "--joint", "lid_hinge=90deg"});
+  CHECK(open != closed);
+  CHECK(open == Draw({"chest.xml", "--size", "100", "--joint", "chest_lid_hinge=pi/2"}));
+}
+
+TEST_CASE_METHOD(PreviewTest, "a joint that does not exist or reach there is a finding") {
+  const auto unknown = Run({"preview", "chest.xml", "--joint", "hnge=1"});
+  CHECK(unknown.status == 1);
+  CHECK(unknown.err ==
+        "mjforge: error: there is no joint 'hnge' [picture/unknown-joint]\n"
+        "  hint: did you mean 'hinge'?\n");
+  const auto outside = Run({"preview", "chest.xml", "--joint", "hinge=3"});
+  CHECK(outside.status == 1);
+  CHECK(outside.err ==
+        "mjforge: error: joint 'chest_lid_hinge' does not reach 3 rad: its range is 0 to 1.74533 "
+        "[picture/bad-joint-value]\n");
+  CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
+}
+
+TEST_CASE_METHOD(PreviewTest, "--sweep animates the joints as APNG or GIF") {
+  const std::string apng = Draw({"chest.xml", "--size", "48", "--sweep"});
+  int frames = 0;
+  for (const std::string& chunk : harness::PngChunks(apng)) frames += chunk == "fcTL 26" ? 1 : 0;
+  CHECK(frames == 25);  // there and back, twelve each, and the end
+  CHECK(apng == Draw({"chest.xml", "--size", "48", "--sweep", "--joint", "hinge"}));
+  REQUIRE(Run({"preview", "chest.xml", "--size", "48", "--sweep", "-o", "a.gif"}).status == 0);
+  CHECK(folder().Read("a.gif").starts_with("GIF89a"));
+  const auto stiff = Run({"preview", "crate.yaml", "--sweep"});
+  CHECK(stiff.status == 1);
+  CHECK(stiff.err ==
+        "mjforge: error: no joint has a range to move through "
+        "[picture/bad-joint-value]\n");
+}
+
+TEST_CASE_METHOD(PreviewTest, "a bad spec prints its errors and gives no picture") {
+  folder().Write("bad.yaml", "mjforge: 1\nname: bad\nparts: [{name: a, type: bx, size: [1]}]\n");
+  const auto result = Run({"preview", "bad.yaml"});
+  CHECK(result.status == 1);
+  CHECK(result.err.starts_with("bad.yaml:3:"));
+  CHECK(Run({"preview", "none.xml"}).status != 0);
+  CHECK(folder().Files() == std::vector<std::string>{"bad.yaml", "chest.xml", "crate.yaml"});
+}
+
+TEST_CASE_METHOD(PreviewTest, "what MuJoCo refuses is said at its place in the spec") {
+  folder().Write("tiny.yaml",
+                 "mjforge: 1\nname: tiny\nparts:\n"
+                 "  - {name: a, type: box, size: [1e-6, 1e-6, 1e-6], mass: 1}\n");
+  const auto result = Run({"preview", "tiny.yaml"});
+  CHECK(result.status == 1);
+  CHECK(result.err.starts_with("tiny.yaml:4:5: error: MuJoCo refused"));
+}
+
+TEST_CASE_METHOD(UnluckyCrateTest, "a sheet shows the variants that can be made") {
+  const auto result = Run({"preview", "crate.yaml", "-n", "8", "--size", "64"});
+  CHECK(result.status == 1);
+  CHECK_FALSE(result.err.empty());
+  CHECK(DecodePng(folder().Read("crate.png")).width < 4 * 76);
+}
+
+TEST_CASE_METHOD(PreviewTest, "a file that is no picture of ours is not overwritten") {
+  REQUIRE(Run({"preview", "chest.xml", "--size", "32", "-o", "a.png"}).status == 0);
+  CHECK(Run({"preview", "crate.yaml", "--size", "32", "-o", "a.png"}).status == 0);
+  folder().Write("a.png", "\x89PNG\r\n a photograph");
+  const auto refused = Run({"preview", "chest.xml", "-o", "a.png"});
+  CHECK(refused.status == 3);
+  CHECK(refused.err ==
+        "mjforge: error: 'a.png' exists and was not made by mjforge [output/exists]\n"
+        "  hint: choose another place, or overwrite it with --force\n");
+  CHECK(folder().Read("a.png") == "\x89PNG\r\n a photograph");
+  CHECK(Run({"preview", "chest.xml", "--size", "32", "-o", "a.png", "--force"}).status == 0);
+  CHECK(DecodePng(folder().Read("a.png")).width == 32);
+}
+
+TEST_CASE_METHOD(PreviewTest, "a place that cannot be written leaves nothing") {
+  const auto result = Run({"preview", "chest.xml", "--size", "32", "-o", "none/a.png"});
+  CHECK(result.status == 3);
+  CHECK(result.err.find("[output/cannot-write]") != std::string::npos);
+  CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
+}
+
+TEST_CASE_METHOD(PreviewTest, "options of preview that contradict each other are wrong usage") {
+  const auto error = [&](const std::vector<std::string>& arguments) {
+    const auto result = Run(arguments);
+    CHECK(result.status == 2);
+    return result.err.substr(0, result.err.find('\n'));
+  };
+  CHECK(error({"preview", "chest.xml", "-n", "2"}) ==
+        "mjforge: error: 'chest.xml' is one object: -n and --first take a spec");
+  CHECK(error({"preview", "crate.yaml", "-n", "401"}) ==
+        "mjforge: error: -n 401: a sheet holds at most 400 variants");
+  CHECK(error({"preview", "crate.yaml", "--size", "9x9"}) ==
+        "mjforge: error: --size: '9x9' is not of the form WxH, each 16 to 4096");
+  CHECK(error({"preview", "crate.yaml", "--joint", "hinge"}) ==
+        "mjforge: error: --joint: 'hinge' is not of the form NAME=VALUE");
+  CHECK(error({"preview", "crate.yaml", "-o", "a.gif"}) ==
+        "mjforge: error: -o a.gif: a picture is a PNG; GIF is for --sweep");
+  CHECK(error({"preview", "crate.yaml", "-n", "2", "--sweep"}) ==
+        "mjforge: error: --sweep takes one object, not a sheet");
+  CHECK(error({"preview", "crate.yaml", "--layer", "jonts"}).find("did you mean 'joints'?") !=
+        std::string::npos);
+}
+
+TEST_CASE_METHOD(PreviewTest, "without a renderer there is a finding and no picture") {
+  const auto result = Run({"preview", "chest.xml"}, {}, {{"MUJOCO_GL", "off"}});
+  CHECK(result.status == 1);
+  CHECK(result.err ==
+        "mjforge: error: cannot draw: MUJOCO_GL=off turns it off [picture/no-renderer]\n"
+        "  hint: install libegl1 with a driver (libgl1-mesa-dri), or libosmesa6\n");
+  CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
+}
+
+TEST_CASE_METHOD(PreviewTest, "EGL and OSMesa both draw") {
+  for (const char* name : {"egl", "osmesa"}) {
+    INFO(name);
+    const auto result =
+        Run({"preview", "chest.xml", "--size", "64", "--background", "transparent", "-o", "-"}, {},
+            {{"MUJOCO_GL", name}});
+    CHECK(result.status == 0);
+    CHECK(DecodePng(result.out).Seen() > 1000);
+  }
+}
+
+TEST_CASE_METHOD(PreviewTest, "a display that is not there does not matter") {
+  const std::string usual = Draw({"chest.xml", "--size", "64"});
+  const auto result = Run({"preview", "chest.xml", "--size", "64", "-o", "-"}, {},
+                          {{"DISPLAY", ":77"}, {"WAYLAND_DISPLAY", "none"}});
+  CHECK(result.status == 0);
+  CHECK(result.out == usual);
+}
+
+TEST_CASE_METHOD(PreviewTest, "meshes and textures come from their files") {
+  folder().Write("parts/roof.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                 "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder().Write("roof.yaml",
+                 "mjforge: 1\nname: roof\n"
+                 "parts: [{name: a, type: mesh, file: parts/roof.obj, density: 100}]\n");
+  const harness::Png png =
+      DecodePng(Draw({"roof.yaml", "--size", "100", "--background", "transparent"}));
+  CHECK(png.Seen() > 1000);
+}
+
+}  // namespace
+}  // namespace mjforge

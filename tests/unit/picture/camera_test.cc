@@ -1,0 +1,90 @@
+#include "mjforge/picture/camera.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+namespace mjforge::picture {
+namespace {
+
+Shape Box(const Eigen::Vector3d& half_size, const Eigen::Vector3d& center) {
+  Shape shape;
+  shape.size = half_size;
+  shape.p_WS = center;
+  return shape;
+}
+
+// Where the corners of a box are in the picture: left, right, top, bottom.
+Eigen::Vector4d Extremes(const Camera& camera, const Shape& box, int width, int height) {
+  Eigen::Vector4d extremes(1e9, -1e9, 1e9, -1e9);
+  for (int corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3d p = box.size;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1) != 0) p[axis] = -p[axis];
+    }
+    const Eigen::Vector2d at = camera.Project(box.p_WS + p, width, height);
+    extremes = {std::min(extremes[0], at.x()), std::max(extremes[1], at.x()),
+                std::min(extremes[2], at.y()), std::max(extremes[3], at.y())};
+  }
+  return extremes;
+}
+
+TEST_CASE("a box fills the picture up to the margin, and is in the middle") {
+  const Shape box = Box({0.1, 0.2, 0.4}, {1, 2, 3});
+  Shapes shapes;
+  shapes.Add(box);
+  const Eigen::Vector4d place = Extremes(FrameShapes(shapes, 300, 200), box, 300, 200);
+  CHECK(place[2] == Approx(10));  // a tenth of half the height
+  CHECK(place[3] == Approx(190));
+  CHECK(place[0] > 15);
+  CHECK(place[0] + place[1] == Approx(300));
+}
+
+TEST_CASE("a wide box fills the picture from side to side") {
+  const Shape box = Box({3, 0.1, 0.1}, {0, 0, 0});
+  Shapes shapes;
+  shapes.Add(box);
+  const Eigen::Vector4d place = Extremes(FrameShapes(shapes, 200, 200), box, 200, 200);
+  CHECK(place[0] == Approx(10));
+  CHECK(place[1] == Approx(190));
+  CHECK(place[2] + place[3] == Approx(200));
+}
+
+TEST_CASE("planes near and far hold the object at every size") {
+  for (const double scale : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    CAPTURE(scale);
+    Shapes shapes;
+    shapes.Add(Box(scale * Eigen::Vector3d(1, 2, 0.5), {0, 0, 0}));
+    const Camera camera = FrameShapes(shapes, 100, 100);
+    CHECK(camera.near > 0);
+    CHECK(camera.near < -shapes.Support(-camera.forward) - camera.forward.dot(camera.eye));
+    CHECK(camera.far > shapes.Support(camera.forward) - camera.forward.dot(camera.eye));
+    CHECK(camera.far / camera.near < 100);
+    CHECK(camera.radius == Approx(scale * std::sqrt(5.25)));
+  }
+}
+
+TEST_CASE("a rod that points at the camera is in front of it") {
+  Shapes shapes;
+  const Camera probe = [] {
+    Shapes any;
+    any.Add(Box({1, 1, 1}, {0, 0, 0}));
+    return FrameShapes(any, 1, 1);
+  }();
+  for (const double along : {-1.0, 1.0}) shapes.Add(Box({0.01, 0.01, 0.01}, along * probe.forward));
+  const Camera camera = FrameShapes(shapes, 100, 100);
+  CHECK(camera.near > 0);
+}
+
+TEST_CASE("bands of a picture share their edges") {
+  Shapes shapes;
+  shapes.Add(Box({1, 1, 1}, {0, 0, 0}));
+  const Camera camera = FrameShapes(shapes, 100, 100);
+  const mjvGLCamera upper = BandOf(camera, 0, 30, 100);
+  const mjvGLCamera lower = BandOf(camera, 30, 100, 100);
+  CHECK(upper.frustum_bottom == lower.frustum_top);
+  CHECK(upper.frustum_top == -lower.frustum_bottom);
+  CHECK(upper.frustum_top == Approx(camera.near * camera.tan_y));
+}
+
+}  // namespace
+}  // namespace mjforge::picture

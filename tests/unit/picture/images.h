@@ -1,0 +1,18 @@
+#ifndef MJFORGE_TESTS_UNIT_PICTURE_IMAGES_H_
+#define MJFORGE_TESTS_UNIT_PICTURE_IMAGES_H_
+
+#include "mjforge/picture/picture.h"
+
+namespace mjforge::picture {
+
+/// An image of one color.
+inline Image Flat(int width, int height, std::array<std::uint8_t, 4> color) {
+  Image image{width, height, {}};
+  image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = color[i % 4];
+  return image;
+}
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_TESTS_UNIT_PICTURE_IMAGES_H_

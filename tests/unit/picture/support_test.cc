@@ -1,0 +1,52 @@
+#include "mjforge/picture/support.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+namespace mjforge::picture {
+namespace {
+
+using Eigen::Vector3d;
+
+Shape Make(int type, const Vector3d& size) {
+  Shape shape;
+  shape.type = type;
+  shape.size = size;
+  shape.p_WS = {1, 0, 0};
+  shape.R_WS = Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitY()).toRotationMatrix();  // z to x
+  return shape;
+}
+
+TEST_CASE("shapes reach as far as their formulas say") {
+  const Vector3d x = Vector3d::UnitX();
+  const Vector3d z = Vector3d::UnitZ();
+  CHECK(Make(mjGEOM_SPHERE, {2, 2, 2}).Support(x) == Approx(3));
+  CHECK(Make(mjGEOM_ELLIPSOID, {1, 2, 3}).Support(x) == Approx(4));
+  CHECK(Make(mjGEOM_CAPSULE, {1, 1, 3}).Support(x) == Approx(5));
+  CHECK(Make(mjGEOM_CAPSULE, {1, 1, 3}).Support(z) == Approx(1));
+  CHECK(Make(mjGEOM_CYLINDER, {1, 1, 3}).Support(x) == Approx(4));
+  CHECK(Make(mjGEOM_CYLINDER, {1, 1, 3}).Support((x + z).normalized()) ==
+        Approx((1 + 4) / std::sqrt(2.0)));
+  CHECK(Make(mjGEOM_BOX, {1, 2, 3}).Support(-x) == Approx(2));
+}
+
+TEST_CASE("of a mesh its vertices count") {
+  const float vertices[] = {0, 0, 0, 1, 2, 3};
+  Shape shape = Make(mjGEOM_MESH, {9, 9, 9});
+  shape.vertices = vertices;
+  shape.vertex_count = 2;
+  CHECK(shape.Support(Vector3d::UnitX()) == Approx(4));
+  CHECK(shape.Support(-Vector3d::UnitX()) == Approx(-1));
+}
+
+TEST_CASE("the horizontal radius is that of the farthest corner") {
+  Shape box;
+  box.size = {3, 4, 1};
+  Shapes shapes;
+  shapes.Add(box);
+  CHECK(shapes.HorizontalRadius(Vector3d::Zero()) == Approx(5).epsilon(1e-5));
+  CHECK(shapes.HorizontalRadius({3, 4, 7}) == Approx(10).epsilon(1e-5));
+}
+
+}  // namespace
+}  // namespace mjforge::picture
