@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Makes the pictures of the documentation and the page of the bundled specs.
+
+    docs/pictures/make.py MJFORGE
+
+writes, beside itself, NAME.png for every bundled spec, materials.png, hero.png for the README, and
+catalogue.json, which says of which specs these are; and ../catalogue.md. A test compares the hashes in catalogue.json
+with the specs. `./dev pictures` builds the program and runs this.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+PAGE = HERE.parent / "catalogue.md"
+SEED = 7
+VARIANTS = 8
+TILE = "200x200"
+
+# Where joints stand, so that what moves is seen. Within the range of every variant.
+JOINTS = {
+    "articulated/door_with_lever": {"hinge": "25deg"},
+    "articulated/drawer_cabinet": {"slide_1": "0.15"},
+    "articulated/faucet": {"swivel": "-35deg"},
+    "articulated/hinged_box": {"box_hinge": "80deg"},
+    "articulated/jar_with_lid": {"lift": "2mm"},
+    "articulated/scissors": {"pivot": "40deg"},
+}
+
+# The picture at the top of the README.
+HERO = HERE / "hero.yaml"
+HERO_SIZE = "1200x560"
+HERO_JOINTS = {
+    "cabinet_slide_1": "0.13",
+    "cabinet_slide_2": "0.06",
+    "scissors_0_pivot": "35deg",
+    "scissors_1_pivot": "20deg",
+    "box_hinge": "60deg",
+}
+
+# A block of every material of the library.
+LIBRARY = HERE.parent.parent / "specs/materials.yaml"
+BLOCK = "primitives/box"
+BLOCK_SETTINGS = ("--set", "size=[4cm, 3cm, 3cm]", "--set", "rgba=[1, 1, 1, 1]")
+BLOCK_TILE = "144x104"
+
+MATERIALS = """
+## Materials
+
+`import: materials` gives a spec [these materials](../specs/materials.yaml), each with its density, friction and look.
+
+![{count} equal blocks, each of another material of the library: woods, metals, plastics, glass, stone and more](pictures/materials.png)
+"""
+
+INTRODUCTION = """# The bundled specs
+
+<!-- Made by `./dev pictures`: edits get lost. -->
+
+Each is drawn with seed {seed}, indices 0 to {last}; joints that are told of stand open. Any parameter can be set: `mjforge
+generate NAME --set parameter=value`, or `params:` where a spec of your own takes one in by `spec:`. Values that are
+computed from others are at the end of each table.
+
+"""
+
+
+def run(program, *arguments):
+    return subprocess.run(
+        [program, *arguments], check=True, stdout=subprocess.PIPE, text=True
+    ).stdout
+
+
+def draw(program, what, picture, joints, *options):
+    for name, value in joints.items():
+        options += ("--joint", f"{name}={value}")
+    run(program, "preview", str(what), "-o", str(picture), "-s", str(SEED), "-q", *options)
+
+
+def picture_name(spec):
+    return spec.split("/")[-1] + ".png"
+
+
+def cell(text):
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+def chapter(spec, inspected):
+    joints = JOINTS.get(spec, {})
+    lines = [
+        f"## {spec}",
+        "",
+        inspected["description"],
+        "",
+        f"![{VARIANTS} variants of {spec}: {inspected['description']}](pictures/{picture_name(spec)})",
+        "",
+    ]
+    if joints:
+        stand = ", ".join(f"`{name}` at {value}" for name, value in joints.items())
+        lines += [f"Drawn with the joint {stand}.", ""]
+    lines += ["| parameter | value | unit | meaning |", "| --- | --- | --- | --- |"]
+    for parameter in inspected["parameters"]:
+        lines.append(
+            f"| `{parameter['name']}` | `{cell(parameter['spec'])}` | {cell(parameter['unit'])} "
+            f"| {cell(parameter['doc'])} |"
+        )
+    return "\n".join(lines) + "\n"
+
+
+def draw_materials(program, picture):
+    names = re.findall(r"^  (\w+): {", LIBRARY.read_text(encoding="utf-8"), re.MULTILINE)
+    cycle = f"material={{cycle: [{', '.join(names)}]}}"
+    draw(program, BLOCK, picture, {}, "-n", str(len(names)), "--size", BLOCK_TILE, "--set", cycle,
+         *BLOCK_SETTINGS)
+    return len(names)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    program = str(pathlib.Path(sys.argv[1]).resolve())
+    specs = [item["name"] for item in json.loads(run(program, "catalogue", "--json"))]
+    hashes = {}
+    chapters = []
+    for spec in specs:
+        inspected = json.loads(run(program, "inspect", spec, "--json"))
+        picture = HERE / picture_name(spec)
+        draw(program, spec, picture, JOINTS.get(spec, {}), "-n", str(VARIANTS), "--size", TILE)
+        hashes[picture.name] = {"spec": spec, "sha256": inspected["spec_sha256"]}
+        chapters.append(chapter(spec, inspected))
+        print(f"{picture.name}: {picture.stat().st_size // 1000} kB", flush=True)
+    materials = draw_materials(program, HERE / "materials.png")
+    hashes["materials.png"] = {"spec": BLOCK, "sha256": hashes[picture_name(BLOCK)]["sha256"]}
+    draw(program, HERO, HERE / "hero.png", HERO_JOINTS, "--size", HERO_SIZE)
+    hero = json.loads(run(program, "inspect", str(HERO), "--json"))
+    hashes["hero.png"] = {"spec": HERO.name, "sha256": hero["spec_sha256"]}
+    for gone in set(HERE.glob("*.png")) - {HERE / name for name in hashes}:
+        gone.unlink()
+    page = INTRODUCTION.format(seed=SEED, last=VARIANTS - 1) + "\n".join(chapters)
+    PAGE.write_text(page + MATERIALS.format(count=materials), encoding="utf-8")
+    text = json.dumps(hashes, indent=1, sort_keys=True) + "\n"
+    (HERE / "catalogue.json").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,193 @@
+// The page of the bundled specs and its pictures are of the specs as they are.
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "docs/page.h"
+#include "harness/command.h"
+#include "harness/temporary_folder.h"
+
+namespace mjforge::docs {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const fs::path kRoot = MJFORGE_SOURCE_DIR;
+const fs::path kPictures = kRoot / "docs/pictures";
+const fs::path kHero = kPictures / "hero.yaml";
+constexpr const char* kRemedy = "`./dev pictures` makes them again";
+
+// What a picture is of.
+struct Source {
+  std::string spec;
+  std::string sha256;
+
+  friend bool operator==(const Source&, const Source&) = default;
+};
+using Sources = std::map<std::string, Source>;  // by the picture's name
+
+json Ask(const std::vector<std::string>& arguments) {
+  const harness::CommandResult result =
+      harness::Command{.program = harness::MjforgeProgram(), .arguments = arguments}.Run();
+  INFO(result.err);
+  REQUIRE(result.status == 0);
+  return json::parse(result.out);
+}
+
+std::string HashOf(const std::string& spec) {
+  return Ask({"inspect", spec, "--json"}).at("spec_sha256").get<std::string>();
+}
+
+std::vector<std::string> BundledSpecs() {
+  std::vector<std::string> names;
+  for (const json& item : Ask({"catalogue", "--json"})) names.push_back(item.at("name"));
+  return names;
+}
+
+// The pictures that there should be.
+Sources Wanted() {
+  Sources wanted = {{"hero.png", {kHero.filename().string(), HashOf(kHero.string())}},
+                    // A box of any material imports the library.
+                    {"materials.png", {"primitives/box", HashOf("primitives/box")}}};
+  for (const std::string& spec : BundledSpecs()) {
+    wanted[fs::path(spec).filename().string() + ".png"] = {spec, HashOf(spec)};
+  }
+  return wanted;
+}
+
+// Those that there are, as the command that made them says.
+Sources Made() {
+  Sources made;
+  const json hashes = json::parse(harness::ReadFile(kPictures / "catalogue.json"));
+  for (const auto& [picture, source] : hashes.items()) {
+    made[picture] = {source.at("spec"), source.at("sha256")};
+  }
+  return made;
+}
+
+// What is amiss, a line each.
+std::vector<std::string> Stale(const Sources& made, const Sources& wanted) {
+  std::vector<std::string> lines;
+  for (const auto& [picture, source] : wanted) {
+    const auto found = made.find(picture);
+    if (found == made.end()) {
+      lines.push_back(source.spec + " has no picture");
+    } else if (found->second != source) {
+      lines.push_back(source.spec + " has changed since " + picture + " was made");
+    }
+  }
+  for (const auto& [picture, source] : made) {
+    if (!wanted.contains(picture)) lines.push_back(picture + " is of no spec: " + source.spec);
+  }
+  return lines;
+}
+
+std::set<std::string> PictureFiles() {
+  std::set<std::string> files;
+  for (const auto& entry : fs::directory_iterator(kPictures)) {
+    if (entry.path().extension() == ".png") files.insert(entry.path().filename().string());
+  }
+  return files;
+}
+
+// The page's chapters of the second level.
+std::vector<std::string> Chapters(const fs::path& page) {
+  static const std::regex kChapter("(?:^|\n)## ([^\n]+)");
+  const std::string text = harness::ReadFile(page);
+  std::vector<std::string> chapters;
+  for (std::sregex_iterator chapter(text.begin(), text.end(), kChapter), end; chapter != end;
+       ++chapter) {
+    chapters.push_back((*chapter)[1]);
+  }
+  return chapters;
+}
+
+}  // namespace
+
+TEST_CASE("a picture is stale when its spec has changed, is new or is gone") {
+  const Sources wanted = {{"a.png", {"a", "1"}}, {"b.png", {"b", "2"}}};
+  CHECK(Stale(wanted, wanted).empty());
+  CHECK(Stale({{"a.png", {"a", "0"}}, {"c.png", {"c", "3"}}}, wanted) ==
+        std::vector<std::string>{"a has changed since a.png was made", "b has no picture",
+                                 "c.png is of no spec: c"});
+}
+
+TEST_CASE("the pictures are of the specs as they are") {
+  const Sources wanted = Wanted();
+  CHECK(wanted.size() > 20);
+  for (const std::string& line : Stale(Made(), wanted)) FAIL_CHECK(line << "; " << kRemedy);
+
+  std::set<std::string> names;
+  for (const auto& [picture, source] : wanted) names.insert(picture);
+  INFO(kRemedy);
+  CHECK(PictureFiles() == names);
+}
+
+TEST_CASE("every bundled spec has its chapter and its picture on the page, and no other") {
+  INFO(kRemedy);
+  const fs::path page = kRoot / "docs/catalogue.md";
+  const std::vector<std::string> specs = BundledSpecs();
+  std::vector<std::string> chapters = specs;
+  chapters.emplace_back("Materials");
+  CHECK(Chapters(page) == chapters);
+  const std::string text = harness::ReadFile(page);
+  CHECK(text.find("](pictures/materials.png)") != text.npos);
+  for (const std::string& spec : specs) {
+    const std::string picture = fs::path(spec).filename().string() + ".png";
+    INFO(spec);
+    CHECK(text.find("](pictures/" + picture + ")") != text.npos);
+    const json inspected = Ask({"inspect", spec, "--json"});
+    CHECK(text.find(inspected.at("description").get<std::string>()) != text.npos);
+    for (const json& parameter : inspected.at("parameters")) {
+      CHECK(text.find("| `" + parameter.at("name").get<std::string>() + "` |") != text.npos);
+    }
+  }
+}
+
+TEST_CASE("the front page opens with a picture") {
+  const std::string text = harness::ReadFile(kRoot / "README.md");
+  const std::size_t picture = text.find("](docs/pictures/hero.png)");
+  REQUIRE(picture != text.npos);
+  CHECK(picture < text.find("\n## "));
+}
+
+TEST_CASE("every picture says in words what it shows") {
+  std::vector<fs::path> pages = {kRoot / "README.md"};
+  for (const auto& entry : fs::directory_iterator(kRoot / "docs")) {
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  }
+  static const std::regex kImage(R"(!\[([^\]]*)\]\(([^)\s]+)\))");
+  int pictures = 0;
+  for (const fs::path& page : pages) {
+    const std::string text = harness::ReadFile(page);
+    for (std::sregex_iterator image(text.begin(), text.end(), kImage), end; image != end; ++image) {
+      INFO(page.filename().string() << ": " << (*image)[2].str());
+      ++pictures;
+      CHECK((*image)[1].length() >= 20);
+    }
+  }
+  CHECK(pictures > 20);
+}
+
+// A clone should stay quick, and a page on a phone.
+TEST_CASE("the pictures are small") {
+  std::uintmax_t total = 0;
+  for (const std::string& name : PictureFiles()) {
+    INFO(name);
+    const std::uintmax_t size = fs::file_size(kPictures / name);
+    CHECK(size > 10'000);
+    CHECK(size < (name == "hero.png" ? 400'000 : 200'000));
+    total += size;
+  }
+  CHECK(total < 3'000'000);
+}
+
+}  // namespace mjforge::docs
