@@ -21,6 +21,7 @@ Action AddInspect(CLI::App& app);
 Action AddValidate(CLI::App& app);
 Action AddMerge(CLI::App& app);
 Action AddReplay(CLI::App& app);
+Action AddReport(CLI::App& app);
 Action AddCatalogue(CLI::App& app);
 Action AddSchema(CLI::App& app);
 

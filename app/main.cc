@@ -24,8 +24,8 @@ ExitStatus Run(int argc, char** argv) {
   app.footer("'mjforge COMMAND --help' explains a command and has examples.");
   // In the order of the help.
   const std::vector<Action> actions = {AddGenerate(app),  AddCheck(app), AddInspect(app),
-                                       AddValidate(app),  AddMerge(app), AddReplay(app),
-                                       AddCatalogue(app), AddSchema(app)};
+                                       AddValidate(app),  AddReport(app), AddMerge(app),
+                                       AddReplay(app), AddCatalogue(app), AddSchema(app)};
   try {
     const std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them

@@ -14,4 +14,5 @@ set(mjforge_dependencies
   "tinyobjloader"
   "assimp 5"
   "Random123"
-  "xxhash")
+  "xxhash"
+  "ctemplate")  # HTML that escapes by itself

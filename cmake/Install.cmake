@@ -9,11 +9,11 @@ install(DIRECTORY specs schemas DESTINATION ${mjforge_data_dir})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# mjforge::mjforge stands for all rooms, through the last one.
+# mjforge::mjforge stands for all rooms, through the last ones.
 add_library(mjforge_library INTERFACE)
 add_library(mjforge::mjforge ALIAS mjforge_library)
 set_target_properties(mjforge_library PROPERTIES EXPORT_NAME mjforge)
-target_link_libraries(mjforge_library INTERFACE mjforge::batch)
+target_link_libraries(mjforge_library INTERFACE mjforge::batch mjforge::report)
 
 install(TARGETS mjforge_library EXPORT mjforge_targets)
 install(EXPORT mjforge_targets NAMESPACE mjforge:: FILE mjforgeTargets.cmake

@@ -37,9 +37,10 @@ const std::array kRooms = {
          {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "manifest",
           "output"}},
     Room{"batch", {"diag", "sample", "mjcf", "validate", "manifest", "output", "forge"}},
+    Room{"report", {"diag", "expr", "spec", "sample", "manifest", "output", "forge"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "manifest", "output",
-          "forge", "batch"}},
+          "forge", "batch", "report"}},
 };
 
 struct Library {
@@ -59,16 +60,17 @@ const std::array kLibraries = {
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample"}},
     Library{"boost/random/", {"sample", "validate"}},  // validate: points over joint ranges
+    Library{"ctemplate/", {"report"}},
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "manifest", "output", "forge", "batch", "app"}},
+             "manifest", "output", "forge", "batch", "report", "app"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
     Library{"mujoco/", {"engine", "attach", "validate"}, true},
     Library{"openssl/", {"spec", "output"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
-    Library{"rapidjson/", {"diag", "spec", "manifest", "app"}},
+    Library{"rapidjson/", {"diag", "spec", "manifest", "report", "app"}},
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"xxhash.h", {"expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},

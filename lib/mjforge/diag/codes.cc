@@ -106,13 +106,14 @@ constexpr std::array kCodes = {
     CodeInfo{Code::kBatchDiffers, "batch/differs", "what is there belongs to another batch"},
     CodeInfo{Code::kBatchMissing, "batch/missing", "a part of a batch is missing"},
     CodeInfo{Code::kBatchUneven, "batch/uneven", "draws cannot be spread evenly over the batch"},
+    CodeInfo{Code::kReportNoPicture, "report/no-picture", "variants of a report have no picture"},
 };
 
 constexpr bool InOrder() {
   for (std::size_t i = 0; i < kCodes.size(); ++i) {
     if (static_cast<std::size_t>(kCodes[i].code) != i) return false;
   }
-  return kCodes.size() == static_cast<std::size_t>(Code::kBatchUneven) + 1;
+  return kCodes.size() == static_cast<std::size_t>(Code::kReportNoPicture) + 1;
 }
 static_assert(InOrder(), "the table must list every code in the order of the enumeration");
 

@@ -87,6 +87,8 @@ enum class Code {
   kBatchDiffers,
   kBatchMissing,
   kBatchUneven,
+  // The page about a batch.
+  kReportNoPicture,
 };
 
 struct CodeInfo {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/manifest/reader.h"
 #include "mjforge/model/model.h"
 #include "mjforge/sample/sample.h"
 
@@ -49,8 +50,8 @@ struct Record {
 /// Appends one JSON object and a line end.
 void AppendRecord(std::string& out, const Record& record);
 
-/// Reads all back but com, inertia, bounds and counts. Nothing, and why, if the
-/// line is not a record. Of nbody it only says whether there was an object.
+/// Reads all back but com, inertia and counts; of the bounds the box. Nothing, and
+/// why, if the line is not a record. Of nbody it only says whether there was an object.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
 /// How `record` differs from one of the same batch, in words: "seed is 7, not
