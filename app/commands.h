@@ -19,6 +19,7 @@ Action AddGenerate(CLI::App& app);
 Action AddCheck(CLI::App& app);
 Action AddInspect(CLI::App& app);
 Action AddValidate(CLI::App& app);
+Action AddPreview(CLI::App& app);
 Action AddMerge(CLI::App& app);
 Action AddReplay(CLI::App& app);
 Action AddReport(CLI::App& app);

@@ -13,6 +13,10 @@ set(mjforge_dependencies
   "LibArchive 3.6"
   "tinyobjloader"
   "assimp 5"
+  "PNG 1.6"
+  "ZLIB 1.2"
+  "GIF 5.2"
+  "WebP"
   "Random123"
   "xxhash"
   "ctemplate")  # HTML that escapes by itself

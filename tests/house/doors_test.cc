@@ -37,10 +37,11 @@ const std::array kRooms = {
          {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "manifest",
           "output"}},
     Room{"batch", {"diag", "sample", "mjcf", "validate", "manifest", "output", "forge"}},
+    Room{"picture", {"diag", "engine"}},
     Room{"report", {"diag", "expr", "spec", "sample", "manifest", "output", "forge"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "manifest", "output",
-          "forge", "batch", "report"}},
+          "forge", "batch", "picture", "report"}},
 };
 
 struct Library {
@@ -51,9 +52,11 @@ struct Library {
 
 const std::array kLibraries = {
     Library{"CLI/", {"app"}},
-    Library{"Eigen/",
-            {"model", "mjcf", "attach", "validate", "manifest", "output", "forge", "app"},
-            true},
+    Library{"EGL/", {"picture"}},  // headers alone: it is opened at run time
+    Library{
+        "Eigen/",
+        {"model", "mjcf", "attach", "validate", "manifest", "output", "forge", "picture", "app"},
+        true},
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
     Library{"assimp/", {"model"}},
@@ -63,22 +66,26 @@ const std::array kLibraries = {
     Library{"ctemplate/", {"report"}},
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "manifest", "output", "forge", "batch", "report", "app"}},
+             "manifest", "output", "forge", "batch", "picture", "report", "app"}},
+    Library{"gif_lib.h", {"picture"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
-    Library{"mujoco/", {"engine", "attach", "validate"}, true},
+    Library{"mujoco/", {"engine", "attach", "validate", "picture"}, true},
     Library{"openssl/", {"spec", "output"}},
+    Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
     Library{"rapidjson/", {"diag", "spec", "manifest", "report", "app"}},
     Library{"tiny_obj_loader.h", {"model"}},
+    Library{"webp/", {"picture"}},
     Library{"xxhash.h", {"expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},
+    Library{"zlib.h", {"picture"}},
 };
 
-const Words kSystem = {"malloc.h",    "fcntl.h",     "poll.h",      "sys/file.h",
-                       "sys/ioctl.h", "sys/mman.h",  "sys/prctl.h", "sys/socket.h",
-                       "sys/stat.h",  "sys/types.h", "sys/wait.h",  "unistd.h"};
+const Words kSystem = {"dlfcn.h",     "malloc.h",   "fcntl.h",     "poll.h",       "sys/file.h",
+                       "sys/ioctl.h", "sys/mman.h", "sys/prctl.h", "sys/socket.h", "sys/stat.h",
+                       "sys/types.h", "sys/wait.h", "unistd.h"};
 
 const Room& RoomOf(std::string_view file) {
   const std::string_view top = "lib/mjforge/";

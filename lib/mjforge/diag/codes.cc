@@ -106,6 +106,16 @@ constexpr std::array kCodes = {
     CodeInfo{Code::kBatchDiffers, "batch/differs", "what is there belongs to another batch"},
     CodeInfo{Code::kBatchMissing, "batch/missing", "a part of a batch is missing"},
     CodeInfo{Code::kBatchUneven, "batch/uneven", "draws cannot be spread evenly over the batch"},
+    CodeInfo{Code::kPictureNoRenderer, "picture/no-renderer",
+             "there is nothing to draw pictures with"},
+    CodeInfo{Code::kPictureNothingVisible, "picture/nothing-visible",
+             "an object has nothing that the picture could show"},
+    CodeInfo{Code::kPictureUnknownJoint, "picture/unknown-joint",
+             "a joint that is to be moved does not exist"},
+    CodeInfo{Code::kPictureBadJointValue, "picture/bad-joint-value",
+             "a joint cannot stand where it is told to"},
+    CodeInfo{Code::kPictureNoViewer, "picture/no-viewer", "MuJoCo's viewer is not installed"},
+    CodeInfo{Code::kPictureNoDisplay, "picture/no-display", "there is no display for a window"},
     CodeInfo{Code::kReportNoPicture, "report/no-picture", "variants of a report have no picture"},
 };
 

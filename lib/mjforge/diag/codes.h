@@ -87,6 +87,13 @@ enum class Code {
   kBatchDiffers,
   kBatchMissing,
   kBatchUneven,
+  // Pictures and viewers.
+  kPictureNoRenderer,
+  kPictureNothingVisible,
+  kPictureUnknownJoint,
+  kPictureBadJointValue,
+  kPictureNoViewer,
+  kPictureNoDisplay,
   // The page about a batch.
   kReportNoPicture,
 };

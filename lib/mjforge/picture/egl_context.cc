@@ -1,0 +1,132 @@
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <array>
+
+#include "mjforge/picture/gl_context.h"
+
+namespace mjforge::picture {
+namespace {
+
+constexpr const char* kLibrary = "libEGL.so.1";
+
+struct Egl {
+  decltype(&::eglGetProcAddress) GetProcAddress = nullptr;
+  decltype(&::eglGetDisplay) GetDisplay = nullptr;
+  decltype(&::eglInitialize) Initialize = nullptr;
+  decltype(&::eglTerminate) Terminate = nullptr;
+  decltype(&::eglBindAPI) BindApi = nullptr;
+  decltype(&::eglChooseConfig) ChooseConfig = nullptr;
+  decltype(&::eglCreateContext) CreateContext = nullptr;
+  decltype(&::eglDestroyContext) DestroyContext = nullptr;
+  decltype(&::eglMakeCurrent) MakeCurrent = nullptr;
+
+  bool FindAll(void* library) {
+    return Find(library, "eglGetProcAddress", GetProcAddress) &&
+           Find(library, "eglGetDisplay", GetDisplay) &&
+           Find(library, "eglInitialize", Initialize) && Find(library, "eglTerminate", Terminate) &&
+           Find(library, "eglBindAPI", BindApi) && Find(library, "eglChooseConfig", ChooseConfig) &&
+           Find(library, "eglCreateContext", CreateContext) &&
+           Find(library, "eglDestroyContext", DestroyContext) &&
+           Find(library, "eglMakeCurrent", MakeCurrent);
+  }
+};
+
+class EglContext : public GlContext {
+ public:
+  explicit EglContext(const Egl& egl) : egl_(egl) {}
+  ~EglContext() override {
+    if (display_ == EGL_NO_DISPLAY) return;
+    egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) egl_.DestroyContext(display_, context_);
+    egl_.Terminate(display_);
+  }
+  std::string_view name() const override { return "EGL"; }
+
+  /// Mesa without any window system, else the first device, else whatever there is.
+  bool Start() {
+    const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+        egl_.GetProcAddress("eglGetPlatformDisplayEXT"));
+    if (get_platform_display != nullptr) {
+      if (StartOn(
+              get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)))
+        return true;
+      const auto query_devices =
+          reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl_.GetProcAddress("eglQueryDevicesEXT"));
+      EGLDeviceEXT device = nullptr;
+      EGLint count = 0;
+      if (query_devices != nullptr && query_devices(1, &device, &count) == EGL_TRUE && count > 0 &&
+          StartOn(get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr))) {
+        return true;
+      }
+    }
+    return StartOn(egl_.GetDisplay(EGL_DEFAULT_DISPLAY));
+  }
+
+ private:
+  bool StartOn(EGLDisplay display) {
+    EGLint major = 0;
+    EGLint minor = 0;
+    if (display == EGL_NO_DISPLAY || egl_.Initialize(display, &major, &minor) != EGL_TRUE)
+      return false;
+    constexpr std::array<EGLint, 15> kAttributes = {EGL_RED_SIZE,
+                                                    8,
+                                                    EGL_GREEN_SIZE,
+                                                    8,
+                                                    EGL_BLUE_SIZE,
+                                                    8,
+                                                    EGL_ALPHA_SIZE,
+                                                    8,
+                                                    EGL_DEPTH_SIZE,
+                                                    24,
+                                                    EGL_RENDERABLE_TYPE,
+                                                    EGL_OPENGL_BIT,
+                                                    EGL_SURFACE_TYPE,
+                                                    EGL_PBUFFER_BIT,
+                                                    EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (egl_.BindApi(EGL_OPENGL_API) == EGL_TRUE &&
+        egl_.ChooseConfig(display, kAttributes.data(), &config, 1, &count) == EGL_TRUE &&
+        count > 0) {
+      context_ = egl_.CreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    }
+    if (context_ == EGL_NO_CONTEXT ||
+        egl_.MakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
+      if (context_ != EGL_NO_CONTEXT) egl_.DestroyContext(display, context_);
+      context_ = EGL_NO_CONTEXT;
+      egl_.Terminate(display);
+      return false;
+    }
+    display_ = display;
+    return true;
+  }
+
+  Egl egl_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+}  // namespace
+
+// The library stays open: drivers do not like to be unloaded.
+std::unique_ptr<GlContext> OpenEgl(std::string& why_not) {
+  void* library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+  Egl egl;
+  if (library == nullptr || !egl.FindAll(library)) {
+    why_not = fmt::format("EGL: cannot open {}", kLibrary);
+    return nullptr;
+  }
+  auto context = std::make_unique<EglContext>(egl);
+  if (!context->Start()) {
+    why_not = "EGL: no driver gives an OpenGL context";
+    return nullptr;
+  }
+  MakeVisible(kLibrary);
+  return context;
+}
+
+}  // namespace mjforge::picture

@@ -1,0 +1,52 @@
+#include "mjforge/picture/gl_context.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::picture {
+namespace {
+
+constexpr std::array<std::string_view, 3> kWords = {"egl", "osmesa", "disable"};
+
+// The words that MuJoCo's Python bindings take for "do not draw".
+bool MeansNone(std::string_view word) {
+  constexpr std::array<std::string_view, 5> kNone = {"disable", "disabled", "off", "false", "0"};
+  return std::find(kNone.begin(), kNone.end(), word) != kNone.end();
+}
+
+}  // namespace
+
+void* FindSymbol(void* library, const char* name) { return ::dlsym(library, name); }
+
+void MakeVisible(const char* library) { ::dlopen(library, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
+
+std::unique_ptr<GlContext> OpenGlContext(std::string& why_not) {
+  const char* variable = std::getenv("MUJOCO_GL");
+  const std::string_view word = variable == nullptr ? "" : variable;
+  if (word == "egl") return OpenEgl(why_not);
+  if (word == "osmesa") return OpenOsmesa(why_not);
+  if (MeansNone(word)) {
+    why_not = fmt::format("MUJOCO_GL={} turns it off", word);
+    return nullptr;
+  }
+  if (!word.empty()) {
+    const std::string meant = diag::DidYouMean(word, kWords);
+    why_not = fmt::format("MUJOCO_GL is '{}', not egl, osmesa or disable{}{}", word,
+                          meant.empty() ? "" : "; ", meant);
+    return nullptr;
+  }
+  std::string no_egl;
+  if (auto context = OpenEgl(no_egl)) return context;
+  std::string no_osmesa;
+  if (auto context = OpenOsmesa(no_osmesa)) return context;
+  why_not = fmt::format("{}; {}", no_egl, no_osmesa);
+  return nullptr;
+}
+
+}  // namespace mjforge::picture

@@ -1,0 +1,44 @@
+#ifndef MJFORGE_PICTURE_GL_CONTEXT_H_
+#define MJFORGE_PICTURE_GL_CONTEXT_H_
+
+// OpenGL without a display. MuJoCo finds its functions by eglGetProcAddress, else
+// OSMesaGetProcAddress, among the symbols that the whole process sees (2.2.2,
+// dlopen(NULL)); so the library that works, and no other, becomes visible.
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace mjforge::picture {
+
+/// Current on this thread from its opening to its end.
+class GlContext {
+ public:
+  GlContext() = default;
+  virtual ~GlContext() = default;
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  virtual std::string_view name() const = 0;
+};
+
+/// Nothing, and why, if it does not work.
+std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
+std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
+
+/// As MUJOCO_GL says, else the first that works. Nothing, and why.
+std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
+
+/// The address of a function in a library that is open; null if it has none.
+void* FindSymbol(void* library, const char* name);
+template <typename Function>
+bool Find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(FindSymbol(library, name));
+  return function != nullptr;
+}
+/// Makes the symbols of a library that is open visible to the whole process.
+void MakeVisible(const char* library);
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_PICTURE_GL_CONTEXT_H_

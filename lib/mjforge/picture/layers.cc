@@ -1,0 +1,228 @@
+#include "mjforge/picture/layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mjforge/picture/subject.h"
+
+namespace mjforge::picture {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Color = std::array<float, 4>;
+
+constexpr Color kBox = {0.10F, 0.28F, 0.62F, 1};
+constexpr Color kDisk = {0.95F, 0.55F, 0.10F, 0.35F};
+constexpr Color kMark = {0.80F, 0.10F, 0.15F, 1};
+constexpr Color kInertia = {0.20F, 0.45F, 0.80F, 0.45F};
+
+const Matrix3d kUpright = Matrix3d::Identity();
+
+Vector3d Vector(const mjtNum* numbers) { return Eigen::Map<const Vector3d>(numbers); }
+
+// Half the diagonal of the box around the object, m: what marks are measured by.
+double RadiusOf(const Shapes& shapes) { return (shapes.Max() - shapes.Min()).norm() / 2; }
+
+// A rotation that takes z to `axis`.
+Matrix3d Along(const Vector3d& axis) {
+  return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+}
+
+void Rod(const Vector3d& from, const Vector3d& to, double radius, const Color& color,
+         Scene& scene) {
+  const Vector3d along = to - from;
+  if (along.norm() <= 0) return;
+  scene.Add(mjGEOM_CAPSULE, {radius, radius, along.norm() / 2}, (from + to) / 2,
+            Along(along.normalized()), color);
+}
+
+void Ball(const Vector3d& at, double radius, const Color& color, Scene& scene) {
+  scene.Add(mjGEOM_SPHERE, {radius, radius, radius}, at, kUpright, color);
+}
+
+// The twelve edges of a box.
+void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& scene) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int corner = 0; corner < 4; ++corner) {
+      Vector3d from = min;
+      from[(axis + 1) % 3] = (corner % 2 == 0 ? min : max)[(axis + 1) % 3];
+      from[(axis + 2) % 3] = (corner / 2 == 0 ? min : max)[(axis + 2) % 3];
+      Vector3d to = from;
+      to[axis] = max[axis];
+      Rod(from, to, radius, kBox, scene);
+    }
+  }
+}
+
+// A point that the picture must hold.
+Shape PointAt(const Vector3d& point) {
+  Shape shape;
+  shape.p_WS = point;
+  return shape;
+}
+
+// Colors that are told apart on a faded object.
+Color JointColor(int joint) {
+  constexpr std::array<Color, 6> kColors = {
+      Color{0.85F, 0.20F, 0.15F, 1}, Color{0.10F, 0.45F, 0.85F, 1}, Color{0.10F, 0.60F, 0.30F, 1},
+      Color{0.75F, 0.45F, 0.05F, 1}, Color{0.55F, 0.20F, 0.70F, 1}, Color{0.05F, 0.55F, 0.60F, 1}};
+  return kColors[static_cast<std::size_t>(joint) % kColors.size()];
+}
+
+struct JointMark {
+  const mjModel& m;
+  const mjData& d;
+  int joint;
+  double radius;  // of the object
+  Scene& scene;
+
+  std::string Name() const { return m.names + m.name_jntadr[joint]; }
+  Vector3d Anchor() const { return Vector(d.xanchor + 3 * joint); }
+  Vector3d Axis() const { return Vector(d.xaxis + 3 * joint).normalized(); }
+  bool Limited() const { return m.jnt_limited[joint] != 0; }
+  double Value() const { return d.qpos[m.jnt_qposadr[joint]]; }
+  double End(int i) const { return m.jnt_range[2 * joint + i]; }
+  double Thickness() const { return 0.012 * radius; }
+
+  void Arrow(const Vector3d& from, const Vector3d& to) const {
+    const Color color = JointColor(joint);
+    const Vector3d along = (to - from).normalized();
+    Rod(from, to, Thickness(), color, scene);
+    const double head = 4 * Thickness();
+    scene.Add(mjGEOM_ARROW1, {2.2 * Thickness(), 2.2 * Thickness(), 3 * head}, to - head * along,
+              Along(along), color);
+    scene.AddToFrame(PointAt(to + head * along));
+  }
+
+  // From one end of the range to the other, about the axis, as the body's centre of
+  // mass goes.
+  void Hinge() const {
+    const Color color = JointColor(joint);
+    const Vector3d axis = Axis();
+    const Vector3d anchor = Anchor();
+    Arrow(anchor - 0.3 * radius * axis, anchor + 0.45 * radius * axis);
+    Vector3d arm = Vector(d.xipos + 3 * m.jnt_bodyid[joint]) - anchor;
+    arm -= arm.dot(axis) * axis;
+    if (arm.norm() < 0.02 * radius) arm = axis.unitOrthogonal();
+    arm = arm.normalized() * std::clamp(arm.norm() * 1.3, 0.25 * radius, 0.7 * radius);
+    const double from = Limited() ? End(0) - Value() : -std::numbers::pi;
+    const double to = Limited() ? End(1) - Value() : std::numbers::pi;
+    constexpr int kSegments = 36;
+    const auto at = [&](int i) -> Vector3d {
+      return anchor + Eigen::AngleAxisd(from + (to - from) * i / kSegments, axis) * arm;
+    };
+    for (int i = 0; i < kSegments; ++i) {
+      Rod(at(i), at(i + 1), 0.7 * Thickness(), color, scene);
+      scene.AddToFrame(PointAt(at(i)));
+    }
+    Ball(anchor + arm, 2 * Thickness(), color, scene);
+    const std::string range =
+        Limited() ? fmt::format("{:.3g} to {:.3g} deg", End(0) * 180 / std::numbers::pi,
+                                End(1) * 180 / std::numbers::pi)
+                  : "unlimited";
+    scene.AddLabel(anchor + 0.45 * radius * axis, fmt::format("{}: {}", Name(), range));
+  }
+
+  void Slide() const {
+    const Vector3d axis = Axis();
+    const Vector3d anchor = Vector(d.xipos + 3 * m.jnt_bodyid[joint]);
+    const double from = Limited() ? End(0) - Value() : -0.4 * radius;
+    const double to = Limited() ? End(1) - Value() : 0.4 * radius;
+    Arrow(anchor + from * axis, anchor + to * axis);
+    Ball(anchor, 2.2 * Thickness(), JointColor(joint), scene);
+    const std::string range =
+        Limited() ? fmt::format("{:.4g} to {:.4g} m", End(0), End(1)) : "unlimited";
+    scene.AddLabel(anchor + to * axis, fmt::format("{}: {}", Name(), range));
+  }
+
+  void BallJoint() const {
+    Ball(Anchor(), 0.06 * radius, JointColor(joint), scene);
+    const std::string range =
+        Limited() ? fmt::format("to {:.3g} deg", End(1) * 180 / std::numbers::pi) : "unlimited";
+    scene.AddLabel(Anchor(), fmt::format("{}: ball, {}", Name(), range));
+  }
+};
+
+}  // namespace
+
+void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene) {
+  const mjModel& m = *state.model;
+  const Vector3d min = around.Min();
+  const Vector3d max = around.Max();
+  const Vector3d root = m.nbody > 1 ? Vector(state.data->xpos + 3) : Vector3d::Zero();
+  const double radius = RadiusOf(around);
+  const double reach = around.HorizontalRadius(root);
+  const double thin = 0.004 * radius;
+  DrawEdges(min, max, thin, scene);
+  const Vector3d foot(root.x(), root.y(), min.z());
+  const Vector3d head(root.x(), root.y(), max.z());
+  scene.Add(mjGEOM_CYLINDER, {reach, reach, thin}, foot + Vector3d(0, 0, 2 * thin), kUpright,
+            kDisk);
+  Rod(foot, head, 1.5 * thin, kMark, scene);
+  Ball(root, 8 * thin, kMark, scene);
+  Shape disk;
+  disk.type = mjGEOM_CYLINDER;
+  disk.size = {reach, reach, thin};
+  disk.p_WS = foot;
+  scene.AddToFrame(disk);
+  const Vector3d size = max - min;
+  scene.AddLabel(head, fmt::format("top {:.4g} m", max.z() - root.z()));
+  scene.AddLabel(foot, fmt::format("bottom {:.4g} m", min.z() - root.z()));
+  scene.AddLabel(foot + Vector3d(reach, 0, 0), fmt::format("radius {:.4g} m", reach));
+  scene.AddLabel({max.x(), min.y(), (min.z() + max.z()) / 2},
+                 fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x(), size.y(), size.z()));
+}
+
+// The solid box with the inertia I and the mass m has the half sizes a, b, c with
+// I_x = m/3 (b^2 + c^2) and so on.
+void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scene) {
+  const mjModel& m = *state.model;
+  const double radius = RadiusOf(around);
+  for (int i = 1; i < m.nbody; ++i) {
+    const double mass = m.body_mass[i];
+    if (mass <= 0) continue;
+    const Vector3d inertia = Vector(m.body_inertia + 3 * i);
+    Vector3d half;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double square = 3 / (2 * mass) * (inertia.sum() - 2 * inertia[axis]);
+      half[axis] = std::sqrt(std::max(square, 0.0));
+    }
+    const Vector3d center = Vector(state.data->xipos + 3 * i);
+    const Matrix3d axes =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.data->ximat + 9 * i);
+    scene.Add(mjGEOM_BOX, half, center, axes, kInertia);
+    Ball(center, 0.025 * radius, kMark, scene);
+    Shape box;
+    box.size = half;
+    box.p_WS = center;
+    box.R_WS = axes;
+    scene.AddToFrame(box);
+    scene.AddLabel(center, fmt::format("{} {:.3g} kg", m.names + m.name_bodyadr[i], mass));
+  }
+}
+
+void DrawJoints(const Subject::State& state, const Shapes& around, Scene& scene) {
+  const double radius = RadiusOf(around);
+  for (int i = 0; i < state.model->njnt; ++i) {
+    const JointMark mark{*state.model, *state.data, i, radius, scene};
+    switch (state.model->jnt_type[i]) {
+      case mjJNT_HINGE:
+        mark.Hinge();
+        break;
+      case mjJNT_SLIDE:
+        mark.Slide();
+        break;
+      case mjJNT_BALL:
+        mark.BallJoint();
+        break;
+      default:
+        break;  // a free joint goes anywhere
+    }
+  }
+}
+
+}  // namespace mjforge::picture

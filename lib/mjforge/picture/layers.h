@@ -1,0 +1,16 @@
+#ifndef MJFORGE_PICTURE_LAYERS_H_
+#define MJFORGE_PICTURE_LAYERS_H_
+
+#include "mjforge/picture/scene.h"
+
+namespace mjforge::picture {
+
+// Each draws into a scene what its layer shows beside the faded object. `around`
+// is the object's shape.
+void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene);
+void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scene);
+void DrawJoints(const Subject::State& state, const Shapes& around, Scene& scene);
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_PICTURE_LAYERS_H_

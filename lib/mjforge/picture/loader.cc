@@ -1,0 +1,46 @@
+#include <exception>
+
+#include "mjforge/picture/subject.h"
+
+namespace mjforge::picture {
+namespace {
+
+std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
+  if (!loaded.model) {
+    why_not = loaded.error;
+    return nullptr;
+  }
+  auto state = std::make_unique<Subject::State>();
+  state->model = std::move(loaded.model);
+  try {
+    state->data.reset(mj_makeData(state->model.get()));
+    return std::make_unique<Subject>(std::move(state));
+  } catch (const std::exception& error) {
+    why_not = error.what();
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+struct Loader::State {
+  engine::Engine engine;
+};
+
+Loader::Loader() : state_(std::make_unique<State>()) {}
+Loader::~Loader() = default;
+
+std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const Assets& assets,
+                                          std::string& why_not) {
+  if (const auto problem = state_->engine.SetAssets(assets)) {
+    why_not = problem->message;
+    return nullptr;
+  }
+  return Make(state_->engine.LoadText(mjcf), why_not);
+}
+
+std::unique_ptr<Subject> Loader::LoadFile(const std::filesystem::path& file, std::string& why_not) {
+  return Make(state_->engine.LoadFile(file), why_not);
+}
+
+}  // namespace mjforge::picture

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <optional>
+
+#include "mjforge/picture/gl_context.h"
+#include "mjforge/picture/scene.h"
+#include "mjforge/picture/shadow.h"
+#include "mjforge/picture/sheet.h"
+#include "mjforge/picture/subject.h"
+#include "mjforge/picture/text.h"
+
+namespace mjforge::picture {
+namespace {
+
+using diag::Code;
+
+constexpr int kShadowSize = 2048;  // samples along each side of the shadow map
+// Large pictures are drawn in bands, for the memory they take.
+constexpr int kMostSamples = 1 << 22;
+
+int RowsOfBand(int width, int height) {
+  return std::clamp(kMostSamples / (kSamples * kSamples * width), 1, height);
+}
+
+// Meshes and textures of one model on the graphics side.
+class ModelContext {
+ public:
+  ModelContext(mjModel& model, int width, int height) {
+    model.vis.global.offwidth = width * kSamples;
+    model.vis.global.offheight = height * kSamples;
+    model.vis.quality.offsamples = 0;
+    model.vis.quality.shadowsize = kShadowSize;
+    model.vis.quality.numslices = 48;
+    model.vis.quality.numstacks = 24;
+    mjr_defaultContext(&context_);
+    mjr_makeContext(&model, &context_, mjFONTSCALE_50);
+    mjr_setBuffer(mjFB_OFFSCREEN, &context_);
+  }
+  ~ModelContext() { mjr_freeContext(&context_); }
+  ModelContext(const ModelContext&) = delete;
+  ModelContext& operator=(const ModelContext&) = delete;
+
+  mjrContext& operator*() { return context_; }
+
+ private:
+  mjrContext context_;
+};
+
+}  // namespace
+
+struct Renderer::State {
+  std::unique_ptr<GlContext> gl;
+  std::optional<Font> font;
+  std::vector<std::uint8_t> on_light;
+  std::vector<std::uint8_t> on_black;
+
+  Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
+                  const Options& options);
+  void DrawLabels(const Scene& scene, const Camera& camera, Image& image);
+  std::optional<std::vector<Image>> DrawPoses(Subject& subject, std::span<const Pose> poses,
+                                              const Options& options, diag::Findings& findings);
+};
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+// What is on the graphics side goes first.
+Renderer::~Renderer() { state_->font.reset(); }
+
+std::unique_ptr<Renderer> Renderer::Open(diag::Findings& findings) {
+  auto state = std::make_unique<State>();
+  std::string why_not;
+  state->gl = OpenGlContext(why_not);
+  try {
+    if (state->gl) state->font.emplace();
+  } catch (const std::exception& error) {
+    why_not = fmt::format("{}: {}", state->gl->name(), engine::OneLine(error.what()));
+  }
+  if (!state->font) {
+    findings.Add(Code::kPictureNoRenderer, {}, fmt::format("cannot draw: {}", why_not),
+                 "install libegl1 with a driver (libgl1-mesa-dri), or libosmesa6");
+    return nullptr;
+  }
+  return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
+}
+
+std::string_view Renderer::backend() const { return state_->gl->name(); }
+
+Image Renderer::DrawText(std::string_view text, const Background::Color& color) {
+  return state_->font->Draw(text, color);
+}
+
+Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
+                                 const Options& options) {
+  const int band = RowsOfBand(options.width, options.height);
+  (*context).shadowClip = static_cast<float>(1.05 * camera.radius);
+  Matte matte(options.width, options.height);
+  for (int top = 0; top < options.height; top += band) {
+    const int bottom = std::min(top + band, options.height);
+    const mjrRect viewport = {0, 0, options.width * kSamples, (bottom - top) * kSamples};
+    scene.SetCamera(BandOf(camera, top, bottom, options.height));
+    const std::size_t bytes =
+        static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height) * 3;
+    on_light.resize(bytes);
+    on_black.resize(bytes);
+    const int light = scene.SetFloor(true);
+    mjr_render(viewport, &scene.mujoco(), &*context);
+    mjr_readPixels(on_light.data(), nullptr, viewport, &*context);
+    scene.SetFloor(false);
+    mjr_render(viewport, &scene.mujoco(), &*context);
+    mjr_readPixels(on_black.data(), nullptr, viewport, &*context);
+    matte.Add({on_light, on_black, light}, top, bottom);
+  }
+  return matte.Finish();
+}
+
+void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, Image& image) {
+  constexpr int kAside = 8;  // pixels to the right of what it names
+  std::vector<PlacedText> labels;
+  for (const Scene::Label& label : scene.labels()) {
+    const Eigen::Vector2d place = camera.Project(label.p_W, image.width, image.height);
+    PlacedText text{font->Draw(label.text, {30, 34, 42}), 0, 0};
+    text.x = static_cast<int>(std::lround(place.x())) + kAside;
+    text.y = static_cast<int>(std::lround(place.y())) - text.text.height / 2;
+    labels.push_back(std::move(text));
+  }
+  PutLabels(std::move(labels), image);
+}
+
+std::optional<Image> Renderer::Draw(Subject& subject, const Options& options,
+                                    diag::Findings& findings) {
+  const Pose as_it_is;
+  auto images = DrawMotion(subject, {&as_it_is, 1}, options, findings);
+  if (!images) return std::nullopt;
+  return std::move(images->front());
+}
+
+std::optional<std::vector<Image>> Renderer::DrawMotion(Subject& subject,
+                                                       std::span<const Pose> poses,
+                                                       const Options& options,
+                                                       diag::Findings& findings) {
+  try {
+    return state_->DrawPoses(subject, poses, options, findings);
+  } catch (const std::exception& error) {
+    findings.Add(Code::kPictureNoRenderer, {},
+                 fmt::format("{} cannot draw it: {}", backend(), engine::OneLine(error.what())));
+    return std::nullopt;
+  }
+}
+
+std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
+                                                             std::span<const Pose> poses,
+                                                             const Options& options,
+                                                             diag::Findings& findings) {
+  mjModel& model = *subject.state().model;
+  Scene scene(model);
+  Shapes all;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Pose& pose : poses) {
+    // What is lacking is lacking in all of them.
+    diag::Findings again;
+    subject.state().Move(pose);
+    if (!scene.Fill(subject, options.layer, all.empty() ? findings : again)) return std::nullopt;
+    all.Add(scene.shapes());
+    lowest = std::min(lowest, scene.floor_height());
+  }
+  const Camera camera = FrameShapes(all, options.width, options.height);
+  ModelContext context(model, options.width, RowsOfBand(options.width, options.height));
+  std::vector<Image> images;
+  for (const Pose& pose : poses) {
+    diag::Findings again;
+    if (poses.size() > 1) {
+      subject.state().Move(pose);
+      scene.Fill(subject, options.layer, again);
+    }
+    scene.Light(camera, lowest);
+    Image& image = images.emplace_back(DrawScene(context, scene, camera, options));
+    PutOn(options.background, image);
+    DrawLabels(scene, camera, image);
+  }
+  return images;
+}
+
+}  // namespace mjforge::picture

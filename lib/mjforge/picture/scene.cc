@@ -1,0 +1,276 @@
+#include "mjforge/picture/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/picture/layers.h"
+#include "mjforge/picture/subject.h"
+
+namespace mjforge::picture {
+namespace {
+
+using diag::Code;
+
+// Geoms of our own beside the model's: floor, boxes, axes.
+constexpr int kExtraGeoms = 64;
+constexpr int kExtraPerJoint = 64;
+
+// The light comes from the left behind the camera, high up; what it does not reach
+// is lit from the camera and from everywhere.
+const Eigen::Vector3d kKeyDirection = Eigen::Vector3d(0.22, 0.55, -1.3).normalized();
+constexpr float kKey = 0.60F;
+constexpr float kKeySpecular = 0.45F;
+constexpr float kFill = 0.40F;
+constexpr float kAmbient = 0.30F;
+constexpr float kFaded = 0.35F;  // of alpha
+constexpr float kFloor = 0.85F;  // of the light floor's color
+
+void SetColor(float* rgba, const std::array<float, 4>& color) {
+  std::copy(color.begin(), color.end(), rgba);
+}
+
+mjvOption VisibleOption() {
+  mjvOption option;
+  mjv_defaultOption(&option);
+  std::fill(std::begin(option.flags), std::end(option.flags), mjtByte{0});
+  for (const int flag : {mjVIS_TEXTURE, mjVIS_TENDON, mjVIS_STATIC, mjVIS_SKIN})
+    option.flags[flag] = 1;
+  std::fill(std::begin(option.sitegroup), std::end(option.sitegroup), mjtByte{0});
+  return option;
+}
+
+void ShowAll(mjtByte (&groups)[mjNGROUP]) {
+  std::fill(std::begin(groups), std::end(groups), mjtByte{1});
+}
+
+bool IsGround(const mjvGeom& geom) {
+  return geom.type == mjGEOM_PLANE || geom.type == mjGEOM_HFIELD;
+}
+
+bool Collides(const mjModel& m, int geom) {
+  if (m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0) return true;
+  for (int i = 0; i < m.npair; ++i) {
+    if (m.pair_geom1[i] == geom || m.pair_geom2[i] == geom) return true;
+  }
+  return false;
+}
+
+// Hues a golden section apart are never near each other.
+std::array<float, 4> DistinctColor(int number) {
+  const double hue = std::fmod(0.58 + 0.61803398875 * number, 1.0);
+  const auto channel = [&](double shift) {
+    const double t = std::abs(std::fmod(hue + shift, 1.0) * 6 - 3) - 1;
+    return static_cast<float>(0.35 + 0.55 * std::clamp(t, 0.0, 1.0));
+  };
+  return {channel(0), channel(2.0 / 3), channel(1.0 / 3), 1};
+}
+
+int MostGeoms(const mjModel& m) {
+  return 2 * m.ngeom + m.nsite + m.nskin + 4 * m.nbody + 2 * m.nwrap + 4 * m.ntendon +
+         kExtraPerJoint * m.njnt + kExtraGeoms;
+}
+
+mjvLight MakeLight(const Eigen::Vector3d& direction, float diffuse, float specular, float ambient) {
+  mjvLight light = {};
+  Eigen::Map<Eigen::Vector3f>(light.dir) = direction.cast<float>();
+  for (int i = 0; i < 3; ++i) {
+    light.diffuse[i] = diffuse;
+    light.specular[i] = specular;
+    light.ambient[i] = ambient;
+  }
+  light.attenuation[0] = 1;
+  light.cutoff = 180;
+  light.directional = 1;
+  return light;
+}
+
+}  // namespace
+
+Scene::Scene(const mjModel& model) {
+  mjv_defaultScene(&scene_);
+  mjv_makeScene(&model, &scene_, MostGeoms(model));
+  scene_.flags[mjRND_SKYBOX] = 0;
+  scene_.flags[mjRND_HAZE] = 0;
+  scene_.flags[mjRND_FOG] = 0;
+}
+
+Scene::~Scene() { mjv_freeScene(&scene_); }
+
+void Scene::Collect(Subject::State& state, const mjvOption& option) {
+  mjvCamera camera;
+  mjv_defaultFreeCamera(state.model.get(), &camera);
+  mjv_updateScene(state.model.get(), state.data.get(), &option, nullptr, &camera, mjCAT_ALL,
+                  &scene_);
+  auto* const end = std::remove_if(scene_.geoms, scene_.geoms + scene_.ngeom,
+                                   [](const mjvGeom& geom) { return geom.rgba[3] <= 0; });
+  scene_.ngeom = static_cast<int>(end - scene_.geoms);
+}
+
+// Without anything to look at: the geoms of other groups, else the sites.
+bool Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
+  mjvOption option = VisibleOption();
+  Collect(state, option);
+  if (scene_.ngeom > 0) return true;
+  ShowAll(option.geomgroup);
+  Collect(state, option);
+  const char* instead = "the colliding geoms";
+  if (scene_.ngeom == 0) {
+    ShowAll(option.sitegroup);
+    Collect(state, option);
+    instead = "the sites";
+  }
+  if (scene_.ngeom == 0) return false;
+  findings.Warn(Code::kPictureNothingVisible, {},
+                std::string("nothing is visible: the picture shows ") + instead);
+  return true;
+}
+
+void Scene::KeepColliding(const mjModel& m) {
+  auto* const end = std::remove_if(
+      scene_.geoms, scene_.geoms + scene_.ngeom,
+      [&](const mjvGeom& geom) { return geom.objtype != mjOBJ_GEOM || !Collides(m, geom.objid); });
+  scene_.ngeom = static_cast<int>(end - scene_.geoms);
+  for (int i = 0; i < scene_.ngeom; ++i) {
+    mjvGeom& geom = scene_.geoms[i];
+    SetColor(geom.rgba, DistinctColor(i));
+    geom.texid = -1;
+    geom.emission = 0;
+    geom.reflectance = 0;
+    geom.specular = 0.3F;
+    geom.shininess = 0.3F;
+  }
+}
+
+bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
+  Subject::State& state = subject.state();
+  labels_.clear();
+  floor_ = -1;
+  const char* lacking = "there is nothing to show: no geom and no site";
+  if (layer == Layer::kCollision) {
+    mjvOption option = VisibleOption();
+    ShowAll(option.geomgroup);
+    Collect(state, option);
+    KeepColliding(*state.model);
+    lacking = "no geom can collide";
+  } else {
+    CollectVisible(state, findings);
+  }
+  if (scene_.ngeom == 0 && scene_.nskin == 0) {
+    findings.Add(Code::kPictureNothingVisible, {}, lacking);
+    return false;
+  }
+  Measure(*state.model);
+  if (layer == Layer::kVisual || layer == Layer::kCollision) return true;
+  const Shapes visible = shapes_;
+  if (layer == Layer::kBounds) {
+    const Shapes colliding = CollidingShapes(state);
+    CollectVisible(state, findings);
+    Fade();
+    DrawBounds(state, colliding.empty() ? visible : colliding, *this);
+  } else {
+    Fade();
+    (layer == Layer::kInertia ? DrawInertias : DrawJoints)(state, visible, *this);
+  }
+  return true;
+}
+
+Shapes Scene::CollidingShapes(Subject::State& state) {
+  mjvOption option = VisibleOption();
+  ShowAll(option.geomgroup);
+  Collect(state, option);
+  Shapes shapes;
+  for (int i = 0; i < scene_.ngeom; ++i) {
+    const mjvGeom& geom = scene_.geoms[i];
+    if (geom.objtype == mjOBJ_GEOM && !IsGround(geom) && Collides(*state.model, geom.objid))
+      shapes.Add(ShapeOf(*state.model, geom));
+  }
+  return shapes;
+}
+
+// What is drawn beside the object shines through it.
+void Scene::Fade() {
+  for (int i = 0; i < scene_.ngeom; ++i) {
+    mjvGeom& geom = scene_.geoms[i];
+    if (!IsGround(geom)) geom.rgba[3] *= kFaded;
+    geom.reflectance = 0;
+  }
+}
+
+// Planes and height fields are what an object stands on, unless there is nothing else.
+void Scene::Measure(const mjModel& m) {
+  shapes_ = Shapes();
+  has_ground_ = false;
+  Shapes ground;
+  for (int i = 0; i < scene_.ngeom; ++i) {
+    const mjvGeom& geom = scene_.geoms[i];
+    const bool of_world = geom.category == mjCAT_STATIC;
+    has_ground_ = has_ground_ || of_world || IsGround(geom);
+    (IsGround(geom) ? ground : shapes_).Add(ShapeOf(m, geom));
+  }
+  for (int i = 0; i < scene_.nskin; ++i) {
+    Shape skin;
+    skin.vertices = scene_.skinvert + 3 * scene_.skinvertadr[i];
+    skin.vertex_count = scene_.skinvertnum[i];
+    shapes_.Add(skin);
+  }
+  if (!shapes_.empty()) {
+    floor_height_ = shapes_.Min().z();
+    return;
+  }
+  // Of a plane without end, a piece.
+  for (int i = 0; i < scene_.ngeom; ++i) {
+    Shape shape = ShapeOf(m, scene_.geoms[i]);
+    shape.size = shape.size.cwiseMin(5);
+    shapes_.Add(shape);
+  }
+}
+
+mjvGeom* Scene::Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& p_W,
+                    const Eigen::Matrix3d& R_W, const std::array<float, 4>& rgba) {
+  if (scene_.ngeom >= scene_.maxgeom) return nullptr;
+  mjvGeom* geom = scene_.geoms + scene_.ngeom++;
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = R_W;
+  mjv_initGeom(geom, type, size.data(), p_W.data(), rows.data(), rgba.data());
+  // mjv_initGeom takes some types' sizes as MJCF has them.
+  Eigen::Map<Eigen::Vector3f>(geom->size) = size.cast<float>();
+  geom->category = mjCAT_DECOR;
+  geom->segid = -1;
+  return geom;
+}
+
+void Scene::Light(const Camera& camera, double floor_height) {
+  scene_.lights[0] = MakeLight(kKeyDirection, kKey, kKeySpecular, 0);
+  scene_.lights[0].castshadow = 1;
+  // MuJoCo looks for shadows from there, from the camera's near to its far plane.
+  const Eigen::Vector3d eye = camera.center - (camera.near + 1.5 * camera.radius) * kKeyDirection;
+  Eigen::Map<Eigen::Vector3f>(scene_.lights[0].pos) = eye.cast<float>();
+  scene_.lights[1] = MakeLight(camera.forward, kFill, 0.1F, kAmbient);
+  scene_.nlight = 2;
+  if (has_ground_) return;
+  const Eigen::Vector3d place(camera.center.x(), camera.center.y(), floor_height);
+  const double side = 40 * camera.radius;
+  mjvGeom* floor = Add(mjGEOM_PLANE, {side, side, side}, place, Eigen::Matrix3d::Identity(),
+                       {kFloor, kFloor, kFloor, 1});
+  if (floor == nullptr) return;
+  floor->category = mjCAT_STATIC;
+  floor->specular = 0;
+  floor->shininess = 0;
+  floor->dataid = -1;
+  floor_ = scene_.ngeom - 1;
+}
+
+int Scene::SetFloor(bool light) {
+  if (floor_ < 0) return 255;
+  const float color = light ? kFloor : 0;
+  SetColor(scene_.geoms[floor_].rgba, {color, color, color, 1});
+  const double fill = -scene_.lights[1].dir[2];
+  const double lit = kFloor * (kAmbient + kFill * fill + kKey * -kKeyDirection.z());
+  return static_cast<int>(std::lround(255 * std::min(lit, 1.0)));
+}
+
+void Scene::SetCamera(const mjvGLCamera& camera) {
+  scene_.camera[0] = camera;
+  scene_.camera[1] = camera;
+}
+
+}  // namespace mjforge::picture

@@ -1,0 +1,76 @@
+#ifndef MJFORGE_PICTURE_SCENE_H_
+#define MJFORGE_PICTURE_SCENE_H_
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+#include <vector>
+
+#include "mjforge/picture/camera.h"
+#include "mjforge/picture/picture.h"
+#include "mjforge/picture/support.h"
+
+namespace mjforge::picture {
+
+/// What is drawn of a subject: MuJoCo's list of geoms, and what we add.
+class Scene {
+ public:
+  explicit Scene(const mjModel& model);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Lists what the layer shows of the subject in its pose. A warning if that is
+  /// something else, as there is none; false, and a finding, if there is nothing.
+  bool Fill(Subject& subject, Layer layer, diag::Findings& findings);
+
+  /// What the picture must hold.
+  const Shapes& shapes() const { return shapes_; }
+  /// Whether there is a floor already, or what stands on one.
+  bool has_ground() const { return has_ground_; }
+  /// Where the object is lowest, m.
+  double floor_height() const { return floor_height_; }
+  /// Text at places of the picture.
+  struct Label {
+    Eigen::Vector3d p_W;
+    std::string text;
+  };
+  const std::vector<Label>& labels() const { return labels_; }
+
+  /// Adds light, and a floor of the given height, or none if it has one.
+  void Light(const Camera& camera, double floor_height);
+  /// Makes the floor light or black, and returns how light it is in full light, 0..255.
+  int SetFloor(bool light);
+  void SetCamera(const mjvGLCamera& camera);
+
+  mjvScene& mujoco() { return scene_; }
+
+  /// The picture must hold this, too.
+  void AddToFrame(const Shape& shape) { shapes_.Add(shape); }
+  void AddLabel(const Eigen::Vector3d& p_W, std::string text) {
+    labels_.push_back({p_W, std::move(text)});
+  }
+
+  /// A further geom; false if there is no room.
+  mjvGeom* Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& p_W,
+               const Eigen::Matrix3d& R_W, const std::array<float, 4>& rgba);
+
+ private:
+  void Collect(Subject::State& state, const mjvOption& option);
+  bool CollectVisible(Subject::State& state, diag::Findings& findings);
+  Shapes CollidingShapes(Subject::State& state);
+  void Fade();
+  void KeepColliding(const mjModel& m);
+  void Measure(const mjModel& m);
+
+  mjvScene scene_;
+  Shapes shapes_;
+  std::vector<Label> labels_;
+  bool has_ground_ = false;
+  double floor_height_ = 0;
+  int floor_ = -1;  // its geom
+};
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_PICTURE_SCENE_H_

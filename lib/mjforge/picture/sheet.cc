@@ -1,0 +1,111 @@
+#include "mjforge/picture/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mjforge::picture {
+namespace {
+
+constexpr int kGap = 12;  // pixels between tiles and around them
+
+Image Empty(int width, int height) {
+  Image image{width, height, {}};
+  image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  return image;
+}
+
+// As near to a square as it gets, and of those the one with the fewest empty places.
+int ColumnsFor(int count) {
+  const int square = static_cast<int>(std::ceil(std::sqrt(count)));
+  int best = square;
+  int least = count;
+  for (int columns = square; columns <= square + 1 + square / 4; ++columns) {
+    const int empty = (columns - count % columns) % columns;
+    if (empty < least) {
+      least = empty;
+      best = columns;
+    }
+  }
+  return best;
+}
+
+Background::Color InkOn(const Background& background) {
+  const int light = background.bottom[0] + background.bottom[1] + background.bottom[2];
+  if (background.transparent || light > 3 * 110) return {40, 44, 52};
+  return {235, 238, 242};
+}
+
+}  // namespace
+
+void PutOver(const Image& top, int x, int y, Image& below) {
+  for (int row = std::max(0, -y); row < std::min(top.height, below.height - y); ++row) {
+    for (int column = std::max(0, -x); column < std::min(top.width, below.width - x); ++column) {
+      const std::size_t from = 4 * static_cast<std::size_t>(row * top.width + column);
+      const std::size_t to = 4 * static_cast<std::size_t>((y + row) * below.width + x + column);
+      const int over = top.rgba[from + 3];
+      const int under = below.rgba[to + 3] * (255 - over) / 255;
+      const int alpha = over + under;
+      if (alpha == 0) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const int mixed = top.rgba[from + c] * over + below.rgba[to + c] * under;
+        below.rgba[to + c] = static_cast<std::uint8_t>((mixed + alpha / 2) / alpha);
+      }
+      below.rgba[to + 3] = static_cast<std::uint8_t>(alpha);
+    }
+  }
+}
+
+// The labels in their order: each goes below those it would cover.
+void PutLabels(std::vector<PlacedText> labels, Image& image) {
+  std::vector<PlacedText> put;
+  for (PlacedText& label : labels) {
+    const int width = label.text.width;
+    const int height = label.text.height;
+    label.x = std::clamp(label.x, 2, std::max(2, image.width - width - 2));
+    label.y = std::clamp(label.y, 2, std::max(2, image.height - height - 2));
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (const PlacedText& other : put) {
+        const bool apart = label.x + width <= other.x || other.x + other.text.width <= label.x ||
+                           label.y + height <= other.y || other.y + other.text.height <= label.y;
+        if (apart) continue;
+        label.y = other.y + other.text.height + 1;
+        moved = true;
+      }
+    }
+    Image box = Empty(width, height);
+    for (std::size_t i = 0; i < box.rgba.size(); ++i) box.rgba[i] = i % 4 == 3 ? 200 : 255;
+    PutOver(label.text, 0, 0, box);
+    PutOver(box, label.x, label.y, image);
+    put.push_back(std::move(label));
+  }
+}
+
+Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background) {
+  if (tiles.empty()) return {};
+  const int columns = ColumnsFor(static_cast<int>(tiles.size()));
+  const int rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
+  const Background::Color ink = InkOn(background);
+  std::size_t lines = 0;
+  for (const Tile& tile : tiles) lines = std::max(lines, tile.caption.size());
+  const int line_height = renderer.DrawText("x", ink).height;
+  const int width = tiles.front().image.width;
+  const int height = tiles.front().image.height;
+  const int caption = static_cast<int>(lines) * line_height;
+  Image sheet = Empty(columns * (width + kGap) + kGap, rows * (height + caption + kGap) + kGap);
+  PutOn(background, sheet);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const int left = kGap + static_cast<int>(i) % columns * (width + kGap);
+    int top = kGap + static_cast<int>(i) / columns * (height + caption + kGap);
+    PutOver(tiles[i].image, left, top, sheet);
+    top += height;
+    for (const std::string& line : tiles[i].caption) {
+      const Image text = renderer.DrawText(line, ink);
+      PutOver(text, left + std::max(0, (width - text.width) / 2), top, sheet);
+      top += line_height;
+    }
+  }
+  return sheet;
+}
+
+}  // namespace mjforge::picture

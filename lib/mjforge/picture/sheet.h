@@ -1,0 +1,21 @@
+#ifndef MJFORGE_PICTURE_SHEET_H_
+#define MJFORGE_PICTURE_SHEET_H_
+
+#include "mjforge/picture/picture.h"
+
+namespace mjforge::picture {
+
+/// Puts `top` over `below` with its upper left corner at (x, y); what sticks out is cut.
+void PutOver(const Image& top, int x, int y, Image& below);
+
+/// Texts in boxes near their places in the picture, moved apart so that all can be read.
+struct PlacedText {
+  Image text;
+  int x = 0;
+  int y = 0;
+};
+void PutLabels(std::vector<PlacedText> labels, Image& image);
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_PICTURE_SHEET_H_

@@ -1,0 +1,47 @@
+#ifndef MJFORGE_PICTURE_SUPPORT_H_
+#define MJFORGE_PICTURE_SUPPORT_H_
+
+// How far drawn shapes reach.
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <vector>
+
+namespace mjforge::picture {
+
+/// A convex shape in the world, m. Of a mesh its vertices count.
+struct Shape {
+  int type = mjGEOM_BOX;  // a box for all types that have no formula of their own
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // as mjvGeom has it
+  Eigen::Vector3d p_WS = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
+  const float* vertices = nullptr;  // 3 each, in S
+  int vertex_count = 0;
+
+  /// The largest dot product of `direction` with a point of it.
+  double Support(const Eigen::Vector3d& direction) const;
+};
+
+Shape ShapeOf(const mjModel& m, const mjvGeom& geom);
+
+class Shapes {
+ public:
+  void Add(const Shape& shape) { shapes_.push_back(shape); }
+  void Add(const Shapes& other);
+  bool empty() const { return shapes_.empty(); }
+
+  double Support(const Eigen::Vector3d& direction) const;
+  Eigen::Vector3d Min() const;
+  Eigen::Vector3d Max() const;
+  /// The largest distance from the vertical through a point; to 1e-5 of itself.
+  double HorizontalRadius(const Eigen::Vector3d& axis) const;
+
+ private:
+  std::vector<Shape> shapes_;
+};
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_PICTURE_SUPPORT_H_

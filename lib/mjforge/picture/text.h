@@ -1,0 +1,32 @@
+#ifndef MJFORGE_PICTURE_TEXT_H_
+#define MJFORGE_PICTURE_TEXT_H_
+
+#include <mujoco/mujoco.h>
+
+#include <string_view>
+
+#include "mjforge/engine/engine.h"
+#include "mjforge/picture/picture.h"
+
+namespace mjforge::picture {
+
+/// MuJoCo's own font, so that no machine's fonts matter. Needs a current GlContext
+/// while it lives.
+class Font {
+ public:
+  Font();
+  ~Font();
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  /// Letters other than ASCII become question marks.
+  Image Draw(std::string_view text, const Background::Color& color);
+
+ private:
+  engine::Model model_;
+  mjrContext context_;
+};
+
+}  // namespace mjforge::picture
+
+#endif  // MJFORGE_PICTURE_TEXT_H_
