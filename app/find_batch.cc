@@ -44,7 +44,8 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
   const std::size_t shown = std::min(manifests.size(), kMaxSuggestions);
   for (std::size_t i = 0; i < shown; ++i)
     text += fmt::format("{}'{}'", i == 0 ? "" : i + 1 == shown ? " or " : ", ", manifests[i]);
-  if (manifests.size() > shown) text += fmt::format(", or one of {} more", manifests.size() - shown);
+  if (manifests.size() > shown)
+    text += fmt::format(", or one of {} more", manifests.size() - shown);
   return text + "?";
 }
 

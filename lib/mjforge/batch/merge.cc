@@ -41,7 +41,10 @@ std::optional<output::Shard> ShardOf(std::string_view name, std::string_view man
 class Joining {
  public:
   Joining(const output::Destination& destination, diag::Sources& sources, diag::Findings& findings)
-      : destination_(destination), sources_(sources), findings_(findings), file_(destination.Manifest({})) {}
+      : destination_(destination),
+        sources_(sources),
+        findings_(findings),
+        file_(destination.Manifest({})) {}
 
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
@@ -137,9 +140,9 @@ class Joining {
       AddMissing(fmt::format("line {} of '{}' has index {}; {} should come there", number,
                              shard.string(), record.index, expected),
                  record.index < expected ? "a variant is there twice: were all shards made with "
-                                            "the same -n, --first and --per-archive?"
-                                          : "variants are missing: were all shards made with the "
-                                            "same -n, --first and --per-archive?");
+                                           "the same -n, --first and --per-archive?"
+                                         : "variants are missing: were all shards made with the "
+                                           "same -n, --first and --per-archive?");
       return false;
     }
     ++records_;

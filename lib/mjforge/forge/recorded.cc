@@ -56,9 +56,8 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   };
   const std::optional<mjcf::Target> target = mjcf::FindTarget(record.target);
   if (!target) return unknown("for target", record.target);
-  const std::optional<sample::Method> sampler = record.sampler.empty()
-                                                    ? sample::Method::kRandom
-                                                    : sample::FindMethod(record.sampler);
+  const std::optional<sample::Method> sampler =
+      record.sampler.empty() ? sample::Method::kRandom : sample::FindMethod(record.sampler);
   if (!sampler) return unknown("with sampler", record.sampler);
   Options options;
   options.seed = record.seed;

@@ -168,12 +168,13 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
   const auto record_place = SplitIndex(request.what);
   const std::filesystem::path file = record_place ? record_place->first : request.what;
   const std::optional<Original> original =
-      record_place ? FromManifest(file, record_place->second, sources, findings) : FromFile(file, findings);
+      record_place ? FromManifest(file, record_place->second, sources, findings)
+                   : FromFile(file, findings);
   if (!original) return false;
   const std::optional<Options> options = RecordedOptions(original->record, request.what, findings);
   if (!options) return false;
-  const std::optional<Recipe> recipe = LoadRecordedRecipe(
-      original->record, request.spec, file.parent_path(), sources, findings);
+  const std::optional<Recipe> recipe =
+      LoadRecordedRecipe(original->record, request.spec, file.parent_path(), sources, findings);
   if (!recipe) return false;
   return MakeAgain(*original, *recipe, *options, sources, findings);
 }

@@ -12,10 +12,7 @@ namespace mjforge::manifest {
 
 RecordReader::RecordReader(std::ifstream lines, std::string name, diag::Sources& sources,
                            diag::Findings& findings)
-    : lines_(std::move(lines)),
-      name_(std::move(name)),
-      sources_(&sources),
-      findings_(&findings) {}
+    : lines_(std::move(lines)), name_(std::move(name)), sources_(&sources), findings_(&findings) {}
 
 std::optional<RecordReader> RecordReader::Open(const std::filesystem::path& file,
                                                diag::Sources& sources, diag::Findings& findings) {

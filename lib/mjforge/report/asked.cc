@@ -23,9 +23,8 @@ ParameterTallies Ask(const forge::Recipe& recipe, const Gathered& gathered) {
   std::vector<std::pair<std::string, sample::ParameterValue>> params(spec.parameters.size());
   std::uint64_t attempts = 0;
   const std::uint64_t span = std::max<std::uint64_t>(
-      gathered.last_index >= gathered.first->index
-          ? gathered.last_index - gathered.first->index + 1
-          : 1,
+      gathered.last_index >= gathered.first->index ? gathered.last_index - gathered.first->index + 1
+                                                   : 1,
       1);
   const double stride = static_cast<double>(span) / static_cast<double>(kSamples);
   for (std::uint64_t i = 0; i < kSamples && attempts < kAttempts; ++i) {

@@ -26,9 +26,8 @@ Axis::Axis(Scale scale, double lo, double hi, double start, double end)
 }
 
 double Axis::At(double value) const {
-  const double share = scale_ == Scale::kLinear
-                           ? (value - lo_) / (hi_ - lo_)
-                           : std::log(value / lo_) / std::log(hi_ / lo_);
+  const double share = scale_ == Scale::kLinear ? (value - lo_) / (hi_ - lo_)
+                                                : std::log(value / lo_) / std::log(hi_ / lo_);
   return start_ + share * (end_ - start_);
 }
 

@@ -74,7 +74,8 @@ void AddBars(Dictionary& parent, const BarChart& chart) {
   for (const Row& row : rows) {
     Dictionary& shown = Section(dictionary, "ROW");
     const std::string share = ShareText(row.drawn.all, drawn);
-    std::string whole = fmt::format("{}: {} ({})", Clean(row.value, 80), share, Counted(row.drawn.all));
+    std::string whole =
+        fmt::format("{}: {} ({})", Clean(row.value, 80), share, Counted(row.drawn.all));
     if (asked > 0) whole += fmt::format(", asked for {}", ShareText(row.asked, asked));
     description += (description.empty() ? "" : "; ") + whole;
     Set(shown, "LABEL", Clean(row.value, kLabelBytes));

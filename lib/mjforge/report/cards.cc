@@ -44,8 +44,8 @@ bool Varies(const ParameterTally& tally) {
 }
 
 // "0.123 kg"; a number that JavaScript reads for the sorting.
-void SetMeasure(Dictionary& card, const char* text, const char* number,
-                std::optional<double> value, std::string_view unit) {
+void SetMeasure(Dictionary& card, const char* text, const char* number, std::optional<double> value,
+                std::string_view unit) {
   Set(card, text, value ? fmt::format("{} {}", Shown(*value), unit) : "none");
   Set(card, number, value ? expr::NumberText(*value) : "");
 }
@@ -57,8 +57,7 @@ std::vector<std::size_t> SpreadOrder(std::size_t count) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
     std::size_t place = 0;
-    for (std::size_t bit = 0; bit < bits; ++bit)
-      place |= (i >> bit & 1) << (bits - 1 - bit);
+    for (std::size_t bit = 0; bit < bits; ++bit) place |= (i >> bit & 1) << (bits - 1 - bit);
     if (place < count) order.push_back(place);
   }
   return order;
@@ -80,7 +79,8 @@ class CardMaker {
     for (const ParameterTally& tally : batch.gathered.params.list()) {
       if (Varies(tally)) varied_.insert(tally.name);
     }
-    has_rest_ = batch.gathered.measures[static_cast<std::size_t>(MeasureId::kContacts)].all.count() > 0;
+    has_rest_ =
+        batch.gathered.measures[static_cast<std::size_t>(MeasureId::kContacts)].all.count() > 0;
   }
 
   // `has_picture`: whether it has one, or no file that one could be of.
@@ -186,7 +186,8 @@ class CardMaker {
 // The failed and the slow as they come, then the sample.
 std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) {
   std::vector<std::size_t> order;
-  while (order.size() < chosen.size() && chosen[order.size()].reason != ShownVariant::Reason::kSample)
+  while (order.size() < chosen.size() &&
+         chosen[order.size()].reason != ShownVariant::Reason::kSample)
     order.push_back(order.size());
   const std::size_t first = order.size();
   for (const std::size_t place : SpreadOrder(chosen.size() - first)) order.push_back(first + place);
@@ -196,8 +197,7 @@ std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) 
 }  // namespace
 
 std::string ReplayCommand(const std::filesystem::path& manifest, std::uint64_t index) {
-  return "mjforge replay " +
-         QuotedForShell(fmt::format("{}:{}", manifest.generic_string(), index));
+  return "mjforge replay " + QuotedForShell(fmt::format("{}:{}", manifest.generic_string(), index));
 }
 
 Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
@@ -215,7 +215,7 @@ Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, con
     cards[place] = std::move(card);
     ++(shown.reason == ShownVariant::Reason::kFailed ? made.failed
        : shown.reason == ShownVariant::Reason::kSlow ? made.slow
-                                              : made.sampled);
+                                                     : made.sampled);
     if (!has_picture) ++made.without_picture;
   }
   made.left_out = chosen.size() - made.shown();

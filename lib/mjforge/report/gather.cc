@@ -59,7 +59,11 @@ std::vector<RecordedFinding> FindingsOf(const Record& record) {
 }
 
 Gathered::Gathered(std::size_t shown)
-    : measures(Measures().size()), points(kMaxPoints), shown_(shown), failed_(shown), good_(shown) {}
+    : measures(Measures().size()),
+      points(kMaxPoints),
+      shown_(shown),
+      failed_(shown),
+      good_(shown) {}
 
 void Gathered::Add(const Record& record) {
   if (!first) first = record;

@@ -25,9 +25,8 @@ void Histogram::Add(double value) {
   const double distance = value - mean_;
   mean_ += distance / static_cast<double>(count_);
   m2_ += distance * (value - mean_);
-  int exponent = std::max(
-      {is_first ? kLeastExponent : exponent_, ExponentOf(min_) - kDigits,
-       ExponentOf(max_) - kDigits});
+  int exponent = std::max({is_first ? kLeastExponent : exponent_, ExponentOf(min_) - kDigits,
+                           ExponentOf(max_) - kDigits});
   if (is_first) {
     exponent_ = exponent;
     first_ = CellOf(value);

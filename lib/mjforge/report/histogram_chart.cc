@@ -144,8 +144,7 @@ void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Ti
 
 void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
   const Layout layout = Lay(chart);
-  const std::vector<std::uint64_t> drawn =
-      layout.drawn->Bins(layout.lo, layout.hi, layout.bins);
+  const std::vector<std::uint64_t> drawn = layout.drawn->Bins(layout.lo, layout.hi, layout.bins);
   const std::vector<double> expected = Expected(layout);
   double most = static_cast<double>(*std::max_element(drawn.begin(), drawn.end()));
   for (const double count : expected) most = std::max(most, count);
@@ -163,7 +162,8 @@ void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
   AddTicks(dictionary, "X_TICK", frame.x.Ticks(5));
   // Counts are whole.
   std::vector<Axis::Tick> y_ticks = frame.y.Ticks(4);
-  std::erase_if(y_ticks, [](const Axis::Tick& tick) { return tick.label.find('.') != tick.label.npos; });
+  std::erase_if(y_ticks,
+                [](const Axis::Tick& tick) { return tick.label.find('.') != tick.label.npos; });
   AddTicks(dictionary, "Y_TICK", y_ticks);
   AddColumns(dictionary, layout, frame, drawn);
   if (!expected.empty())

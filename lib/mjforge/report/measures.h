@@ -28,9 +28,9 @@ struct Measure {
   std::string_view title;
   std::string_view unit;
   std::string_view doc;
-  bool is_physics = false;  // only of objects that were dropped
-  bool is_whole = false;    // a count
   std::optional<double> (*of)(const manifest::Record&);
+  bool is_physics = false;  // of objects that were dropped or driven
+  bool is_whole = false;    // a count
 };
 
 /// In the order of MeasureId.

@@ -50,9 +50,9 @@ void AddFacts(Dictionary& page, const Gathered& gathered) {
   const manifest::Record& record = *gathered.first;
   AddFact(page, "Spec", Clean(record.spec));
   AddFact(page, "Seed", fmt::format("{}", record.seed));
-  AddFact(page, "Indices", gathered.variants == 1
-                               ? fmt::format("{}", record.index)
-                               : fmt::format("{} to {}", record.index, gathered.last_index));
+  AddFact(page, "Indices",
+          gathered.variants == 1 ? fmt::format("{}", record.index)
+                                 : fmt::format("{} to {}", record.index, gathered.last_index));
   AddFact(page, "Target", Clean(record.target));
   AddFact(page, "Validated by", record.validate == "none" ? "nothing" : Clean(record.validate));
   AddFact(page, "If invalid", Clean(record.on_invalid));
@@ -66,9 +66,9 @@ void AddFacts(Dictionary& page, const Gathered& gathered) {
 
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch) {
   const Gathered& gathered = batch.gathered;
-  const std::string name = batch.recipe          ? batch.recipe->spec->name
-                           : gathered.first      ? gathered.first->spec
-                                                 : std::string("Empty batch");
+  const std::string name = batch.recipe     ? batch.recipe->spec->name
+                           : gathered.first ? gathered.first->spec
+                                            : std::string("Empty batch");
   Set(page, "VERSION", forge::Version());
   Set(page, "NAME", Clean(name));
   Set(page, "COUNT", Counted(gathered.variants, "variant"));

@@ -53,8 +53,8 @@ void LoadSpec(const Request& request, Batch& batch, diag::Sources& sources,
         first.mark ? fmt::format("the spec cannot be read any more: {}", first.message)
                    : first.message;
     findings.Warn(first.code, {}, message, first.hint);
-    batch.notices.push_back(fmt::format(
-        "What was asked for is not known: {}. Below is only what was drawn.", message));
+    batch.notices.push_back(
+        fmt::format("What was asked for is not known: {}. Below is only what was drawn.", message));
     return;
   }
   batch.asked = Ask(*batch.recipe, batch.gathered);
@@ -86,16 +86,16 @@ void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,
 }
 
 std::string ShownText(const Cards& cards, const Gathered& gathered) {
-  std::string text = fmt::format("{} of {} {} shown", Counted(cards.shown()),
-                                 Counted(gathered.variants, "variant"),
-                                 gathered.variants == 1 ? "is" : "are");
+  std::string text =
+      fmt::format("{} of {} {} shown", Counted(cards.shown()),
+                  Counted(gathered.variants, "variant"), gathered.variants == 1 ? "is" : "are");
   std::vector<std::string> groups;
   const auto good = gathered.statuses.find("ok");
   const std::uint64_t bad =
       gathered.variants - (good == gathered.statuses.end() ? 0 : good->second);
   if (bad > 0) {
-    groups.push_back(fmt::format("{} of the {} that failed or were skipped",
-                                 Counted(cards.failed), Counted(bad)));
+    groups.push_back(fmt::format("{} of the {} that failed or were skipped", Counted(cards.failed),
+                                 Counted(bad)));
   }
   if (cards.slow > 0)
     groups.push_back(fmt::format("the {} slowest to come to rest", Counted(cards.slow)));
@@ -172,7 +172,8 @@ std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnai
 
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
   std::error_code ignored;
-  if (force || !std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
+  if (force || !std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
+    return true;
   const std::optional<std::string> head = output::ReadStart(file, kHeadBytes);
   if (head && head->substr(0, kHeadBytes).find(kGenerator) != head->npos) return true;
   output::AddForeign(file, findings);

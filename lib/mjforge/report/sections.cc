@@ -31,8 +31,7 @@ void AddCode(Dictionary& list, const std::string& name, const CodeTally& tally,
   Set(code, "SEVERITY", example.severity == "warning" ? "warning" : "error");
   Set(code, "VARIANTS", Counted(tally.variants));
   Set(code, "SHARE", share);
-  Set(code, "PERCENT",
-      100 * static_cast<double>(tally.variants) / static_cast<double>(variants));
+  Set(code, "PERCENT", 100 * static_cast<double>(tally.variants) / static_cast<double>(variants));
   ShowText(code, "PLACE", Clean(example.place));
   Set(code, "MESSAGE", Clean(example.message));
   ShowText(code, "HINT", Clean(example.hint));
@@ -102,8 +101,9 @@ class ParameterPanels {
     } else {
       AddBars(panel, {id_, Title(), values, asked});
       if (drawn_.more_texts) {
-        ShowText(panel, "NOTE", fmt::format("of the first {} different texts",
-                                            Counted(ParameterTally::kMaxTexts)));
+        ShowText(
+            panel, "NOTE",
+            fmt::format("of the first {} different texts", Counted(ParameterTally::kMaxTexts)));
       }
     }
   }
@@ -182,8 +182,9 @@ void AddParameters(Dictionary& body, const Batch& batch) {
   if (good == statuses.end() || good->second < batch.gathered.variants) Section(section, "ANY_BAD");
   if (batch.asked) Section(section, "ANY_ASKED");
   if (drawn.size() > kMaxParameters) {
-    ShowText(section, "MORE",
-             fmt::format("The first {} of {}.", kMaxParameters, Counted(drawn.size(), "parameter")));
+    ShowText(
+        section, "MORE",
+        fmt::format("The first {} of {}.", kMaxParameters, Counted(drawn.size(), "parameter")));
   }
   for (std::size_t i = 0; i < std::min(drawn.size(), kMaxParameters); ++i)
     ParameterPanels(section, batch, drawn[i], i)();
@@ -199,9 +200,10 @@ void AddMassAndSize(Dictionary& body, const Gathered& gathered) {
   Section(body, "MEASURES_LINK");
   Dictionary& section = Section(body, "MEASURES");
   const std::vector<Point> points = gathered.points.Take(kMaxPoints);
-  std::string text = points.size() < all ? fmt::format("{} of {} are drawn, spread over the batch.",
-                                                       Counted(points.size()), Counted(all, "object"))
-                                         : fmt::format("{}.", Counted(all, "object"));
+  std::string text = points.size() < all
+                         ? fmt::format("{} of {} are drawn, spread over the batch.",
+                                       Counted(points.size()), Counted(all, "object"))
+                         : fmt::format("{}.", Counted(all, "object"));
   if (std::any_of(points.begin(), points.end(), [](const Point& point) { return point.is_bad; }))
     text += " Crosses failed.";
   Set(section, "TEXT", text);

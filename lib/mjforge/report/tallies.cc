@@ -58,8 +58,7 @@ void ParameterTally::AddWhole(double value, bool is_bad) {
 std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
   std::vector<std::pair<std::string, Counts>> values;
   if (all_whole_ && whole_.size() <= kMaxWhole) {
-    for (const auto& [value, counts] : whole_)
-      values.emplace_back(expr::NumberText(value), counts);
+    for (const auto& [value, counts] : whole_) values.emplace_back(expr::NumberText(value), counts);
   }
   values.insert(values.end(), texts_.begin(), texts_.end());
   return values;

@@ -34,9 +34,9 @@ bool LoadTemplates() {
   const std::array texts = {kPageHtml, kCardHtml, kHistogramHtml, kBarsHtml, kScatterHtml};
   bool loaded = true;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    loaded = ctemplate::StringToTemplateCache(kNames[i], View(texts[i]),
-                                              ctemplate::STRIP_BLANK_LINES) &&
-             loaded;
+    loaded =
+        ctemplate::StringToTemplateCache(kNames[i], View(texts[i]), ctemplate::STRIP_BLANK_LINES) &&
+        loaded;
   }
   return loaded;
 }

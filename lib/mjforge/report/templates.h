@@ -4,11 +4,12 @@
 // The page's files, embedded, and how their holes are filled. Every value is escaped as
 // the place needs it, but for the few that a file marks with `:none`.
 
-#include <ctemplate/template_dictionary.h>
-
 #include <cstdint>
+#include <cstring>  // that ctemplate's headers forget
 #include <string>
 #include <string_view>
+
+#include <ctemplate/template_dictionary.h>
 
 namespace mjforge::report {
 

@@ -13,10 +13,12 @@ std::string Labels(const Axis& axis, int count) {
 
 TEST_CASE("ticks of an axis are round numbers") {
   CHECK(Labels(Axis(Scale::kLinear, 0, 1, 0, 100), 5) == "0 0.2 0.4 0.6 0.8 1 ");
-  CHECK(Labels(Axis(Scale::kLinear, 0.1, 0.25, 0, 100), 5) == "0.1 0.12 0.14 0.16 0.18 0.2 0.22 0.24 ");
+  CHECK(Labels(Axis(Scale::kLinear, 0.1, 0.25, 0, 100), 5) ==
+        "0.1 0.12 0.14 0.16 0.18 0.2 0.22 0.24 ");
   CHECK(Labels(Axis(Scale::kLinear, -1, 1, 0, 100), 4) == "-1 -0.5 0 0.5 1 ");
   CHECK(Labels(Axis(Scale::kLinear, 0, 31234, 0, 100), 4) == "0 10000 20000 30000 ");
-  CHECK(Labels(Axis(Scale::kLinear, 1e-7, 3e-7, 0, 100), 4) == "1e-07 1.5e-07 2e-07 2.5e-07 3e-07 ");
+  CHECK(Labels(Axis(Scale::kLinear, 1e-7, 3e-7, 0, 100), 4) ==
+        "1e-07 1.5e-07 2e-07 2.5e-07 3e-07 ");
 }
 
 TEST_CASE("ticks of a logarithmic axis are decades, with 2 and 5 where they are few") {

@@ -62,7 +62,8 @@ TEST_CASE("the order of the numbers does not matter") {
 
 TEST_CASE("quantiles are as exact as a cell is wide") {
   const Histogram histogram = Of(Scattered());
-  for (const double q : {0.0, 0.1, 0.5, 0.99}) CHECK(histogram.Quantile(q) == Approx(q).margin(2e-3));
+  for (const double q : {0.0, 0.1, 0.5, 0.99})
+    CHECK(histogram.Quantile(q) == Approx(q).margin(2e-3));
   CHECK(histogram.Quantile(1) == histogram.max());
 }
 
