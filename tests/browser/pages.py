@@ -68,7 +68,7 @@ class Pages:
 
     def _make_failing(self):
         spec = SPEC.replace("size: [half, half, 2 * half]",
-                            "size: [spikes > 2 ? 0 : half, half, 2 * half]")
+                            "size: ['spikes > 2 ? 0 : half', half, 2 * half]")
         (self.folder / "failing.yaml").write_text(spec.replace("mallet", "failing"))
         self.run("generate", "failing.yaml", "-n", "100", "-o", "failing/", "-q", status=1)
         self._report("failing", "failing")

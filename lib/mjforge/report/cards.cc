@@ -115,8 +115,8 @@ class CardMaker {
   }
 
   std::string UnitOf(const std::string& name) const {
-    const spec::Parameter* declared = ParameterOf(batch_, name);
-    return declared == nullptr || declared->unit.empty() ? "" : " " + Clean(declared->unit, 20);
+    const std::string unit = UnitText(ParameterOf(batch_, name));
+    return unit.empty() ? "" : " " + unit;
   }
 
   void AddParam(Dictionary& list, const Params::value_type& param) const {

@@ -60,9 +60,12 @@ std::vector<std::uint64_t> Histogram::Bins(double lo, double hi, std::size_t bin
   const double width = (hi - lo) / static_cast<double>(bins);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (cells_[i] == 0) continue;
-    const double middle = std::clamp(MiddleOf(i), min_, max_);
-    if (middle < lo || middle > hi) continue;
-    counts[std::min(static_cast<std::size_t>((middle - lo) / width), bins - 1)] += cells_[i];
+    const double middle = MiddleOf(i);
+    const double half = std::ldexp(0.5, exponent_);
+    if (middle + half <= lo || middle - half > hi) continue;
+    // A cell on an end belongs to the bin there.
+    const double place = std::clamp((middle - lo) / width, 0.0, static_cast<double>(bins - 1));
+    counts[static_cast<std::size_t>(place)] += cells_[i];
   }
   return counts;
 }

@@ -28,7 +28,8 @@ class Histogram {
   /// The number that a share `q` of all is below, as exact as a cell is wide.
   double Quantile(double q) const;
   /// Counts in `bins` intervals of one width from lo to hi, lo < hi. What is in a
-  /// cell goes where the cell's middle is; what is outside is left out.
+  /// cell goes where the cell's middle is, and one on an end into the bin there; what is
+  /// outside is left out.
   std::vector<std::uint64_t> Bins(double lo, double hi, std::size_t bins) const;
 
  private:

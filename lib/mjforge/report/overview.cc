@@ -43,6 +43,7 @@ void AddFact(Dictionary& page, std::string_view key, std::string_view value) {
   Dictionary& fact = Section(page, "FACT");
   Set(fact, "KEY", key);
   Set(fact, "VALUE", value);
+  if (value.size() > 40) Section(fact, "WIDE");
 }
 
 void AddFacts(Dictionary& page, const Gathered& gathered) {
@@ -86,6 +87,10 @@ void AddOverview(Dictionary& page, const Request& request, const Batch& batch) {
 
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name) {
   return batch.recipe ? batch.recipe->spec->FindParameter(name) : nullptr;
+}
+
+std::string UnitText(const spec::Parameter* parameter) {
+  return parameter == nullptr || parameter->unit == "1" ? "" : Clean(parameter->unit, 20);
 }
 
 }  // namespace mjforge::report

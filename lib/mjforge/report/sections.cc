@@ -121,7 +121,7 @@ class ParameterPanels {
     return panel;
   }
 
-  std::string Unit() const { return declared_ == nullptr ? "" : Clean(declared_->unit); }
+  std::string Unit() const { return UnitText(declared_); }
   std::string Title() const {
     const std::string unit = Unit();
     return Clean(drawn_.name) + (unit.empty() ? "" : ", " + unit);

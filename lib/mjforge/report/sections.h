@@ -34,6 +34,8 @@ void AddPhysics(Dictionary& body, const Gathered& gathered);
 
 /// The spec's parameter of that name; null without a recipe.
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
+/// Its unit, as a page shows it: not the unit 1, and nothing for null.
+std::string UnitText(const spec::Parameter* parameter);
 
 }  // namespace mjforge::report
 

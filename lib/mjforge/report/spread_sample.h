@@ -37,7 +37,8 @@ class SpreadSample {
 
  private:
   void Thin() {
-    for (std::size_t i = 0; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
+    // The first stays: moved to itself it would lose what it has.
+    for (std::size_t i = 1; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
     kept_.resize((kept_.size() + 1) / 2);
     stride_ *= 2;
   }

@@ -14,7 +14,7 @@ std::string LineOf(std::uint64_t index) {
   Record record;
   record.index = index;
   record.name = "mug";
-  record.status = "ok";
+  record.status += "ok";
   record.nbody = 2;
   record.bounds.aabb.min = {-1, -2, -3};
   record.bounds.aabb.max = {1, 2, 0.1};

@@ -14,7 +14,7 @@ ParameterTallies AskOf(const std::string& params, std::uint64_t first = 0,
   diag::Sources sources;
   diag::Findings findings;
   const std::string text =
-      "mjforge: 1\nname: crate\n" + params + "parts: [{name: body, type: box, size: 0.1}]\n";
+      "mjforge: 1\nname: crate\n" + params + "parts: [{name: body, type: sphere, size: 0.1}]\n";
   const auto recipe =
       forge::LoadRecipe(folder.Write("crate.yaml", text).string(), {}, sources, findings);
   for (const diag::Finding& finding : findings) UNSCOPED_INFO(finding.message);

@@ -1,6 +1,7 @@
 #include "mjforge/report/spread_sample.h"
 
 #include <catch2/catch.hpp>
+#include <string>
 
 namespace mjforge::report {
 namespace {
@@ -30,6 +31,13 @@ TEST_CASE("of many there are as many as were asked for, evenly spread") {
       CHECK(taken[i] - taken[i - 1] <= seen / 4 + 1);
     }
   }
+}
+
+TEST_CASE("what is kept stays whole") {
+  SpreadSample<std::string> sample(4);
+  for (int i = 0; i < 100; ++i)
+    sample.Add("a text that is too long for its own object " + std::to_string(i));
+  for (const std::string& text : sample.Take(4)) CHECK(text.size() > 40);
 }
 
 TEST_CASE("a sample of none keeps none") { CHECK(Of(100, 0, 10).empty()); }
