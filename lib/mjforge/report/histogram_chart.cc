@@ -132,6 +132,14 @@ std::string Description(const HistogramChart& chart) {
   return text;
 }
 
+// Of counts: there is no half variant.
+std::vector<Axis::Tick> WholeTicks(const Axis& axis, int count) {
+  std::vector<Axis::Tick> ticks = axis.Ticks(count);
+  std::erase_if(ticks,
+                [](const Axis::Tick& tick) { return tick.label.find('.') != tick.label.npos; });
+  return ticks;
+}
+
 }  // namespace
 
 void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Tick>& ticks) {
@@ -159,12 +167,8 @@ void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
   Set(dictionary, "DESCRIPTION", Description(chart));
   Set(dictionary, "X_LABEL", chart.x_label);
   Set(dictionary, "Y_LABEL", "variants");
-  AddTicks(dictionary, "X_TICK", frame.x.Ticks(5));
-  // Counts are whole.
-  std::vector<Axis::Tick> y_ticks = frame.y.Ticks(4);
-  std::erase_if(y_ticks,
-                [](const Axis::Tick& tick) { return tick.label.find('.') != tick.label.npos; });
-  AddTicks(dictionary, "Y_TICK", y_ticks);
+  AddTicks(dictionary, "X_TICK", chart.whole ? WholeTicks(frame.x, 5) : frame.x.Ticks(5));
+  AddTicks(dictionary, "Y_TICK", WholeTicks(frame.y, 4));
   AddColumns(dictionary, layout, frame, drawn);
   if (!expected.empty())
     Set(Section(dictionary, "ASKED"), "PATH", Outline(layout, frame, expected));
