@@ -75,7 +75,8 @@ class Preview {
     ChoosePlace(recipe_->spec->name);
     forge::Options options;
     options.seed = options_.seed;
-    forge::Generator generator(*recipe_, sources_, options, nullptr);
+    options.validation = forge::Validation::kNone;
+    forge::Generator generator(*recipe_, sources_, options);
     picture::Loader loader;
     forge::Variant variant;
     for (std::uint64_t i = 0; i < options_.count; ++i) {

@@ -46,9 +46,8 @@ class View {
     forge::Options options;
     options.seed = options_.seed;
     options.target = mjcf::Target::kScene;
-    validate::Loader loader;
     forge::Variant variant;
-    forge::Generator(*recipe, sources_, options, &loader).Make(options_.index, variant);
+    forge::Generator(*recipe, sources_, options).Make(options_.index, variant);
     findings_.Append(variant.findings);
     if (!variant.ok()) return ExitStatus::kFindings;
     const auto viewer = FindViewer(findings_);

@@ -77,9 +77,10 @@ std::unique_ptr<picture::Subject> Thumbnails::MakeAgain(const manifest::Record& 
                                                         const std::string& sha256) {
   const forge::Recipe* recipe = RecipeOf(record);
   diag::Findings ignored;
-  const auto options = forge::RecordedOptions(record, record.name, ignored);
+  auto options = forge::RecordedOptions(record, record.name, ignored);
   if (recipe == nullptr || !options) return nullptr;
-  forge::Generator generator(*recipe, sources_, *options, nullptr);
+  options->validation = forge::Validation::kNone;
+  forge::Generator generator(*recipe, sources_, *options);
   forge::Variant variant;
   generator.Make(record.index, variant);
   if (!variant.object || (!sha256.empty() && variant.record.sha256 != sha256)) return nullptr;

@@ -139,24 +139,25 @@ bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
   const bool failed = original.from_manifest && original.record.status != "ok";
   // A file that is there was found valid, or not asked about: MuJoCo's verdict
   // has no part in its bytes.
-  const Validation validation = options.validation;
   if (!failed) options.validation = Validation::kNone;
   Generator generator(recipe, sources, options);
   generator.Make(original.record.index, variant);
   if (failed) return ReplayFailure(original, variant, findings);
   diag::Findings differences;
   if (variant.ok() && IsSame(original, variant, sources, differences)) return true;
+  // The comment does not say which draw it was, if earlier ones were invalid, nor
+  // what was asked of them.
   if (!original.from_manifest) {
-    // The comment does not say which draw it was, if earlier ones were invalid.
-    options.resample = true;
-    options.validation = validation;
-    Variant resampled;
-    Generator resampler(recipe, sources, options);
-    resampler.Make(original.record.index, resampled);
-    diag::Findings ignored;
-    if (resampled.ok() && resampled.record.attempt != variant.record.attempt &&
-        IsSame(original, resampled, sources, ignored)) {
-      return true;
+    for (const Validation validation : {Validation::kLoad, Validation::kPhysics}) {
+      options.resample = true;
+      options.validation = validation;
+      Variant resampled;
+      Generator(recipe, sources, options).Make(original.record.index, resampled);
+      diag::Findings ignored;
+      if (resampled.ok() && resampled.record.attempt != variant.record.attempt &&
+          IsSame(original, resampled, sources, ignored)) {
+        return true;
+      }
     }
   }
   findings.Append(variant.findings);
