@@ -41,8 +41,7 @@ const std::set<std::string> kWithoutPlace = {
     "batch/worker-died",       "batch/too-slow",        "batch/differs",
     "batch/missing",           "batch/uneven",          "picture/no-renderer",
     "picture/nothing-visible", "picture/unknown-joint", "picture/bad-joint-value",
-    "picture/no-viewer",       "picture/no-display",
-    "report/no-picture",
+    "picture/no-viewer",       "picture/no-display",    "report/no-picture",
 };
 
 std::vector<std::string> Codes() {

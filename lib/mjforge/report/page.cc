@@ -66,7 +66,7 @@ void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,
                 diag::Findings& findings) {
   const Gathered& gathered = batch.gathered;
   if (request.manifest.extension() == ".part") {
-    batch.notices.push_back(
+    batch.notices.emplace_back(
         "The batch is not done: its manifest is still under construction. Below is what it has so "
         "far.");
   }
@@ -82,7 +82,7 @@ void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,
     batch.notices.push_back("The numbers below mix them: " + message + ".");
   }
   if (gathered.variants == 0)
-    batch.notices.push_back("The manifest has no records: there is nothing to show.");
+    batch.notices.emplace_back("The manifest has no records: there is nothing to show.");
 }
 
 std::string ShownText(const Cards& cards, const Gathered& gathered) {
@@ -100,7 +100,8 @@ std::string ShownText(const Cards& cards, const Gathered& gathered) {
   if (cards.slow > 0)
     groups.push_back(fmt::format("the {} slowest to come to rest", Counted(cards.slow)));
   if (!groups.empty() || cards.shown() < gathered.variants)
-    groups.push_back(fmt::format("{} spread over the others", Counted(cards.sampled)));
+    groups.push_back(fmt::format("{} spread over the {}", Counted(cards.sampled),
+                                 groups.empty() ? "batch" : "others"));
   for (std::size_t i = 0; i < groups.size(); ++i)
     text += (i == 0 ? ": " : i + 1 == groups.size() ? ", then " : ", ") + groups[i];
   text += ".";

@@ -108,6 +108,7 @@ TEST_CASE_METHOD(ShardTest, "a manifest that is damaged is noticed") {
 
 TEST_CASE("where there are no shards, or of two batches, nothing is joined") {
   CrateBatch test(kBoxSpec);
+  diag::Sources sources;
   diag::Findings findings;
   const output::Destination destination = test.Of(kCount, "out").destination;
   CHECK_FALSE(Merge(destination, sources, findings));

@@ -158,8 +158,7 @@ TEST_CASE("a manifest that cannot be understood is a finding") {
         "'" + place("crate/manifest.jsonl") + "' has no record of index 77");
   test.loaded.folder.Write("bad.jsonl", "{}\n");
   CHECK_FALSE(test.Replay("bad.jsonl:0"));
-  CHECK(test.findings[0].message ==
-        "this line is not a record: it has no 'file'");
+  CHECK(test.findings[0].message == "this line is not a record: it has no 'file'");
   test.loaded.folder.Write("bad.xml", "<mujoco/>\n");
   CHECK_FALSE(test.Replay("bad.xml"));
   CHECK(test.findings[0].code == diag::Code::kOutputBadManifest);
