@@ -25,11 +25,12 @@ ExitStatus Merge(const MergeOptions& options) {
     return WrongUsage(
         fmt::format("'{}' is neither a folder nor a series of archives", options.output), "merge");
   }
+  diag::Sources sources;
   diag::Findings findings;
-  const std::optional<std::uint64_t> count = batch::Merge(*destination, findings);
+  const std::optional<std::uint64_t> count = batch::Merge(*destination, sources, findings);
   const ExitStatus status = StatusOf(findings);
   Console console(options.report);
-  console.Show(std::move(findings), {});
+  console.Show(std::move(findings), sources);
   if (count)
     console.Say(fmt::format("{} variants in {}", *count, destination->Manifest({}).string()));
   return status;

@@ -190,7 +190,7 @@ Action AddPreview(CLI::App& app) {
   AddPreviewOptions(command, *options);
   AddExamples(command,
               "  mjforge preview hammer -n 16 -o hammers.png\n"
-              "  mjforge preview hinged_box --joint lid_hinge=45deg\n"
+              "  mjforge preview hinged_box --joint hinge=45deg\n"
               "  mjforge preview faucet --sweep -o faucet.gif --size 320\n"
               "  mjforge preview robot.xml --layer collision --size 1280x720");
   return [options] {

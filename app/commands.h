@@ -2,6 +2,7 @@
 #define MJFORGE_APP_COMMANDS_H_
 
 #include <functional>
+#include <vector>
 
 #include "exit_status.h"
 
@@ -23,8 +24,12 @@ Action AddPreview(CLI::App& app);
 Action AddView(CLI::App& app);
 Action AddMerge(CLI::App& app);
 Action AddReplay(CLI::App& app);
+Action AddReport(CLI::App& app);
 Action AddCatalogue(CLI::App& app);
 Action AddSchema(CLI::App& app);
+
+/// All of them, in the order of the help.
+std::vector<Action> AddCommands(CLI::App& app);
 
 }  // namespace mjforge::app
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "json.h"
 #include "mjforge/expr/expr.h"
@@ -33,26 +32,19 @@ struct Batch {
   std::optional<Record> first;
 };
 
-std::optional<Batch> ReadBatch(const std::filesystem::path& file, diag::Findings& findings) {
-  std::ifstream lines(file, std::ios::binary);
-  if (!lines || std::filesystem::is_directory(file)) {
-    output::ReadFile(file, findings);  // says why
-    return std::nullopt;
-  }
+std::optional<Batch> ReadBatch(const std::filesystem::path& file, diag::Sources& sources,
+                               diag::Findings& findings) {
+  using Outcome = manifest::RecordReader::Outcome;
+  auto lines = manifest::RecordReader::Open(file, sources, findings);
+  if (!lines) return std::nullopt;
   Batch batch;
-  std::string line;
-  std::string why_not;
-  for (std::uint64_t number = 1; std::getline(lines, line); ++number) {
-    std::optional<Record> record = manifest::ReadRecord(line, why_not);
-    if (!record) {
-      findings.Add(
-          diag::Code::kOutputBadManifest, {},
-          fmt::format("line {} of '{}' is not a record: {}", number, file.string(), why_not));
-      return std::nullopt;
-    }
-    batch.statistics.Add(*record);
-    if (!batch.first) batch.first = std::move(record);
+  Record record;
+  Outcome outcome = lines->Next(record);
+  for (; outcome == Outcome::kRecord; outcome = lines->Next(record)) {
+    batch.statistics.Add(record);
+    if (!batch.first) batch.first = record;
   }
+  if (outcome == Outcome::kBadLine) return std::nullopt;
   return batch;
 }
 
@@ -186,10 +178,11 @@ std::optional<std::filesystem::path> FindManifest(const std::string& what) {
 }
 
 ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console) {
+  diag::Sources sources;
   diag::Findings findings;
-  const std::optional<Batch> batch = ReadBatch(manifest, findings);
+  const std::optional<Batch> batch = ReadBatch(manifest, sources, findings);
   const ExitStatus status = StatusOf(findings);
-  console.Show(std::move(findings), {});
+  console.Show(std::move(findings), sources);
   if (!batch) return status;
   return Print(json ? AsJson(*batch) : Tables(*batch));
 }

@@ -22,10 +22,7 @@ ExitStatus Run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", VersionText, "Print versions and exit");
   app.footer("'mjforge COMMAND --help' explains a command and has examples.");
-  // In the order of the help.
-  const std::vector<Action> actions = {
-      AddGenerate(app), AddCheck(app), AddInspect(app), AddValidate(app),  AddPreview(app),
-      AddView(app),     AddMerge(app), AddReplay(app),  AddCatalogue(app), AddSchema(app)};
+  const std::vector<Action> actions = AddCommands(app);
   try {
     const std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them

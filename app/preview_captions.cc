@@ -56,6 +56,7 @@ std::vector<std::size_t> MostDifferent(std::span<const Record> records) {
   std::sort(spreads.begin(), spreads.end());
   spreads.resize(std::min(spreads.size(), kMostLines));
   std::vector<std::size_t> parameters;
+  parameters.reserve(spreads.size());
   for (const auto& [spread, parameter] : spreads) parameters.push_back(parameter);
   std::sort(parameters.begin(), parameters.end());
   return parameters;

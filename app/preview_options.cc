@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "mjforge/expr/expr.h"
 
@@ -11,7 +13,10 @@ namespace mjforge::app {
 namespace {
 
 constexpr int kSizeOfOne = 640;
-constexpr int kSizeOfTile = 320;
+constexpr int kSizeOfTile = 320;  // and of an animation
+// What is in memory at the same time: frames, and the tiles of a sheet.
+constexpr int kLargestFrame = 800;
+constexpr std::uint64_t kMostPixels = 64'000'000;
 
 // "640", "640x480"
 std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
@@ -49,13 +54,35 @@ std::string CheckBackground(const std::string& text) {
   return fmt::format("'{}' is not one of studio, transparent, white, gray, black, #rrggbb", text);
 }
 
+// The file's name says what is in it.
+std::string WrongName(const PreviewOptions& options) {
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  if (options.output == "-" || ending.empty() || ending == ".png") return {};
+  if (ending == ".gif" || ending == ".apng") {
+    if (options.sweep) return {};
+    return fmt::format("-o {}: a picture is a .png; {} is for --sweep", options.output, ending);
+  }
+  return fmt::format("-o {}: pictures are .png, with --sweep also .apng and .gif", options.output);
+}
+
+std::string TooLarge(const PreviewOptions& options, const picture::Options& picture) {
+  const auto pixels = options.count * static_cast<std::uint64_t>(picture.width) *
+                      static_cast<std::uint64_t>(picture.height);
+  if (options.count > 1 && pixels > kMostPixels)
+    return fmt::format("--size {}: {} pictures of that size are too large for one sheet",
+                       options.size, options.count);
+  if (options.sweep && std::max(picture.width, picture.height) > kLargestFrame)
+    return fmt::format("--size {}: with --sweep at most {} pixels a side", options.size,
+                       kLargestFrame);
+  return {};
+}
+
 std::string Contradiction(const PreviewOptions& options) {
   if (options.count == 0) return "-n 0: there is nothing to draw";
   if (options.count > kMostTiles)
     return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMostTiles);
   if (options.sweep && options.count > 1) return "--sweep takes one object, not a sheet";
-  if (options.output.ends_with(".gif") && !options.sweep)
-    return fmt::format("-o {}: a picture is a PNG; GIF is for --sweep", options.output);
+  if (std::string wrong = WrongName(options); !wrong.empty()) return wrong;
   if (!options.is_file()) return {};
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
@@ -74,19 +101,18 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
       ->option_text("OUT");
   const std::vector<std::string> layers(picture::LayerNames().begin(), picture::LayerNames().end());
-  AddWord(command, "--layer", options.layer, layers, "What is shown");
+  AddWord(command, "--layer", options.layer, layers, "Show");
   command.add_option("--joint", options.joints, "Where a joint stands (hinge=45deg)")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--size", options.size, "Pixels, of each variant [640; of several 320]")
+  command.add_option("--size", options.size, "Pixels [640; of each of several, moving 320]")
       ->option_text("WxH");
   command
       .add_option("--background", options.background,
                   "studio, transparent, white, gray, black, #rrggbb")
       ->check(CheckBackground)
       ->option_text("COLOR [studio]");
-  command.add_flag("--sweep", options.sweep,
-                   "Animate joints, or that of --joint NAME (PNG or GIF)");
+  command.add_flag("--sweep", options.sweep, "Animate all joints, or --joint NAME");
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
   AddSpecOptions(command, options.spec);
   AddReportOptions(command, options.report);
@@ -96,7 +122,8 @@ std::optional<PreviewRequest> RequestOf(const PreviewOptions& options, std::stri
   why_not = Contradiction(options);
   if (!why_not.empty()) return std::nullopt;
   PreviewRequest request;
-  request.picture.width = request.picture.height = options.count > 1 ? kSizeOfTile : kSizeOfOne;
+  request.picture.width = request.picture.height =
+      options.count > 1 || options.sweep ? kSizeOfTile : kSizeOfOne;
   if (!options.size.empty()) {
     const auto size = ParseSize(options.size);
     if (!size) {
@@ -107,6 +134,8 @@ std::optional<PreviewRequest> RequestOf(const PreviewOptions& options, std::stri
     request.picture.width = size->first;
     request.picture.height = size->second;
   }
+  why_not = TooLarge(options, request.picture);
+  if (!why_not.empty()) return std::nullopt;
   request.picture.layer = *picture::ParseLayer(options.layer);
   request.picture.background = *picture::ParseBackground(options.background);
   for (const std::string& text : options.joints) {

@@ -18,4 +18,5 @@ set(mjforge_dependencies
   "GIF 5.2"
   "WebP"
   "Random123"
-  "xxhash")
+  "xxhash"
+  "ctemplate")  # HTML that escapes by itself

@@ -42,6 +42,7 @@ const std::set<std::string> kWithoutPlace = {
     "batch/missing",           "batch/uneven",          "picture/no-renderer",
     "picture/nothing-visible", "picture/unknown-joint", "picture/bad-joint-value",
     "picture/no-viewer",       "picture/no-display",
+    "report/no-picture",
 };
 
 std::vector<std::string> Codes() {

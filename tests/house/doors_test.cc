@@ -41,9 +41,10 @@ const std::array kRooms = {
           "manifest", "output"}},
     Room{"batch", {"diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
     Room{"picture", {"diag", "engine"}},
+    Room{"report", {"diag", "expr", "spec", "sample", "manifest", "output", "forge"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",
-          "output", "forge", "batch", "picture"}},
+          "output", "forge", "batch", "picture", "report"}},
 };
 
 struct Library {
@@ -67,9 +68,10 @@ const std::array kLibraries = {
     // validate: points over joint ranges; physics: points in parts
     Library{"boost/random/", {"sample", "validate", "physics"}},
     Library{"ccd/", {"physics"}},
+    Library{"ctemplate/", {"report"}},
     Library{"fmt/",
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
-             "physics", "manifest", "output", "forge", "batch", "picture", "app"}},
+             "physics", "manifest", "output", "forge", "batch", "picture", "report", "app"}},
     Library{"gif_lib.h", {"picture"}},
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
@@ -78,7 +80,8 @@ const std::array kLibraries = {
     Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
-    Library{"rapidjson/", {"diag", "spec", "manifest", "app"}},
+    Library{"rapidjson/", {"diag", "spec", "manifest", "report", "app"}},
+    Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"webp/", {"picture"}},
     Library{"xxhash.h", {"expr", "sample"}},

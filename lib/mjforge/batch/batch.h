@@ -96,7 +96,7 @@ Range RangeOf(const output::Shard& shard, const Range& all, const output::Destin
 /// Joins the manifests of all shards beside or in `destination` into one, if
 /// they are of one batch and none is missing. How many variants it has; nothing,
 /// and findings, if that cannot be done.
-std::optional<std::uint64_t> Merge(const output::Destination& destination,
+std::optional<std::uint64_t> Merge(const output::Destination& destination, diag::Sources& sources,
                                    diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <map>
 
 #include "mjforge/batch/batch.h"
@@ -41,8 +40,11 @@ std::optional<output::Shard> ShardOf(std::string_view name, std::string_view man
 
 class Joining {
  public:
-  Joining(const output::Destination& destination, diag::Findings& findings)
-      : destination_(destination), findings_(findings), file_(destination.Manifest({})) {}
+  Joining(const output::Destination& destination, diag::Sources& sources, diag::Findings& findings)
+      : destination_(destination),
+        sources_(sources),
+        findings_(findings),
+        file_(destination.Manifest({})) {}
 
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
@@ -104,33 +106,28 @@ class Joining {
   }
 
   bool Append(const std::filesystem::path& shard, output::PartFile& part) {
-    std::ifstream file(shard, std::ios::binary);
+    using Outcome = manifest::RecordReader::Outcome;
+    std::optional<manifest::RecordReader> reader =
+        manifest::RecordReader::Open(shard, sources_, findings_);
+    if (!reader) return false;
     std::string lines;
-    std::string line;
-    std::uint64_t number = 0;
-    while (std::getline(file, line)) {
-      ++number;
-      if (!Check(line, shard, number)) return false;
-      lines += line;
+    manifest::Record record;
+    Outcome outcome = reader->Next(record);
+    for (; outcome == Outcome::kRecord; outcome = reader->Next(record)) {
+      if (!Check(record, shard, reader->number())) return false;
+      lines += reader->text();
       lines += '\n';
       if (lines.size() < kBufferBytes) continue;
       if (!part.Append(lines, findings_)) return false;
       lines.clear();
     }
-    return part.Append(lines, findings_);
+    return outcome == Outcome::kEnd && part.Append(lines, findings_);
   }
 
-  bool Check(const std::string& line, const std::filesystem::path& shard, std::uint64_t number) {
-    std::string why_not;
-    const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
-    if (!record) {
-      findings_.Add(
-          diag::Code::kOutputBadManifest, {},
-          fmt::format("line {} of '{}' is not a record: {}", number, shard.string(), why_not));
-      return false;
-    }
+  bool Check(const manifest::Record& record, const std::filesystem::path& shard,
+             std::uint64_t number) {
     if (!first_) first_ = record;
-    const std::string difference = manifest::DifferenceOfBatch(*record, *first_);
+    const std::string difference = manifest::DifferenceOfBatch(record, *first_);
     if (!difference.empty()) {
       findings_.Add(diag::Code::kBatchDiffers, {},
                     fmt::format("line {} of '{}' is of another batch: {}", number, shard.string(),
@@ -139,17 +136,17 @@ class Joining {
       return false;
     }
     const std::uint64_t expected = first_->index + records_;
-    if (record->index != expected) {
+    if (record.index != expected) {
       AddMissing(fmt::format("line {} of '{}' has index {}; {} should come there", number,
-                             shard.string(), record->index, expected),
-                 record->index < expected ? "a variant is there twice: were all shards made with "
-                                            "the same -n, --first and --per-archive?"
-                                          : "variants are missing: were all shards made with the "
-                                            "same -n, --first and --per-archive?");
+                             shard.string(), record.index, expected),
+                 record.index < expected ? "a variant is there twice: were all shards made with "
+                                           "the same -n, --first and --per-archive?"
+                                         : "variants are missing: were all shards made with the "
+                                           "same -n, --first and --per-archive?");
       return false;
     }
     ++records_;
-    return IsThere(*record);
+    return IsThere(record);
   }
 
   bool IsThere(const manifest::Record& record) {
@@ -169,6 +166,7 @@ class Joining {
   }
 
   const output::Destination& destination_;
+  diag::Sources& sources_;
   diag::Findings& findings_;
   std::filesystem::path file_;
   std::optional<manifest::Record> first_;
@@ -178,9 +176,9 @@ class Joining {
 
 }  // namespace
 
-std::optional<std::uint64_t> Merge(const output::Destination& destination,
+std::optional<std::uint64_t> Merge(const output::Destination& destination, diag::Sources& sources,
                                    diag::Findings& findings) {
-  return Joining(destination, findings)();
+  return Joining(destination, sources, findings)();
 }
 
 }  // namespace mjforge::batch

@@ -146,15 +146,17 @@ constexpr std::array kCodes = {
              "a joint that is to be moved does not exist"},
     CodeInfo{Code::kPictureBadJointValue, "picture/bad-joint-value",
              "a joint cannot stand where it is told to"},
-    CodeInfo{Code::kPictureNoViewer, "picture/no-viewer", "MuJoCo's viewer is not installed, or fails"},
+    CodeInfo{Code::kPictureNoViewer, "picture/no-viewer",
+             "MuJoCo's viewer is not installed, or fails"},
     CodeInfo{Code::kPictureNoDisplay, "picture/no-display", "there is no display for a window"},
+    CodeInfo{Code::kReportNoPicture, "report/no-picture", "variants of a report have no picture"},
 };
 
 constexpr bool InOrder() {
   for (std::size_t i = 0; i < kCodes.size(); ++i) {
     if (static_cast<std::size_t>(kCodes[i].code) != i) return false;
   }
-  return kCodes.size() == static_cast<std::size_t>(Code::kPictureNoDisplay) + 1;
+  return kCodes.size() == static_cast<std::size_t>(Code::kReportNoPicture) + 1;
 }
 static_assert(InOrder(), "the table must list every code in the order of the enumeration");
 

@@ -114,6 +114,8 @@ enum class Code {
   kPictureBadJointValue,
   kPictureNoViewer,
   kPictureNoDisplay,
+  // The page about a batch.
+  kReportNoPicture,
 };
 
 struct CodeInfo {

@@ -7,15 +7,17 @@
 
 namespace mjforge::diag {
 
-std::uint32_t Sources::Add(std::string name, std::string text) {
-  files_.push_back({std::move(name), std::move(text)});
+std::uint32_t Sources::Add(std::string name, std::string text, std::uint32_t first_line) {
+  files_.push_back({std::move(name), std::move(text), first_line});
   return size();
 }
 
 std::string_view Sources::Line(SourceMark mark) const {
-  if (mark.file == 0 || mark.file > files_.size() || mark.line == 0) return {};
-  std::string_view rest = files_[mark.file - 1].text;
-  for (std::uint32_t line = 1; line < mark.line; ++line) {
+  if (mark.file == 0 || mark.file > files_.size()) return {};
+  const File& file = files_[mark.file - 1];
+  if (mark.line < file.first_line) return {};
+  std::string_view rest = file.text;
+  for (std::uint32_t line = file.first_line; line < mark.line; ++line) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) return {};
     rest.remove_prefix(end + 1);

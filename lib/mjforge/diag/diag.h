@@ -30,8 +30,9 @@ struct SourceMark {
 /// The texts read in a run: marks point into them, findings quote them.
 class Sources {
  public:
-  /// `name` is shown to the user as it stands. Returns the number for marks.
-  std::uint32_t Add(std::string name, std::string text);
+  /// `name` is shown to the user as it stands. Returns the number for marks. Of a
+  /// file that is too long to be kept, `text` may be a piece from line `first_line` on.
+  std::uint32_t Add(std::string name, std::string text, std::uint32_t first_line = 1);
 
   const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }
   const std::string& Text(std::uint32_t file) const { return files_[file - 1].text; }
@@ -43,6 +44,7 @@ class Sources {
   struct File {
     std::string name;
     std::string text;
+    std::uint32_t first_line = 1;
   };
   std::vector<File> files_;
 };
@@ -98,6 +100,11 @@ std::string RenderText(const Finding& finding, const Sources& sources, bool colo
 /// One JSON object without a line end: severity code file line column message
 /// hint seed index notes[].
 std::string RenderJson(const Finding& finding, const Sources& sources);
+
+/// Text of unknown origin, made fit to be shown on one line. Control characters, invalid
+/// bytes and the marks that turn the direction of writing are spelled out ("\x1b"): a spec
+/// must not be able to steer a terminal or a page.
+std::string SafeText(std::string_view text);
 
 /// The candidate nearest to `word` by edit distance (insert, delete, replace,
 /// swap of neighbours), if it is near enough to be a slip; ties go to the first.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::diag {
 namespace {
 

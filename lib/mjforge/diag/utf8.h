@@ -25,10 +25,8 @@ struct Cell {
   int width = 1;
 };
 
-/// Control characters, invalid bytes and the marks that turn the direction of
-/// writing are spelled out ("\x1b"): a spec must not be able to steer a terminal.
+/// As SafeText, for one character.
 Cell SafeCell(std::string_view text, Utf8Char character);
-std::string SafeText(std::string_view text);
 
 /// `text` with every invalid byte replaced by U+FFFD.
 std::string ValidUtf8(std::string_view text);

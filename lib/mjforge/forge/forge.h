@@ -150,6 +150,17 @@ class Generator {
   model::Assembler assembler_;
 };
 
+/// The recipe of a record: `spec`, or, if that is empty, the spec that it names, which is
+/// looked for here, in `folder` (the manifest's) and one folder up. Nothing, and findings,
+/// if it is gone or has changed since.
+std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
+                                         const std::filesystem::path& folder,
+                                         diag::Sources& sources, diag::Findings& findings);
+/// How to make a record's variant again; nothing, and a finding about `what`, if it was made
+/// for a target or with a sampler that is not known.
+std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
+                                       diag::Findings& findings);
+
 /// What to make again and compare.
 struct ReplayRequest {
   std::string what;  // "out/manifest.jsonl:42" or "out/hammer_000042.xml"

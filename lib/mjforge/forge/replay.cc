@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 
 #include "mjforge/forge/forge.h"
 
@@ -33,25 +32,17 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
 }
 
 std::optional<Original> FromManifest(const std::filesystem::path& file, std::uint64_t index,
-                                     diag::Findings& findings) {
-  // Line by line: a manifest may have a hundred million.
-  std::ifstream lines(file, std::ios::binary);
-  if (!lines || std::filesystem::is_directory(file)) {
-    output::ReadFile(file, findings);  // says why
-    return std::nullopt;
-  }
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    std::string why_not;
-    std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
-    if (!record) {
-      AddBadManifest(findings, fmt::format("line {} of '{}' is not a record: {}", number,
-                                           file.string(), why_not));
-      return std::nullopt;
-    }
-    if (record->index != index) continue;
-    Original original{*std::move(record), true, {}, {}};
+                                     diag::Sources& sources, diag::Findings& findings) {
+  using Outcome = manifest::RecordReader::Outcome;
+  std::optional<manifest::RecordReader> lines =
+      manifest::RecordReader::Open(file, sources, findings);
+  if (!lines) return std::nullopt;
+  Original original;
+  original.from_manifest = true;
+  Outcome outcome = lines->Next(original.record);
+  for (; outcome == Outcome::kRecord; outcome = lines->Next(original.record)) {
     const manifest::Record& known = original.record;
+    if (known.index != index) continue;
     if (!known.archive.empty()) {
       original.file = known.file;
       original.archive = file.parent_path() / known.archive;
@@ -60,7 +51,8 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
     }
     return original;
   }
-  AddBadManifest(findings, fmt::format("'{}' has no record of index {}", file.string(), index));
+  if (outcome == Outcome::kEnd)
+    AddBadManifest(findings, fmt::format("'{}' has no record of index {}", file.string(), index));
   return std::nullopt;
 }
 
@@ -86,45 +78,6 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   original.record.sampler = provenance->sampler;
   original.record.batch = provenance->batch;
   return original;
-}
-
-// A record names a file without its folder, so it is looked for here, beside
-// the record and one folder up, where generate's default puts the record's.
-std::string FindSpec(const std::string& reference, const std::filesystem::path& folder) {
-  std::error_code ignored;
-  for (const std::filesystem::path& place : {std::filesystem::path(), folder, folder / ".."}) {
-    const std::filesystem::path file = place / reference;
-    if (std::filesystem::is_regular_file(file, ignored)) return file.string();
-  }
-  return reference;
-}
-
-std::optional<Recipe> LoadOriginalRecipe(const Original& original, const ReplayRequest& request,
-                                         const std::filesystem::path& folder,
-                                         diag::Sources& sources, diag::Findings& findings) {
-  const manifest::Record& record = original.record;
-  if (request.spec.empty() && record.spec == "-") {
-    findings.Add(diag::Code::kSpecNotFound, {}, "the spec was read from standard input",
-                 "name its file with --spec");
-    return std::nullopt;
-  }
-  spec::LoadOptions options;
-  options.search_path = SearchPath();
-  for (const auto& [name, text] : record.settings) {
-    options.settings.push_back({name, text, "the record's settings"});
-  }
-  const std::string reference = request.spec.empty() ? FindSpec(record.spec, folder) : request.spec;
-  std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, findings);
-  if (!recipe) return std::nullopt;
-  if (recipe->spec->sha256 != record.spec_sha256) {
-    findings.Add(diag::Code::kOutputDiffers, {},
-                 fmt::format("spec '{}' has changed since: its hash is {}, the record says {}",
-                             recipe->spec->file, recipe->spec->sha256, record.spec_sha256),
-                 "name the spec of that time with --spec");
-    return std::nullopt;
-  }
-  recipe->reference = record.spec;
-  return recipe;
 }
 
 std::string_view TakeLine(std::string_view& rest) {
@@ -217,34 +170,15 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
   const auto record_place = SplitIndex(request.what);
   const std::filesystem::path file = record_place ? record_place->first : request.what;
   const std::optional<Original> original =
-      record_place ? FromManifest(file, record_place->second, findings) : FromFile(file, findings);
+      record_place ? FromManifest(file, record_place->second, sources, findings)
+                   : FromFile(file, findings);
   if (!original) return false;
-  const std::optional<mjcf::Target> target = mjcf::FindTarget(original->record.target);
-  if (!target) {
-    AddBadManifest(findings, fmt::format("'{}' was made for target '{}', which is not known here",
-                                         request.what, original->record.target));
-    return false;
-  }
-  const std::string& sampler = original->record.sampler;
-  const std::optional<sample::Method> method =
-      sampler.empty() ? sample::Method::kRandom : sample::FindMethod(sampler);
-  if (!method) {
-    AddBadManifest(findings, fmt::format("'{}' was made with sampler '{}', which is not known here",
-                                         request.what, sampler));
-    return false;
-  }
+  const std::optional<Options> options = RecordedOptions(original->record, request.what, findings);
+  if (!options) return false;
   const std::optional<Recipe> recipe =
-      LoadOriginalRecipe(*original, request, file.parent_path(), sources, findings);
+      LoadRecordedRecipe(original->record, request.spec, file.parent_path(), sources, findings);
   if (!recipe) return false;
-  Options options;
-  options.seed = original->record.seed;
-  options.target = *target;
-  options.name = original->record.name;
-  options.attempt = original->record.attempt;
-  options.sampler = *method;
-  options.batch = original->record.batch;
-  options.validation = FindValidation(original->record.validate).value_or(Validation::kLoad);
-  return MakeAgain(*original, *recipe, options, sources, findings);
+  return MakeAgain(*original, *recipe, *options, sources, findings);
 }
 
 }  // namespace mjforge::forge

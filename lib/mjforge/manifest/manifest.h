@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/manifest/reader.h"
 #include "mjforge/model/model.h"
 #include "mjforge/physics/physics.h"
 #include "mjforge/sample/sample.h"
@@ -54,8 +55,8 @@ void AppendRecord(std::string& out, const Record& record);
 /// What was measured, as a record's `physics` has it.
 std::string PhysicsJson(const physics::Result& result);
 
-/// Reads all back but com, inertia, bounds and counts. Nothing, and why, if the
-/// line is not a record. Of nbody it only says whether there was an object.
+/// Reads all back but com, inertia and counts; of the bounds the box. Nothing, and
+/// why, if the line is not a record. Of nbody it only says whether there was an object.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
 /// How `record` differs from one of the same batch, in words: "seed is 7, not

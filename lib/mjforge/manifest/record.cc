@@ -79,6 +79,17 @@ class LineReader {
     if (!result) Miss("'physics' is not what was measured");
     return result;
   }
+  // Zeros where no object was made.
+  model::Box3 BoxOrNull(const char* key) {
+    model::Box3 box;
+    const rapidjson::Value* value = Find(key);
+    if (value == nullptr || value->IsNull()) return box;
+    if (!value->IsObject() || !ReadPoint(*value, "min", box.min) ||
+        !ReadPoint(*value, "max", box.max)) {
+      Miss(fmt::format("'{}' has no corners", key));
+    }
+    return box;
+  }
   std::vector<std::string> Findings() {
     std::vector<std::string> findings;
     const rapidjson::Value* list = Find("findings");
@@ -109,6 +120,16 @@ class LineReader {
       numbers.push_back(number.IsNumber() ? number.GetDouble() : 0);
     }
     return numbers;
+  }
+  static bool ReadPoint(const rapidjson::Value& box, const char* key, Eigen::Vector3d& point) {
+    const auto member = box.FindMember(key);
+    if (member == box.MemberEnd() || !member->value.IsArray() || member->value.Size() != 3)
+      return false;
+    for (rapidjson::SizeType i = 0; i < 3; ++i) {
+      if (!member->value[i].IsNumber()) return false;
+      point(i) = member->value[i].GetDouble();
+    }
+    return true;
   }
   const rapidjson::Value* Find(const char* key) {
     const auto member = line_.FindMember(key);
@@ -164,6 +185,7 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   const std::optional<double> mass = reader.NumberOrNull("mass");
   record.mass_properties.mass = mass.value_or(0);
   record.nbody = mass ? 1 : 0;
+  record.bounds.aabb = reader.BoxOrNull("aabb");
   record.target = reader.Text("target");
   record.validate = reader.Text("validate");
   record.physics = reader.Physics();

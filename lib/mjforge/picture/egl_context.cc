@@ -40,6 +40,7 @@ class EglContext : public GlContext {
   explicit EglContext(const Egl& egl) : egl_(egl) {}
   ~EglContext() override {
     if (display_ == EGL_NO_DISPLAY) return;
+    const DriversOwn drivers_own;
     egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) egl_.DestroyContext(display_, context_);
     egl_.Terminate(display_);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gif_lib.h>
 
 #include <algorithm>
@@ -100,7 +101,7 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
     writer.Check(
         EGifPutScreenDesc(*writer, frames.front().width, frames.front().height, 8, 0, map.get()));
     for (const auto& [key, value] : texts) {
-      const std::string comment = key + ": " + value;
+      const std::string comment = fmt::format("{}: {}", key, value);
       writer.Check(EGifPutComment(*writer, comment.c_str()));
     }
     PutLoop(writer);

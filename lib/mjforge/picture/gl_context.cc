@@ -9,6 +9,10 @@
 
 #include "mjforge/diag/diag.h"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 namespace mjforge::picture {
 namespace {
 
@@ -22,11 +26,20 @@ bool MeansNone(std::string_view word) {
 
 }  // namespace
 
+#ifdef __SANITIZE_ADDRESS__
+DriversOwn::DriversOwn() { __lsan_disable(); }
+DriversOwn::~DriversOwn() { __lsan_enable(); }
+#else
+DriversOwn::DriversOwn() = default;
+DriversOwn::~DriversOwn() = default;
+#endif
+
 void* FindSymbol(void* library, const char* name) { return ::dlsym(library, name); }
 
 void MakeVisible(const char* library) { ::dlopen(library, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
 
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not) {
+  const DriversOwn drivers_own;
   const char* variable = std::getenv("MUJOCO_GL");
   const std::string_view word = variable == nullptr ? "" : variable;
   if (word == "egl") return OpenEgl(why_not);

@@ -26,6 +26,16 @@ class GlContext {
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 
+/// While it lives a leak checker does not count what is allocated: drivers keep
+/// some hundred bytes for ever. Means nothing without one.
+class DriversOwn {
+ public:
+  DriversOwn();
+  ~DriversOwn();
+  DriversOwn(const DriversOwn&) = delete;
+  DriversOwn& operator=(const DriversOwn&) = delete;
+};
+
 /// As MUJOCO_GL says, else the first that works. Nothing, and why.
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
 

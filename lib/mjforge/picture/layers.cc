@@ -124,7 +124,8 @@ struct JointMark {
         Limited() ? fmt::format("{:.3g} to {:.3g} deg", End(0) * 180 / std::numbers::pi,
                                 End(1) * 180 / std::numbers::pi)
                   : "unlimited";
-    scene.AddLabel(anchor + 0.45 * radius * axis, fmt::format("{}: {}", Name(), range));
+    const double higher = axis.z() < 0 ? -0.3 : 0.45;
+    scene.AddLabel(anchor + higher * radius * axis, fmt::format("{}: {}", Name(), range));
   }
 
   void Slide() const {

@@ -19,7 +19,10 @@ using MakeCurrent = unsigned char (*)(void* context, void* buffer, unsigned type
 class OsmesaContext : public GlContext {
  public:
   OsmesaContext(void* context, DestroyContext destroy) : context_(context), destroy_(destroy) {}
-  ~OsmesaContext() override { destroy_(context_); }
+  ~OsmesaContext() override {
+    const DriversOwn drivers_own;
+    destroy_(context_);
+  }
   std::string_view name() const override { return "OSMesa"; }
 
   bool Start(MakeCurrent make_current) {

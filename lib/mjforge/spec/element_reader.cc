@@ -35,6 +35,12 @@ constexpr std::array kMasses = {Key::kDensity, Key::kMass};
 constexpr std::array kPlaces = {Key::kPos, Key::kFromTo};
 constexpr std::array kPictures = {Key::kBuiltin, Key::kFile};
 
+// Elements such as `checks` are many.
+std::string_view Article(std::string_view name) {
+  if (name.ends_with('s')) return "";
+  return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
+}
+
 template <std::size_t n>
 void CheckOneOf(const std::array<Key, n>& keys, const std::vector<Field>& fields,
                 std::string_view what, Reading& reading) {
@@ -81,10 +87,7 @@ void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading
     if (pair.key == "<<") hint = "YAML 1.2 has no merge keys; use `defaults:`";
     reading.findings.Add(
         Code::kSpecUnknownKey, pair.mark,
-        fmt::format(
-            "unknown key '{}' in {} {}", pair.key,
-            std::string_view("aeiou").find(element.name[0]) != std::string_view::npos ? "an" : "a",
-            element.name),
+        fmt::format("unknown key '{}' in {}{}", pair.key, Article(element.name), element.name),
         std::move(hint));
   }
 }

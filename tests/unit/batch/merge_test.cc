@@ -20,12 +20,13 @@ struct ShardTest : CrateBatch {
 
   std::optional<std::uint64_t> Merge() {
     findings.clear();
-    return batch::Merge(Of(kCount, "out").destination, findings);
+    return batch::Merge(Of(kCount, "out").destination, sources, findings);
   }
   std::string Manifest(int index) const {
     return "out/manifest-0000" + std::to_string(index) + "-of-00004.jsonl";
   }
 
+  diag::Sources sources;
   diag::Findings findings;
 };
 
@@ -49,8 +50,9 @@ TEST_CASE("shards of a series joined are the series as one run makes it") {
     request.shard = {index, 4};
     test.Make(request);
   }
+  diag::Sources sources;
   diag::Findings findings;
-  CHECK(Merge(test.Of(kCount, "out/x_%03d.tar.zst").destination, findings) == kCount);
+  CHECK(Merge(test.Of(kCount, "out/x_%03d.tar.zst").destination, sources, findings) == kCount);
   auto joined = test.Bytes("out");
   std::erase_if(joined,
                 [](const auto& file) { return file.first.find("-of-") != std::string::npos; });
@@ -108,12 +110,12 @@ TEST_CASE("where there are no shards, or of two batches, nothing is joined") {
   CrateBatch test(kBoxSpec);
   diag::Findings findings;
   const output::Destination destination = test.Of(kCount, "out").destination;
-  CHECK_FALSE(Merge(destination, findings));
+  CHECK_FALSE(Merge(destination, sources, findings));
   CHECK(findings[0].code == diag::Code::kYamlCannotRead);
   test.folder.Write("out/manifest-1-of-2.jsonl", "");
   test.folder.Write("out/manifest-1-of-3.jsonl", "");
   findings.clear();
-  CHECK_FALSE(Merge(destination, findings));
+  CHECK_FALSE(Merge(destination, sources, findings));
   CHECK(findings[0].code == diag::Code::kBatchDiffers);
 }
 
@@ -124,8 +126,9 @@ TEST_CASE("a shard without variants has an empty manifest") {
     request.shard = {i, 3};
     CHECK_FALSE(test.Make(request).output_failed);
   }
+  diag::Sources sources;
   diag::Findings findings;
-  CHECK(Merge(test.Of(2, "out").destination, findings) == 2u);
+  CHECK(Merge(test.Of(2, "out").destination, sources, findings) == 2u);
 }
 
 }  // namespace

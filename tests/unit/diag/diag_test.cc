@@ -17,6 +17,15 @@ TEST_CASE("a mark gives its line without the line's end") {
   CHECK(sources.Line({1, 4, 1}) == "four");
 }
 
+TEST_CASE("of a long file a piece is enough for a mark") {
+  Sources sources;
+  sources.Add("a.yaml", "seven\neight", 7);
+  CHECK(sources.Line({1, 7, 1}) == "seven");
+  CHECK(sources.Line({1, 8, 1}) == "eight");
+  CHECK(sources.Line({1, 6, 1}).empty());
+  CHECK(sources.Line({1, 9, 1}).empty());
+}
+
 TEST_CASE("a mark without a place or past the end gives an empty line") {
   Sources sources;
   sources.Add("a.yaml", "one\n");

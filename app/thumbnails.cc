@@ -1,0 +1,90 @@
+#include "thumbnails.h"
+
+#include <system_error>
+#include <utility>
+
+#include "mjforge/output/output.h"
+
+namespace mjforge::app {
+namespace {
+
+// As wide as a page shows them, with some to spare for fine screens.
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
+// About 5 kB each; lower ones show blocks on smooth ground.
+constexpr int kQuality = 75;
+
+}  // namespace
+
+Thumbnails::Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources)
+    : manifest_(std::move(manifest)), spec_(std::move(spec)), sources_(sources) {}
+
+std::optional<std::string> Thumbnails::Draw(const manifest::Record& record) {
+  if (!Open()) return std::nullopt;
+  const std::unique_ptr<picture::Subject> subject = Load(record);
+  if (subject == nullptr) return std::nullopt;
+  diag::Findings ignored;  // one object less on a page of many
+  picture::Options options;
+  options.width = kWidth;
+  options.height = kHeight;
+  const std::optional<picture::Image> image = renderer_->Draw(*subject, options, ignored);
+  if (!image) return std::nullopt;
+  return picture::EncodeWebp(*image, kQuality);
+}
+
+// When the first is drawn: a page without pictures needs no renderer.
+bool Thumbnails::Open() {
+  if (std::exchange(opened_, true)) return renderer_ != nullptr;
+  diag::Findings found;
+  renderer_ = picture::Renderer::Open(found);
+  for (const diag::Finding& finding : found)
+    findings_.Warn(finding.code, finding.mark, finding.message, finding.hint);
+  return renderer_ != nullptr;
+}
+
+std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& record) {
+  if (record.file.empty()) return MakeAgain(record, {});
+  if (!record.archive.empty()) return LoadFromArchive(record);
+  std::string why_not;
+  std::error_code ignored;
+  const std::filesystem::path file = manifest_.parent_path() / record.file;
+  if (!std::filesystem::is_regular_file(file, ignored)) return nullptr;
+  return loader_.LoadFile(file, why_not);
+}
+
+// To find a member means to read all that stand before it; to make it again is quicker.
+std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Record& record) {
+  std::error_code error;
+  const std::filesystem::path archive = manifest_.parent_path() / record.archive;
+  if (!std::filesystem::is_regular_file(archive, error)) return nullptr;
+  if (auto subject = MakeAgain(record, record.sha256)) return subject;
+  diag::Findings ignored;
+  const std::optional<std::string> text = output::ReadMember(archive, record.file, ignored);
+  std::string why_not;
+  return text ? loader_.LoadText(*text, {}, why_not) : nullptr;
+}
+
+const forge::Recipe* Thumbnails::RecipeOf(const manifest::Record& record) {
+  if (!std::exchange(looked_for_recipe_, true)) {
+    diag::Findings ignored;  // the report has told
+    recipe_ = forge::LoadRecordedRecipe(record, spec_, manifest_.parent_path(), sources_, ignored);
+  }
+  const bool is_its_own = recipe_ && recipe_->spec->sha256 == record.spec_sha256;
+  return is_its_own ? &*recipe_ : nullptr;
+}
+
+std::unique_ptr<picture::Subject> Thumbnails::MakeAgain(const manifest::Record& record,
+                                                        const std::string& sha256) {
+  const forge::Recipe* recipe = RecipeOf(record);
+  diag::Findings ignored;
+  const auto options = forge::RecordedOptions(record, record.name, ignored);
+  if (recipe == nullptr || !options) return nullptr;
+  forge::Generator generator(*recipe, sources_, *options, nullptr);
+  forge::Variant variant;
+  generator.Make(record.index, variant);
+  if (!variant.object || (!sha256.empty() && variant.record.sha256 != sha256)) return nullptr;
+  std::string why_not;
+  return loader_.LoadText(variant.document.text, variant.document.assets, why_not);
+}
+
+}  // namespace mjforge::app

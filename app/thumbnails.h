@@ -1,0 +1,51 @@
+#ifndef MJFORGE_APP_THUMBNAILS_H_
+#define MJFORGE_APP_THUMBNAILS_H_
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/forge/forge.h"
+#include "mjforge/picture/picture.h"
+
+namespace mjforge::app {
+
+/// Small pictures of the objects of a batch, WebP: of their files, and of the failed ones,
+/// which have none, as the spec makes them again.
+class Thumbnails {
+ public:
+  /// `spec`: if not the one that the records name. The sources must outlive it.
+  Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
+
+  /// Nothing if its file is gone, or MuJoCo or the spec give nothing to draw.
+  std::optional<std::string> Draw(const manifest::Record& record);
+
+  /// Why there are no pictures at all, if so.
+  diag::Findings TakeFindings() { return std::move(findings_); }
+
+ private:
+  bool Open();
+  std::unique_ptr<picture::Subject> Load(const manifest::Record& record);
+  std::unique_ptr<picture::Subject> LoadFromArchive(const manifest::Record& record);
+  /// The recipe of the first record that it is asked of, as all of a batch have one.
+  const forge::Recipe* RecipeOf(const manifest::Record& record);
+  /// Of the object made again, if there is one. `sha256`: only if it is this one; empty: any.
+  std::unique_ptr<picture::Subject> MakeAgain(const manifest::Record& record,
+                                              const std::string& sha256);
+
+  std::filesystem::path manifest_;
+  std::string spec_;
+  diag::Sources& sources_;
+  diag::Findings findings_;
+  bool opened_ = false;
+  std::unique_ptr<picture::Renderer> renderer_;
+  picture::Loader loader_;
+  bool looked_for_recipe_ = false;
+  std::optional<forge::Recipe> recipe_;
+};
+
+}  // namespace mjforge::app
+
+#endif  // MJFORGE_APP_THUMBNAILS_H_

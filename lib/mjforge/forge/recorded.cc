@@ -1,0 +1,74 @@
+// What a record says of how its variant was made.
+
+#include <fmt/format.h>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::forge {
+namespace {
+
+// A record names a file without its folder, so it is looked for here, beside
+// the record and one folder up, where generate's default puts the record's.
+std::string FindSpec(const std::string& reference, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const std::filesystem::path& place : {std::filesystem::path(), folder, folder / ".."}) {
+    const std::filesystem::path file = place / reference;
+    if (std::filesystem::is_regular_file(file, ignored)) return file.string();
+  }
+  return reference;
+}
+
+}  // namespace
+
+std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
+                                         const std::filesystem::path& folder,
+                                         diag::Sources& sources, diag::Findings& findings) {
+  if (spec.empty() && record.spec == "-") {
+    findings.Add(diag::Code::kSpecNotFound, {}, "the spec was read from standard input",
+                 "name its file with --spec");
+    return std::nullopt;
+  }
+  spec::LoadOptions options;
+  options.search_path = SearchPath();
+  for (const auto& [name, text] : record.settings) {
+    options.settings.push_back({name, text, "the record's settings"});
+  }
+  const std::string reference = spec.empty() ? FindSpec(record.spec, folder) : spec;
+  std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, findings);
+  if (!recipe) return std::nullopt;
+  if (recipe->spec->sha256 != record.spec_sha256) {
+    findings.Add(diag::Code::kOutputDiffers, {},
+                 fmt::format("spec '{}' has changed since: its hash is {}, the record says {}",
+                             recipe->spec->file, recipe->spec->sha256, record.spec_sha256),
+                 "name the spec of that time with --spec");
+    return std::nullopt;
+  }
+  recipe->reference = record.spec;
+  return recipe;
+}
+
+std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
+                                       diag::Findings& findings) {
+  const auto unknown = [&](std::string_view kind, std::string_view name) {
+    findings.Add(diag::Code::kOutputBadManifest, {},
+                 fmt::format("'{}' was made {} '{}', which is not known here", what, kind, name));
+    return std::nullopt;
+  };
+  const std::optional<mjcf::Target> target = mjcf::FindTarget(record.target);
+  if (!target) return unknown("for target", record.target);
+  const std::optional<sample::Method> sampler =
+      record.sampler.empty() ? sample::Method::kRandom : sample::FindMethod(record.sampler);
+  if (!sampler) return unknown("with sampler", record.sampler);
+  Options options;
+  options.seed = record.seed;
+  options.target = *target;
+  options.name = record.name;
+  options.attempt = record.attempt;
+  options.sampler = *sampler;
+  options.batch = record.batch;
+  // The comment in a file does not say; what is written was loaded, unless it was not asked.
+  options.validation = FindValidation(record.validate).value_or(Validation::kLoad);
+  return options;
+}
+
+}  // namespace mjforge::forge

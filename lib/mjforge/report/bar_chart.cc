@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "mjforge/report/charts.h"
+
+namespace mjforge::report {
+namespace {
+
+// As bars.html has them.
+constexpr double kLeft = 120;
+constexpr double kRight = 300;
+constexpr double kRow = 22;
+constexpr double kBar = 14;
+constexpr std::size_t kMaxRows = 24;
+// What fits to the left of the bars.
+constexpr std::size_t kLabelBytes = 17;
+
+struct Row {
+  std::string value;
+  Counts drawn;
+  std::uint64_t asked = 0;
+};
+
+std::uint64_t Total(const std::vector<std::pair<std::string, Counts>>& values) {
+  std::uint64_t total = 0;
+  for (const auto& [value, counts] : values) total += counts.all;
+  return total;
+}
+
+// The values of both, in the order of what was asked for.
+std::vector<Row> RowsOf(const BarChart& chart) {
+  std::vector<Row> rows;
+  std::map<std::string, std::size_t> places;
+  const auto row_of = [&](const std::string& value) -> Row& {
+    const auto [place, is_new] = places.emplace(value, rows.size());
+    if (is_new) rows.push_back({value, {}, 0});
+    return rows[place->second];
+  };
+  for (const auto& [value, counts] : chart.asked) row_of(value).asked = counts.all;
+  for (const auto& [value, counts] : chart.drawn) row_of(value).drawn = counts;
+  if (rows.size() <= kMaxRows) return rows;
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.drawn.all > b.drawn.all; });
+  Row others{fmt::format("{} others", Counted(rows.size() - kMaxRows + 1)), {}, 0};
+  for (std::size_t i = kMaxRows - 1; i < rows.size(); ++i) {
+    others.drawn.all += rows[i].drawn.all;
+    others.drawn.bad += rows[i].drawn.bad;
+    others.asked += rows[i].asked;
+  }
+  rows.resize(kMaxRows - 1);
+  rows.push_back(std::move(others));
+  return rows;
+}
+
+double Share(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+void AddBars(Dictionary& parent, const BarChart& chart) {
+  const std::vector<Row> rows = RowsOf(chart);
+  const std::uint64_t drawn = Total(chart.drawn);
+  const std::uint64_t asked = Total(chart.asked);
+  double most = 0;
+  for (const Row& row : rows)
+    most = std::max({most, Share(row.drawn.all, drawn), Share(row.asked, asked)});
+  const auto width = [&](double share) { return share / std::max(most, 1e-9) * (kRight - kLeft); };
+  Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
+  std::string description;
+  double top = 4;
+  for (const Row& row : rows) {
+    Dictionary& shown = Section(dictionary, "ROW");
+    const std::string share = ShareText(row.drawn.all, drawn);
+    std::string whole =
+        fmt::format("{}: {} ({})", Clean(row.value, 80), share, Counted(row.drawn.all));
+    if (asked > 0) whole += fmt::format(", asked for {}", ShareText(row.asked, asked));
+    description += (description.empty() ? "" : "; ") + whole;
+    Set(shown, "LABEL", Clean(row.value, kLabelBytes));
+    Set(shown, "WHOLE_LABEL", whole);
+    Set(shown, "NUMBER", share);
+    Set(shown, "TOP", top);
+    Set(shown, "MIDDLE", top + kBar / 2);
+    Set(shown, "WIDTH", width(Share(row.drawn.all, drawn)));
+    if (row.drawn.bad > 0) {
+      Dictionary& bad = Section(shown, "BAD");
+      Set(bad, "TOP", top);
+      Set(bad, "WIDTH", width(Share(row.drawn.bad, drawn)));
+    }
+    if (asked > 0) {
+      const double end = kLeft + width(Share(row.asked, asked));
+      Set(Section(shown, "ASKED"), "PATH",
+          fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kLeft, top - 1.5, end, kBar + 3, kLeft));
+    }
+    top += kRow;
+  }
+  Set(dictionary, "ID", chart.id);
+  Set(dictionary, "TITLE", chart.title);
+  Set(dictionary, "DESCRIPTION", description);
+  Set(dictionary, "HEIGHT", top);
+  Set(dictionary, "BOTTOM", top - 2);
+}
+
+}  // namespace mjforge::report

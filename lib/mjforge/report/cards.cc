@@ -1,0 +1,226 @@
+#include "mjforge/report/cards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/report/axis.h"
+#include "mjforge/report/picture_bytes.h"
+
+namespace mjforge::report {
+namespace {
+
+using manifest::Record;
+using Params = std::vector<std::pair<std::string, sample::ParameterValue>>;
+
+constexpr std::size_t kOpenParams = 6;   // seen at once
+constexpr std::size_t kMaxParams = 40;   // seen at all
+constexpr std::size_t kNamedParams = 3;  // in a picture's name
+constexpr std::size_t kMaxFindings = 4;
+constexpr std::size_t kValueBytes = 120;
+
+std::string VectorText(const std::vector<double>& vector) {
+  std::string text;
+  for (const double component : vector)
+    text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", component);
+  return text;
+}
+
+std::string ValueText(const sample::ParameterValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* text = std::get_if<std::string>(&value)) return Clean(*text, kValueBytes);
+  return Clean(VectorText(std::get<std::vector<double>>(value)), kValueBytes);
+}
+
+bool Varies(const ParameterTally& tally) {
+  const auto values = tally.Values();
+  if (!values.empty()) return values.size() > 1;
+  return std::any_of(tally.numbers.begin(), tally.numbers.end(), [](const NumberTally& numbers) {
+    return numbers.all.min() != numbers.all.max();
+  });
+}
+
+// "0.123 kg"; a number that JavaScript reads for the sorting.
+void SetMeasure(Dictionary& card, const char* text, const char* number, std::optional<double> value,
+                std::string_view unit) {
+  Set(card, text, value ? fmt::format("{} {}", Shown(*value), unit) : "none");
+  Set(card, number, value ? expr::NumberText(*value) : "");
+}
+
+// Places 0 .. count-1 in bit-reversed order: the first few are spread over all.
+std::vector<std::size_t> SpreadOrder(std::size_t count) {
+  std::size_t bits = 0;
+  while ((std::size_t{1} << bits) < count) ++bits;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
+    std::size_t place = 0;
+    for (std::size_t bit = 0; bit < bits; ++bit) place |= (i >> bit & 1) << (bits - 1 - bit);
+    if (place < count) order.push_back(place);
+  }
+  return order;
+}
+
+std::string QuotedForShell(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+,@%=-";
+  if (word.find_first_not_of(kPlain) == word.npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+class CardMaker {
+ public:
+  CardMaker(const Batch& batch, const Request& request, const Thumbnailer& thumbnailer)
+      : batch_(batch), request_(request), thumbnailer_(thumbnailer) {
+    for (const ParameterTally& tally : batch.gathered.params.list()) {
+      if (Varies(tally)) varied_.insert(tally.name);
+    }
+    has_rest_ =
+        batch.gathered.measures[static_cast<std::size_t>(MeasureId::kContacts)].all.count() > 0;
+  }
+
+  // `has_picture`: whether it has one, or no file that one could be of.
+  std::string Make(const ShownVariant& shown, bool& has_picture) const {
+    const Record& record = shown.record;
+    ctemplate::TemplateDictionary card("card");
+    Set(card, "INDEX", fmt::format("{}", record.index));
+    Set(card, "STATUS", Clean(record.status));
+    if (shown.reason == ShownVariant::Reason::kSlow) Section(card, "SLOW");
+    const auto measured = [&](MeasureId id) {
+      return Measures()[static_cast<std::size_t>(id)].of(record);
+    };
+    SetMeasure(card, "MASS", "MASS_NUMBER", measured(MeasureId::kMass), "kg");
+    SetMeasure(card, "SIZE", "SIZE_NUMBER", measured(MeasureId::kSize), "m");
+    const std::optional<double> rest = measured(MeasureId::kTimeToRest);
+    SetMeasure(card, "IGNORED", "REST_NUMBER", rest, "s");
+    if (has_rest_) ShowText(card, "REST", rest ? fmt::format("{} s", Shown(*rest)) : "not at rest");
+    Set(card, "REPLAY", ReplayCommand(request_.manifest, record.index));
+    const Params params = Sorted(record.params);
+    AddParams(card, params);
+    AddFindings(card, record);
+    has_picture = AddPicture(card, record, params);
+    return Expand(TemplateName::kCard, card);
+  }
+
+ private:
+  // Those that differ between variants first.
+  Params Sorted(Params params) const {
+    std::stable_partition(params.begin(), params.end(),
+                          [&](const auto& param) { return varied_.contains(param.first); });
+    return params;
+  }
+
+  std::string UnitOf(const std::string& name) const {
+    const std::string unit = UnitText(ParameterOf(batch_, name));
+    return unit.empty() ? "" : " " + unit;
+  }
+
+  void AddParam(Dictionary& list, const Params::value_type& param) const {
+    Dictionary& shown = Section(list, "PARAM");
+    Set(shown, "NAME", Clean(param.first, kValueBytes));
+    Set(shown, "VALUE", ValueText(param.second) + UnitOf(param.first));
+  }
+
+  void AddParams(Dictionary& card, const Params& params) const {
+    if (params.empty()) return;
+    const std::size_t open = std::min(params.size(), kOpenParams);
+    const std::size_t most = std::min(params.size(), kMaxParams);
+    Dictionary& list = Section(card, "HAS_PARAMS");
+    for (std::size_t i = 0; i < open; ++i) AddParam(list, params[i]);
+    if (most > open) {
+      Dictionary& more = Section(card, "MORE_PARAMS");
+      Set(more, "TEXT", fmt::format("{} more", most - open));
+      for (std::size_t i = open; i < most; ++i) AddParam(more, params[i]);
+    }
+    if (params.size() > most)
+      ShowText(card, "LEFT_OUT", fmt::format("and {} in the manifest", params.size() - most));
+  }
+
+  static void AddFindings(Dictionary& card, const Record& record) {
+    const std::vector<RecordedFinding> findings = FindingsOf(record);
+    std::string codes;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      const RecordedFinding& finding = findings[i];
+      if (i < 20) codes += (codes.empty() ? "" : " ") + Clean(finding.code, kValueBytes);
+      if (i >= kMaxFindings) continue;
+      Dictionary& shown = Section(card, "FINDING");
+      Set(shown, "SEVERITY", finding.severity == "warning" ? "warning" : "error");
+      Set(shown, "CODE", Clean(finding.code, kValueBytes));
+      Set(shown, "MESSAGE", Clean(finding.message));
+    }
+    Set(card, "CODES", codes);
+  }
+
+  bool AddPicture(Dictionary& card, const Record& record, const Params& params) const {
+    const std::optional<std::string> bytes = thumbnailer_(record);
+    const std::optional<PictureInfo> info = bytes ? ReadPictureInfo(*bytes) : std::nullopt;
+    if (!info) {
+      ShowText(card, "NO_PICTURE",
+               record.file.empty() ? "no picture: it has no file" : "no picture of its file");
+      return record.file.empty();
+    }
+    std::string alt = fmt::format("Variant {}", record.index);
+    for (std::size_t i = 0; i < std::min(params.size(), kNamedParams); ++i) {
+      alt += fmt::format("{} {} {}{}", i == 0 ? ":" : ",", Clean(params[i].first, 40),
+                         ValueText(params[i].second), UnitOf(params[i].first));
+    }
+    Dictionary& picture = Section(card, "PICTURE");
+    Set(picture, "DATA", fmt::format("data:{};base64,{}", info->type, Base64(*bytes)));
+    Set(picture, "ALT", alt);
+    Set(picture, "WIDTH", fmt::format("{}", info->width));
+    Set(picture, "HEIGHT", fmt::format("{}", info->height));
+    return true;
+  }
+
+  const Batch& batch_;
+  const Request& request_;
+  const Thumbnailer& thumbnailer_;
+  std::set<std::string> varied_;
+  bool has_rest_ = false;
+};
+
+// The failed and the slow as they come, then the sample.
+std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) {
+  std::vector<std::size_t> order;
+  while (order.size() < chosen.size() &&
+         chosen[order.size()].reason != ShownVariant::Reason::kSample)
+    order.push_back(order.size());
+  const std::size_t first = order.size();
+  for (const std::size_t place : SpreadOrder(chosen.size() - first)) order.push_back(first + place);
+  return order;
+}
+
+}  // namespace
+
+std::string ReplayCommand(const std::filesystem::path& manifest, std::uint64_t index) {
+  return "mjforge replay " + QuotedForShell(fmt::format("{}:{}", manifest.generic_string(), index));
+}
+
+Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
+                const Thumbnailer& thumbnailer, std::size_t room) {
+  const CardMaker maker(batch, request, thumbnailer);
+  std::vector<std::string> cards(chosen.size());
+  Cards made;
+  std::size_t bytes = 0;
+  for (const std::size_t place : OrderOfMaking(chosen)) {
+    const ShownVariant& shown = chosen[place];
+    bool has_picture = true;
+    std::string card = maker.Make(shown, has_picture);
+    if (bytes + card.size() > room) break;
+    bytes += card.size();
+    cards[place] = std::move(card);
+    ++(shown.reason == ShownVariant::Reason::kFailed ? made.failed
+       : shown.reason == ShownVariant::Reason::kSlow ? made.slow
+                                                     : made.sampled);
+    if (!has_picture) ++made.without_picture;
+  }
+  made.left_out = chosen.size() - made.shown();
+  for (const std::string& card : cards) made.html += card;
+  return made;
+}
+
+}  // namespace mjforge::report

@@ -1,0 +1,34 @@
+#ifndef MJFORGE_REPORT_CARDS_H_
+#define MJFORGE_REPORT_CARDS_H_
+
+#include <string>
+#include <vector>
+
+#include "mjforge/report/report.h"
+#include "mjforge/report/sections.h"
+
+namespace mjforge::report {
+
+/// The variants that a page shows, each a row of its table.
+struct Cards {
+  std::string html;
+  std::size_t failed = 0;
+  std::size_t slow = 0;
+  std::size_t sampled = 0;
+  std::size_t without_picture = 0;  // though they have a file
+  std::size_t left_out = 0;         // for want of room
+
+  std::size_t shown() const { return failed + slow + sampled; }
+};
+
+/// As many of the chosen as fit into `room` bytes: the failed, the slow, then the others in an
+/// order in which any first few are spread over the batch.
+Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
+                const Thumbnailer& thumbnailer, std::size_t room);
+
+/// What to type to make a variant again.
+std::string ReplayCommand(const std::filesystem::path& manifest, std::uint64_t index);
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_REPORT_CARDS_H_

@@ -1,0 +1,48 @@
+#ifndef MJFORGE_REPORT_CHARTS_H_
+#define MJFORGE_REPORT_CHARTS_H_
+
+// The charts of a page: numbers -> places on an SVG of 360 units' width.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/report/axis.h"
+#include "mjforge/report/gather.h"
+#include "mjforge/report/tallies.h"
+#include "mjforge/report/templates.h"
+
+namespace mjforge::report {
+
+/// Ticks as sections with AT and LABEL.
+void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Tick>& ticks);
+
+struct HistogramChart {
+  std::string id;       // of the page's elements; no two the same
+  std::string title;    // "handle_length, m"
+  std::string x_label;  // "m"
+  const NumberTally* drawn = nullptr;
+  const NumberTally* asked = nullptr;  // null: not known
+  bool whole = false;                  // all numbers are: a bin begins and ends between two
+};
+/// Bars for what was drawn, in them the bad ones, and a line for what was asked, scaled to
+/// as many.
+void AddHistogram(Dictionary& parent, const HistogramChart& chart);
+
+struct BarChart {
+  std::string id;
+  std::string title;
+  std::vector<std::pair<std::string, Counts>> drawn;
+  std::vector<std::pair<std::string, Counts>> asked;  // empty: not known
+};
+/// A row for each value that was drawn or asked for; of very many the most frequent.
+void AddBars(Dictionary& parent, const BarChart& chart);
+
+/// Mass against size.
+void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t all);
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_REPORT_CHARTS_H_

@@ -1,0 +1,94 @@
+#ifndef MJFORGE_REPORT_GATHER_H_
+#define MJFORGE_REPORT_GATHER_H_
+
+// What a page is made from: one pass over a manifest, in bounded memory.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/manifest/manifest.h"
+#include "mjforge/report/measures.h"
+#include "mjforge/report/spread_sample.h"
+#include "mjforge/report/tallies.h"
+
+namespace mjforge::report {
+
+/// Enough for a chart to show its shape, and few enough for a page.
+inline constexpr std::size_t kMaxPoints = 1500;
+
+/// A variant in the scatter of mass against size.
+struct Point {
+  double size = 0;  // m
+  double mass = 0;  // kg
+  bool is_bad = false;
+};
+
+/// A finding as a record holds it.
+struct RecordedFinding {
+  std::string severity;
+  std::string code;
+  std::string place;  // "hammer.yaml:3:5"; may be empty
+  std::string message;
+  std::string hint;
+};
+/// Those of a record; what is no finding is passed over.
+std::vector<RecordedFinding> FindingsOf(const manifest::Record& record);
+
+struct CodeTally {
+  std::uint64_t variants = 0;  // that have it at least once
+  RecordedFinding example;     // of the first of them
+  std::uint64_t index = 0;     // of that one
+};
+
+/// Variants that a page shows, why, and the whole of them.
+struct ShownVariant {
+  enum class Reason { kFailed, kSlow, kSample };
+  Reason reason = Reason::kSample;
+  manifest::Record record;
+};
+
+class Gathered {
+ public:
+  /// To show up to `shown` variants.
+  explicit Gathered(std::size_t shown);
+
+  void Add(const manifest::Record& record);
+
+  /// The failed first, then the slowest to come to rest, then others spread over the batch.
+  std::vector<ShownVariant> Choose() const;
+
+  std::optional<manifest::Record> first;
+  std::uint64_t variants = 0;
+  std::uint64_t last_index = 0;
+  std::map<std::string, std::uint64_t> statuses;  // "ok", "failed", "skipped"
+  std::map<std::string, CodeTally> codes;
+  ParameterTallies params;
+  std::vector<NumberTally> measures;  // as Measures()
+  SpreadSample<Point> points;
+  std::string other_batch;  // how the first record that is of another batch differs
+
+ private:
+  void AddFindings(const manifest::Record& record);
+  void AddToShown(const manifest::Record& record);
+
+  std::size_t shown_;
+  SpreadSample<manifest::Record> failed_;
+  SpreadSample<manifest::Record> good_;
+  std::vector<manifest::Record> slow_;  // a heap, the quickest of them on top
+};
+
+/// Reads the whole manifest; nothing, and a finding, if it cannot be read. Lines that are no
+/// records are findings and passed over, but for one that is cut off in a manifest under
+/// construction. `bad_lines`: how many there were.
+std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_t shown,
+                               diag::Sources& sources, diag::Findings& findings,
+                               std::uint64_t& bad_lines);
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_REPORT_GATHER_H_

@@ -1,0 +1,99 @@
+#include "mjforge/report/histogram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mjforge::report {
+namespace {
+
+// Cells are numbered exactly up to here: the digits of a double.
+constexpr int kDigits = 52;
+// Below the smallest number that keeps all its digits.
+constexpr int kLeastExponent = -1074;
+
+int ExponentOf(double value) { return value == 0 ? kLeastExponent : std::ilogb(value); }
+
+}  // namespace
+
+void Histogram::Add(double value) {
+  if (!std::isfinite(value)) return;
+  const bool is_first = count_ == 0;
+  min_ = is_first ? value : std::min(min_, value);
+  max_ = is_first ? value : std::max(max_, value);
+  ++count_;
+  // Welford's update: exact enough for any number of values.
+  const double distance = value - mean_;
+  mean_ += distance / static_cast<double>(count_);
+  m2_ += distance * (value - mean_);
+  int exponent = std::max({is_first ? kLeastExponent : exponent_, ExponentOf(min_) - kDigits,
+                           ExponentOf(max_) - kDigits});
+  if (is_first) {
+    exponent_ = exponent;
+    first_ = CellOf(value);
+  } else if (exponent > exponent_) {
+    Coarsen(exponent);
+  }
+  while (!Fits()) Coarsen(exponent_ + 1);
+  const std::int64_t lowest = CellOf(min_);
+  if (lowest < first_) cells_.insert(cells_.begin(), static_cast<std::size_t>(first_ - lowest), 0);
+  first_ = lowest;
+  cells_.resize(static_cast<std::size_t>(CellOf(max_) - first_ + 1));
+  ++cells_[static_cast<std::size_t>(CellOf(value) - first_)];
+}
+
+double Histogram::StandardDeviation() const {
+  return count_ == 0 ? 0 : std::sqrt(m2_ / static_cast<double>(count_));
+}
+
+double Histogram::Quantile(double q) const {
+  const auto wanted = static_cast<std::uint64_t>(q * static_cast<double>(count_));
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    below += cells_[i];
+    if (below > wanted) return std::clamp(MiddleOf(i), min_, max_);
+  }
+  return max_;
+}
+
+std::vector<std::uint64_t> Histogram::Bins(double lo, double hi, std::size_t bins) const {
+  std::vector<std::uint64_t> counts(bins);
+  const double width = (hi - lo) / static_cast<double>(bins);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i] == 0) continue;
+    const double middle = MiddleOf(i);
+    const double half = std::ldexp(0.5, exponent_);
+    if (middle + half <= lo || middle - half > hi) continue;
+    // A cell on an end belongs to the bin there.
+    const double place = std::clamp((middle - lo) / width, 0.0, static_cast<double>(bins - 1));
+    counts[static_cast<std::size_t>(place)] += cells_[i];
+  }
+  return counts;
+}
+
+std::int64_t Histogram::CellOf(double value) const {
+  return static_cast<std::int64_t>(std::floor(std::ldexp(value, -exponent_)));
+}
+
+double Histogram::MiddleOf(std::size_t cell) const {
+  const auto number = static_cast<double>(first_ + static_cast<std::int64_t>(cell));
+  return std::ldexp(number + 0.5, exponent_);
+}
+
+bool Histogram::Fits() const { return CellOf(max_) - CellOf(min_) < kCells; }
+
+// To cells of 2^exponent, a wider one.
+void Histogram::Coarsen(int exponent) {
+  const int shift = std::min(exponent - exponent_, 63);
+  const std::int64_t first = first_ >> shift;
+  std::vector<std::uint64_t> cells;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const std::int64_t cell = (first_ + static_cast<std::int64_t>(i)) >> shift;
+    cells.resize(static_cast<std::size_t>(cell - first + 1));
+    cells.back() += cells_[i];
+  }
+  exponent_ = exponent;
+  first_ = first;
+  cells_ = std::move(cells);
+}
+
+}  // namespace mjforge::report

@@ -1,0 +1,53 @@
+#ifndef MJFORGE_REPORT_HISTOGRAM_H_
+#define MJFORGE_REPORT_HISTOGRAM_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mjforge::report {
+
+/// Counts of numbers whose range nobody knows beforehand, in bounded memory. The
+/// cells are as wide as the smallest power of two that lets all numbers fit in
+/// kCells of them, so that they depend on the numbers alone and not on their order:
+/// two neighbours become one when a number falls outside.
+class Histogram {
+ public:
+  static constexpr std::int64_t kCells = 8192;
+
+  /// Numbers that are not finite are passed over.
+  void Add(double value);
+
+  std::uint64_t count() const { return count_; }
+  /// Exact; 0 without numbers.
+  double min() const { return min_; }
+  double max() const { return max_; }
+  double mean() const { return mean_; }
+  /// Of the whole population.
+  double StandardDeviation() const;
+  /// The number that a share `q` of all is below, as exact as a cell is wide.
+  double Quantile(double q) const;
+  /// Counts in `bins` intervals of one width from lo to hi, lo < hi. What is in a
+  /// cell goes where the cell's middle is, and one on an end into the bin there; what is
+  /// outside is left out.
+  std::vector<std::uint64_t> Bins(double lo, double hi, std::size_t bins) const;
+
+ private:
+  std::int64_t CellOf(double value) const;
+  double MiddleOf(std::size_t cell) const;
+  bool Fits() const;
+  void Coarsen(int exponent);
+
+  std::uint64_t count_ = 0;
+  double min_ = 0;
+  double max_ = 0;
+  double mean_ = 0;
+  double m2_ = 0;                     // sum of squared distances from the mean
+  int exponent_ = 0;                  // a cell is 2^exponent_ wide
+  std::int64_t first_ = 0;            // the number of cells_[0]: it starts at first_ * 2^exponent_
+  std::vector<std::uint64_t> cells_;  // from that of min_ to that of max_
+};
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_REPORT_HISTOGRAM_H_

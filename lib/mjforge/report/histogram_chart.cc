@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/report/charts.h"
+
+namespace mjforge::report {
+namespace {
+
+// As histogram.html has them.
+constexpr double kLeft = 46;
+constexpr double kRight = 350;
+constexpr double kTop = 18;
+constexpr double kBottom = 160;
+
+struct Layout {
+  bool logarithmic = false;
+  double lo = 0;  // of the bins; of logarithms where the axis is logarithmic
+  double hi = 1;
+  std::size_t bins = 1;
+  const Histogram* drawn = nullptr;
+  const Histogram* bad = nullptr;
+  const Histogram* asked = nullptr;
+};
+
+// Rice's rule, between what is too coarse for a shape and too fine for a phone.
+std::size_t BinsFor(std::uint64_t count) {
+  const double bins = 2 * std::cbrt(static_cast<double>(count));
+  return static_cast<std::size_t>(std::clamp(std::round(bins), 5.0, 32.0));
+}
+
+// The range that what was asked for is worth showing on: without a long thin tail.
+std::pair<double, double> Bulk(const Histogram& asked) {
+  const double lo = asked.Quantile(0.001);
+  const double hi = asked.Quantile(0.999);
+  if (asked.max() - asked.min() < 1.5 * (hi - lo)) return {asked.min(), asked.max()};
+  return {lo, hi};
+}
+
+Layout Lay(const HistogramChart& chart) {
+  Layout layout;
+  const Histogram& numbers = chart.drawn->all;
+  layout.logarithmic = WantsLogarithm(numbers.min(), numbers.max(), numbers.Quantile(0.5));
+  layout.drawn = layout.logarithmic ? &chart.drawn->log_all : &numbers;
+  layout.bad = layout.logarithmic ? &chart.drawn->log_bad : &chart.drawn->bad;
+  if (chart.asked != nullptr)
+    layout.asked = layout.logarithmic ? &chart.asked->log_all : &chart.asked->all;
+  layout.lo = layout.drawn->min();
+  layout.hi = layout.drawn->max();
+  if (layout.asked != nullptr && layout.asked->count() > 0) {
+    const auto [lo, hi] = Bulk(*layout.asked);
+    layout.lo = std::min(layout.lo, lo);
+    layout.hi = std::max(layout.hi, hi);
+  }
+  layout.bins = BinsFor(numbers.count());
+  if (chart.whole && !layout.logarithmic) {
+    const double width = std::ceil((layout.hi - layout.lo + 1) / static_cast<double>(layout.bins));
+    layout.bins = static_cast<std::size_t>(std::ceil((layout.hi - layout.lo + 1) / width));
+    layout.lo -= 0.5;
+    layout.hi = layout.lo + width * static_cast<double>(layout.bins);
+  }
+  return layout;
+}
+
+struct Frame {
+  Axis x;
+  Axis y;
+  double Edge(const Layout& layout, std::size_t bin) const {
+    const double share = static_cast<double>(bin) / static_cast<double>(layout.bins);
+    return kLeft + share * (kRight - kLeft);
+  }
+};
+
+std::string EdgeText(const Layout& layout, std::size_t bin) {
+  const double share = static_cast<double>(bin) / static_cast<double>(layout.bins);
+  const double edge = layout.lo + share * (layout.hi - layout.lo);
+  return Shown(layout.logarithmic ? std::pow(10, edge) : edge);
+}
+
+// How many of the drawn ones each bin would hold by the spec.
+std::vector<double> Expected(const Layout& layout) {
+  std::vector<double> expected;
+  if (layout.asked == nullptr || layout.asked->count() == 0) return expected;
+  const double scale =
+      static_cast<double>(layout.drawn->count()) / static_cast<double>(layout.asked->count());
+  for (const std::uint64_t count : layout.asked->Bins(layout.lo, layout.hi, layout.bins))
+    expected.push_back(scale * static_cast<double>(count));
+  return expected;
+}
+
+std::string Outline(const Layout& layout, const Frame& frame, const std::vector<double>& expected) {
+  std::string path = fmt::format("M{:.1f} {:.1f}", kLeft, kBottom);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    path += fmt::format("V{:.1f}H{:.1f}", frame.y.At(expected[i]), frame.Edge(layout, i + 1));
+  return path + fmt::format("V{:.1f}", kBottom);
+}
+
+void AddColumns(Dictionary& dictionary, const Layout& layout, const Frame& frame,
+                const std::vector<std::uint64_t>& drawn) {
+  const std::vector<std::uint64_t> bad = layout.bad->Bins(layout.lo, layout.hi, layout.bins);
+  const auto rectangle = [&](Dictionary& bar, std::size_t bin, std::uint64_t count) {
+    const double left = frame.Edge(layout, bin) + 0.5;
+    const double top = frame.y.At(static_cast<double>(count));
+    Set(bar, "X", left);
+    Set(bar, "Y", top);
+    Set(bar, "WIDTH", std::max(frame.Edge(layout, bin + 1) - 0.5 - left, 1.0));
+    Set(bar, "HEIGHT", kBottom - top);
+  };
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn[i] == 0) continue;
+    Dictionary& bar = Section(dictionary, "BAR");
+    rectangle(bar, i, drawn[i]);
+    Set(bar, "LABEL",
+        fmt::format("{} to {}: {}{}", EdgeText(layout, i), EdgeText(layout, i + 1),
+                    Counted(drawn[i]), bad[i] > 0 ? ", bad " + Counted(bad[i]) : ""));
+    if (bad[i] > 0) rectangle(Section(bar, "BAD"), i, bad[i]);
+  }
+}
+
+std::string Description(const HistogramChart& chart) {
+  const Histogram& numbers = chart.drawn->all;
+  std::string text =
+      fmt::format("Histogram of {} from {} to {}, mean {}", Counted(numbers.count(), "value"),
+                  Shown(numbers.min()), Shown(numbers.max()), Shown(numbers.mean()));
+  if (chart.drawn->bad.count() > 0)
+    text += fmt::format("; {} of variants that failed", Counted(chart.drawn->bad.count()));
+  if (chart.asked != nullptr && chart.asked->all.count() > 0) {
+    text += fmt::format(". Asked for: {} to {}, mean {}", Shown(chart.asked->all.min()),
+                        Shown(chart.asked->all.max()), Shown(chart.asked->all.mean()));
+  }
+  return text;
+}
+
+// Of counts: there is no half variant.
+std::vector<Axis::Tick> WholeTicks(const Axis& axis, int count) {
+  std::vector<Axis::Tick> ticks = axis.Ticks(count);
+  std::erase_if(ticks,
+                [](const Axis::Tick& tick) { return tick.label.find('.') != tick.label.npos; });
+  return ticks;
+}
+
+}  // namespace
+
+void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Tick>& ticks) {
+  for (const Axis::Tick& tick : ticks) {
+    Dictionary& place = Section(chart, section);
+    Set(place, "AT", tick.at);
+    Set(place, "LABEL", tick.label);
+  }
+}
+
+void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
+  const Layout layout = Lay(chart);
+  const std::vector<std::uint64_t> drawn = layout.drawn->Bins(layout.lo, layout.hi, layout.bins);
+  const std::vector<double> expected = Expected(layout);
+  double most = static_cast<double>(*std::max_element(drawn.begin(), drawn.end()));
+  for (const double count : expected) most = std::max(most, count);
+  const auto value = [&](double edge) { return layout.logarithmic ? std::pow(10, edge) : edge; };
+  Frame frame{Axis(layout.logarithmic ? Scale::kLogarithmic : Scale::kLinear, value(layout.lo),
+                   value(layout.hi), kLeft, kRight),
+              Axis(Scale::kLinear, 0, std::max(most, 1.0), kBottom, kTop)};
+  frame.y.Round(4);
+  Dictionary& dictionary = Include(parent, "CHART", TemplateName::kHistogram);
+  Set(dictionary, "ID", chart.id);
+  Set(dictionary, "TITLE", chart.title);
+  Set(dictionary, "DESCRIPTION", Description(chart));
+  Set(dictionary, "X_LABEL", chart.x_label);
+  Set(dictionary, "Y_LABEL", "variants");
+  AddTicks(dictionary, "X_TICK", chart.whole ? WholeTicks(frame.x, 5) : frame.x.Ticks(5));
+  AddTicks(dictionary, "Y_TICK", WholeTicks(frame.y, 4));
+  AddColumns(dictionary, layout, frame, drawn);
+  if (!expected.empty())
+    Set(Section(dictionary, "ASKED"), "PATH", Outline(layout, frame, expected));
+}
+
+}  // namespace mjforge::report

@@ -1,0 +1,72 @@
+#include "mjforge/report/measures.h"
+
+#include <array>
+
+namespace mjforge::report {
+namespace {
+
+using manifest::Record;
+using Number = std::optional<double>;
+
+bool HasObject(const Record& record) { return record.nbody > 0; }
+
+// Of an object that was dropped on a floor.
+template <typename R>
+Number Dropped(const R& record, auto number) {
+  if constexpr (requires { record.physics; }) {
+    if (record.physics && record.physics->dropped) return number(*record.physics);
+  }
+  return std::nullopt;
+}
+
+constexpr std::array kMeasures = {
+    Measure{MeasureId::kMass, "Mass", "kg", "Of all bodies.",
+            [](const Record& r) {
+              return HasObject(r) ? Number(r.mass_properties.mass) : std::nullopt;
+            }},
+    Measure{MeasureId::kSize, "Size", "m", "The largest side of the box that holds it.", SizeOf},
+    Measure{MeasureId::kAttempts, "Draws rejected", "", "Before one was accepted.",
+            [](const Record& r) { return Number(static_cast<double>(r.attempt)); }, false, true},
+    Measure{MeasureId::kTimeToRest, "Time to rest", "s", "Of those that came to rest, simulated.",
+            [](const Record& r) {
+              return Dropped(r,
+                             [](const auto& p) { return p.at_rest ? Number(p.time) : Number(); });
+            },
+            true},
+    Measure{
+        MeasureId::kDrift, "Drift", "m", "Of the centre of mass, along the floor.",
+        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.drift); }); },
+        true},
+    Measure{
+        MeasureId::kTilt, "Tilt", "rad", "Between upwards before and after: near pi/2 it fell.",
+        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.tilt); }); },
+        true},
+    Measure{MeasureId::kPenetration, "Penetration", "m", "The deepest contact.",
+            [](const Record& r) {
+              return Dropped(r, [](const auto& p) { return Number(p.penetration); });
+            },
+            true},
+    Measure{
+        MeasureId::kOverlap, "Overlap", "", "The share of the mass that is counted twice.",
+        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.overlap); }); },
+        true},
+    Measure{
+        MeasureId::kContacts, "Contacts", "", "ncon: the most in one step.",
+        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.ncon); }); },
+        true, true},
+    Measure{
+        MeasureId::kConstraints, "Constraint rows", "", "nefc: the most in one step.",
+        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.nefc); }); },
+        true, true},
+};
+
+}  // namespace
+
+std::span<const Measure> Measures() { return kMeasures; }
+
+std::optional<double> SizeOf(const Record& record) {
+  if (!HasObject(record)) return std::nullopt;
+  return (record.bounds.aabb.max - record.bounds.aabb.min).maxCoeff();
+}
+
+}  // namespace mjforge::report

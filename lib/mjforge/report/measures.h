@@ -1,0 +1,44 @@
+#ifndef MJFORGE_REPORT_MEASURES_H_
+#define MJFORGE_REPORT_MEASURES_H_
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::report {
+
+/// What a record says of its object in one number.
+enum class MeasureId {
+  kMass,
+  kSize,
+  kAttempts,
+  kTimeToRest,
+  kDrift,
+  kTilt,
+  kPenetration,
+  kOverlap,
+  kContacts,
+  kConstraints
+};
+
+struct Measure {
+  MeasureId id;
+  std::string_view title;
+  std::string_view unit;
+  std::string_view doc;
+  std::optional<double> (*of)(const manifest::Record&);
+  bool is_physics = false;  // of objects that were dropped or driven
+  bool is_whole = false;    // a count
+};
+
+/// In the order of MeasureId.
+std::span<const Measure> Measures();
+
+/// The largest side of the object's box, m; nothing if there is no object.
+std::optional<double> SizeOf(const manifest::Record& record);
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_REPORT_MEASURES_H_

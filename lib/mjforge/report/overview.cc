@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "mjforge/report/sections.h"
+
+namespace mjforge::report {
+namespace {
+
+// In the order of the bar; a manifest of another version may have more.
+constexpr std::array<std::string_view, 3> kStatuses = {"ok", "failed", "skipped"};
+
+// The bar's own units.
+constexpr double kBarWidth = 1000;
+
+void AddStatuses(Dictionary& page, const Gathered& gathered) {
+  if (gathered.variants == 0) return;
+  Dictionary& statuses = Section(page, "STATUSES");
+  std::string summary;
+  double x = 0;
+  for (const std::string_view status : kStatuses) {
+    const auto found = gathered.statuses.find(std::string(status));
+    const std::uint64_t count = found == gathered.statuses.end() ? 0 : found->second;
+    summary += fmt::format("{}{} {}", summary.empty() ? "" : ", ", Counted(count), status);
+    Dictionary& tile = Section(statuses, "TILE");
+    Set(tile, "STATUS", status);
+    Set(tile, "NUMBER", Counted(count));
+    Set(tile, "SHARE", ShareText(count, gathered.variants));
+    if (count == 0) continue;
+    Dictionary& piece = Section(statuses, "PIECE");
+    const double width =
+        kBarWidth * static_cast<double>(count) / static_cast<double>(gathered.variants);
+    Set(piece, "STATUS", status);
+    Set(piece, "X", x);
+    Set(piece, "WIDTH", width);
+    x += width;
+  }
+  Set(statuses, "SUMMARY", summary);
+}
+
+void AddFact(Dictionary& page, std::string_view key, std::string_view value) {
+  if (value.empty()) return;
+  Dictionary& fact = Section(page, "FACT");
+  Set(fact, "KEY", key);
+  Set(fact, "VALUE", value);
+  if (value.size() > 40) Section(fact, "WIDE");
+}
+
+void AddFacts(Dictionary& page, const Gathered& gathered) {
+  if (!gathered.first) return;
+  const manifest::Record& record = *gathered.first;
+  AddFact(page, "Spec", Clean(record.spec));
+  AddFact(page, "Seed", fmt::format("{}", record.seed));
+  AddFact(page, "Indices",
+          gathered.variants == 1 ? fmt::format("{}", record.index)
+                                 : fmt::format("{} to {}", record.index, gathered.last_index));
+  AddFact(page, "Target", Clean(record.target));
+  AddFact(page, "Validated by", record.validate == "none" ? "nothing" : Clean(record.validate));
+  AddFact(page, "If invalid", Clean(record.on_invalid));
+  AddFact(page, "Sampler", record.sampler.empty() ? "random" : Clean(record.sampler));
+  for (const auto& [name, text] : record.settings)
+    AddFact(page, "Set", Clean(fmt::format("{} = {}", name, text)));
+  AddFact(page, "SHA-256 of the spec", Clean(record.spec_sha256));
+}
+
+}  // namespace
+
+void AddOverview(Dictionary& page, const Request& request, const Batch& batch) {
+  const Gathered& gathered = batch.gathered;
+  const std::string name = batch.recipe     ? batch.recipe->spec->name
+                           : gathered.first ? gathered.first->spec
+                                            : std::string("Empty batch");
+  Set(page, "VERSION", forge::Version());
+  Set(page, "NAME", Clean(name));
+  Set(page, "COUNT", Counted(gathered.variants, "variant"));
+  Set(page, "TITLE",
+      fmt::format("{}: {} - mjforge report", Clean(name), Counted(gathered.variants, "variant")));
+  Set(page, "MANIFEST", Clean(request.manifest.generic_string()));
+  if (batch.recipe) ShowText(page, "DESCRIPTION", Clean(batch.recipe->spec->description, 1000));
+  AddStatuses(page, gathered);
+  AddFacts(page, gathered);
+  if (batch.notices.empty()) return;
+  Dictionary& notices = Section(page, "HAS_NOTICES");
+  for (const std::string& notice : batch.notices)
+    Set(Section(notices, "NOTICE"), "TEXT", Clean(notice, 1000));
+}
+
+const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name) {
+  return batch.recipe ? batch.recipe->spec->FindParameter(name) : nullptr;
+}
+
+std::string UnitText(const spec::Parameter* parameter) {
+  return parameter == nullptr || parameter->unit == "1" ? "" : Clean(parameter->unit, 20);
+}
+
+}  // namespace mjforge::report

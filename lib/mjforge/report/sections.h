@@ -1,0 +1,42 @@
+#ifndef MJFORGE_REPORT_SECTIONS_H_
+#define MJFORGE_REPORT_SECTIONS_H_
+
+// What a page says of a batch as a whole: numbers -> the holes of page.html.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjforge/forge/forge.h"
+#include "mjforge/report/gather.h"
+#include "mjforge/report/report.h"
+#include "mjforge/report/templates.h"
+
+namespace mjforge::report {
+
+/// All that is known.
+struct Batch {
+  Gathered gathered;
+  std::optional<forge::Recipe> recipe;    // if the spec is still what it was
+  std::optional<ParameterTallies> asked;  // with the recipe
+  std::string spec_text;                  // with the recipe; empty if it is too long
+  std::vector<std::string> notices;
+};
+
+/// Title, statuses, facts and notices.
+void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
+
+// Sections of the body.
+void AddFindings(Dictionary& body, const Gathered& gathered);
+void AddParameters(Dictionary& body, const Batch& batch);
+void AddMassAndSize(Dictionary& body, const Gathered& gathered);
+void AddPhysics(Dictionary& body, const Gathered& gathered);
+
+/// The spec's parameter of that name; null without a recipe.
+const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
+/// Its unit, as a page shows it: not the unit 1, and nothing for null.
+std::string UnitText(const spec::Parameter* parameter);
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_REPORT_SECTIONS_H_

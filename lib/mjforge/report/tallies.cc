@@ -1,0 +1,91 @@
+#include "mjforge/report/tallies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::report {
+namespace {
+
+void Count(Counts& counts, bool is_bad) {
+  ++counts.all;
+  if (is_bad) ++counts.bad;
+}
+
+}  // namespace
+
+void NumberTally::Add(double value, bool is_bad) {
+  all.Add(value);
+  if (is_bad) bad.Add(value);
+  if (!(value > 0)) return;
+  const double logarithm = std::log10(value);
+  log_all.Add(logarithm);
+  if (is_bad) log_bad.Add(logarithm);
+}
+
+void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
+  ++count;
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    AddText(*text, is_bad);
+  } else if (const auto* flag = std::get_if<bool>(&value)) {
+    AddText(*flag ? "true" : "false", is_bad);
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    numbers.resize(std::max<std::size_t>(numbers.size(), 1));
+    numbers[0].Add(*number, is_bad);
+    AddWhole(*number, is_bad);
+  } else {
+    const auto& vector = std::get<std::vector<double>>(value);
+    numbers.resize(std::max(numbers.size(), vector.size()));
+    for (std::size_t i = 0; i < vector.size(); ++i) numbers[i].Add(vector[i], is_bad);
+    all_whole_ = false;
+  }
+}
+
+void ParameterTally::AddText(const std::string& text, bool is_bad) {
+  if (texts_.size() < kMaxTexts || texts_.contains(text)) {
+    Count(texts_[text], is_bad);
+  } else {
+    more_texts = true;
+  }
+}
+
+void ParameterTally::AddWhole(double value, bool is_bad) {
+  all_whole_ = all_whole_ && value == std::round(value);
+  if (all_whole_ && whole_.size() <= kMaxWhole) Count(whole_[value], is_bad);
+}
+
+std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
+  std::vector<std::pair<std::string, Counts>> values;
+  if (all_whole_ && whole_.size() <= kMaxWhole) {
+    for (const auto& [value, counts] : whole_) values.emplace_back(expr::NumberText(value), counts);
+  }
+  values.insert(values.end(), texts_.begin(), texts_.end());
+  return values;
+}
+
+void ParameterTallies::Add(
+    const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad) {
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    const auto& [name, value] = params[i];
+    // The same place in every record of a batch; a search where it is not.
+    auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(i, list_.size()));
+    if (known == list_.end() || known->name != name) {
+      known = std::find_if(list_.begin(), list_.end(),
+                           [&](const ParameterTally& tally) { return tally.name == name; });
+    }
+    if (known == list_.end()) {
+      known = list_.emplace(list_.end());
+      known->name = name;
+    }
+    known->Add(value, is_bad);
+  }
+}
+
+const ParameterTally* ParameterTallies::Find(const std::string& name) const {
+  const auto found = std::find_if(list_.begin(), list_.end(),
+                                  [&](const ParameterTally& tally) { return tally.name == name; });
+  return found == list_.end() ? nullptr : &*found;
+}
+
+}  // namespace mjforge::report

@@ -1,0 +1,101 @@
+#include "mjforge/report/templates.h"
+
+#include <ctemplate/template.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::report {
+
+extern const std::string_view kPageHtml;
+extern const std::string_view kPageCss;
+extern const std::string_view kPageJs;
+extern const std::string_view kCardHtml;
+extern const std::string_view kHistogramHtml;
+extern const std::string_view kBarsHtml;
+extern const std::string_view kScatterHtml;
+
+namespace {
+
+constexpr std::array kNames = {"page", "card", "histogram", "bars", "scatter"};
+
+const char* NameOf(TemplateName name) { return kNames[static_cast<std::size_t>(name)]; }
+
+ctemplate::TemplateString View(std::string_view text) {
+  return ctemplate::TemplateString(text.data(), text.size());
+}
+
+// Once in the life of the program.
+bool LoadTemplates() {
+  const std::array texts = {kPageHtml, kCardHtml, kHistogramHtml, kBarsHtml, kScatterHtml};
+  bool loaded = true;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    loaded =
+        ctemplate::StringToTemplateCache(kNames[i], View(texts[i]), ctemplate::STRIP_BLANK_LINES) &&
+        loaded;
+  }
+  return loaded;
+}
+
+bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+}  // namespace
+
+std::string Expand(TemplateName name, const Dictionary& dictionary) {
+  static const bool kLoaded = LoadTemplates();
+  std::string text;
+  if (!kLoaded ||
+      !ctemplate::ExpandTemplate(NameOf(name), ctemplate::STRIP_BLANK_LINES, &dictionary, &text)) {
+    return {};
+  }
+  return text;
+}
+
+Dictionary& Include(Dictionary& parent, const char* marker, TemplateName name) {
+  Dictionary& chart = *parent.AddIncludeDictionary(marker);
+  chart.SetFilename(NameOf(name));
+  return chart;
+}
+
+void Set(Dictionary& dictionary, const char* name, std::string_view value) {
+  dictionary.SetValue(name, View(value));
+}
+
+void Set(Dictionary& dictionary, const char* name, double place) {
+  Set(dictionary, name, fmt::format("{:.1f}", place));
+}
+
+void ShowText(Dictionary& parent, const char* section, std::string_view text) {
+  if (!text.empty()) Set(Section(parent, section), "TEXT", text);
+}
+
+std::string Clean(std::string_view text, std::size_t limit) {
+  std::string clean = diag::SafeText(text.substr(0, limit + 4));
+  if (clean.size() <= limit) return clean;
+  std::size_t end = limit;
+  while (end > 0 && IsContinuation(clean[end])) --end;
+  return clean.substr(0, end) + "...";
+}
+
+std::string Counted(std::uint64_t number) {
+  std::string digits = fmt::format("{}", number);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, ",");
+  return digits;
+}
+
+std::string Counted(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", Counted(number), noun, number == 1 ? "" : "s");
+}
+
+std::string ShareText(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return "0 %";
+  if (part == 0 || part == whole) return part == 0 ? "0 %" : "100 %";
+  const double percent = 100 * static_cast<double>(part) / static_cast<double>(whole);
+  return fmt::format("{:.1f} %", std::clamp(percent, 0.1, 99.9));
+}
+
+}  // namespace mjforge::report

@@ -1,0 +1,139 @@
+#include "mjforge/report/gather.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "harness/temporary_folder.h"
+#include "report_records.h"
+
+namespace mjforge::report {
+namespace {
+
+struct GatherTest {
+  std::optional<Gathered> Gather(const std::string& name, const std::string& text,
+                                 std::size_t shown = 10) {
+    return report::Gather(folder.Write(name, text), shown, sources, findings, bad_lines);
+  }
+
+  harness::TemporaryFolder folder;
+  diag::Sources sources;
+  diag::Findings findings;
+  std::uint64_t bad_lines = 0;
+};
+
+std::vector<std::uint64_t> IndicesOf(const std::vector<ShownVariant>& shown) {
+  std::vector<std::uint64_t> indices;
+  for (const ShownVariant& variant : shown) indices.push_back(variant.record.index);
+  return indices;
+}
+
+std::ptrdiff_t Failed(const std::vector<ShownVariant>& shown) {
+  return std::count_if(shown.begin(), shown.end(), [](const ShownVariant& variant) {
+    return variant.reason == ShownVariant::Reason::kFailed;
+  });
+}
+
+TEST_CASE_METHOD(GatherTest, "a batch is counted by status, code and measure") {
+  const auto gathered = Gather("manifest.jsonl", ManifestOf(100, 10));
+  REQUIRE(gathered);
+  CHECK(findings.empty());
+  CHECK(gathered->variants == 100);
+  CHECK(gathered->last_index == 99);
+  CHECK(gathered->statuses.at("ok") == 90);
+  CHECK(gathered->statuses.at("failed") == 10);
+  REQUIRE(gathered->codes.size() == 1);
+  const CodeTally& code = gathered->codes.at("mujoco/error");
+  CHECK(code.variants == 10);
+  CHECK(code.index == 9);
+  CHECK(code.example.message == "it does not load");
+  CHECK(code.example.place == "mug.yaml:3:5");
+  CHECK(code.example.hint == "mend it");
+  // Failed ones have no object.
+  CHECK(gathered->measures[static_cast<std::size_t>(MeasureId::kMass)].all.count() == 90);
+  CHECK(gathered->points.seen() == 90);
+  CHECK(gathered->params.Find("height")->numbers[0].bad.count() == 10);
+  CHECK(gathered->params.Find("shape")->Values().size() == 2);
+}
+
+TEST_CASE("the size of an object is the largest side of its box") {
+  const manifest::Record record = RecordOf(3);
+  REQUIRE(SizeOf(record));
+  CHECK(*SizeOf(record) == Approx(0.26));
+  CHECK_FALSE(SizeOf(RecordOf(3, "failed")));
+}
+
+TEST_CASE("a code counts once for a variant that has it twice") {
+  Gathered gathered(10);
+  manifest::Record record = RecordOf(0, "failed");
+  record.findings = {FindingOf("mujoco/error", "one"), FindingOf("mujoco/error", "two"),
+                     FindingOf("mujoco/warning", "three", "warning"), "not JSON", "[]"};
+  gathered.Add(record);
+  CHECK(gathered.codes.at("mujoco/error").variants == 1);
+  CHECK(gathered.codes.at("mujoco/error").example.message == "one");
+  CHECK(gathered.codes.at("mujoco/warning").example.severity == "warning");
+  CHECK(gathered.codes.size() == 2);
+}
+
+TEST_CASE_METHOD(GatherTest, "few variants are all shown, the failed first") {
+  const auto gathered = Gather("manifest.jsonl", ManifestOf(5, 2), 10);
+  CHECK(IndicesOf(gathered->Choose()) == std::vector<std::uint64_t>{1, 3, 0, 2, 4});
+}
+
+TEST_CASE_METHOD(GatherTest, "of many variants half of those shown may be failed ones") {
+  const auto gathered = Gather("manifest.jsonl", ManifestOf(1000, 2), 10);
+  const std::vector<ShownVariant> shown = gathered->Choose();
+  CHECK(shown.size() == 10);
+  CHECK(Failed(shown) == 5);
+  std::vector<std::uint64_t> indices = IndicesOf(shown);
+  std::sort(indices.begin(), indices.end());
+  CHECK(std::adjacent_find(indices.begin(), indices.end()) == indices.end());
+  CHECK(indices.back() > 500);
+}
+
+TEST_CASE_METHOD(GatherTest, "where all failed, failed ones are all that is shown") {
+  const auto gathered = Gather("manifest.jsonl", ManifestOf(100, 1), 10);
+  CHECK(Failed(gathered->Choose()) == 10);
+  const auto few = Gather("few.jsonl", ManifestOf(100, 50), 10);
+  CHECK(Failed(few->Choose()) == 2);
+  CHECK(few->Choose().size() == 10);
+}
+
+TEST_CASE_METHOD(GatherTest, "to show none is possible") {
+  const auto gathered = Gather("manifest.jsonl", ManifestOf(100, 3), 0);
+  CHECK(gathered->variants == 100);
+  CHECK(gathered->Choose().empty());
+}
+
+TEST_CASE_METHOD(GatherTest, "lines that are no records are findings and left out") {
+  const auto gathered = Gather("manifest.jsonl", ManifestOf(2) + "x\n" + ManifestOf(1) + "y\n");
+  REQUIRE(gathered);
+  CHECK(gathered->variants == 3);
+  CHECK(bad_lines == 2);
+  REQUIRE(findings.size() == 2);
+  CHECK(findings[0].mark.line == 3);
+  CHECK(findings[1].mark.line == 5);
+}
+
+TEST_CASE_METHOD(GatherTest, "a line cut off is no fault of a manifest under construction") {
+  const std::string text = ManifestOf(3) + ManifestOf(1).substr(0, 50);
+  CHECK(Gather(".manifest.jsonl.part", text)->variants == 3);
+  CHECK(findings.empty());
+  CHECK(bad_lines == 0);
+  CHECK(Gather("manifest.jsonl", text)->variants == 3);
+  CHECK(findings.size() == 1);
+  CHECK(bad_lines == 1);
+}
+
+TEST_CASE("a record of another batch is noticed") {
+  Gathered gathered(10);
+  gathered.Add(RecordOf(0));
+  manifest::Record other = RecordOf(1);
+  gathered.Add(other);
+  CHECK(gathered.other_batch.empty());
+  other.seed = 7;
+  gathered.Add(other);
+  CHECK(gathered.other_batch == "seed is '7', not '0'");
+}
+
+}  // namespace
+}  // namespace mjforge::report

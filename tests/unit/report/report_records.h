@@ -1,0 +1,23 @@
+#ifndef MJFORGE_TESTS_UNIT_REPORT_REPORT_RECORDS_H_
+#define MJFORGE_TESTS_UNIT_REPORT_REPORT_RECORDS_H_
+
+#include <cstdint>
+#include <string>
+
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::report {
+
+/// A variant of a mug of some mass (kg) that is twice as high (m).
+manifest::Record RecordOf(std::uint64_t index, const std::string& status = "ok");
+
+/// A finding as a record holds it.
+std::string FindingOf(const std::string& code, const std::string& message,
+                      const std::string& severity = "error");
+
+/// The text of a manifest with `count` of them, every `bad`-th failed (0: none).
+std::string ManifestOf(std::uint64_t count, std::uint64_t bad = 0);
+
+}  // namespace mjforge::report
+
+#endif  // MJFORGE_TESTS_UNIT_REPORT_REPORT_RECORDS_H_

@@ -1,0 +1,76 @@
+#include "mjforge/report/tallies.h"
+
+#include <catch2/catch.hpp>
+
+namespace mjforge::report {
+namespace {
+
+ParameterTally Of(const std::vector<sample::ParameterValue>& values) {
+  ParameterTally tally;
+  for (const sample::ParameterValue& value : values) tally.Add(value, false);
+  return tally;
+}
+
+std::string ValuesText(const ParameterTally& tally) {
+  std::string text;
+  for (const auto& [value, counts] : tally.Values())
+    text += value + " " + std::to_string(counts.all) + " ";
+  return text;
+}
+
+TEST_CASE("texts and booleans have a bar each, in the order of their names") {
+  CHECK(ValuesText(Of({std::string("b"), std::string("a"), std::string("b")})) == "a 1 b 2 ");
+  CHECK(ValuesText(Of({true, false, true})) == "false 1 true 2 ");
+}
+
+TEST_CASE("whole numbers have a bar each while they are few") {
+  CHECK(ValuesText(Of({10.0, 2.0, 10.0})) == "2 1 10 2 ");
+  std::vector<sample::ParameterValue> many;
+  for (std::size_t i = 0; i <= ParameterTally::kMaxWhole; ++i) many.emplace_back(double(i));
+  CHECK(Of(many).Values().empty());
+  CHECK(Of({1.0, 2.5}).Values().empty());
+}
+
+TEST_CASE("a vector has a tally for each component") {
+  const ParameterTally tally = Of({std::vector<double>{1, 10}, std::vector<double>{3, 20}});
+  REQUIRE(tally.numbers.size() == 2);
+  CHECK(tally.numbers[0].all.mean() == Approx(2));
+  CHECK(tally.numbers[1].all.max() == 20);
+  CHECK(tally.Values().empty());
+}
+
+TEST_CASE("what is bad is counted apart, too") {
+  ParameterTallies tallies;
+  tallies.Add({{"size", 0.5}, {"shape", std::string("box")}}, false);
+  tallies.Add({{"size", 1.5}, {"shape", std::string("box")}}, true);
+  REQUIRE(tallies.list().size() == 2);
+  const ParameterTally* size = tallies.Find("size");
+  REQUIRE(size != nullptr);
+  CHECK(size->numbers[0].all.count() == 2);
+  CHECK(size->numbers[0].bad.count() == 1);
+  CHECK(size->numbers[0].bad.min() == 1.5);
+  CHECK(size->numbers[0].log_all.count() == 2);
+  CHECK(tallies.Find("shape")->Values().front().second.bad == 1);
+  CHECK(tallies.Find("none") == nullptr);
+}
+
+TEST_CASE("parameters are known by name where their place differs") {
+  ParameterTallies tallies;
+  tallies.Add({{"a", 1.0}, {"b", 2.0}}, false);
+  tallies.Add({{"b", 4.0}}, false);
+  tallies.Add({{"c", 1.0}, {"a", 3.0}}, false);
+  REQUIRE(tallies.list().size() == 3);
+  CHECK(tallies.Find("b")->numbers[0].all.mean() == Approx(3));
+  CHECK(tallies.Find("a")->count == 2);
+}
+
+TEST_CASE("of ever new texts the first are counted") {
+  ParameterTally tally;
+  for (int i = 0; i < 1500; ++i) tally.Add(std::to_string(i), false);
+  CHECK(tally.Values().size() == ParameterTally::kMaxTexts);
+  CHECK(tally.more_texts);
+  CHECK(tally.count == 1500);
+}
+
+}  // namespace
+}  // namespace mjforge::report

@@ -1,0 +1,61 @@
+#include "mjforge/report/templates.h"
+
+#include <catch2/catch.hpp>
+
+#include "mjforge/report/charts.h"
+
+namespace mjforge::report {
+namespace {
+
+constexpr const char* kHostile = "</script><img src=x onerror=alert(1)>\"'&";
+constexpr const char* kEscaped =
+    "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;&amp;";
+
+TEST_CASE("a text in a template is escaped, between tags and in an attribute") {
+  ctemplate::TemplateDictionary card("card");
+  Set(card, "STATUS", kHostile);
+  Set(card, "REPLAY", kHostile);
+  const std::string html = Expand(TemplateName::kCard, card);
+  CHECK(html.find(std::string("data-status=\"") + kEscaped + "\"") != html.npos);
+  CHECK(html.find(std::string("<code>") + kEscaped + "</code>") != html.npos);
+  CHECK(html.find("<img src=x") == html.npos);
+  CHECK(html.find("</script>") == html.npos);
+}
+
+TEST_CASE("a text in a chart is escaped") {
+  ctemplate::TemplateDictionary page("page");
+  BarChart chart{"id", kHostile, {{kHostile, {1, 0}}, {"b", {2, 1}}}, {}};
+  Dictionary& body = Section(Section(page, "BODY"), "PARAMETERS");
+  AddBars(Section(body, "PARAMETER"), chart);
+  const std::string html = Expand(TemplateName::kPage, page);
+  CHECK(html.find(std::string("<title id=\"id-title\">") + kEscaped) != html.npos);
+  CHECK(html.find("<img src=x") == html.npos);
+}
+
+TEST_CASE("clean text has no control characters and a length") {
+  CHECK(Clean("a\nb\x1b[0m\xff") == "a\\nb\\x1b[0m\\xff");
+  CHECK(Clean("abcdef", 4) == "abcd...");
+  CHECK(Clean("abcd", 4) == "abcd");
+  CHECK(Clean("\xc3\xa4\xc3\xa4\xc3\xa4", 3) == "\xc3\xa4...");
+}
+
+TEST_CASE("numbers are counted with their nouns") {
+  CHECK(Counted(0) == "0");
+  CHECK(Counted(999) == "999");
+  CHECK(Counted(1000) == "1,000");
+  CHECK(Counted(1234567) == "1,234,567");
+  CHECK(Counted(1, "variant") == "1 variant");
+  CHECK(Counted(2000, "variant") == "2,000 variants");
+}
+
+TEST_CASE("a share is none or all only if it is") {
+  CHECK(ShareText(0, 10) == "0 %");
+  CHECK(ShareText(10, 10) == "100 %");
+  CHECK(ShareText(1, 8) == "12.5 %");
+  CHECK(ShareText(1, 100'000) == "0.1 %");
+  CHECK(ShareText(99'999, 100'000) == "99.9 %");
+  CHECK(ShareText(0, 0) == "0 %");
+}
+
+}  // namespace
+}  // namespace mjforge::report
