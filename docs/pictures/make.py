@@ -18,7 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parent / "catalogue.md"
 SEED = 7
 VARIANTS = 8
-TILE = "200x200"
+TILE = "184x184"
 
 # Where joints stand, so that what moves is seen. Within the range of every variant.
 JOINTS = {
@@ -32,7 +32,7 @@ JOINTS = {
 
 # The picture at the top of the README.
 HERO = HERE / "hero.yaml"
-HERO_SIZE = "1200x560"
+HERO_SIZE = "1120x528"
 HERO_JOINTS = {
     "cabinet_slide_1": "0.13",
     "cabinet_slide_2": "0.06",
@@ -45,7 +45,7 @@ HERO_JOINTS = {
 LIBRARY = HERE.parent.parent / "specs/materials.yaml"
 BLOCK = "primitives/box"
 BLOCK_SETTINGS = ("--set", "size=[4cm, 3cm, 3cm]", "--set", "rgba=[1, 1, 1, 1]")
-BLOCK_TILE = "144x104"
+BLOCK_TILE = "144x96"
 
 MATERIALS = """
 ## Materials
