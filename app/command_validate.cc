@@ -44,8 +44,8 @@ std::string Behaviour(const physics::Result& result) {
   }
   if (result.dropped || result.nefc > 0)
     text += fmt::format("{} at most {} and {}", result.dropped ? "," : ";",
-                      Count(static_cast<std::size_t>(result.ncon), "contact", "contacts"),
-                      Count(static_cast<std::size_t>(result.nefc), "row", "rows"));
+                        Count(static_cast<std::size_t>(result.ncon), "contact", "contacts"),
+                        Count(static_cast<std::size_t>(result.nefc), "row", "rows"));
   if (!result.joints.empty())
     text += fmt::format("; {} driven", Count(result.joints.size(), "joint", "joints"));
   return text;

@@ -3,8 +3,8 @@
 namespace mjforge::app {
 
 std::vector<Action> AddCommands(CLI::App& app) {
-  return {AddGenerate(app), AddCheck(app),  AddInspect(app), AddValidate(app),
-          AddPreview(app),  AddView(app),   AddReport(app),  AddMerge(app),
+  return {AddGenerate(app), AddCheck(app),     AddInspect(app), AddValidate(app),
+          AddPreview(app),  AddView(app),      AddReport(app),  AddMerge(app),
           AddReplay(app),   AddCatalogue(app), AddSchema(app)};
 }
 

@@ -29,7 +29,7 @@ engine::Model HammerOnFloor() {
 }
 
 void BM_Settle(benchmark::State& state) {
-  const engine::Model model = HammerOnFloor();
+  engine::Model model = HammerOnFloor();
   physics::Workspace workspace;
   std::int64_t steps = 0;
   for (auto _ : state) {
@@ -42,7 +42,7 @@ void BM_Settle(benchmark::State& state) {
 BENCHMARK(BM_Settle)->Unit(benchmark::kMicrosecond);
 
 void BM_BareSteps(benchmark::State& state) {
-  const engine::Model model = HammerOnFloor();
+  engine::Model model = HammerOnFloor();
   physics::Workspace workspace;
   physics::Result result;
   physics::Settle(*model, workspace.For(*model), {}, result);

@@ -41,7 +41,7 @@ const std::array kRooms = {
           "manifest", "output"}},
     Room{"batch", {"diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
     Room{"picture", {"diag", "engine"}},
-    Room{"report", {"diag", "expr", "spec", "sample", "manifest", "output", "forge"}},
+    Room{"report", {"diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",
           "output", "forge", "batch", "picture", "report"}},

@@ -22,7 +22,10 @@ constexpr double kThere = 0.01;     // of the range
 // limits and contacts, fast beside a move.
 constexpr double kStiffness = 20;
 // Targets lie so much of the range beyond its ends, so that the limits have to hold.
-constexpr double kPush = 0.02;
+constexpr double kPush = 0.1;
+// An error counts up to kPush of the range, so that what is stuck is not crushed; of a joint
+// that is held, up to this.
+constexpr double kMostHeld = 0.1;  // rad or m
 // A free body becomes so much heavier that a joint's forces do not move it.
 constexpr double kHeld = 1e6;
 

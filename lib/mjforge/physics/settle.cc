@@ -46,7 +46,7 @@ Ground GroundOf(const mjModel& m, const mjData& d) {
 
 class Drop {
  public:
-  Drop(const mjModel& m, mjData& d, const model::Checks& checks, Result& result)
+  Drop(mjModel& m, mjData& d, const model::Checks& checks, Result& result)
       : m_(m), d_(d), checks_(checks), result_(result) {
     for (int joint = 0; joint < m.njnt; ++joint) {
       if (m.jnt_type[joint] == mjJNT_FREE) roots_.emplace_back().body = m.jnt_bodyid[joint];
@@ -134,9 +134,16 @@ class Drop {
            (VectorAt(d_.geom_xpos, geom) - VectorAt(d_.subtree_com, root)).norm();
   }
 
+  // MuJoCo computes it only where that is enabled, and then in every step. A step leaves
+  // bodies where they were before it.
   double Energy() {
+    mj_kinematics(&m_, &d_);
+    mj_comPos(&m_, &d_);
+    const int flags = m_.opt.enableflags;
+    m_.opt.enableflags |= mjENBL_ENERGY;
     mj_energyPos(&m_, &d_);
     mj_energyVel(&m_, &d_);
+    m_.opt.enableflags = flags;
     return d_.energy[0] + d_.energy[1];
   }
 
@@ -184,7 +191,7 @@ class Drop {
     }
   }
 
-  const mjModel& m_;
+  mjModel& m_;
   mjData& d_;
   const model::Checks& checks_;
   Result& result_;
@@ -196,7 +203,7 @@ class Drop {
 
 }  // namespace
 
-Trouble Settle(const mjModel& m, mjData& d, const model::Checks& checks, Result& result) {
+Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result) {
   return Drop(m, d, checks, result).Run();
 }
 

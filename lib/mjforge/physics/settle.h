@@ -21,8 +21,9 @@ struct Trouble {
 /// and one free body and nothing else to lie on, and simulates from there with
 /// the model's own options: until it rests, or checks.settle_time is over. `d` is
 /// the model's data at its initial state; it is left as the drop left it. Fills in
-/// all of `result` but overlap and joints. May throw std::exception.
-Trouble Settle(const mjModel& m, mjData& d, const model::Checks& checks, Result& result);
+/// all of `result` but overlap and joints. The model
+/// is as it was. May throw std::exception.
+Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result);
 
 }  // namespace mjforge::physics
 

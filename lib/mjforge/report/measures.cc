@@ -10,13 +10,19 @@ using Number = std::optional<double>;
 
 bool HasObject(const Record& record) { return record.nbody > 0; }
 
-// Of an object that was dropped on a floor.
-template <typename R>
-Number Dropped(const R& record, auto number) {
-  if constexpr (requires { record.physics; }) {
-    if (record.physics && record.physics->dropped) return number(*record.physics);
-  }
-  return std::nullopt;
+// A number of what was measured, where that was asked for.
+Number Measured(const Record& record, double physics::Result::*member) {
+  return record.physics ? Number((*record.physics).*member) : std::nullopt;
+}
+
+// The same of an object that was dropped on a floor.
+Number Dropped(const Record& record, double physics::Result::*member) {
+  return record.physics && record.physics->dropped ? Measured(record, member) : std::nullopt;
+}
+
+// Contacts and rows are of joints under their weight, too.
+Number Counted(const Record& record, int physics::Result::*member) {
+  return record.physics ? Number((*record.physics).*member) : std::nullopt;
 }
 
 constexpr std::array kMeasures = {
@@ -29,35 +35,22 @@ constexpr std::array kMeasures = {
             [](const Record& r) { return Number(static_cast<double>(r.attempt)); }, false, true},
     Measure{MeasureId::kTimeToRest, "Time to rest", "s", "Of those that came to rest, simulated.",
             [](const Record& r) {
-              return Dropped(r,
-                             [](const auto& p) { return p.at_rest ? Number(p.time) : Number(); });
+              return r.physics && r.physics->at_rest ? Dropped(r, &physics::Result::time)
+                                                     : std::nullopt;
             },
             true},
-    Measure{
-        MeasureId::kDrift, "Drift", "m", "Of the centre of mass, along the floor.",
-        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.drift); }); },
-        true},
-    Measure{
-        MeasureId::kTilt, "Tilt", "rad", "Between upwards before and after: near pi/2 it fell.",
-        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.tilt); }); },
-        true},
-    Measure{MeasureId::kPenetration, "Penetration", "m", "The deepest contact.",
-            [](const Record& r) {
-              return Dropped(r, [](const auto& p) { return Number(p.penetration); });
-            },
-            true},
-    Measure{
-        MeasureId::kOverlap, "Overlap", "", "The share of the mass that is counted twice.",
-        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.overlap); }); },
-        true},
-    Measure{
-        MeasureId::kContacts, "Contacts", "", "ncon: the most in one step.",
-        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.ncon); }); },
-        true, true},
-    Measure{
-        MeasureId::kConstraints, "Constraint rows", "", "nefc: the most in one step.",
-        [](const Record& r) { return Dropped(r, [](const auto& p) { return Number(p.nefc); }); },
-        true, true},
+    Measure{MeasureId::kDrift, "Drift", "m", "Of the centre of mass, along the floor.",
+            [](const Record& r) { return Dropped(r, &physics::Result::drift); }, true},
+    Measure{MeasureId::kTilt, "Tilt", "rad", "Between upwards before and after: near pi/2 it fell.",
+            [](const Record& r) { return Dropped(r, &physics::Result::tilt); }, true},
+    Measure{MeasureId::kPenetration, "Penetration", "m", "The deepest contact on the way.",
+            [](const Record& r) { return Dropped(r, &physics::Result::penetration); }, true},
+    Measure{MeasureId::kOverlap, "Overlap", "", "The share of the mass that is counted twice.",
+            [](const Record& r) { return Measured(r, &physics::Result::overlap); }, true},
+    Measure{MeasureId::kContacts, "Contacts", "", "ncon: the most in one step.",
+            [](const Record& r) { return Counted(r, &physics::Result::ncon); }, true, true},
+    Measure{MeasureId::kConstraints, "Constraint rows", "", "nefc: the most in one step.",
+            [](const Record& r) { return Counted(r, &physics::Result::nefc); }, true, true},
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_CASE("a hinge reaches both ends, is stopped by its limits, and comes back")
   const Result::Joint& joint = Only(door);
   CHECK(joint.name == "door_joint");
   CHECK(joint.reach > 0.99);
-  CHECK(joint.overshoot < 0.02 * 1.5);
+  CHECK(joint.overshoot < 0.03 * 1.5);
   CHECK(joint.return_error < 0.01);
   CHECK(joint.penetration == 0);
   CHECK(door.Codes().empty());
@@ -78,7 +78,7 @@ TEST_CASE("a ball joint turns about each of its axes up to its range") {
   const std::string joint = R"(type="ball" limited="true" range="0 0.8")";
   const Examined arm = Examine(Free(0, kCube + Child("arm", "0 0 0.3", joint, kBar)));
   CHECK(Only(arm).reach > 0.98);
-  CHECK(Only(arm).overshoot < 0.05);
+  CHECK(Only(arm).overshoot < 0.1 * 1.6);  // the push, at most
 }
 
 TEST_CASE("an unlimited hinge makes a full turn; an unlimited slide has no ends") {

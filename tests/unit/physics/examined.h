@@ -34,7 +34,7 @@ struct Examined {
 inline Examined Examine(const std::string& world, const std::string& sections = {},
                         const model::Checks& checks = {}) {
   static Laboratory laboratory;
-  const TemporaryFolder folder;
+  const mjforge::harness::TemporaryFolder folder;
   const auto file =
       folder.Write("m.xml", "<mujoco model=\"m\"><compiler angle=\"radian\"/><worldbody>" + world +
                                 "</worldbody>" + sections + "</mujoco>");

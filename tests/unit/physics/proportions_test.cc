@@ -106,7 +106,7 @@ TEST_CASE("thin and slender parts, each at its threshold") {
   model::Checks loose;
   loose.aspect = 200;
   loose.thickness = 0.0005;
-  CHECK(Check(Of({sheet}), loose).first.empty() == false);
+  CHECK(Check(Of({sheet}), loose).first.empty());
   CHECK(Check(Of({needle}), loose).first.empty());
 }
 

@@ -21,7 +21,7 @@ TEST_CASE("a cube comes to rest on the floor where it was put down") {
   CHECK(result.speed < 0.01);
   CHECK(result.ncon == 4);
   CHECK(result.nefc == 16);  // four sides of a pyramid a contact
-  CHECK(result.energy_gain == 0);
+  CHECK(result.energy_gain < 1e-4);
   // From 2 mm it lands at 0.2 m/s: less deep than it would go in the contact's time constant.
   CHECK(result.penetration > 0.0005);
   CHECK(result.penetration < 0.2 * 0.02);
@@ -111,14 +111,14 @@ TEST_CASE("an actuator that lifts without a command gains energy") {
   const Examined jack = Examine(
       Free(0, kCube +
                   "<body name=\"lift\" pos=\"0 0 0.2\"><joint name=\"screw\" type=\"slide\" "
-                  "damping=\"5\" limited=\"true\" range=\"0 0.1\"/><geom size=\"0.03\"/></body>"),
-      "<actuator><general joint=\"screw\" biastype=\"affine\" biasprm=\"20 0 0\"/></actuator>");
+                  "damping=\"5\" limited=\"true\" range=\"0 0.3\"/><geom size=\"0.03\"/></body>"),
+      "<actuator><general joint=\"screw\" biastype=\"affine\" biasprm=\"40 0 0\"/></actuator>");
   CHECK(jack.Codes() == Strings{"error physics/gains-energy"});
   CHECK(jack.result->energy_gain > 0.02);
 }
 
 TEST_CASE("soft contacts sink, and hard landings go deep") {
-  const std::string soft = Free(0, R"(<geom type="box" size="0.05 0.05 0.05" solref="0.1 1"/>)");
+  const std::string soft = Free(0, R"(<geom type="box" size="0.05 0.05 0.05" solref="0.3 1"/>)");
   const Examined sunk = Examine(soft);
   CHECK(sunk.Codes() == Strings{"error physics/sinks"});
   CHECK(sunk.result->sink > 0.001);
