@@ -17,6 +17,7 @@ set(mjforge_dependencies
   "ZLIB 1.2"
   "GIF 5.2"
   "WebP"
+  "ccd 2"
   "Random123"
   "xxhash"
   "ctemplate")  # HTML that escapes by itself

@@ -135,12 +135,14 @@ def main():
     draw(program, HERO, HERE / "hero.png", HERO_JOINTS, "--size", HERO_SIZE)
     hero = json.loads(run(program, "inspect", str(HERO), "--json"))
     hashes["hero.png"] = {"spec": HERO.name, "sha256": hero["spec_sha256"]}
-    for gone in set(HERE.glob("*.png")) - {HERE / name for name in hashes}:
-        gone.unlink()
+    known = HERE / "catalogue.json"
+    before = json.loads(known.read_text(encoding="utf-8")) if known.exists() else {}
+    for name in before.keys() - hashes.keys():
+        (HERE / name).unlink(missing_ok=True)
     page = INTRODUCTION.format(seed=SEED, last=VARIANTS - 1) + "\n".join(chapters)
     PAGE.write_text(page + MATERIALS.format(count=materials), encoding="utf-8")
     text = json.dumps(hashes, indent=1, sort_keys=True) + "\n"
-    (HERE / "catalogue.json").write_text(text, encoding="utf-8")
+    known.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -92,7 +92,7 @@ TEST_CASE_METHOD(PreviewTest, "size, background and layer are as they are asked 
   CHECK(layers.size() == 5);
 }
 
-TEST_CASE_METHOD(PreviewTest, "--joint moves a joint, in any unit, with or without its prefix") {
+TEST_CASE_METHOD(PreviewTest, "a joint moves by --joint, in any unit, with or without its prefix") {
   const std::string closed = Draw({"chest.xml", "--size", "100"});
   const std::string open = Draw({"chest.xml", "--size", "100", "--joint", "lid_hinge=90deg"});
   CHECK(open != closed);
@@ -113,7 +113,7 @@ TEST_CASE_METHOD(PreviewTest, "a joint that does not exist or reach there is a f
   CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
 }
 
-TEST_CASE_METHOD(PreviewTest, "--sweep animates the joints as APNG or GIF") {
+TEST_CASE_METHOD(PreviewTest, "the joints are animated by --sweep as APNG or GIF") {
   const std::string apng = Draw({"chest.xml", "--size", "48", "--sweep"});
   int frames = 0;
   for (const std::string& chunk : harness::PngChunks(apng)) frames += chunk == "fcTL 26" ? 1 : 0;

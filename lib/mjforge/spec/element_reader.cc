@@ -35,9 +35,9 @@ constexpr std::array kMasses = {Key::kDensity, Key::kMass};
 constexpr std::array kPlaces = {Key::kPos, Key::kFromTo};
 constexpr std::array kPictures = {Key::kBuiltin, Key::kFile};
 
-// Elements such as `checks` are many.
+// These are many.
 std::string_view Article(std::string_view name) {
-  if (name.ends_with('s')) return "";
+  if (name == "checks" || name == "defaults") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 

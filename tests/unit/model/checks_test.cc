@@ -1,0 +1,56 @@
+#include "mjforge/model/checks.h"
+
+#include <catch2/catch.hpp>
+
+#include "assembling.h"
+
+namespace mjforge::model {
+namespace {
+
+const std::string kBall = "parts: [{name: a, type: sphere, size: 1}]\n";
+
+TEST_CASE("an object without checks has those of the field table") {
+  // Each default of the table, said in a spec, changes nothing.
+  std::string said = "checks:\n";
+  for (const spec::FieldInfo& field : spec::ChecksElement().fields) {
+    std::string text(field.default_text);
+    if (text.empty() || text == "unlimited") continue;
+    const std::size_t blank = text.find(' ');
+    if (blank != std::string::npos) text = "[" + text.replace(blank, 1, ", ") + "]";
+    said += "  " + std::string(field.key) + ": " + text + "\n";
+  }
+  const Checks checks = Assembling(said + kBall).object().checks;
+  CHECK(checks == Assembling(kBall).object().checks);
+  CHECK(checks == Checks());
+}
+
+TEST_CASE("thresholds are computed from parameters, in SI units") {
+  const Checks checks = Assembling(
+                            "params: {size: 2cm, light: true}\n"
+                            "checks:\n"
+                            "  stable: light\n"
+                            "  tilt: 90deg\n"
+                            "  sink: size / 10\n"
+                            "  drift: \"light ? 5mm : 1\"\n"
+                            "  density: [10 * size, 100]\n"
+                            "  silence: {physics/thin: it is paper}\n" +
+                            kBall)
+                            .object()
+                            .checks;
+  CHECK(checks.stable);
+  CHECK(checks.tilt == Approx(M_PI / 2));
+  CHECK(checks.sink == Approx(0.002));
+  CHECK(checks.drift == Approx(0.005));
+  CHECK(checks.density == Eigen::Vector2d(0.2, 100));
+  REQUIRE(checks.silenced.size() == 1);
+  CHECK(checks.silenced[0].first == "physics/thin");
+  CHECK(checks.silenced[0].second == "it is paper");
+}
+
+TEST_CASE("a range of densities that is upside down is an error") {
+  CHECK(OnlyFinding("checks: {density: [100, 10]}\n" + kBall) ==
+        "3:19 density of checks 'thing' has its higher end first");
+}
+
+}  // namespace
+}  // namespace mjforge::model

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "loading.h"
+
+using namespace mjforge;
+
+namespace {
+
+std::vector<std::string> KeysOf(const spec::Checks& checks) {
+  std::vector<std::string> keys;
+  for (const spec::Field& field : checks.fields) keys.emplace_back(field.info->key);
+  return keys;
+}
+
+}  // namespace
+
+TEST_CASE("checks: holds thresholds and what is silenced", "[checks]") {
+  const Loaded loaded = LoadWithBox(
+      "params: {r: 1cm}\n"
+      "checks: {stable: true, sink: 2mm, aspect: 10 * r / 1mm, density: [1, 2], "
+      "silence: {physics/thin: paper}}\n");
+  CHECK(loaded.Report().empty());
+  REQUIRE(loaded.spec);
+  CHECK(KeysOf(loaded.spec->checks) == Strings{"stable", "sink", "aspect", "density"});
+  REQUIRE(loaded.spec->checks.silenced.size() == 1);
+  CHECK(loaded.spec->checks.silenced[0].code == diag::Code::kPhysicsThin);
+  CHECK(loaded.spec->checks.silenced[0].reason == "paper");
+}
+
+TEST_CASE("a threshold that is none, out of bounds or drawn is an error", "[checks]") {
+  CHECK(ReportWithBox("checks: 3\n") ==
+        Strings{"4:9 spec/wrong-type: expected a mapping of checks, got a single value"});
+  CHECK(ReportWithBox("checks: {stabel: true}\n") ==
+        Strings{"4:10 spec/unknown-key: unknown key 'stabel' in checks (did you mean 'stable'?)"});
+  CHECK(ReportWithBox("checks: {settle_time: 0}\n").size() == 1);
+  CHECK(ReportWithBox("checks: {sink: 1mm .. 2mm}\n") ==
+        Strings{"4:10 spec/bad-value: 'sink' is drawn, but a threshold is one value (draw it as a "
+                "parameter, and name that here)"});
+}
+
+TEST_CASE("only findings about physics can be silenced, each with a reason", "[checks]") {
+  CHECK(ReportWithBox("checks: {silence: {physics/thinn: x}}\n") ==
+        Strings{"4:20 spec/unknown-key: 'physics/thinn' is no finding of a physical check (did you "
+                "mean 'physics/thin'?)"});
+  CHECK(ReportWithBox("checks: {silence: {mujoco/error: x}}\n") ==
+        Strings{"4:20 spec/unknown-key: 'mujoco/error' is no finding of a physical check "
+                "(docs/errors.md lists them: physics/...)"});
+  CHECK(ReportWithBox("checks: {silence: {physics/thin: ''}}\n") ==
+        Strings{"4:34 spec/bad-value: no reason why 'physics/thin' does not matter"});
+  CHECK(ReportWithBox("checks: {silence: [physics/thin]}\n").size() == 1);
+}
+
+TEST_CASE("settings named checks.KEY take the place of a threshold", "[checks]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nchecks: {sink: 2mm}\n"
+      "parts: [{name: box, type: sphere, size: 1}]\n";
+  const Loaded loaded = Load(yaml, {{"checks.sink", "3mm"}, {"checks.stable", "true"}});
+  CHECK(loaded.Report().empty());
+  REQUIRE(loaded.spec);
+  CHECK(KeysOf(loaded.spec->checks) == Strings{"sink", "stable"});
+  CHECK(loaded.spec->settings.size() == 2);
+  CHECK(Load(yaml, {{"checks.snik", "3mm"}}).Report() ==
+        Strings{"1:14 spec/unknown-key: unknown key 'snik' in checks (did you mean 'sink'?)"});
+}
