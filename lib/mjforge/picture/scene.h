@@ -58,6 +58,7 @@ class Scene {
 
  private:
   void Collect(Subject::State& state, const mjvOption& option);
+  void SeparateFaces();
   bool CollectVisible(Subject::State& state, diag::Findings& findings);
   Shapes CollidingShapes(Subject::State& state);
   void Fade();

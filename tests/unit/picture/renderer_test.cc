@@ -59,6 +59,25 @@ TEST_CASE("the same subject gives the same bytes, whatever was drawn before") {
   CHECK(Draw(*renderer, *second).rgba == alone.rgba);
 }
 
+TEST_CASE("faces in one plane are lit once") {
+  const auto renderer = OpenRenderer();
+  const auto brightest = [&](const std::string& geoms) {
+    const auto subject =
+        Load("<mujoco><worldbody><body><freejoint/>" + geoms + "</body></worldbody></mujoco>");
+    const Image image = Draw(*renderer, *subject);
+    int most = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+      most = std::max<int>(most, image.rgba[i + 1]);
+    return most;
+  };
+  const std::string look = " rgba='0.2 0.5 0.2 1'/>";
+  const std::string one = "<geom type='box' size='2 1 1'" + look;
+  // The same block of two that overlap: all faces but two lie in common planes.
+  const std::string two = "<geom type='box' size='1.5 1 1' pos='-.5 0 0'" + look +
+                          "<geom type='box' size='1.5 1 1' pos='.5 0 0'" + look;
+  CHECK(brightest(two) <= brightest(one) + 2);
+}
+
 TEST_CASE("each layer shows something else") {
   const auto renderer = OpenRenderer();
   const auto subject = Load(kChest);
