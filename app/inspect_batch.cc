@@ -109,6 +109,8 @@ std::string Tables(const Batch& batch) {
     AddRow(table, "(mass, kg)", &statistics.mass(), "");
     if (statistics.attempts().max > 0) AddRow(table, "(attempt)", &statistics.attempts(), "");
   }
+  for (const auto& [name, unit, numbers] : statistics.physics())
+    AddRow(table, fmt::format("({}{}{})", name, unit.empty() ? "" : ", ", unit), &numbers, "");
   return table.empty() ? text : text + "\n" + table.Render();
 }
 
@@ -163,6 +165,13 @@ std::string AsJson(const Batch& batch) {
   Write(json, statistics.mass());
   json.Key("attempt");
   Write(json, statistics.attempts());
+  json.Key("physics");
+  json.StartObject();
+  for (const auto& [name, unit, numbers] : statistics.physics()) {
+    json.Key(name);
+    Write(json, numbers);
+  }
+  json.EndObject();
   json.EndObject();
   return json.Line();
 }

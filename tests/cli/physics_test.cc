@@ -1,5 +1,6 @@
 // --validate physics, validate --physics, check --physics.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -50,6 +51,19 @@ TEST_CASE_METHOD(PhysicsTest,
       Run({"generate", "scissors", "--first", "4", "--validate", "physics", "-o", "one"}).status ==
       0);
   CHECK(Records("one")[0]["physics"] == Records("out1")[4]["physics"]);
+}
+
+TEST_CASE_METHOD(PhysicsTest, "inspect says of a batch the sizes that a host needs") {
+  REQUIRE(Run({"generate", "mug", "-n", "5", "--validate", "physics", "-o", "out"}).status == 0);
+  int most = 0;
+  for (const json& record : Records("out"))
+    most = std::max(most, record["physics"]["nefc"].get<int>());
+  const auto whole = Run({"inspect", "out/", "--json"});
+  CHECK(json::parse(whole.out)["physics"]["nefc"]["max"] == most);
+  CHECK(json::parse(whole.out)["physics"]["time"]["count"] == 5);
+  CHECK(Run({"inspect", "out/"}).out.find("\n(nefc) ") != std::string::npos);
+  REQUIRE(Run({"generate", "mug", "-o", "plain/"}).status == 0);
+  CHECK(json::parse(Run({"inspect", "plain/", "--json"}).out)["physics"].empty());
 }
 
 TEST_CASE_METHOD(PhysicsTest, "the bytes of an object do not depend on what was asked about it") {

@@ -102,6 +102,13 @@ class Statistics {
   std::vector<Parameter> Parameters() const;
   const Numbers& mass() const { return mass_; }
   const Numbers& attempts() const { return attempts_; }
+  /// What was measured of those that are ok, named as in the record; none where nothing was.
+  struct Measured {
+    std::string_view name;
+    std::string_view unit;  // empty: a count or a share
+    Numbers numbers;
+  };
+  const std::vector<Measured>& physics() const { return physics_; }
 
  private:
   struct Tally {
@@ -114,6 +121,7 @@ class Statistics {
   };
   Tally& TallyOf(const std::string& name, std::size_t position);
   void AddParameter(Tally& tally, const sample::ParameterValue& value);
+  void AddPhysics(const physics::Result& result);
 
   std::uint64_t variants_ = 0;
   std::map<std::string, std::uint64_t> statuses_;
@@ -121,6 +129,7 @@ class Statistics {
   std::vector<Tally> tallies_;
   Numbers mass_;
   Numbers attempts_;
+  std::vector<Measured> physics_;
 };
 
 }  // namespace mjforge::manifest

@@ -23,6 +23,23 @@ void AddNumber(Statistics::Numbers& numbers, double value) {
   numbers.m2 += distance * (value - numbers.mean);
 }
 
+struct Measure {
+  std::string_view name;
+  std::string_view unit;
+  double (*of)(const physics::Result&);
+};
+
+constexpr Measure kMeasures[] = {
+    {"time", "s", [](const physics::Result& r) { return r.time; }},
+    {"drift", "m", [](const physics::Result& r) { return r.drift; }},
+    {"tilt", "rad", [](const physics::Result& r) { return r.tilt; }},
+    {"penetration", "m", [](const physics::Result& r) { return r.penetration; }},
+    {"sink", "m", [](const physics::Result& r) { return r.sink; }},
+    {"ncon", "", [](const physics::Result& r) { return static_cast<double>(r.ncon); }},
+    {"nefc", "", [](const physics::Result& r) { return static_cast<double>(r.nefc); }},
+    {"overlap", "", [](const physics::Result& r) { return r.overlap; }},
+};
+
 std::string CodeOf(const std::string& finding) {
   rapidjson::Document document;
   document.Parse(finding.data(), finding.size());
@@ -46,9 +63,18 @@ void Statistics::Add(const Record& record) {
   if (record.status != "ok") return;
   AddNumber(mass_, record.mass_properties.mass);
   AddNumber(attempts_, static_cast<double>(record.attempt));
+  if (record.physics) AddPhysics(*record.physics);
   for (std::size_t i = 0; i < record.params.size(); ++i) {
     AddParameter(TallyOf(record.params[i].first, i), record.params[i].second);
   }
+}
+
+void Statistics::AddPhysics(const physics::Result& result) {
+  if (physics_.empty()) {
+    for (const Measure& measure : kMeasures) physics_.push_back({measure.name, measure.unit, {}});
+  }
+  for (std::size_t i = 0; i < physics_.size(); ++i)
+    AddNumber(physics_[i].numbers, kMeasures[i].of(result));
 }
 
 Statistics::Tally& Statistics::TallyOf(const std::string& name, std::size_t position) {
