@@ -201,11 +201,13 @@ class Driver {
       if (!own) continue;
       const std::array<double, 3> errors = Errors(joint, moved ? path.axis : 0, own->at);
       const int dofs = m_.jnt_type[joint] == mjJNT_BALL ? 3 : 1;
+      const double most = moved ? kPush * (path.high - path.low) : kMostHeld;
       for (int i = 0; i < dofs; ++i) {
         const bool along = i == (moved ? path.axis : 0);
         const int dof = m_.jnt_dofadr[joint] + i;
+        const double error = std::clamp(errors[Index(i)], -most, most);
         d_.qfrc_applied[dof] =
-            Force(dof, errors[Index(i)], along ? own->speed : 0, along ? own->acceleration : 0);
+            Force(dof, error, along ? own->speed : 0, along ? own->acceleration : 0);
       }
     }
   }
