@@ -42,8 +42,9 @@ std::string Behaviour(const physics::Result& result) {
                        result.at_rest ? "at rest" : "still moving", result.time,
                        kDegrees * result.tilt, 1000 * result.drift);
   }
+  if (!result.dropped) text = "; not dropped";
   if (result.dropped || result.nefc > 0)
-    text += fmt::format("{} at most {} and {}", result.dropped ? "," : ";",
+    text += fmt::format(", at most {} and {}",
                         Count(static_cast<std::size_t>(result.ncon), "contact", "contacts"),
                         Count(static_cast<std::size_t>(result.nefc), "row", "rows"));
   if (!result.joints.empty())

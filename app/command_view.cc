@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
+#include "usage.h"
 #include "viewer.h"
 
 namespace mjforge::app {
@@ -78,7 +79,14 @@ Action AddView(CLI::App& app) {
   AddExamples(command,
               "  mjforge view hammer --index 41\n"
               "  mjforge view robot.xml");
-  return [options] { return View(*options)(); };
+  return [options] {
+    const bool is_file = options->what.ends_with(".xml");
+    const bool has_settings =
+        !options->spec.settings.empty() || !options->spec.parameter_files.empty();
+    if (is_file && (has_settings || options->seed != 0 || options->index != 0))
+      return WrongUsage("--seed, --index, --set and --params take a spec, not a file", "view");
+    return View(*options)();
+  };
 }
 
 }  // namespace mjforge::app

@@ -10,18 +10,13 @@ std::string_view PictureSoftware() {
 }
 
 bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  std::error_code error;
-  if (force || std::filesystem::symlink_status(file, error).type() ==
-                   std::filesystem::file_type::not_found) {
-    return true;
-  }
   // Pictures say so before what they show.
   constexpr std::size_t kStart = 8192;
-  const auto start = output::ReadStart(file, kStart);
-  const bool picture = start && (start->starts_with("\x89PNG\r\n") || start->starts_with("GIF89a"));
-  if (picture && start->substr(0, kStart).find("mjforge ") != std::string::npos) return true;
-  output::AddForeign(file, findings);
-  return false;
+  const auto is_ours = [](std::string_view start) {
+    const bool picture = start.starts_with("\x89PNG\r\n") || start.starts_with("GIF89a");
+    return picture && start.substr(0, kStart).find("mjforge ") != start.npos;
+  };
+  return output::MayReplace(file, force, kStart, is_ours, findings);
 }
 
 }  // namespace mjforge::app

@@ -1,6 +1,7 @@
 // Places that cannot be written to: exit status 3, the system's words, nothing
 // half-done.
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -59,6 +60,23 @@ TEST_CASE_METHOD(BadOutputTest, "a file in a folder that cannot be made is refus
   const auto result = Run({"generate", "crate.yaml", "-q", "-o", "crate.yaml/x.xml"});
   CHECK(result.status == 3);
   CHECK(result.err.find("[output/cannot-write]") != std::string::npos);
+}
+
+TEST_CASE_METHOD(BadOutputTest, "a pipe is refused at once, by whoever writes a file") {
+  REQUIRE(::mkfifo((folder().path() / "pipe.xml").c_str(), 0600) == 0);
+  REQUIRE(::mkfifo((folder().path() / "pipe.png").c_str(), 0600) == 0);
+  REQUIRE(Run({"generate", "crate.yaml", "-o", "out", "-q"}).status == 0);
+  const std::vector<std::vector<std::string>> commands = {
+      {"generate", "crate.yaml", "-o", "pipe.xml"},
+      {"generate", "crate.yaml", "-o", "pipe.xml", "--force"},
+      {"preview", "crate.yaml", "-o", "pipe.png"},
+      {"report", "out", "-o", "pipe.xml"}};
+  for (const std::vector<std::string>& command : commands) {
+    CAPTURE(command);
+    const auto result = Run(command);
+    CHECK(result.status == 3);
+    CHECK(result.err.find("is a pipe or a device, not a file") != std::string::npos);
+  }
 }
 
 TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {

@@ -138,6 +138,13 @@ TEST_CASE_METHOD(PhysicsTest, "every target is tried as its host has it") {
   }
 }
 
+TEST_CASE_METHOD(PhysicsTest, "what a host frees may have its mass further in") {
+  REQUIRE(
+      Run({"generate", "hinged_box", "--target", "robosuite", "--validate", "physics", "-o", "out"})
+          .status == 0);
+  CHECK(Records("out")[0]["physics"]["at_rest"] == true);
+}
+
 TEST_CASE_METHOD(PhysicsTest, "validate --physics tries any file, and says what came of it") {
   REQUIRE(Run({"generate", "hinged_box", "-o", "box.xml"}).status == 0);
   const auto line = Run({"validate", "box.xml", "--physics"});

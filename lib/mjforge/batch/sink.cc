@@ -77,18 +77,12 @@ std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
 }
 
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  std::error_code ignored;
-  if (force || !std::filesystem::exists(file, ignored)) return true;
-  const std::optional<std::string> start = output::ReadStart(file, kLongestLine);
-  std::string why_not;
   // An empty one holds nothing that could be lost.
-  if (start &&
-      (start->empty() ||
-       manifest::ReadRecord(std::string_view(*start).substr(0, start->find('\n')), why_not))) {
-    return true;
-  }
-  output::AddForeign(file, findings);
-  return false;
+  const auto is_ours = [](std::string_view start) {
+    std::string why_not;
+    return start.empty() || manifest::ReadRecord(start.substr(0, start.find('\n')), why_not);
+  };
+  return output::MayReplace(file, force, kLongestLine, is_ours, findings);
 }
 
 }  // namespace mjforge::batch

@@ -59,12 +59,28 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Fin
   return bytes;
 }
 
-bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  if (force || !Exists(file)) return true;
-  const std::optional<std::string> opening = ReadStart(file, kCommentBytes);
-  if (opening && mjcf::ReadProvenance(*opening)) return true;
+bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
+                const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
+  if (!Exists(file)) return true;
+  std::error_code ignored;
+  // A pipe would have us wait for somebody to write, a device is not ours to replace.
+  if (std::filesystem::is_other(file, ignored)) {
+    findings.Add(diag::Code::kOutputCannotWrite, {},
+                 fmt::format("'{}' is a pipe or a device, not a file", file.string()),
+                 "'-o -' writes to standard output");
+    return false;
+  }
+  if (force) return true;
+  const std::optional<std::string> opening = ReadStart(file, bytes);
+  if (opening && is_ours(*opening)) return true;
   AddForeign(file, findings);
   return false;
+}
+
+bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
+  return MayReplace(
+      file, force, kCommentBytes,
+      [](std::string_view opening) { return mjcf::ReadProvenance(opening).has_value(); }, findings);
 }
 
 void AddForeign(const std::filesystem::path& file, diag::Findings& findings) {

@@ -45,6 +45,11 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Fin
 /// set, if it cannot be read.
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::size_t limit);
 
+/// Whether `file` may get other bytes: it is not there, `is_ours` says so of its first bytes, or
+/// `force`. A pipe or a device may not in any case. False, and a finding, if it may not.
+bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
+                const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
+
 /// True if nothing would be lost by writing `file`: it does not exist, it is an
 /// object that mjforge wrote, or `force` says so. Else a finding.
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);

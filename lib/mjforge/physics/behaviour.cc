@@ -37,7 +37,25 @@ Trouble Behaviour::Drop(Result& result) {
   }
 }
 
+// MuJoCo steps any model; what comes of steps that are longer than a fall says nothing.
+bool Behaviour::CanStep() {
+  constexpr double kShortest = 1e-5;  // s
+  constexpr double kLongest = 0.02;   // s; from 2 mm above the floor things fall for 0.02 s
+  constexpr double kMostSteps = 1e7;
+  const double timestep = m_.opt.timestep;
+  const double steps = verdict_.checks().settle_time / timestep;
+  if (timestep >= kShortest && timestep <= kLongest && steps <= kMostSteps) return true;
+  verdict_.Error(
+      Code::kPhysicsUnstable, subject_.mark,
+      fmt::format("'{}' cannot be tried: {:g} s in steps of {:g} s", subject_.name,
+                  verdict_.checks().settle_time, timestep),
+      fmt::format("a timestep of {:g} to {:g} s, and a settle_time of at most {:g} steps",
+                  kShortest, kLongest, kMostSteps));
+  return false;
+}
+
 void Behaviour::Check(Result& result) {
+  if (!CanStep()) return;
   const Trouble trouble = Drop(result);
   ReportDrop(trouble, result);
   if (trouble.blown_up) return;
@@ -64,7 +82,12 @@ void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
                                subject_.name, result.energy_gain, checks.energy_gain),
                    "parts that push each other apart, springs, or actuators");
   }
-  if (!result.at_rest && result.dropped) {
+  if (!result.at_rest && result.dropped && result.ncon == 0) {
+    verdict_.Warning(Code::kPhysicsNotAtRest, subject_.mark,
+                     fmt::format("'{}' touches nothing in {:g} s, and ends at {:.3g} m/s",
+                                 subject_.name, result.time, result.speed),
+                     "gravity, or the contact bits (contype, conaffinity)");
+  } else if (!result.at_rest && result.dropped) {
     verdict_.Warning(Code::kPhysicsNotAtRest, subject_.mark,
                      fmt::format("'{}' still moves after {:g} s, at {:.3g} m/s", subject_.name,
                                  result.time, result.speed),
@@ -90,7 +113,7 @@ void Behaviour::ReportPose(const Result& result) {
   const model::Checks& checks = verdict_.checks();
   if (checks.stable && result.tilt > checks.tilt) {
     verdict_.Error(Code::kPhysicsTopples, subject_.mark,
-                   fmt::format("'{}' topples: it leans over by {:.3g} deg, more than {:.3g}",
+                   fmt::format("'{}' topples: it leans over by {:.3g} deg, more than {:.3g} deg",
                                subject_.name, kDegrees * result.tilt, kDegrees * checks.tilt),
                    "a wider foot, or a lower centre of mass");
   }
@@ -111,7 +134,13 @@ void Behaviour::ReportJoint(const Driven& driven) {
                    fmt::format("MuJoCo finds no numbers as joint '{}' is driven", joint.name));
     return;
   }
-  if (joint.overshoot > checks.joint_overshoot * driven.range) {
+  if (driven.outside > checks.joint_overshoot * driven.range) {
+    verdict_.Error(Code::kPhysicsJointOvershoots, mark,
+                   fmt::format("joint '{}' begins {} outside its range of {}", joint.name,
+                               Distance(m_, driven.joint, driven.outside),
+                               Distance(m_, driven.joint, driven.range)),
+                   "a range with the zero in it, or a pose (`ref`) that is in the range");
+  } else if (joint.overshoot > checks.joint_overshoot * driven.range) {
     verdict_.Error(Code::kPhysicsJointOvershoots, mark,
                    fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
                                Distance(m_, driven.joint, joint.overshoot),
@@ -127,13 +156,15 @@ void Behaviour::ReportJoint(const Driven& driven) {
                    "a shorter range, more room, or `contact: exclude`");
   }
   if (joint.reach < checks.joint_reach) {
-    verdict_.Error(Code::kPhysicsJointBlocked, mark,
-                   fmt::format("joint '{}' reaches only {:.3g} % of its range of {}{}", joint.name,
-                               100 * joint.reach, Distance(m_, driven.joint, driven.range),
-                               driven.body1.empty() ? std::string()
-                                                    : fmt::format(": '{}' and '{}' collide",
-                                                                  driven.body1, driven.body2)),
-                   "a shorter range, more room, or `contact: exclude`");
+    verdict_.Error(
+        Code::kPhysicsJointBlocked, mark,
+        fmt::format("joint '{}' reaches only {:.3g} % of its range of {}{}", joint.name,
+                    100 * joint.reach, Distance(m_, driven.joint, driven.range),
+                    driven.body1.empty()
+                        ? std::string()
+                        : fmt::format(": '{}' and '{}' collide", driven.body1, driven.body2)),
+        driven.body1.empty() ? "something it is coupled to, an equality or a tendon, holds it"
+                             : "a shorter range, more room, or `contact: exclude`");
   }
   if (joint.return_error > checks.joint_return * driven.range) {
     verdict_.Error(Code::kPhysicsJointNotBack, mark,

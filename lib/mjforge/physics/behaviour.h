@@ -33,6 +33,7 @@ class Behaviour {
   void Check(Result& result);
 
  private:
+  bool CanStep();
   Trouble Drop(Result& result);
   void ReportDrop(const Trouble& trouble, const Result& result);
   void ReportPose(const Result& result);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mjforge/physics/simulation.h"
+#include "mjforge/physics/subject.h"
 
 namespace mjforge::physics {
 namespace {
@@ -23,6 +24,8 @@ constexpr double kThere = 0.01;     // of the range
 constexpr double kStiffness = 20;
 // Targets lie so much of the range beyond its ends, so that the limits have to hold.
 constexpr double kPush = 0.1;
+// MuJoCo's limit of a ball knows one inertia for all axes, and is soft about a thin body's own.
+constexpr double kPushOfBall = 0.02;
 // An error counts up to kPush of the range, so that what is stuck is not crushed; of a joint
 // that is held, up to this.
 constexpr double kMostHeld = 0.1;  // rad or m
@@ -114,7 +117,7 @@ class Driver {
   Driven Run(int joint) {
     Driven driven;
     driven.joint = joint;
-    driven.measured.name = m_.names + m_.name_jntadr[joint];
+    driven.measured.name = NameOf(m_, mjOBJ_JOINT, joint);
     for (const Path& path : PathsOf(m_, joint)) Follow(path, driven);
     return driven;
   }
@@ -132,11 +135,15 @@ class Driver {
     inertia_[Index(dof)] = InertiaOf(dof);
     const double range = path.high - path.low;
     driven.range = std::max(driven.range, range);
-    const double push = path.limited ? kPush * range : 0;
-    lowest_ = highest_ = Value(path);
+    const bool ball = m_.jnt_type[path.joint] == mjJNT_BALL;
+    const double push = path.limited ? (ball ? kPushOfBall : kPush) * range : 0;
+    driven.outside = std::max({0.0, path.low, -path.high});
     // A joint whose zero is outside its range is pushed in by its limits first.
     const double home = std::clamp(0.0, path.low, path.high);
+    lowest_ = highest_ = home;
+    looks_ = driven.outside == 0;
     Go(path, 0, path.low - push, driven);
+    looks_ = true;
     Go(path, path.low - push, path.high + push, driven);
     Go(path, path.high + push, home, driven);
     const double reached = std::min(highest_, path.high) - std::max(lowest_, path.low);
@@ -258,16 +265,20 @@ class Driver {
   void Look(const Path& path, Driven& driven) {
     driven.blown_up = HasBlownUp(d_);
     const double value = Value(path);
-    lowest_ = std::min(lowest_, value);
-    highest_ = std::max(highest_, value);
+    if (looks_) {
+      lowest_ = std::min(lowest_, value);
+      highest_ = std::max(highest_, value);
+    }
     for (int i = 0; i < d_.ncon; ++i) {
       const mjContact& contact = d_.contact[i];
       const int body1 = m_.geom_bodyid[contact.geom1];
       const int body2 = m_.geom_bodyid[contact.geom2];
-      if (body1 == 0 || body2 == 0 || -contact.dist <= driven.measured.penetration) continue;
+      const int root = m_.body_rootid[m_.jnt_bodyid[path.joint]];
+      if (m_.body_rootid[body1] != root || m_.body_rootid[body2] != root) continue;
+      if (-contact.dist <= driven.measured.penetration) continue;
       driven.measured.penetration = -contact.dist;
-      driven.body1 = m_.names + m_.name_bodyadr[std::min(body1, body2)];
-      driven.body2 = m_.names + m_.name_bodyadr[std::max(body1, body2)];
+      driven.body1 = NameOf(m_, mjOBJ_BODY, std::min(body1, body2));
+      driven.body2 = NameOf(m_, mjOBJ_BODY, std::max(body1, body2));
       driven.where = value;
     }
   }
@@ -277,6 +288,7 @@ class Driver {
   std::vector<bool> coupled_;  // joints that other elements may move along
   std::vector<Coupling> couplings_;
   std::vector<double> inertia_;
+  bool looks_ = true;  // whether what is beyond the range counts
   double lowest_ = 0;
   double highest_ = 0;
 };

@@ -18,7 +18,8 @@ struct Driven {
   /// The bodies that were deepest in each other; empty: none were.
   std::string body1;
   std::string body2;
-  double where = 0;  // the joint's value there, rad or m
+  double where = 0;    // the joint's value there, rad or m
+  double outside = 0;  // how far the model's own pose is outside the range, rad or m
   bool blown_up = false;
 };
 

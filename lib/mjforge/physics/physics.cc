@@ -10,6 +10,7 @@
 
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/behaviour.h"
+#include "mjforge/physics/floor.h"
 #include "mjforge/physics/proportions.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/physics/subject.h"
@@ -21,7 +22,11 @@ namespace {
 using diag::Code;
 
 constexpr std::string_view kFloor = R"(<geom name="mjforge-floor" type="plane" size="0 0 1"/>)";
-constexpr std::string_view kFreeJoint = R"(<joint name="mjforge-free" type="free"/>)";
+// The body that the host frees may have no mass of its own, nor its only child: that of
+// MuJoCo's smallest body (mjMINVAL) is lost in any object's.
+constexpr std::string_view kFree =
+    R"(<joint name="mjforge-free" type="free"/>)"
+    R"(<inertial pos="0 0 0" mass="1e-14" diaginertia="1e-14 1e-14 1e-14"/>)";
 
 /// The document with what its host has around it: a floor, a free root. Without
 /// line ends, so that line numbers stay.
@@ -29,7 +34,7 @@ std::string WithSurroundings(const mjcf::MjcfDocument& document) {
   std::string text = document.text;
   if (document.world_position == std::string::npos) return text;
   const std::size_t in_root = text.find('\n', document.world_position) + 1;
-  if (document.host_frees) text.insert(in_root, kFreeJoint);
+  if (document.host_frees) text.insert(in_root, kFree);
   text.insert(document.world_position, kFloor);
   return text;
 }
@@ -59,7 +64,7 @@ void Round(Result& result) {
   }
 }
 
-/// What a model has to lie on, and whether anything may fall.
+/// Whether anything may fall, and has a plane to fall on.
 struct Scenery {
   bool plane = false;
   bool free = false;
@@ -72,14 +77,22 @@ Scenery SceneryOf(const mjModel& m) {
   return scenery;
 }
 
-/// The file as it is, with a floor. The name is one of the file's folder.
-std::string WithFloor(const std::filesystem::path& file) {
+/// A name that no geom of the model has.
+std::string FloorName(const mjModel& m) {
+  std::string name = "mjforge-floor";
+  while (mj_name2id(&m, mjOBJ_GEOM, name.c_str()) >= 0) name += '-';
+  return name;
+}
+
+/// The file as it is, with a floor. The file's name is one of its folder.
+std::string WithFloor(const std::filesystem::path& file, const std::string& floor) {
   std::string name;
   for (const char c : file.filename().string()) {
     name += c == '&' ? std::string("&amp;") : c == '"' ? std::string("&quot;") : std::string(1, c);
   }
-  return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)", name,
-                     kFloor);
+  return fmt::format(R"(<mujoco><include file="{}"/><worldbody><geom name="{}" type="plane" )"
+                     R"(size="0 0 1"/></worldbody></mujoco>)",
+                     name, floor);
 }
 
 }  // namespace
@@ -149,14 +162,18 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
     const Scenery scenery = SceneryOf(*loaded.model);
     if (scenery.free && !scenery.plane) {
       const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-      loaded = state_->engine.LoadTextIn(folder, WithFloor(file));
+      const std::string floor = FloorName(*loaded.model);
+      loaded = state_->engine.LoadTextIn(folder, WithFloor(file, floor));
+      if (loaded.model)
+        LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
     }
     if (loaded.model)
       return state_->Examine(std::move(loaded.model), subject, {}, checks, findings);
   }
-  findings.Add(
-      Code::kMujocoError, start,
-      fmt::format("MuJoCo refused the model: {}", engine::ParseRefusal(loaded.error).reason));
+  findings.Add(Code::kMujocoError, start,
+               fmt::format("MuJoCo refused the model with a floor: {}",
+                           engine::ParseRefusal(loaded.error).reason),
+               "a plane of its own would be taken instead");
   return std::nullopt;
 }
 

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/floor.h"
 #include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
 namespace {
 
-constexpr double kDropHeight = 0.002;  // m
 // It rests when it has been slow at every look for so long: a pendulum turns
 // round faster, and something that has just been let go is soon beyond it.
 constexpr double kRestTime = 0.1;    // s
@@ -98,7 +98,7 @@ class Drop {
       return;
     }
     const int joint = m_.body_jntadr[root];
-    d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + kDropHeight - box.min.z();
+    d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + DropHeight(m_) - box.min.z();
   }
 
   model::Pose PoseOf(int geom) const {

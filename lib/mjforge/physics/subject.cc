@@ -30,6 +30,12 @@ Eigen::Vector3d PrincipalInertia(const Eigen::Matrix3d& inertia) {
 
 }  // namespace
 
+std::string NameOf(const mjModel& m, mjtObj kind, int id) {
+  const char* name = mj_id2name(&m, kind, id);
+  if (name != nullptr && *name != 0) return name;
+  return std::string(mju_type2Str(kind)) + ' ' + std::to_string(id);
+}
+
 Subject SubjectOf(const model::Object& object) {
   Subject subject;
   subject.name = object.name;
@@ -72,7 +78,7 @@ Subject SubjectOf(const mjModel& m, diag::SourceMark mark) {
     X_WB[static_cast<std::size_t>(id)] = X_WB[static_cast<std::size_t>(m.body_parentid[id])] *
                                          compiled::PoseAt(m.body_pos, m.body_quat, id);
     RigidBody body;
-    body.name = m.names + m.name_bodyadr[id];
+    body.name = NameOf(m, mjOBJ_BODY, id);
     body.mark = mark;
     body.mass = m.body_mass[id];
     body.p_BCm = Eigen::Map<const Eigen::Vector3d>(m.body_ipos + 3 * id);
@@ -95,8 +101,8 @@ Subject SubjectOf(const mjModel& m, diag::SourceMark mark) {
         }
         shape.mesh = known->second;
       }
-      body.solids.push_back({m.names + m.name_geomadr[i], shape,
-                             compiled::PoseAt(m.geom_pos, m.geom_quat, i), 0, mark});
+      body.solids.push_back(
+          {NameOf(m, mjOBJ_GEOM, i), shape, compiled::PoseAt(m.geom_pos, m.geom_quat, i), 0, mark});
     }
     if (body.solids.empty()) continue;
     ShareMass(body);

@@ -43,6 +43,9 @@ struct Subject {
   std::vector<std::unique_ptr<model::TriangleMesh>> meshes;  // of a compiled model's solids
 };
 
+/// "lid", or "geom 3" for what has no name.
+std::string NameOf(const mjModel& m, mjtObj kind, int id);
+
 /// The object must outlive the subject.
 Subject SubjectOf(const model::Object& object);
 /// All of a model's bodies but the world; findings are to point at `mark`.

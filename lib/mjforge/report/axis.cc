@@ -12,7 +12,10 @@ namespace {
 // What all digits of a label are rounded to, so that 3 * 0.1 is 0.3.
 std::string Label(double value, double step) {
   const double rounded = std::round(value / step) * step;
-  return fmt::format("{:.6g}", std::abs(rounded) < step * 1e-6 ? 0.0 : rounded);
+  if (std::abs(rounded) < step * 1e-6) return "0";
+  // As many digits as tell it from its neighbours.
+  const double digits = std::ceil(std::log10(std::abs(rounded) / step)) + 1;
+  return fmt::format("{:.{}g}", rounded, static_cast<int>(std::clamp(digits, 6.0, 15.0)));
 }
 
 }  // namespace
@@ -26,14 +29,14 @@ Axis::Axis(Scale scale, double lo, double hi, double start, double end)
 }
 
 double Axis::At(double value) const {
-  const double share = scale_ == Scale::kLinear ? (value - lo_) / (hi_ - lo_)
+  const double share = scale_ == Scale::kLinear ? (value / 2 - lo_ / 2) / (hi_ / 2 - lo_ / 2)
                                                 : std::log(value / lo_) / std::log(hi_ / lo_);
   return start_ + share * (end_ - start_);
 }
 
 // 1, 2 or 5 times a power of ten, as most charts have them.
 double Axis::Step(int count) const {
-  const double rough = (hi_ - lo_) / count;
+  const double rough = hi_ / count - lo_ / count;
   const double power = std::pow(10, std::floor(std::log10(rough)));
   const double digit = rough / power;
   return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);

@@ -122,8 +122,7 @@ std::vector<ShownVariant> Gathered::Choose() const {
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;
   std::sort(slow.begin(), slow.end(), IsSlower);
-  // Not when all can be shown: then there is nothing to choose.
-  if (variants > shown_) add(ShownVariant::Reason::kSlow, slow);
+  add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
   // Some of them are among the slow; there are others to take their place.
   std::vector<Record> others = good_.Take(room + slow.size());

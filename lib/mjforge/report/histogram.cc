@@ -23,7 +23,8 @@ void Histogram::Add(double value) {
   ++count_;
   // Welford's update: exact enough for any number of values.
   const double distance = value - mean_;
-  mean_ += distance / static_cast<double>(count_);
+  const auto count = static_cast<double>(count_);
+  mean_ += value / count - mean_ / count;  // a difference of the largest numbers is none
   m2_ += distance * (value - mean_);
   int exponent = std::max({is_first ? kLeastExponent : exponent_, ExponentOf(min_) - kDigits,
                            ExponentOf(max_) - kDigits});
@@ -57,14 +58,15 @@ double Histogram::Quantile(double q) const {
 
 std::vector<std::uint64_t> Histogram::Bins(double lo, double hi, std::size_t bins) const {
   std::vector<std::uint64_t> counts(bins);
-  const double width = (hi - lo) / static_cast<double>(bins);
+  const double width = hi / static_cast<double>(bins) - lo / static_cast<double>(bins);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (cells_[i] == 0) continue;
     const double middle = MiddleOf(i);
     const double half = std::ldexp(0.5, exponent_);
     if (middle + half <= lo || middle - half > hi) continue;
     // A cell on an end belongs to the bin there.
-    const double place = std::clamp((middle - lo) / width, 0.0, static_cast<double>(bins - 1));
+    const double place =
+        std::clamp(middle / width - lo / width, 0.0, static_cast<double>(bins - 1));
     counts[static_cast<std::size_t>(place)] += cells_[i];
   }
   return counts;

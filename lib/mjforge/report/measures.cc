@@ -1,5 +1,6 @@
 #include "mjforge/report/measures.h"
 
+#include <algorithm>
 #include <array>
 
 namespace mjforge::report {
@@ -25,6 +26,15 @@ Number Counted(const Record& record, int physics::Result::*member) {
   return record.physics ? Number((*record.physics).*member) : std::nullopt;
 }
 
+// The worst of an object's joints; nothing if none was driven.
+Number OfJoints(const Record& record, double physics::Result::Joint::*member, bool least) {
+  if (!record.physics || record.physics->joints.empty()) return std::nullopt;
+  double worst = record.physics->joints.front().*member;
+  for (const physics::Result::Joint& joint : record.physics->joints)
+    worst = least ? std::min(worst, joint.*member) : std::max(worst, joint.*member);
+  return worst;
+}
+
 constexpr std::array kMeasures = {
     Measure{MeasureId::kMass, "Mass", "kg", "Of all bodies.",
             [](const Record& r) {
@@ -45,12 +55,30 @@ constexpr std::array kMeasures = {
             [](const Record& r) { return Dropped(r, &physics::Result::tilt); }, true},
     Measure{MeasureId::kPenetration, "Penetration", "m", "The deepest contact on the way.",
             [](const Record& r) { return Dropped(r, &physics::Result::penetration); }, true},
+    Measure{MeasureId::kSink, "Depth at rest", "m", "The deepest contact at the end.",
+            [](const Record& r) { return Dropped(r, &physics::Result::sink); }, true},
+    Measure{MeasureId::kEnergyGain, "Energy gain", "",
+            "Most above the energy at the start, as a share of mass * gravity * size.",
+            [](const Record& r) { return Measured(r, &physics::Result::energy_gain); }, true},
     Measure{MeasureId::kOverlap, "Overlap", "", "The share of the mass that is counted twice.",
             [](const Record& r) { return Measured(r, &physics::Result::overlap); }, true},
     Measure{MeasureId::kContacts, "Contacts", "", "ncon: the most in one step.",
             [](const Record& r) { return Counted(r, &physics::Result::ncon); }, true, true},
     Measure{MeasureId::kConstraints, "Constraint rows", "", "nefc: the most in one step.",
             [](const Record& r) { return Counted(r, &physics::Result::nefc); }, true, true},
+    Measure{MeasureId::kJointReach, "Reach of joints", "",
+            "The share of its range that the least mobile joint could be driven to.",
+            [](const Record& r) { return OfJoints(r, &physics::Result::Joint::reach, true); },
+            true},
+    Measure{
+        MeasureId::kJointPenetration, "Depth between bodies", "m",
+        "The deepest that bodies got into each other as joints were driven.",
+        [](const Record& r) { return OfJoints(r, &physics::Result::Joint::penetration, false); },
+        true},
+    Measure{MeasureId::kJointOvershoot, "Overshoot of joints", "rad or m",
+            "The farthest that a joint was driven beyond its range.",
+            [](const Record& r) { return OfJoints(r, &physics::Result::Joint::overshoot, false); },
+            true},
 };
 
 }  // namespace

@@ -18,9 +18,14 @@ enum class MeasureId {
   kDrift,
   kTilt,
   kPenetration,
+  kSink,
+  kEnergyGain,
   kOverlap,
   kContacts,
-  kConstraints
+  kConstraints,
+  kJointReach,
+  kJointPenetration,
+  kJointOvershoot
 };
 
 struct Measure {

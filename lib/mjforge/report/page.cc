@@ -172,13 +172,10 @@ std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnai
 }
 
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  std::error_code ignored;
-  if (force || !std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
-    return true;
-  const std::optional<std::string> head = output::ReadStart(file, kHeadBytes);
-  if (head && head->substr(0, kHeadBytes).find(kGenerator) != head->npos) return true;
-  output::AddForeign(file, findings);
-  return false;
+  const auto is_page = [](std::string_view head) {
+    return head.substr(0, kHeadBytes).find(kGenerator) != head.npos;
+  };
+  return output::MayReplace(file, force, kHeadBytes, is_page, findings);
 }
 
 }  // namespace mjforge::report

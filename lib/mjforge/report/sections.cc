@@ -219,12 +219,23 @@ void AddPhysics(Dictionary& body, const Gathered& gathered) {
   if (measured == 0) return;
   Section(body, "PHYSICS_LINK");
   Dictionary& section = Section(body, "PHYSICS");
-  Set(section, "TEXT",
-      fmt::format("Each was dropped on a floor from 2 mm above it: {} of {} came to rest.",
-                  Counted(tally(MeasureId::kTimeToRest).all.count()), Counted(measured)));
-  Dictionary& sizes = Section(section, "SIZES");
-  Set(sizes, "NCON", fmt::format("{:.0f}", tally(MeasureId::kContacts).all.max()));
-  Set(sizes, "NEFC", fmt::format("{:.0f}", tally(MeasureId::kConstraints).all.max()));
+  const std::uint64_t dropped = tally(MeasureId::kDrift).all.count();
+  std::string text =
+      dropped == 0
+          ? std::string("These are fixed to the world, so none was dropped.")
+          : fmt::format("{} dropped on a floor from 2 mm above it: {} came to rest.",
+                        dropped == measured
+                            ? fmt::format("Each of {} was", Counted(dropped))
+                            : fmt::format("{} of {} were", Counted(dropped), Counted(measured)),
+                        Counted(tally(MeasureId::kTimeToRest).all.count()));
+  if (tally(MeasureId::kJointReach).all.count() > 0)
+    text += " Each joint was driven to both ends of its range and back.";
+  Set(section, "TEXT", text);
+  if (dropped > 0) {
+    Dictionary& sizes = Section(section, "SIZES");
+    Set(sizes, "NCON", fmt::format("{:.0f}", tally(MeasureId::kContacts).all.max()));
+    Set(sizes, "NEFC", fmt::format("{:.0f}", tally(MeasureId::kConstraints).all.max()));
+  }
   AddMeasures(section, gathered, true);
 }
 

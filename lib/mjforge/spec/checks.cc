@@ -53,7 +53,7 @@ void ReadSilence(const YamlNode& silence, Reading& reading) {
       continue;
     }
     std::string reason = reading.values.ReadPlainText("reason", pair.value);
-    if (reason.empty() && pair.value.kind == YamlNode::Kind::kScalar) {
+    if (Trim(reason).empty() && pair.value.kind == YamlNode::Kind::kScalar) {
       reading.findings.Add(Code::kSpecBadValue, pair.value.mark,
                            fmt::format("no reason why '{}' does not matter", pair.key));
     }

@@ -752,6 +752,7 @@ constexpr FieldInfo kChecksFields[] = {
      .slot = Slot::kNumber,
      .default_text = "0.9",
      .lower = 0,
+     .upper = 1,
      .doc = "How much of its range a joint must reach, as a share of it."},
     {.key = "joint_penetration",
      .slot = Slot::kNumber,

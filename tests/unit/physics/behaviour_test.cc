@@ -9,7 +9,7 @@ TEST_CASE("findings name what moves, by how much, and the threshold") {
   const Examined box =
       Examine(Free(1, R"(<geom type="box" size="0.05 0.05 0.05" euler="0.9 0 0"/>)"), {}, checks);
   REQUIRE(box.findings.size() == 1);
-  CHECK(box.findings[0].message == "'m' topples: it leans over by 38.4 deg, more than 15");
+  CHECK(box.findings[0].message == "'m' topples: it leans over by 38.4 deg, more than 15 deg");
   CHECK(box.findings[0].mark.line == 1);
 }
 

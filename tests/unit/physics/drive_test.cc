@@ -109,5 +109,30 @@ TEST_CASE("the model is as it was when its joints have been driven") {
   CHECK(Examine(door).result == Examine(door).result);
 }
 
+TEST_CASE("a joint whose zero is outside its range is told so") {
+  const std::string range = R"(axis="0 0 1" limited="true" range="0.3 1.5")";
+  const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", range, kBar)));
+  std::string messages;
+  for (const diag::Finding& finding : door.findings) messages += finding.message + '\n';
+  CHECK(messages.find("joint 'door_joint' begins 17.2 deg outside its range of 68.8 deg") !=
+        std::string::npos);
+  CHECK(Only(door).overshoot < 0.05);
+}
+
+TEST_CASE("what is no part of the object may touch it") {
+  const std::string cup =
+      "<body name=\"cup\" pos=\"0.06 0.15 0\"><freejoint/><geom size=\"0.02\"/></body>";
+  const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", kDoorRange, kBar)) + cup);
+  REQUIRE(door.result);
+  CHECK(door.result->joints[0].penetration == 0);
+}
+
+TEST_CASE("what has no name is called by its number") {
+  const Examined pair =
+      Examine("<body><freejoint/><geom size=\"0.1\"/><geom size=\"0.1\" pos=\"1 0 0\"/></body>");
+  REQUIRE(pair.findings.size() == 1);
+  CHECK(pair.findings[0].message.starts_with("part 'geom 1' of body 'body 1' touches nothing"));
+}
+
 }  // namespace
 }  // namespace mjforge::physics

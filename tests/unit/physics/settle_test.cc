@@ -144,5 +144,59 @@ TEST_CASE("an object with more contacts than MuJoCo has room for gets more room"
   for (const std::string& code : brush.Codes()) CHECK(code == "warning physics/loose");
 }
 
+const std::string kPlain =
+    R"(<geom type="box" size="0.05 0.05 0.05" contype="1" conaffinity="1" solref="0.02 1"/>)";
+
+TEST_CASE("the floor is the same whatever the file's defaults say") {
+  const Examined plain = Examine(Free(1, kPlain));
+  const std::string defaults =
+      "<default><geom contype=\"0\" conaffinity=\"0\" solref=\"0.5 1\" friction=\"0\"/></default>";
+  const Examined odd =
+      Examine(Free(1, R"(<geom type="box" size="0.05 0.05 0.05" contype="1" conaffinity="1" )"
+                      R"(solref="0.02 1" friction="1 0.005 0.0001"/>)"),
+              defaults);
+  REQUIRE(odd.result);
+  CHECK(odd.result == plain.result);
+}
+
+TEST_CASE("a geom may have the floor's name") {
+  CHECK(Examine(Free(1, R"(<geom name="mjforge-floor" size="0.05"/>)")).result->at_rest);
+}
+
+TEST_CASE("several free bodies have a floor below all of them") {
+  const std::string two =
+      Free(-2, kCube) +
+      "<body name=\"other\" pos=\"1 0 -1.9\"><freejoint/><geom size=\"0.05\"/></body>";
+  const Examined both = Examine(two);
+  REQUIRE(both.result);
+  CHECK(both.result->at_rest);
+  CHECK(both.result->energy_gain < 1e-3);
+  CHECK(both.Codes().empty());
+}
+
+TEST_CASE("steps that are none, or longer than a fall, are an error") {
+  for (const std::string timestep : {"0", "-1", "0.5", "1e-9"}) {
+    CAPTURE(timestep);
+    const Examined cube = Examine(Free(1, kCube), "<option timestep=\"" + timestep + "\"/>");
+    CHECK(cube.Codes() == Strings{"error physics/unstable"});
+    CHECK_FALSE(cube.result->dropped);
+  }
+  model::Checks checks;
+  checks.settle_time = 1e9;
+  CHECK(Examine(Free(1, kCube), {}, checks).Codes() == Strings{"error physics/unstable"});
+}
+
+TEST_CASE("what falls for ever is told so") {
+  const Examined cube = Examine(Free(1, kCube), "<option gravity=\"0 0 1\"/>");
+  REQUIRE(cube.findings.size() == 1);
+  CHECK(cube.findings[0].message == "'m' touches nothing in 3 s, and ends at 3 m/s");
+}
+
+TEST_CASE("a drop begins outside of margins") {
+  const Examined ball = Examine(Free(1, R"(<geom size="0.05" margin="0.1"/>)"));
+  CHECK(ball.Codes().empty());
+  CHECK(ball.result->at_rest);
+}
+
 }  // namespace
 }  // namespace mjforge::physics
