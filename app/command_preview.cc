@@ -153,7 +153,7 @@ class Preview {
       records.push_back(sight.record);
     }
     if (tiles.empty()) return std::nullopt;
-    const auto captions = Captions(records);
+    const auto captions = Captions(records, *recipe_->spec);
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];
     const picture::Image sheet =
         picture::ContactSheet(renderer, tiles, request_.picture.background);

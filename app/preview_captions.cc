@@ -47,9 +47,21 @@ double Spread(std::span<const Record> records, std::size_t parameter) {
   return 0.5 + 0.5 * static_cast<double>(texts.size()) / static_cast<double>(records.size());
 }
 
-std::vector<std::size_t> MostDifferent(std::span<const Record> records) {
+// What is computed from others says less than those.
+bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
+  const spec::Parameter* parameter = spec.FindParameter(name);
+  return parameter != nullptr && std::holds_alternative<spec::Draw>(parameter->value.form);
+}
+
+std::vector<std::size_t> MostDifferent(std::span<const Record> records,
+                                       const spec::ObjectSpec& spec) {
+  const auto& params = records.front().params;
+  const bool any_drawn = std::any_of(params.begin(), params.end(), [&](const auto& param) {
+    return IsDrawn(spec, param.first);
+  });
   std::vector<std::pair<double, std::size_t>> spreads;
-  for (std::size_t i = 0; i < records.front().params.size(); ++i) {
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    if (any_drawn && !IsDrawn(spec, params[i].first)) continue;
     const double spread = Spread(records, i);
     if (spread > 0) spreads.emplace_back(-spread, i);
   }
@@ -64,10 +76,11 @@ std::vector<std::size_t> MostDifferent(std::span<const Record> records) {
 
 }  // namespace
 
-std::vector<std::vector<std::string>> Captions(std::span<const Record> records) {
+std::vector<std::vector<std::string>> Captions(std::span<const Record> records,
+                                               const spec::ObjectSpec& spec) {
   std::vector<std::vector<std::string>> captions;
   if (records.empty()) return captions;
-  const std::vector<std::size_t> parameters = MostDifferent(records);
+  const std::vector<std::size_t> parameters = MostDifferent(records, spec);
   for (const Record& record : records) {
     std::vector<std::string>& lines = captions.emplace_back();
     lines.push_back(fmt::format("#{}", record.index));

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "mjforge/manifest/manifest.h"
+#include "mjforge/spec/spec.h"
 
 namespace mjforge::app {
 
 /// The lines below each variant of a contact sheet: its index, and the
-/// parameters in which these variants differ most, in the spec's order.
-std::vector<std::vector<std::string>> Captions(std::span<const manifest::Record> records);
+/// parameters in which these variants differ most, in the spec's order: drawn ones,
+/// or any where the spec draws none.
+std::vector<std::vector<std::string>> Captions(std::span<const manifest::Record> records,
+                                               const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::app
 
