@@ -56,9 +56,8 @@ bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
 std::vector<std::size_t> MostDifferent(std::span<const Record> records,
                                        const spec::ObjectSpec& spec) {
   const auto& params = records.front().params;
-  const bool any_drawn = std::any_of(params.begin(), params.end(), [&](const auto& param) {
-    return IsDrawn(spec, param.first);
-  });
+  const bool any_drawn = std::any_of(params.begin(), params.end(),
+                                     [&](const auto& param) { return IsDrawn(spec, param.first); });
   std::vector<std::pair<double, std::size_t>> spreads;
   for (std::size_t i = 0; i < params.size(); ++i) {
     if (any_drawn && !IsDrawn(spec, params[i].first)) continue;

@@ -40,7 +40,8 @@ constexpr std::array kMeasures = {
             [](const Record& r) {
               return HasObject(r) ? Number(r.mass_properties.mass) : std::nullopt;
             }},
-    Measure{MeasureId::kSize, "Size", "m", "The largest side of the box around the parts that collide.", SizeOf},
+    Measure{MeasureId::kSize, "Size", "m",
+            "The largest side of the box around the parts that collide.", SizeOf},
     Measure{MeasureId::kAttempts, "Draws rejected", "", "Before one was accepted.",
             [](const Record& r) { return Number(static_cast<double>(r.attempt)); }, false, true},
     Measure{MeasureId::kTimeToRest, "Time to rest", "s", "Of those that came to rest, simulated.",
