@@ -30,7 +30,7 @@ diag::SourceMark Behaviour::MarkOf(std::string_view joint) const {
 Trouble Behaviour::Drop(Result& result) {
   for (;;) {
     mjData& d = workspace_.For(m_);
-    const Trouble trouble = Settle(m_, d, verdict_.checks(), result);
+    Trouble trouble = Settle(m_, d, verdict_.checks(), result);
     // Without room for its contacts it would have fallen through the floor.
     if (!IsCrowded(d) || !MakeRoom(m_)) return trouble;
     result = {};
