@@ -31,7 +31,8 @@ std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 class DriversOwn {
  public:
   DriversOwn();
-  ~DriversOwn();
+  // Not trivial where there is a leak checker.
+  ~DriversOwn();  // NOLINT(performance-trivially-destructible)
   DriversOwn(const DriversOwn&) = delete;
   DriversOwn& operator=(const DriversOwn&) = delete;
 };
