@@ -43,10 +43,12 @@ Image Font::Draw(std::string_view text, const Background::Color& color) {
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
   const mjrRect line = {0, 0, width, height};
   mjr_label(line, mjFONT_NORMAL, ascii.c_str(), 0, 0, 0, 1, 1, 1, 1, &context_);
-  std::vector<unsigned char> drawn(static_cast<std::size_t>(width * height * 3));
+  std::vector<unsigned char> drawn(static_cast<std::size_t>(width) *
+                                   static_cast<std::size_t>(height) * 3);
   mjr_readPixels(drawn.data(), nullptr, line, &context_);
   Image image{width / kFine, height / kFine, {}};
-  image.rgba.reserve(static_cast<std::size_t>(image.width * image.height * 4));
+  image.rgba.reserve(static_cast<std::size_t>(image.width) *
+                     static_cast<std::size_t>(image.height) * 4);
   for (int y = image.height - 1; y >= 0; --y) {
     for (int x = 0; x < image.width; ++x) {
       int sum = 0;

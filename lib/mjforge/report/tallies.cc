@@ -67,7 +67,7 @@ std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
 void ParameterTallies::Add(
     const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad) {
   for (std::size_t i = 0; i < params.size(); ++i) {
-    const auto& [name, value] = params[i];
+    const std::string& name = params[i].first;
     // The same place in every record of a batch; a search where it is not.
     auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(i, list_.size()));
     if (known == list_.end() || known->name != name) {
@@ -78,7 +78,7 @@ void ParameterTallies::Add(
       known = list_.emplace(list_.end());
       known->name = name;
     }
-    known->Add(value, is_bad);
+    known->Add(params[i].second, is_bad);
   }
 }
 
