@@ -7,6 +7,8 @@
 namespace mjforge::picture {
 namespace {
 
+constexpr std::size_t Index(int i) { return static_cast<std::size_t>(i); }
+
 constexpr int kFine = 3;      // samples along each side of a pixel
 constexpr int kWidth = 3072;  // of a line, samples
 constexpr int kHeight = 64;
@@ -47,14 +49,13 @@ Image Font::Draw(std::string_view text, const Background::Color& color) {
                                    static_cast<std::size_t>(height) * 3);
   mjr_readPixels(drawn.data(), nullptr, line, &context_);
   Image image{width / kFine, height / kFine, {}};
-  image.rgba.reserve(static_cast<std::size_t>(image.width) *
-                     static_cast<std::size_t>(image.height) * 4);
+  image.rgba.reserve(Index(image.width) * Index(image.height) * 4);
   for (int y = image.height - 1; y >= 0; --y) {
     for (int x = 0; x < image.width; ++x) {
       int sum = 0;
       for (int row = kFine * y; row < kFine * (y + 1); ++row) {
         for (int column = kFine * x; column < kFine * (x + 1); ++column)
-          sum += drawn[static_cast<std::size_t>(3 * (row * width + column))];
+          sum += drawn[3 * (Index(row) * Index(width) + Index(column))];
       }
       image.rgba.insert(image.rgba.end(), color.begin(), color.end());
       image.rgba.push_back(static_cast<std::uint8_t>(sum / (kFine * kFine)));
