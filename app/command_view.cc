@@ -80,10 +80,9 @@ Action AddView(CLI::App& app) {
               "  mjforge view hammer --index 41\n"
               "  mjforge view robot.xml");
   return [options] {
-    const bool is_file = options->what.ends_with(".xml");
     const bool has_settings =
         !options->spec.settings.empty() || !options->spec.parameter_files.empty();
-    if (is_file && (has_settings || options->seed != 0 || options->index != 0))
+    if (options->is_file() && (has_settings || options->seed != 0 || options->index != 0))
       return WrongUsage("--seed, --index, --set and --params take a spec, not a file", "view");
     return View(*options)();
   };

@@ -76,7 +76,7 @@ const std::array kLibraries = {
     Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
     Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
-    Library{"openssl/", {"spec", "output"}},
+    Library{"openssl/", {"spec", "output", "report"}},
     Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},

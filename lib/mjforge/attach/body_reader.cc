@@ -14,6 +14,7 @@ namespace mjforge::attach {
 namespace {
 
 using compiled::PoseAt;
+using compiled::VectorAt;
 using diag::Code;
 
 constexpr std::array<std::string_view, 5> kModes = {"fixed", "track", "trackcom", "targetbody",
@@ -64,7 +65,7 @@ class BodyReader {
     body.explicit_inertial = true;
     body.mass_properties.mass = m_.body_mass[id];
     body.mass_properties.p_FCm = VectorAt(m_.body_ipos, id);
-    const Eigen::Matrix3d axes = QuaternionAt(m_.body_iquat, id).toRotationMatrix();
+    const Eigen::Matrix3d axes = compiled::QuaternionAt(m_.body_iquat, id).toRotationMatrix();
     body.mass_properties.I_Cm_F =
         axes * VectorAt(m_.body_inertia, id).asDiagonal() * axes.transpose();
     Attributes(spec::BodyElement(), body.attributes).User(Row(m_.body_user, id, m_.nuser_body));

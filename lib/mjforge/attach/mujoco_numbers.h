@@ -7,25 +7,12 @@
 #include <initializer_list>
 #include <span>
 
-#include <mujoco/mujoco.h>
-
-#include "mjforge/model/model.h"
-
 namespace mjforge::attach {
 
 /// The id-th group of `count` numbers.
 template <typename T>
 std::span<const T> Row(const T* array, int id, int count) {
   return {array + static_cast<std::ptrdiff_t>(id) * count, static_cast<std::size_t>(count)};
-}
-
-inline Eigen::Vector3d VectorAt(const mjtNum* array, int id) {
-  return Eigen::Map<const Eigen::Vector3d>(array + 3 * static_cast<std::ptrdiff_t>(id));
-}
-
-inline Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id) {
-  const mjtNum* q = array + 4 * static_cast<std::ptrdiff_t>(id);
-  return {q[0], q[1], q[2], q[3]};
 }
 
 /// What MuJoCo takes where nothing is said.

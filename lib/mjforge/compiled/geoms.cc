@@ -20,10 +20,17 @@ model::Box3 MeshBox(const mjModel& m, int mesh, const model::Pose& X_AG) {
 
 }  // namespace
 
+Eigen::Vector3d VectorAt(const mjtNum* array, int id) {
+  return Eigen::Map<const Eigen::Vector3d>(array + 3 * static_cast<std::ptrdiff_t>(id));
+}
+
+Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id) {
+  const mjtNum* q = array + 4 * static_cast<std::ptrdiff_t>(id);
+  return {q[0], q[1], q[2], q[3]};
+}
+
 model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id) {
-  const mjtNum* p = pos + 3 * static_cast<std::ptrdiff_t>(id);
-  const mjtNum* q = quat + 4 * static_cast<std::ptrdiff_t>(id);
-  return {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
+  return {VectorAt(pos, id), QuaternionAt(quat, id)};
 }
 
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom) {
@@ -49,6 +56,12 @@ bool CollidesInBody(const mjModel& m, int geom) {
   return m.geom_bodyid[geom] != 0 && (m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0);
 }
 
+model::Pose GeomPose(const mjData& d, int geom) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  return {VectorAt(d.geom_xpos, geom), Eigen::Quaterniond(Eigen::Map<const RowMajor>(
+                                           d.geom_xmat + 9 * static_cast<std::ptrdiff_t>(geom)))};
+}
+
 model::TriangleMesh MeshOf(const mjModel& m, int mesh) {
   model::TriangleMesh surface;
   for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) surface.vertices.push_back(Vertex(m, mesh, i));
@@ -63,9 +76,17 @@ model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG) {
   const std::optional<model::GeomType> type = GeomTypeOf(m.geom_type[geom]);
   if (!type) return {};
   if (*type == model::GeomType::kMesh) return MeshBox(m, m.geom_dataid[geom], X_AG);
-  const Eigen::Vector3d size =
-      Eigen::Map<const Eigen::Vector3d>(m.geom_size + static_cast<std::ptrdiff_t>(3) * geom);
-  return model::BoundsOf({*type, size, nullptr}, X_AG);
+  return model::BoundsOf({*type, VectorAt(m.geom_size, geom), nullptr}, X_AG);
+}
+
+model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root) {
+  model::Box3 box;
+  for (int i = 0; i < m.ngeom; ++i) {
+    if (m.geom_contype[i] == 0 && m.geom_conaffinity[i] == 0) continue;
+    if (root == 0 || m.body_rootid[m.geom_bodyid[i]] == root)
+      box.Add(GeomBox(m, i, GeomPose(d, i)));
+  }
+  return box;
 }
 
 }  // namespace mjforge::compiled

@@ -79,6 +79,8 @@ class Statistics {
     double max = 0;
     double mean = 0;
     double m2 = 0;  // sum of squared distances from the mean
+    /// Welford's update: exact enough for any count.
+    void Add(double value);
     /// Of the whole population; 0 for one.
     double StandardDeviation() const;
   };

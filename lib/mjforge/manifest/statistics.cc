@@ -13,16 +13,6 @@ namespace {
 // Whole numbers are counted one by one while they are this few.
 constexpr std::size_t kMaxWholeNumbers = 40;
 
-// Welford's update: exact enough for any number of variants.
-void AddNumber(Statistics::Numbers& numbers, double value) {
-  numbers.min = numbers.count == 0 ? value : std::min(numbers.min, value);
-  numbers.max = numbers.count == 0 ? value : std::max(numbers.max, value);
-  ++numbers.count;
-  const double distance = value - numbers.mean;
-  numbers.mean += distance / static_cast<double>(numbers.count);
-  numbers.m2 += distance * (value - numbers.mean);
-}
-
 struct Measure {
   std::string_view name;
   std::string_view unit;
@@ -50,6 +40,17 @@ std::string CodeOf(const std::string& finding) {
 
 }  // namespace
 
+void Statistics::Numbers::Add(double value) {
+  min = count == 0 ? value : std::min(min, value);
+  max = count == 0 ? value : std::max(max, value);
+  ++count;
+  const auto n = static_cast<double>(count);
+  const double distance = value - mean;
+  // The largest numbers of both signs have no distance that is a number.
+  mean += std::isfinite(distance) ? distance / n : value / n - mean / n;
+  m2 += distance * (value - mean);
+}
+
 double Statistics::Numbers::StandardDeviation() const {
   return count == 0 ? 0 : std::sqrt(m2 / static_cast<double>(count));
 }
@@ -61,8 +62,8 @@ void Statistics::Add(const Record& record) {
   for (const std::string& finding : record.findings) codes.insert(CodeOf(finding));
   for (const std::string& code : codes) ++codes_[code];
   if (record.status != "ok") return;
-  AddNumber(mass_, record.mass_properties.mass);
-  AddNumber(attempts_, static_cast<double>(record.attempt));
+  mass_.Add(record.mass_properties.mass);
+  attempts_.Add(static_cast<double>(record.attempt));
   if (record.physics) AddPhysics(*record.physics);
   for (std::size_t i = 0; i < record.params.size(); ++i) {
     AddParameter(TallyOf(record.params[i].first, i), record.params[i].second);
@@ -74,7 +75,7 @@ void Statistics::AddPhysics(const physics::Result& result) {
     for (const Measure& measure : kMeasures) physics_.push_back({measure.name, measure.unit, {}});
   }
   for (std::size_t i = 0; i < physics_.size(); ++i)
-    AddNumber(physics_[i].numbers, kMeasures[i].of(result));
+    physics_[i].numbers.Add(kMeasures[i].of(result));
 }
 
 Statistics::Tally& Statistics::TallyOf(const std::string& name, std::size_t position) {
@@ -102,13 +103,13 @@ void Statistics::AddParameter(Tally& tally, const sample::ParameterValue& value)
     count_text(*flag ? "true" : "false");
   } else if (const auto* number = std::get_if<double>(&value)) {
     tally.numbers.resize(1);
-    AddNumber(tally.numbers[0], *number);
+    tally.numbers[0].Add(*number);
     tally.all_whole = tally.all_whole && *number == std::round(*number);
     if (tally.all_whole && tally.whole.size() <= kMaxWholeNumbers) ++tally.whole[*number];
   } else {
     const auto& vector = std::get<std::vector<double>>(value);
     tally.numbers.resize(std::max(tally.numbers.size(), vector.size()));
-    for (std::size_t i = 0; i < vector.size(); ++i) AddNumber(tally.numbers[i], vector[i]);
+    for (std::size_t i = 0; i < vector.size(); ++i) tally.numbers[i].Add(vector[i]);
     tally.all_whole = false;
   }
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
 
 #include "mjforge/physics/simulation.h"
 #include "mjforge/physics/subject.h"

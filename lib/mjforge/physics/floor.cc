@@ -21,21 +21,12 @@ void Set(mjtNum* numbers, int id, const std::array<double, n>& values) {
   std::ranges::copy(values, numbers + static_cast<std::ptrdiff_t>(n) * id);
 }
 
-/// The lowest point of all that can collide, but for the floor itself.
-double LowestPoint(const mjModel& m, int floor) {
+/// The lowest point of all that can collide; planes have none.
+double LowestPoint(const mjModel& m) {
   const std::unique_ptr<mjData, DeleteData> d(mj_makeData(&m));
   if (!d) throw std::runtime_error("there is not enough memory for this model");
   mj_kinematics(&m, d.get());
-  model::Box3 box;
-  for (int i = 0; i < m.ngeom; ++i) {
-    if (i == floor || (m.geom_contype[i] == 0 && m.geom_conaffinity[i] == 0)) continue;
-    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    box.Add(
-        compiled::GeomBox(m, i,
-                          {Eigen::Map<const Eigen::Vector3d>(d->geom_xpos + 3 * at),
-                           Eigen::Quaterniond(Eigen::Map<const RowMajor>(d->geom_xmat + 9 * at))}));
-  }
+  const model::Box3 box = compiled::CollidingBox(m, *d, 0);
   return box.empty() ? 0 : box.min.z();
 }
 
@@ -58,7 +49,7 @@ void LevelFloor(mjModel& m, int geom) {
   Set<mjNIMP>(m.geom_solimp, geom, {0.9, 0.95, 0.001, 0.5, 2});
   Set<4>(m.geom_quat, geom, {1, 0, 0, 0});
   m.geom_sameframe[geom] = 0;
-  Set<3>(m.geom_pos, geom, {0, 0, LowestPoint(m, geom) - DropHeight(m)});
+  Set<3>(m.geom_pos, geom, {0, 0, LowestPoint(m) - DropHeight(m)});
 }
 
 }  // namespace mjforge::physics

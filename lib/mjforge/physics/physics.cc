@@ -21,12 +21,16 @@ namespace {
 
 using diag::Code;
 
-constexpr std::string_view kFloor = R"(<geom name="mjforge-floor" type="plane" size="0 0 1"/>)";
+constexpr std::string_view kFloorName = "mjforge-floor";
 // The body that the host frees may have no mass of its own, nor its only child: that of
 // MuJoCo's smallest body (mjMINVAL) is lost in any object's.
 constexpr std::string_view kFree =
     R"(<joint name="mjforge-free" type="free"/>)"
     R"(<inertial pos="0 0 0" mass="1e-14" diaginertia="1e-14 1e-14 1e-14"/>)";
+
+std::string FloorElement(std::string_view name) {
+  return fmt::format(R"(<geom name="{}" type="plane" size="0 0 1"/>)", name);
+}
 
 /// The document with what its host has around it: a floor, a free root. Without
 /// line ends, so that line numbers stay.
@@ -35,7 +39,7 @@ std::string WithSurroundings(const mjcf::MjcfDocument& document) {
   if (document.world_position == std::string::npos) return text;
   const std::size_t in_root = text.find('\n', document.world_position) + 1;
   if (document.host_frees) text.insert(in_root, kFree);
-  text.insert(document.world_position, kFloor);
+  text.insert(document.world_position, FloorElement(kFloorName));
   return text;
 }
 
@@ -79,7 +83,7 @@ Scenery SceneryOf(const mjModel& m) {
 
 /// A name that no geom of the model has.
 std::string FloorName(const mjModel& m) {
-  std::string name = "mjforge-floor";
+  std::string name(kFloorName);
   while (mj_name2id(&m, mjOBJ_GEOM, name.c_str()) >= 0) name += '-';
   return name;
 }
@@ -90,9 +94,8 @@ std::string WithFloor(const std::filesystem::path& file, const std::string& floo
   for (const char c : file.filename().string()) {
     name += c == '&' ? std::string("&amp;") : c == '"' ? std::string("&quot;") : std::string(1, c);
   }
-  return fmt::format(R"(<mujoco><include file="{}"/><worldbody><geom name="{}" type="plane" )"
-                     R"(size="0 0 1"/></worldbody></mujoco>)",
-                     name, floor);
+  return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)", name,
+                     FloorElement(floor));
 }
 
 }  // namespace
@@ -156,25 +159,26 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
   if (!xml) return std::nullopt;
   const diag::SourceMark start = {xml->source, 1, 1};
+  const auto refused = [&](std::string_view what, const engine::Loaded& loaded, std::string hint) {
+    findings.Add(Code::kMujocoError, start,
+                 fmt::format("MuJoCo refused the model{}: {}", what,
+                             engine::ParseRefusal(loaded.error).reason),
+                 std::move(hint));
+    return std::nullopt;
+  };
   engine::Loaded loaded = state_->engine.LoadFile(file);
-  if (loaded.model) {
-    const Subject subject = SubjectOf(*loaded.model, start);
-    const Scenery scenery = SceneryOf(*loaded.model);
-    if (scenery.free && !scenery.plane) {
-      const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-      const std::string floor = FloorName(*loaded.model);
-      loaded = state_->engine.LoadTextIn(folder, WithFloor(file, floor));
-      if (loaded.model)
-        LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
-    }
-    if (loaded.model)
-      return state_->Examine(std::move(loaded.model), subject, {}, checks, findings);
+  if (!loaded.model) return refused("", loaded, {});
+  const Subject subject = SubjectOf(*loaded.model, start);
+  const Scenery scenery = SceneryOf(*loaded.model);
+  if (scenery.free && !scenery.plane) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    const std::string floor = FloorName(*loaded.model);
+    loaded = state_->engine.LoadTextIn(folder, WithFloor(file, floor));
+    if (!loaded.model)
+      return refused(" with a floor", loaded, "a plane of its own would be taken instead");
+    LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
   }
-  findings.Add(Code::kMujocoError, start,
-               fmt::format("MuJoCo refused the model with a floor: {}",
-                           engine::ParseRefusal(loaded.error).reason),
-               "a plane of its own would be taken instead");
-  return std::nullopt;
+  return state_->Examine(std::move(loaded.model), subject, {}, checks, findings);
 }
 
 }  // namespace mjforge::physics

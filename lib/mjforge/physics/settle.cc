@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/floor.h"
@@ -11,15 +10,13 @@
 namespace mjforge::physics {
 namespace {
 
+using compiled::VectorAt;
+
 // It rests when it has been slow at every look for so long: a pendulum turns
 // round faster, and something that has just been let go is soon beyond it.
 constexpr double kRestTime = 0.1;    // s
 constexpr double kLookEvery = 0.01;  // s
 constexpr double kLevel = 1e-9;      // a plane whose normal is this near to upwards
-
-Eigen::Map<const Eigen::Vector3d> VectorAt(const mjtNum* array, int id) {
-  return Eigen::Map<const Eigen::Vector3d>(array + 3 * static_cast<std::ptrdiff_t>(id));
-}
 
 /// What the world, which does not move, has to lie on.
 struct Ground {
@@ -88,11 +85,7 @@ class Drop {
 
   void Lift(double floor) {
     const int root = roots_.front().body;
-    model::Box3 box;
-    for (int i = 0; i < m_.ngeom; ++i) {
-      if (m_.body_rootid[m_.geom_bodyid[i]] != root || !compiled::CollidesInBody(m_, i)) continue;
-      box.Add(compiled::GeomBox(m_, i, PoseOf(i)));
-    }
+    const model::Box3 box = compiled::CollidingBox(m_, d_, root);
     if (box.empty()) {
       result_.dropped = false;  // it would fall for ever
       return;
@@ -101,16 +94,7 @@ class Drop {
     d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + DropHeight(m_) - box.min.z();
   }
 
-  model::Pose PoseOf(int geom) const {
-    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    return {VectorAt(d_.geom_xpos, geom),
-            Eigen::Quaterniond(Eigen::Map<const RowMajor>(d_.geom_xmat + 9 * geom))};
-  }
-
-  Eigen::Quaterniond TurnOf(int body) const {
-    const mjtNum* q = d_.xquat + 4 * body;
-    return {q[0], q[1], q[2], q[3]};
-  }
+  Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }
 
   void Begin() {
     for (Root& root : roots_) {

@@ -17,12 +17,12 @@ struct Trouble {
   std::vector<std::string> warnings;
 };
 
-/// Puts what is free 2 mm above the floor, if the model has a horizontal plane
-/// and one free body and nothing else to lie on, and simulates from there with
+/// Puts what is free above the floor by DropHeight(), if the model has a level
+/// plane and one free body and nothing else to lie on, and simulates from there with
 /// the model's own options: until it rests, or checks.settle_time is over. `d` is
-/// the model's data at its initial state; it is left as the drop left it. Fills in
-/// all of `result` but overlap and joints. The model
-/// is as it was. May throw std::exception.
+/// the model's data at its initial state; it is left as the drop left it, the model
+/// as it was. Fills in all of `result` but overlap and joints. May throw
+/// std::exception.
 Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result);
 
 }  // namespace mjforge::physics

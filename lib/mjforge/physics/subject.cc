@@ -81,8 +81,8 @@ Subject SubjectOf(const mjModel& m, diag::SourceMark mark) {
     body.name = NameOf(m, mjOBJ_BODY, id);
     body.mark = mark;
     body.mass = m.body_mass[id];
-    body.p_BCm = Eigen::Map<const Eigen::Vector3d>(m.body_ipos + 3 * id);
-    body.inertia = Eigen::Map<const Eigen::Vector3d>(m.body_inertia + 3 * id);
+    body.p_BCm = compiled::VectorAt(m.body_ipos, id);
+    body.inertia = compiled::VectorAt(m.body_inertia, id);
     subject.mass += body.mass;
     const int first = m.body_geomadr[id];
     const int end = first + m.body_geomnum[id];
@@ -91,7 +91,7 @@ Subject SubjectOf(const mjModel& m, diag::SourceMark mark) {
     for (int i = first; i < end; ++i) {
       const auto type = compiled::GeomTypeOf(m.geom_type[i]);
       if (!type || (any_collides && !compiled::CollidesInBody(m, i))) continue;
-      model::Shape shape = {*type, Eigen::Map<const Eigen::Vector3d>(m.geom_size + 3 * i), nullptr};
+      model::Shape shape = {*type, compiled::VectorAt(m.geom_size, i), nullptr};
       if (*type == model::GeomType::kMesh) {
         const auto [known, is_new] = meshes.try_emplace(m.geom_dataid[i], nullptr);
         if (is_new) {

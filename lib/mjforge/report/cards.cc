@@ -79,8 +79,6 @@ class CardMaker {
     for (const ParameterTally& tally : batch.gathered.params.list()) {
       if (Varies(tally)) varied_.insert(tally.name);
     }
-    has_rest_ =
-        batch.gathered.measures[static_cast<std::size_t>(MeasureId::kContacts)].all.count() > 0;
   }
 
   // `has_picture`: whether it has one, or no file that one could be of.
@@ -90,14 +88,13 @@ class CardMaker {
     Set(card, "INDEX", fmt::format("{}", record.index));
     Set(card, "STATUS", Clean(record.status));
     if (shown.reason == ShownVariant::Reason::kSlow) Section(card, "SLOW");
-    const auto measured = [&](MeasureId id) {
-      return Measures()[static_cast<std::size_t>(id)].of(record);
-    };
+    const auto measured = [&](MeasureId id) { return MeasureOf(id).of(record); };
     SetMeasure(card, "MASS", "MASS_NUMBER", measured(MeasureId::kMass), "kg");
     SetMeasure(card, "SIZE", "SIZE_NUMBER", measured(MeasureId::kSize), "m");
     const std::optional<double> rest = measured(MeasureId::kTimeToRest);
     SetMeasure(card, "IGNORED", "REST_NUMBER", rest, "s");
-    if (has_rest_) ShowText(card, "REST", rest ? fmt::format("{} s", Shown(*rest)) : "not at rest");
+    if (batch_.gathered.HasPhysics())
+      ShowText(card, "REST", rest ? fmt::format("{} s", Shown(*rest)) : "not at rest");
     Set(card, "REPLAY", ReplayCommand(request_.manifest, record.index));
     const Params params = Sorted(record.params);
     AddParams(card, params);
@@ -180,7 +177,6 @@ class CardMaker {
   const Request& request_;
   const Thumbnailer& thumbnailer_;
   std::set<std::string> varied_;
-  bool has_rest_ = false;
 };
 
 // The failed and the slow as they come, then the sample.

@@ -31,10 +31,7 @@ std::string PlaceOf(const rapidjson::Value& finding) {
 }
 
 std::optional<double> TimeToRest(const Record& record) {
-  for (const Measure& measure : Measures()) {
-    if (measure.id == MeasureId::kTimeToRest) return measure.of(record);
-  }
-  return std::nullopt;
+  return MeasureOf(MeasureId::kTimeToRest).of(record);
 }
 
 // Of two as slow the first in the batch.

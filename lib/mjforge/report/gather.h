@@ -59,6 +59,10 @@ class Gathered {
 
   void Add(const manifest::Record& record);
 
+  const NumberTally& Of(MeasureId id) const { return measures[static_cast<std::size_t>(id)]; }
+  /// Whether any of them was tried, and not only loaded.
+  bool HasPhysics() const { return Of(MeasureId::kContacts).all.count() > 0; }
+
   /// The failed first, then the slowest to come to rest, then others spread over the batch.
   std::vector<ShownVariant> Choose() const;
 

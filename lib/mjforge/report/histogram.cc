@@ -17,17 +17,10 @@ int ExponentOf(double value) { return value == 0 ? kLeastExponent : std::ilogb(v
 
 void Histogram::Add(double value) {
   if (!std::isfinite(value)) return;
-  const bool is_first = count_ == 0;
-  min_ = is_first ? value : std::min(min_, value);
-  max_ = is_first ? value : std::max(max_, value);
-  ++count_;
-  // Welford's update: exact enough for any number of values.
-  const double distance = value - mean_;
-  const auto count = static_cast<double>(count_);
-  mean_ += value / count - mean_ / count;  // a difference of the largest numbers is none
-  m2_ += distance * (value - mean_);
-  int exponent = std::max({is_first ? kLeastExponent : exponent_, ExponentOf(min_) - kDigits,
-                           ExponentOf(max_) - kDigits});
+  const bool is_first = count() == 0;
+  numbers_.Add(value);
+  int exponent = std::max({is_first ? kLeastExponent : exponent_, ExponentOf(min()) - kDigits,
+                           ExponentOf(max()) - kDigits});
   if (is_first) {
     exponent_ = exponent;
     first_ = CellOf(value);
@@ -35,25 +28,21 @@ void Histogram::Add(double value) {
     Coarsen(exponent);
   }
   while (!Fits()) Coarsen(exponent_ + 1);
-  const std::int64_t lowest = CellOf(min_);
+  const std::int64_t lowest = CellOf(min());
   if (lowest < first_) cells_.insert(cells_.begin(), static_cast<std::size_t>(first_ - lowest), 0);
   first_ = lowest;
-  cells_.resize(static_cast<std::size_t>(CellOf(max_) - first_ + 1));
+  cells_.resize(static_cast<std::size_t>(CellOf(max()) - first_ + 1));
   ++cells_[static_cast<std::size_t>(CellOf(value) - first_)];
 }
 
-double Histogram::StandardDeviation() const {
-  return count_ == 0 ? 0 : std::sqrt(m2_ / static_cast<double>(count_));
-}
-
 double Histogram::Quantile(double q) const {
-  const auto wanted = static_cast<std::uint64_t>(q * static_cast<double>(count_));
+  const auto wanted = static_cast<std::uint64_t>(q * static_cast<double>(count()));
   std::uint64_t below = 0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     below += cells_[i];
-    if (below > wanted) return std::clamp(MiddleOf(i), min_, max_);
+    if (below > wanted) return std::clamp(MiddleOf(i), min(), max());
   }
-  return max_;
+  return max();
 }
 
 std::vector<std::uint64_t> Histogram::Bins(double lo, double hi, std::size_t bins) const {
@@ -81,7 +70,7 @@ double Histogram::MiddleOf(std::size_t cell) const {
   return std::ldexp(number + 0.5, exponent_);
 }
 
-bool Histogram::Fits() const { return CellOf(max_) - CellOf(min_) < kCells; }
+bool Histogram::Fits() const { return CellOf(max()) - CellOf(min()) < kCells; }
 
 // To cells of 2^exponent, a wider one.
 void Histogram::Coarsen(int exponent) {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mjforge/manifest/manifest.h"
+
 namespace mjforge::report {
 
 /// Counts of numbers whose range nobody knows beforehand, in bounded memory. The
@@ -18,13 +20,13 @@ class Histogram {
   /// Numbers that are not finite are passed over.
   void Add(double value);
 
-  std::uint64_t count() const { return count_; }
+  std::uint64_t count() const { return numbers_.count; }
   /// Exact; 0 without numbers.
-  double min() const { return min_; }
-  double max() const { return max_; }
-  double mean() const { return mean_; }
+  double min() const { return numbers_.min; }
+  double max() const { return numbers_.max; }
+  double mean() const { return numbers_.mean; }
   /// Of the whole population.
-  double StandardDeviation() const;
+  double StandardDeviation() const { return numbers_.StandardDeviation(); }
   /// The number that a share `q` of all is below, as exact as a cell is wide.
   double Quantile(double q) const;
   /// Counts in `bins` intervals of one width from lo to hi, lo < hi. What is in a
@@ -38,14 +40,10 @@ class Histogram {
   bool Fits() const;
   void Coarsen(int exponent);
 
-  std::uint64_t count_ = 0;
-  double min_ = 0;
-  double max_ = 0;
-  double mean_ = 0;
-  double m2_ = 0;                     // sum of squared distances from the mean
+  manifest::Statistics::Numbers numbers_;
   int exponent_ = 0;                  // a cell is 2^exponent_ wide
   std::int64_t first_ = 0;            // the number of cells_[0]: it starts at first_ * 2^exponent_
-  std::vector<std::uint64_t> cells_;  // from that of min_ to that of max_
+  std::vector<std::uint64_t> cells_;  // from that of min() to that of max()
 };
 
 }  // namespace mjforge::report

@@ -86,6 +86,8 @@ constexpr std::array kMeasures = {
 
 std::span<const Measure> Measures() { return kMeasures; }
 
+const Measure& MeasureOf(MeasureId id) { return kMeasures[static_cast<std::size_t>(id)]; }
+
 std::optional<double> SizeOf(const Record& record) {
   if (!HasObject(record)) return std::nullopt;
   return (record.bounds.aabb.max - record.bounds.aabb.min).maxCoeff();

@@ -40,6 +40,7 @@ struct Measure {
 
 /// In the order of MeasureId.
 std::span<const Measure> Measures();
+const Measure& MeasureOf(MeasureId id);
 
 /// The largest side of the object's box, m; nothing if there is no object.
 std::optional<double> SizeOf(const manifest::Record& record);

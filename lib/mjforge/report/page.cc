@@ -131,8 +131,7 @@ std::string Render(const Request& request, const Batch& batch, const Cards& card
     AddMassAndSize(body, batch.gathered);
     AddPhysics(body, batch.gathered);
     AddOptions(body, batch.gathered);
-    if (batch.gathered.measures[static_cast<std::size_t>(MeasureId::kContacts)].all.count() > 0)
-      Section(body, "REST_COLUMN");
+    if (batch.gathered.HasPhysics()) Section(body, "REST_COLUMN");
     Set(body, "SHOWN", ShownText(cards, batch.gathered));
     Set(body, "CARDS", cards.html);
   }

@@ -1,5 +1,7 @@
 #include "mjforge/report/picture_bytes.h"
 
+#include <openssl/evp.h>
+
 #include <cstddef>
 
 namespace mjforge::report {
@@ -44,19 +46,11 @@ std::optional<PictureInfo> ReadWebp(std::string_view bytes) {
 }  // namespace
 
 std::string Base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = Byte(bytes, i) << 16;
-    if (i + 1 < bytes.size()) group |= Byte(bytes, i + 1) << 8;
-    if (i + 2 < bytes.size()) group |= Byte(bytes, i + 2);
-    text += kDigits[group >> 18];
-    text += kDigits[group >> 12 & 63];
-    text += i + 1 < bytes.size() ? kDigits[group >> 6 & 63] : '=';
-    text += i + 2 < bytes.size() ? kDigits[group & 63] : '=';
-  }
+  std::string text((bytes.size() + 2) / 3 * 4, '\0');
+  // It ends what it writes with a zero, for which a string has room.
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                  reinterpret_cast<const unsigned char*>(bytes.data()),
+                  static_cast<int>(bytes.size()));
   return text;
 }
 

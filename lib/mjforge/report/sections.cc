@@ -212,14 +212,11 @@ void AddMassAndSize(Dictionary& body, const Gathered& gathered) {
 }
 
 void AddPhysics(Dictionary& body, const Gathered& gathered) {
-  const auto tally = [&](MeasureId id) -> const NumberTally& {
-    return gathered.measures[static_cast<std::size_t>(id)];
-  };
-  const std::uint64_t measured = tally(MeasureId::kContacts).all.count();
-  if (measured == 0) return;
+  if (!gathered.HasPhysics()) return;
+  const std::uint64_t measured = gathered.Of(MeasureId::kContacts).all.count();
   Section(body, "PHYSICS_LINK");
   Dictionary& section = Section(body, "PHYSICS");
-  const std::uint64_t dropped = tally(MeasureId::kDrift).all.count();
+  const std::uint64_t dropped = gathered.Of(MeasureId::kDrift).all.count();
   std::string text =
       dropped == 0
           ? std::string("These are fixed to the world, so none was dropped.")
@@ -227,14 +224,14 @@ void AddPhysics(Dictionary& body, const Gathered& gathered) {
                         dropped == measured
                             ? fmt::format("Each of {} was", Counted(dropped))
                             : fmt::format("{} of {} were", Counted(dropped), Counted(measured)),
-                        Counted(tally(MeasureId::kTimeToRest).all.count()));
-  if (tally(MeasureId::kJointReach).all.count() > 0)
+                        Counted(gathered.Of(MeasureId::kTimeToRest).all.count()));
+  if (gathered.Of(MeasureId::kJointReach).all.count() > 0)
     text += " Each joint was driven to both ends of its range and back.";
   Set(section, "TEXT", text);
   if (dropped > 0) {
     Dictionary& sizes = Section(section, "SIZES");
-    Set(sizes, "NCON", fmt::format("{:.0f}", tally(MeasureId::kContacts).all.max()));
-    Set(sizes, "NEFC", fmt::format("{:.0f}", tally(MeasureId::kConstraints).all.max()));
+    Set(sizes, "NCON", fmt::format("{:.0f}", gathered.Of(MeasureId::kContacts).all.max()));
+    Set(sizes, "NEFC", fmt::format("{:.0f}", gathered.Of(MeasureId::kConstraints).all.max()));
   }
   AddMeasures(section, gathered, true);
 }

@@ -224,10 +224,7 @@ class Sweeper {
     for (int i = 0; i < m_.body_geomnum[body]; ++i) {
       const int geom = m_.body_geomadr[body] + i;
       if (any_collides_ && !CollidesInBody(m_, geom)) continue;
-      using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-      const model::Pose X_WG = {
-          Eigen::Map<const Eigen::Vector3d>(data.geom_xpos + 3 * geom),
-          Eigen::Quaterniond(Eigen::Map<const RowMajor>(data.geom_xmat + 9 * geom))};
+      const model::Pose X_WG = compiled::GeomPose(data, geom);
       sweep_.aabb.Add(compiled::GeomBox(m_, geom, X_AW_ * X_WG));
     }
   }
