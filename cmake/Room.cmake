@@ -23,6 +23,8 @@ function(mjforge_room name)
     PUBLIC ${room_ROOMS} ${room_PUBLIC_LIBRARIES}
     PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_counted>)
 
+  mjforge_precompile_room(mjforge_${name})
+
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(FILES ${room_PUBLIC_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mjforge/${name})

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "crate.h"
+#include "harness/source_folder.h"
 
 namespace mjforge {
 namespace {
@@ -43,10 +44,11 @@ TEST_CASE_METHOD(CrateTest, "every spec that catalogue names can be checked") {
 }
 
 TEST_CASE_METHOD(CrateTest, "schema prints the schemas that are checked in") {
-  CHECK(Run({"schema"}).out == harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/object.schema.json"));
+  CHECK(Run({"schema"}).out ==
+        harness::ReadFile(harness::SourceFolder() / "schemas/object.schema.json"));
   CHECK(Run({"schema", "object"}).out == Run({"schema"}).out);
   CHECK(Run({"schema", "manifest"}).out ==
-        harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/manifest.schema.json"));
+        harness::ReadFile(harness::SourceFolder() / "schemas/manifest.schema.json"));
   const auto result = Run({"schema", "other"});
   CHECK(result.status == 2);
   CHECK(result.err ==

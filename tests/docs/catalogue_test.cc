@@ -12,6 +12,7 @@
 
 #include "docs/page.h"
 #include "harness/command.h"
+#include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 
 namespace mjforge::docs {
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const fs::path kRoot = MJFORGE_SOURCE_DIR;
+const fs::path kRoot = harness::SourceFolder();
 const fs::path kPictures = kRoot / "docs/pictures";
 const fs::path kHero = kPictures / "hero.yaml";
 constexpr const char* kRemedy = "`./dev pictures` makes them again";

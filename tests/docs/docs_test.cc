@@ -12,6 +12,7 @@
 
 #include "docs/page.h"
 #include "golden/shell.h"
+#include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 
 namespace mjforge::docs {
@@ -19,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = MJFORGE_SOURCE_DIR;
+const fs::path kRoot = harness::SourceFolder();
 
 std::vector<fs::path> Pages() {
   std::vector<fs::path> pages = {kRoot / "README.md"};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "golden/golden_case.h"
+#include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 #include "mjforge/diag/diag.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = MJFORGE_SOURCE_DIR;
+const fs::path kRoot = harness::SourceFolder();
 
 // Codes that no command can provoke, and the unit test that does instead.
 struct Unreachable {

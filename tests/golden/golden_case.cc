@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "golden/shell.h"
+#include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 
 namespace mjforge::golden {
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = fs::path(MJFORGE_SOURCE_DIR) / "tests/golden";
+const fs::path kRoot = harness::SourceFolder() / "tests/golden";
 
 bool IsCase(const fs::path& folder) {
   return fs::exists(folder / "spec.yaml") || fs::exists(folder / "command");

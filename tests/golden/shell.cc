@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <regex>
 
+#include "harness/source_folder.h"
+
 namespace mjforge::golden {
 
 harness::CommandResult RunLine(const std::string& line, const std::filesystem::path& folder,
@@ -15,7 +17,7 @@ harness::CommandResult RunLine(const std::string& line, const std::filesystem::p
       .arguments = {"-c", merged ? "{ " + line + "\n} 2>&1" : line},
       .environment = {{"PATH", path == nullptr ? programs : programs + ":" + path},
                       // A build outside of the source tree does not find them.
-                      {"MJFORGE_PATH", MJFORGE_SOURCE_DIR "/specs"}},
+                      {"MJFORGE_PATH", (harness::SourceFolder() / "specs").string()}},
       .folder = folder};
   harness::CommandResult result = command.Run();
   INFO("running: " << line);

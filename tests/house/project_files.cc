@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 
 namespace mjforge::house {
@@ -32,7 +33,7 @@ std::vector<ProjectFile> ReadProject(const fs::path& top) {
 }  // namespace
 
 const std::vector<ProjectFile>& ProjectFiles() {
-  static const std::vector<ProjectFile> files = ReadProject(MJFORGE_SOURCE_DIR);
+  static const std::vector<ProjectFile> files = ReadProject(harness::SourceFolder());
   return files;
 }
 

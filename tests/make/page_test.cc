@@ -2,14 +2,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "harness/source_folder.h"
 #include "make/project.h"
 
 namespace mjforge::make {
 namespace {
 
-std::string Page() {
-  return harness::ReadFile(std::filesystem::path(MJFORGE_SOURCE_DIR) / "docs/make.md");
-}
+std::string Page() { return harness::ReadFile(harness::SourceFolder() / "docs/make.md"); }
 
 TEST_CASE("the page shows the files of the example as they are") {
   const std::string page = Page();

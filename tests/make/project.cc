@@ -3,11 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "harness/source_folder.h"
+
 namespace mjforge::make {
 
 namespace fs = std::filesystem;
 
-fs::path Example() { return fs::path(MJFORGE_SOURCE_DIR) / "docs/examples/make"; }
+fs::path Example() { return harness::SourceFolder() / "docs/examples/make"; }
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include "described.h"
+#include "harness/source_folder.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -31,12 +32,11 @@ std::set<std::string> Meetings(const std::string& name,
   std::set<std::string> meetings;
   diag::Sources sources;
   diag::Findings findings;
-  const auto spec =
-      spec::LoadSpec(name,
-                     {.settings = settings,
-                      .parameter_files = {},
-                      .search_path = {std::filesystem::path(MJFORGE_SOURCE_DIR) / "specs"}},
-                     sources, findings);
+  const auto spec = spec::LoadSpec(name,
+                                   {.settings = settings,
+                                    .parameter_files = {},
+                                    .search_path = {harness::SourceFolder() / "specs"}},
+                                   sources, findings);
   REQUIRE(spec != nullptr);
   model::Assembler assembler;
   validate::Loader loader;

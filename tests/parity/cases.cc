@@ -1,4 +1,5 @@
 #include "cases.h"
+#include "harness/source_folder.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -226,7 +227,7 @@ std::span<const Case> Cases() { return kCases; }
 
 std::string SpecPath(const Case& one) {
   if (!one.spec.ends_with(".yaml")) return std::string(one.spec);
-  return fmt::format("{}/tests/parity/specs/{}", MJFORGE_SOURCE_DIR, one.spec);
+  return (harness::SourceFolder() / "tests/parity/specs" / one.spec).string();
 }
 
 }  // namespace mjforge::parity

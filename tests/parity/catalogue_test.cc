@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "harness/source_folder.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -16,7 +17,7 @@
 namespace mjforge::parity {
 namespace {
 
-const std::filesystem::path kSpecs = std::filesystem::path(MJFORGE_SOURCE_DIR) / "specs";
+const std::filesystem::path kSpecs = harness::SourceFolder() / "specs";
 
 std::string Rendered(const diag::Findings& findings, const diag::Sources& sources) {
   std::string text;

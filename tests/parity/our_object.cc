@@ -1,4 +1,5 @@
 #include "our_object.h"
+#include "harness/source_folder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -198,10 +199,9 @@ OurObject MakeObject(const std::string& spec_name, const std::string& name,
   OurObject out;
   diag::Sources sources;
   diag::Findings findings;
-  const spec::LoadOptions options{
-      .settings = settings,
-      .parameter_files = {},
-      .search_path = {std::filesystem::path(MJFORGE_SOURCE_DIR) / "specs"}};
+  const spec::LoadOptions options{.settings = settings,
+                                  .parameter_files = {},
+                                  .search_path = {harness::SourceFolder() / "specs"}};
   const auto spec = spec::LoadSpec(spec_name, options, sources, findings);
   if (spec) Make(*spec, name, sources, findings, out.described);
   for (const diag::Finding& finding : findings) {

@@ -1,4 +1,5 @@
 #include "reference_object.h"
+#include "harness/source_folder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,9 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-std::filesystem::path Folder() {
-  return std::filesystem::path(MJFORGE_SOURCE_DIR) / "tests" / "reference";
-}
+std::filesystem::path Folder() { return harness::SourceFolder() / "tests" / "reference"; }
 
 Numbers NumbersOr(const json& element, const char* key, const Numbers& defaults) {
   const auto found = element.find(key);

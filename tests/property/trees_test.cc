@@ -9,6 +9,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
@@ -143,7 +144,7 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
   engine::Engine engine;
   mjcf::MjcfDocument document;
   // A bundled object of several bodies, nested now and then.
-  Specs specs(std::filesystem::path(MJFORGE_SOURCE_DIR) / "tests/property");
+  Specs specs(harness::SourceFolder() / "tests/property");
   std::size_t bodies = 0;
   for (int i = 0; i < 300; ++i) {
     const std::string text = SpecText(random, "tree", "nested_tree.yaml");

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "attached_file.h"
+#include "harness/source_folder.h"
 
 namespace mjforge::attach {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kZoo = "/usr/share/mujoco/model";  // Debian's libmujoco-samples
-const fs::path kOurs = fs::path(MJFORGE_SOURCE_DIR) / "tests/property/models";
+const fs::path kOurs = harness::SourceFolder() / "tests/property/models";
 
 std::vector<fs::path> FilesBelow(const fs::path& folder) {
   std::vector<fs::path> files;

@@ -12,6 +12,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "harness/source_folder.h"
 #include "mjforge/forge/forge.h"
 #include "yaml_as_json.h"
 
@@ -73,7 +74,7 @@ std::vector<fs::path> YamlFiles(const fs::path& folder) {
   return files;
 }
 
-const fs::path kRoot = MJFORGE_SOURCE_DIR;
+const fs::path kRoot = harness::SourceFolder();
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 #include "mjforge/manifest/manifest.h"
 
@@ -7,7 +8,8 @@ namespace mjforge::manifest {
 namespace {
 
 TEST_CASE("schemas/manifest.schema.json is fresh (mjforge schema manifest writes it)") {
-  CHECK(harness::ReadFile(MJFORGE_SOURCE_DIR "/schemas/manifest.schema.json") == ManifestSchema());
+  CHECK(harness::ReadFile(harness::SourceFolder() / "schemas/manifest.schema.json") ==
+        ManifestSchema());
 }
 
 }  // namespace
