@@ -118,7 +118,7 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, c
 // A frame needs no name, unless its pose is drawn.
 void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
                         const Pose& X_SF) {
-  const sample::StreamId frames = sample::Child(scope.values.root(), "frames");
+  const sample::StreamId frames = sample::Child(scope.parts, "frames");
   const std::string name = scope.values.Text(entry.name, frames);
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));

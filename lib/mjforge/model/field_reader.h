@@ -18,6 +18,14 @@ class FieldReader {
               std::string_view name, sample::StreamId path)
       : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
 
+  /// Of a child of the element, the `position`-th of its tag: it has streams of its own,
+  /// but findings name the element.
+  FieldReader ForChild(std::string_view tag, std::size_t position) const {
+    FieldReader child = *this;
+    child.path_ = sample::Child(sample::Child(path_, tag), position);
+    return child;
+  }
+
   std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
   /// As Numbers, where exactly N are wanted.

@@ -110,7 +110,10 @@ bool Assembly::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry&
   }
   SayLimits(*entry.element, element.attributes);
   for (const spec::Entry& child : entry.children) {
-    good &= ReadElement(scope, reader, child, element.children.emplace_back(), place);
+    const std::string_view tag = child.element->name;
+    const auto same = std::ranges::count(element.children, tag, &Element::tag);
+    FieldReader child_reader = reader.ForChild(tag, static_cast<std::size_t>(same));
+    good &= ReadElement(scope, child_reader, child, element.children.emplace_back(), place);
   }
   return good;
 }

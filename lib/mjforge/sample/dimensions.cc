@@ -92,8 +92,8 @@ class Walk {
 
 }  // namespace
 
-std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec, StreamId root) {
-  const StreamId parameters = Child(root, "params");
+std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec) {
+  const StreamId parameters = Child(RootStream(spec), "params");
   Walk walk;
   for (const spec::Parameter& parameter : spec.parameters) {
     walk.Value(parameter.value, Child(parameters, parameter.name));

@@ -19,10 +19,14 @@ struct DrawnStream {
   std::optional<double> split;
 };
 
+/// Where the paths of a spec begin that nothing brings: its name, so that two families of
+/// one seed draw different numbers.
+inline StreamId RootStream(const spec::ObjectSpec& spec) { return Child(kRootStream, spec.name); }
+
 /// Parameters in file order; within one, a draw before the draws in its arguments,
 /// limits and options. Follows the streams of Evaluator. A choice with `exact: true`
 /// takes no uniform and is left out.
-std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec, StreamId root = kRootStream);
+std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::sample
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/sample/dimensions.h"
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::sample {
@@ -41,13 +42,13 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                      diag::Findings& findings, const Sampler* sampler)
     : spec_(spec),
       key_(key),
-      root_(root),
+      root_(root == kRootStream ? RootStream(spec) : root),
       findings_(findings),
       sampler_(sampler),
       variables_(static_cast<std::size_t>(spec.names.slot_count())),
       texts_(variables_.size()) {
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
-  const StreamId parameters = Child(root, "params");
+  const StreamId parameters = Child(root_, "params");
   streams_.reserve(spec.parameters.size());
   for (const spec::Parameter& parameter : spec.parameters) {
     streams_.push_back(Child(parameters, parameter.name));

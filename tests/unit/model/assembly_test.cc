@@ -32,6 +32,41 @@ TEST_CASE("the object can be renamed, and its prefix left out") {
                                  "letters, digits and underscores)"});
 }
 
+TEST_CASE("children of one element draw from streams of their own") {
+  const Assembling thing(
+      "parts: [{name: a, type: sphere, size: [1]}]\n"
+      "bodies:\n"
+      "- name: arm\n"
+      "  parts: [{name: b, type: sphere, size: [1], pos: [0, 0, 9]}]\n"
+      "  joints: [{name: x, type: slide, axis: [1, 0, 0]}, {name: y, type: slide}]\n"
+      "mjcf:\n"
+      "  tendon:\n"
+      "  - fixed:\n"
+      "      name: t\n"
+      "      children: [{joint: {joint: x, coef: 1 .. 2}}, {joint: {joint: y, coef: 1 .. 2}}]\n");
+  const std::vector<Element>& joints = thing.object().sections.at(0).elements.at(0).children;
+  REQUIRE(joints.size() == 2);
+  CHECK(Find(joints[0].attributes, "coef")->numbers != Find(joints[1].attributes, "coef")->numbers);
+  sample::StreamId path = sample::kRootStream;
+  for (const char* step : {"thing", "mjcf", "tendon", "t", "joint", "1", "coef"}) {
+    path = sample::Child(path, step);
+  }
+  const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
+  CHECK(Find(joints[1].attributes, "coef")->numbers.at(0) == sample::RoundDraw(1 + u, 1, 2));
+}
+
+TEST_CASE("frames of one name in two bodies draw poses of their own") {
+  const auto body = [](const std::string& name, const std::string& x) {
+    return "- name: " + name + "\n  pos: [" + x +
+           ", 0, 0]\n  parts: [{frame: {pos: [0, 0, 0 .. 1]}, name: f, parts: [{name: p_" + name +
+           ", type: sphere, size: [1]}]}]\n";
+  };
+  const Assembling thing("bodies:\n" + body("a", "0") + body("b", "9"));
+  const std::vector<Body>& bodies = thing.object().bodies;
+  REQUIRE(bodies.size() == 3);
+  CHECK(bodies[1].parts.at(0).X_BG.p.z() != bodies[2].parts.at(0).X_BG.p.z());
+}
+
 TEST_CASE("frames compose with the poses of their parts, rotations included") {
   const Assembling thing(
       "parts:\n"

@@ -34,8 +34,9 @@ TEST_CASE("what is drawn in a material is the same for all its parts") {
   const Part& b = thing.part("thing_b");
   CHECK(a.density == b.density);
   CHECK(Find(a.attributes, "friction")->numbers == Find(b.attributes, "friction")->numbers);
-  const sample::StreamId path = sample::Child(
-      sample::Child(sample::Child(sample::kRootStream, "materials"), "wood"), "density");
+  sample::StreamId path = sample::kRootStream;
+  for (const char* step : {"thing", "materials", "wood", "density"})
+    path = sample::Child(path, step);
   const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
   CHECK(a.density == sample::RoundDraw(400 + u * 500, 400, 900));
 }

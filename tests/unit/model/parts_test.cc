@@ -167,10 +167,10 @@ TEST_CASE("a draw in a part is keyed by the part's name, not by its place") {
   CHECK(first.part("thing_a").shape.size != first.part("thing_b").shape.size);
 }
 
-TEST_CASE("a drawn size has the stream of parts, name and key") {
+TEST_CASE("a drawn size has the stream of spec, parts, name and key") {
   const Assembling thing("parts: [{name: a, type: sphere, size: [0.1 .. 0.2]}]\n", 7, 3);
-  sample::StreamId path = sample::Child(sample::kRootStream, "parts");
-  path = sample::Child(sample::Child(sample::Child(path, "a"), "size"), 0);
+  sample::StreamId path = sample::kRootStream;
+  for (const char* step : {"thing", "parts", "a", "size", "0"}) path = sample::Child(path, step);
   const double u = sample::Uniforms({.seed = 7, .index = 3}, path)[0];
   CHECK(thing.part("thing_a").shape.size.x() == sample::RoundDraw(0.1 + u * (0.2 - 0.1), 0.1, 0.2));
 }

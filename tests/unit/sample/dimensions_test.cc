@@ -23,7 +23,7 @@ void CheckStreams(const std::string& params, const std::vector<Expected>& expect
   REQUIRE(streams.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     INFO(i);
-    StreamId stream = Child(kRootStream, "params");
+    StreamId stream = Child(RootStream(*family.spec), "params");
     for (const std::string& name : expected[i].path) stream = Child(stream, name);
     CHECK(streams[i].stream == stream);
     CHECK(streams[i].numbers == expected[i].numbers);

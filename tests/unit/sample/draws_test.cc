@@ -83,7 +83,7 @@ TEST_CASE("a range without width gives its end to the last digit") {
 TEST_CASE("the ends of a draw may be draws of their own") {
   Family family = Load("{p: {uniform: [1 .. 2, {uniform: [3, 4]}]}}");
   const DrawKey key = {.seed = 3, .index = 8};
-  const StreamId stream = Child(Child(kRootStream, "params"), "p");
+  const StreamId stream = Child(Child(Child(kRootStream, "t"), "params"), "p");
   const auto draw = [&](StreamId path, double lo, double hi) {
     return RoundDraw(std::lerp(lo, hi, Uniforms(key, path)[0]), lo, hi);
   };
@@ -95,7 +95,7 @@ TEST_CASE("the ends of a draw may be draws of their own") {
 TEST_CASE("an option's own draws have a stream below the option") {
   Family family = Load("{p: {choice: [1 .. 2, 3 .. 4]}, q: {cycle: [1 .. 2, 3 .. 4]}}");
   const DrawKey key = {.seed = 3, .index = 9};
-  const StreamId params = Child(kRootStream, "params");
+  const StreamId params = Child(Child(kRootStream, "t"), "params");
   const double u = Uniforms(key, Child(params, "p"))[0];
   const std::size_t option = u < 0.5 ? 0 : 1;
   const double lo = option == 0 ? 1 : 3;

@@ -61,7 +61,7 @@ TEST_CASE("a vector's components are read by name") {
 TEST_CASE("the items of a vector draw from streams of their own") {
   Family family = Load("{v: [0 .. 1, 5, 0 .. 1]}");
   const DrawKey key = {.seed = 2, .index = 6};
-  const StreamId stream = Child(Child(kRootStream, "params"), "v");
+  const StreamId stream = Child(Child(Child(kRootStream, "t"), "params"), "v");
   const auto v = std::get<Vector>(family.Parameter("v", key));
   CHECK(v == Vector{RoundDraw(Uniforms(key, Child(stream, "0"))[0], 0, 1), 5,
                     RoundDraw(Uniforms(key, Child(stream, "2"))[0], 0, 1)});

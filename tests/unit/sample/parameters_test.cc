@@ -83,9 +83,27 @@ TEST_CASE("seed, index and attempt each make other draws") {
   CHECK(family.Number("r", {.attempt = 1}) != first);
 }
 
+TEST_CASE("families of different names draw different numbers from one seed") {
+  const std::string params = "{r: 0 .. 1, c: {choice: [1, 2, 3, 4, 5, 6, 7, 8], exact: true}}";
+  Family mug = Load(params);
+  Family bowl = Load(params);
+  bowl.spec->name = "bowl";
+  for (const Method method : {Method::kRandom, Method::kSobol, Method::kLatin}) {
+    const Sampler of_mug(*mug.spec, method, 7, 8);
+    const Sampler of_bowl(*bowl.spec, method, 7, 8);
+    int same_choices = 0;
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      const DrawKey key = {.seed = 7, .index = i};
+      CHECK(mug.Number("r", key, &of_mug) != bowl.Number("r", key, &of_bowl));
+      same_choices += mug.Number("c", key, &of_mug) == bowl.Number("c", key, &of_bowl);
+    }
+    CHECK(same_choices < 8);
+  }
+}
+
 TEST_CASE("an object within an object draws from its own root") {
   Family family = Load("{r: 1 .. 2}");
-  const StreamId root = Child(Child(kRootStream, "parts"), "lid");
+  const StreamId root = Child(Child(Child(kRootStream, "t"), "parts"), "lid");
   Evaluator evaluator(*family.spec, {}, root, family.findings);
   REQUIRE(evaluator.SampleParameters());
   const double u = Uniforms({}, Child(Child(root, "params"), "r"))[0];

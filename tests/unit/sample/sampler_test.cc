@@ -13,7 +13,7 @@ namespace {
 constexpr Method kMethods[] = {Method::kRandom, Method::kSobol, Method::kLatin, Method::kGrid};
 
 StreamId ParameterStream(std::string_view name) {
-  return Child(Child(kRootStream, "params"), name);
+  return Child(Child(Child(kRootStream, "t"), "params"), name);
 }
 
 TEST_CASE("methods have names") {
@@ -66,7 +66,8 @@ TEST_CASE("rejected items redraw at random, the others keep their place") {
     int redrawn = 0;
     for (std::uint64_t index = 0; index < 64; ++index) {
       const DrawKey key = {.seed = 5, .index = index};
-      const auto values = Sample(*strict.spec, key, kRootStream, {}, strict.findings, &sampler);
+      const auto values =
+          Sample(*strict.spec, key, RootStream(*strict.spec), {}, strict.findings, &sampler);
       REQUIRE(values);
       if (values->key().attempt > 0) {
         ++redrawn;
