@@ -3,6 +3,7 @@
 # read what GCC precompiles, so `./dev lint` looks at a configuration without it, which also
 # finds a file that does not include what it uses.
 option(MJFORGE_PRECOMPILED "Precompile the largest headers" ${PROJECT_IS_TOP_LEVEL})
+option(MJFORGE_UNITY "Compile a room's files several at a time" ${PROJECT_IS_TOP_LEVEL})
 
 set(mjforge_precompiled_headers
   <algorithm> <array> <charconv> <cmath> <cstdint> <filesystem> <functional> <limits> <map>
@@ -15,7 +16,7 @@ if(MJFORGE_PRECOMPILED)
   add_library(mjforge_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
   target_compile_features(mjforge_precompiled PUBLIC cxx_std_20)
   target_link_libraries(mjforge_precompiled
-    PRIVATE Eigen3::Eigen fmt::fmt mjforge_options mjforge_counted)
+    PRIVATE Eigen3::Eigen fmt::fmt mjforge_options mjforge_watched)
   target_precompile_headers(mjforge_precompiled PRIVATE ${mjforge_precompiled_headers})
 endif()
 

@@ -21,9 +21,10 @@ function(mjforge_room name)
   list(TRANSFORM room_ROOMS PREPEND mjforge::)
   target_link_libraries(mjforge_${name}
     PUBLIC ${room_ROOMS} ${room_PUBLIC_LIBRARIES}
-    PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_counted>)
+    PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_watched>)
 
   mjforge_precompile_room(mjforge_${name})
+  set_target_properties(mjforge_${name} PROPERTIES UNITY_BUILD ${MJFORGE_UNITY})
 
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -7,10 +7,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(mjforge_options INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 
-# Lines are counted in the rooms and the program, not in the tests.
-option(MJFORGE_COVERAGE "Count which lines run" OFF)
-add_library(mjforge_counted INTERFACE)
-if(MJFORGE_COVERAGE)
-  target_compile_options(mjforge_counted INTERFACE --coverage -fprofile-update=atomic)
-  add_link_options(--coverage)
+# The rooms and the program alone are watched: tests compile to the same objects in every
+# configuration, and the compiler's cache has them.
+option(MJFORGE_SANITIZE "Find wrong uses of memory and undefined behaviour; count which lines run" OFF)
+add_library(mjforge_watched INTERFACE)
+if(MJFORGE_SANITIZE)
+  set(watchers -fsanitize=address,undefined --coverage)
+  target_compile_options(mjforge_watched INTERFACE ${watchers} -O1 -g1 -UNDEBUG
+    -fno-sanitize-recover=all -fno-omit-frame-pointer -fprofile-update=atomic)
+  add_link_options(${watchers})
 endif()
