@@ -83,7 +83,8 @@ Action AddView(CLI::App& app) {
     const bool has_settings =
         !options->spec.settings.empty() || !options->spec.parameter_files.empty();
     if (options->is_file() && (has_settings || options->seed != 0 || options->index != 0))
-      return WrongUsage("--seed, --index, --set and --params take a spec, not a file", "view");
+      return WrongUsage("--seed, --index, --set, --root and --params take a spec, not a file",
+                        "view");
     return View(*options)();
   };
 }

@@ -30,6 +30,15 @@ void AddSettings(CLI::App& command, std::vector<std::string>& settings, const st
 
 void AddSpecOptions(CLI::App& command, SpecOptions& options) {
   AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");
+  command
+      .add_option_function<std::string>(
+          "--root",
+          [&options](const std::string& word) {
+            options.settings.push_back("root.joints=" + word);
+          },
+          "Joint of the root: free, none")
+      ->check(CLI::IsMember({"free", "none"}))
+      ->option_text("WORD");
   command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
       ->option_text("FILE")
       ->allow_extra_args(false);

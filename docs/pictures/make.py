@@ -42,7 +42,8 @@ HERO_JOINTS = {
 }
 
 # A block of every material of the library.
-LIBRARY = HERE.parent.parent / "specs/materials.yaml"
+SPECS = HERE.parent.parent / "specs"
+LIBRARY = SPECS / "materials.yaml"
 BLOCK = "primitives/box"
 BLOCK_SETTINGS = ("--set", "size=[4cm, 3cm, 3cm]", "--set", "rgba=[1, 1, 1, 1]")
 BLOCK_TILE = "144x96"
@@ -82,6 +83,13 @@ def picture_name(spec):
     return spec.split("/")[-1] + ".png"
 
 
+def requirements(spec):
+    """The lines of `require:` in the spec's file, with their comments."""
+    text = (SPECS / f"{spec}.yaml").read_text(encoding="utf-8")
+    block = re.search(r"^require:\n((?:  .*\n)+)", text, re.MULTILINE)
+    return re.sub("^  ", "", block.group(1), flags=re.MULTILINE) if block else ""
+
+
 def cell(text):
     return text.replace("|", "\\|").replace("\n", " ")
 
@@ -105,6 +113,9 @@ def chapter(spec, inspected):
             f"| `{parameter['name']}` | `{cell(parameter['spec'])}` | {cell(parameter['unit'])} "
             f"| {cell(parameter['doc'])} |"
         )
+    if required := requirements(spec):
+        lines += ["", "Parameters that do not meet these are drawn again (`require:`):", "",
+                  "```yaml", required.rstrip(), "```"]
     return "\n".join(lines) + "\n"
 
 

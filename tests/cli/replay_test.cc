@@ -30,6 +30,17 @@ TEST_CASE_METHOD(ReplayTest, "replay of a bundled spec works from any folder") {
   CHECK(command.Run().status == 0);
 }
 
+TEST_CASE_METHOD(ReplayTest, "--root takes the free joint away or gives one, and replay follows") {
+  REQUIRE(Run({"generate", "hammer", "-q", "--root", "none", "-o", "fixed"}).status == 0);
+  CHECK(folder().Read("fixed/hammer_000000.xml").find("<joint") == std::string::npos);
+  CHECK(Run({"replay", "fixed/manifest.jsonl:0"}).status == 0);
+  CHECK(Run({"replay", "fixed/hammer_000000.xml"}).status == 0);
+  REQUIRE(Run({"generate", "faucet", "-q", "--root", "free", "-o", "free"}).status == 0);
+  CHECK(folder().Read("free/faucet_000000.xml").find("type=\"free\"") != std::string::npos);
+  CHECK(Run({"replay", "free/faucet_000000.xml"}).status == 0);
+  CHECK(Run({"generate", "hammer", "--root", "ball", "-o", "-"}).status == 2);
+}
+
 TEST_CASE_METHOD(ReplayTest, "replay shows the first line that differs") {
   folder().Write("out/crate_000001.xml", folder().Read("out/crate_000001.xml") + "<!-- -->\n");
   const auto result = Run({"replay", "out/manifest.jsonl:1"});

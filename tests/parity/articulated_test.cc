@@ -117,6 +117,15 @@ TEST_CASE("the rings of a ratcheting wrench take the ends of its handle into the
   CHECK(Close("damping", described.at("joint/joint0").numbers.at("damping"), {0.0005}));
 }
 
+TEST_CASE("the lid of a hinged box may be wider than the box") {
+  const OurObject box = MakeObject("articulated/hinged_box", "hinged_box",
+                                   {{.name = "box1_size", .text = "[0.03, 0.03, 0.02]"},
+                                    {.name = "box2_size", .text = "[0.05, 0.04, 0.01]"},
+                                    {.name = "gap", .text = "0.3mm"}});
+  REQUIRE(box.findings == "");
+  CHECK(Close("pos", box.described.at("body/box2").numbers.at("pos"), {-0.02, 0, 0.0303}));
+}
+
 TEST_CASE("the slides of a cabinet are its drawers', as many as asked for") {
   const OurObject cabinet =
       MakeObject("articulated/drawer_cabinet", "cabinet",

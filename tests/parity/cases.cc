@@ -100,6 +100,7 @@ Settings PotPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"body_half_size", "handle_radius", "handle_length", "handle_width", "handle_friction",
              "density", "use_texture", "solid_handle", "thickness"});
+  pins.Set("solref", "[0.02, 1]");
   pins.SameOr("rgba_body", kRed);
   pins.SameOr("rgba_handle_0", kGreen);
   pins.SameOr("rgba_handle_1", kBlue);
@@ -108,6 +109,7 @@ Settings PotPins(const json& reference) {
 
 Settings BinPins(const json& reference) {
   Pins pins(reference);
+  pins.Set("solref", "[0.02, 1]");
   pins.Same({"bin_size", "wall_thickness", "transparent_walls", "density", "use_texture", "rgba"});
   pins.SameOr("friction", kFriction);
   return pins.Take();

@@ -170,6 +170,25 @@ Element Whole(const model::Object& object, const validate::CompiledModel& compil
   return element;
 }
 
+// A root without parts has half the mass of the first body that is fixed to it; robosuite's has
+// none.
+void GiveBack(const model::Object& object, const std::string& name, Described& out) {
+  const model::Body& root = object.bodies.front();
+  const bool has_own =
+      std::ranges::any_of(root.parts, [](const auto& part) { return part.mass > 0; });
+  if (has_own || root.mass_properties.mass == 0) return;
+  const auto giver =
+      std::ranges::find_if(object.bodies.begin() + 1, object.bodies.end(), [&](const auto& body) {
+        return body.mass_properties.mass == root.mass_properties.mass && body.joints.empty();
+      });
+  if (giver == object.bodies.end()) return;
+  out.at("body/" + BodyName(root.name, name)).numbers["mass"] = {0};
+  Element& element = out.at("body/" + BodyName(giver->name, name));
+  for (const char* key : {"mass", "inertia"}) {
+    for (double& number : element.numbers.at(key)) number *= 2;
+  }
+}
+
 // The object of a spec, through every stage; stops at the first that fails.
 void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& sources,
           diag::Findings& findings, Described& out) {
@@ -189,6 +208,7 @@ void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& 
   for (const validate::CompiledModel::Body& body : compiled->bodies) {
     out["body/" + BodyName(body.name, name)] = Body(body, name);
   }
+  GiveBack(*object, name, out);
   out["whole"] = Whole(*object, *compiled);
 }
 

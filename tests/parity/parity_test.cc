@@ -171,6 +171,24 @@ TEST_CASE("a cone is a stack of an odd number of discs, widest at the bottom") {
   CHECK(Close("mass", cone.described.at("whole").numbers.at("mass"), {mass}));
 }
 
+TEST_CASE("a cone of a material of the library has that one's density and friction") {
+  const OurObject cone =
+      MakeObject("shapes/cone", "cone",
+                 {{.name = "use_box", .text = "true"}, {.name = "material", .text = "oak"}});
+  REQUIRE(cone.findings == "");
+  CHECK(cone.described.at("geom/c_0").numbers.at("density") == Numbers{755});
+  CHECK(cone.described.at("geom/c_0").numbers.at("friction")[0] == 0.5);
+}
+
+TEST_CASE("a solid handle of a pot is as wide as handle_width and may be as wide as the pot") {
+  const OurObject pot = MakeObject("containers/pot_with_handles", "pot",
+                                   {{.name = "body_half_size", .text = "[0.05, 0.05, 0.05]"},
+                                    {.name = "handle_width", .text = "0.1"},
+                                    {.name = "solid_handle", .text = "true"}});
+  REQUIRE(pot.findings == "");
+  CHECK(pot.described.at("geom/handle0").numbers.at("size")[0] == 0.05);
+}
+
 TEST_CASE("the staves of a mug weigh what the polygonal ring between their faces weighs") {
   const OurObject mug = MakeObject("containers/mug", "mug",
                                    {{.name = "outer_radius", .text = "0.04"},

@@ -39,6 +39,26 @@ TriangleMesh Prism(const Eigen::Vector3d& size) {
   return model::MakePrism(polygon, 2 * size.y(), why_not).value_or(TriangleMesh());
 }
 
+// Points of edges cut in half, each made once.
+class Middles {
+ public:
+  explicit Middles(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
+
+  int Of(int i, int j) {
+    const auto [found, is_new] = known_.try_emplace(std::minmax(i, j), vertices_.size());
+    if (is_new) {
+      const Eigen::Vector3d sum =
+          vertices_[static_cast<std::size_t>(i)] + vertices_[static_cast<std::size_t>(j)];
+      vertices_.push_back(sum);
+    }
+    return static_cast<int>(found->second);
+  }
+
+ private:
+  std::vector<Eigen::Vector3d>& vertices_;
+  std::map<std::pair<int, int>, std::size_t> known_;
+};
+
 // An icosahedron, each face cut into four; its corners on the unit sphere. Six
 // of the cuts are on the axes.
 TriangleMesh UnitBall() {
@@ -51,39 +71,25 @@ TriangleMesh UnitBall() {
       ball.vertices.emplace_back(b, 0, a);
     }
   }
-  const std::vector<Eigen::Vector3d> corners = ball.vertices;
+  const auto at = [&](int k) { return ball.vertices[static_cast<std::size_t>(k)]; };
   const auto is_edge = [&](int i, int j) {
-    const auto at = [&](int k) { return corners[static_cast<std::size_t>(k)]; };
     return (at(i) - at(j)).norm() < 2.1;  // 2; the next distance is 2 phi
   };
-  std::map<std::pair<int, int>, int> middles;
-  const auto middle = [&](int i, int j) {
-    const auto [found, is_new] = middles.try_emplace(std::minmax(i, j), 0);
-    if (is_new) {
-      found->second = static_cast<int>(ball.vertices.size());
-      const Eigen::Vector3d sum =
-          corners[static_cast<std::size_t>(i)] + corners[static_cast<std::size_t>(j)];
-      ball.vertices.push_back(sum);
-    }
-    return found->second;
-  };
+  Middles middles(ball.vertices);
   for (int i = 0; i < 12; ++i) {
     for (int j = i + 1; j < 12; ++j) {
       for (int k = j + 1; k < 12; ++k) {
         if (!is_edge(i, j) || !is_edge(j, k) || !is_edge(i, k)) continue;
-        const int ij = middle(i, j);
-        const int jk = middle(j, k);
-        const int ik = middle(i, k);
-        for (const auto& triangle : {std::array{i, ij, ik}, std::array{j, jk, ij},
-                                     std::array{k, ik, jk}, std::array{ij, jk, ik}}) {
-          ball.triangles.push_back(triangle);
-        }
+        const int ij = middles.Of(i, j);
+        const int jk = middles.Of(j, k);
+        const int ik = middles.Of(i, k);
+        ball.triangles.insert(ball.triangles.end(),
+                              {{i, ij, ik}, {j, jk, ij}, {k, ik, jk}, {ij, jk, ik}});
       }
     }
   }
   for (Eigen::Vector3d& vertex : ball.vertices) vertex.normalize();
   for (std::array<int, 3>& t : ball.triangles) {
-    const auto at = [&](int k) { return ball.vertices[static_cast<std::size_t>(k)]; };
     if (at(t[0]).cross(at(t[1])).dot(at(t[2])) < 0) std::swap(t[1], t[2]);
   }
   return ball;

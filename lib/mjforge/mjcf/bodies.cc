@@ -37,10 +37,12 @@ class BodyWriter {
  private:
   void Inertial(const model::Body& body) {
     const model::MassProperties& properties = body.mass_properties;
-    // MuJoCo refuses to find the centre of several massless geoms.
-    if (properties.mass == 0 && !body.parts.empty()) {
+    if (properties.mass == 0) {
+      // MuJoCo 2.2 does not load several massless geoms without it, and other simulators do not
+      // load a mass of 0: this is the least that MuJoCo calls a mass.
+      if (model::GeomCount(body) < 2) return;
       writer_.Open("inertial", body.mark);
-      writer_.Raw(" pos=\"0 0 0\" mass=\"0\" diaginertia=\"0 0 0\"");
+      writer_.Raw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
       writer_.Close();
     } else if (body.explicit_inertial) {
       // Not `fullinertia`: MuJoCo's diagonalization stops at off-diagonal terms

@@ -45,6 +45,8 @@ struct Scope {
   std::optional<Eigen::Vector3d> total_size;
 };
 
+class Renamer;  // attached.cc
+
 class Assembly {
  public:
   Assembly(Assembler& assembler, diag::Findings& findings)
@@ -86,6 +88,10 @@ class Assembly {
   // attached.cc
   void AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& fields,
                      const std::string& name, std::size_t index);
+  void CopyAssets(const Attachment& attachment, Renamer& renamer);
+  /// The first body becomes the body `index`.
+  void CopyBodies(const Attachment& attachment, const Renamer& renamer, std::size_t index);
+  void CopySections(const Attachment& attachment, const Renamer& renamer);
   void AddReferences(References::Place place, const Element& own, const Element& element);
 
   // sections.cc
@@ -105,7 +111,10 @@ class Assembly {
   /// Of the bodies from `first` on, all below it, in its frame at the joints' zero.
   Bounds BoundsFrom(std::size_t first) const;
   MassProperties MassFrom(std::size_t first) const;
-  bool CheckMass();
+  /// A body with joints, or the root, that has no mass takes half of that of the first body
+  /// that is fixed to it.
+  void ShareMass();
+  void CheckMass();
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
@@ -159,9 +168,10 @@ class Assembly {
   std::map<std::pair<std::filesystem::path, std::string>, const Attachment*> attached_;
 };
 
-/// Reads attributes into `out`; false after a finding.
-bool ReadAttributes(FieldReader& reader, const FieldSet::Attributes& fields,
-                    std::vector<Attribute>& out);
+/// Reads an element's own attributes into `out`, then takes its material's and the
+/// defaults' where it has none of that name; false after a finding.
+bool ReadAttributes(FieldReader& reader, const FieldSet& fields, std::vector<Attribute>& out,
+                    std::span<const Attribute> of_material = {});
 
 /// The extents of the parts from `first` on, those that collide if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);

@@ -8,7 +8,6 @@
 #include "mjforge/model/assembly.h"
 
 namespace mjforge::model {
-namespace {
 
 using diag::Code;
 using spec::Key;
@@ -36,15 +35,28 @@ class Renamer {
     }
     for (Element& child : element.children) Rename(child);
   }
-  int Material(int own) const { return own < 0 ? own : materials[static_cast<std::size_t>(own)]; }
+  void Rename(Body& body) const {
+    body.name = Name(body.name);
+    for (Joint& joint : body.joints) joint.name = Name(joint.name);
+    for (Site& site : body.sites) {
+      site.name = Name(site.name);
+      site.material = Material(site.material);
+    }
+    for (Element& element : body.elements) Rename(element);
+    for (Part& part : body.parts) {
+      part.name = Name(part.name);
+      part.material = Material(part.material);
+      if (part.mesh >= 0) part.mesh = meshes[static_cast<std::size_t>(part.mesh)];
+    }
+  }
 
  private:
+  int Material(int own) const { return own < 0 ? own : materials[static_cast<std::size_t>(own)]; }
+
   const Attachment& attachment_;
   std::string prefix_;
   std::string root_;  // the bodies move while the copy is made
 };
-
-}  // namespace
 
 void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& fields,
                              const std::string& name, std::size_t index) {
@@ -64,8 +76,16 @@ void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& 
   }
   if (found->second == nullptr) return;
   const Attachment& attachment = *found->second;
-
   Renamer renamer(attachment, scope.prefix + name + "_", object_.bodies[index].name);
+  CopyAssets(attachment, renamer);
+  CopyBodies(attachment, renamer, index);
+  for (const std::string& joint : attachment.root_joints) {
+    references_.TakeAway(renamer.Name(joint), fmt::format("'{}'", *file));
+  }
+  CopySections(attachment, renamer);
+}
+
+void Assembly::CopyAssets(const Attachment& attachment, Renamer& renamer) {
   std::vector<int> textures;
   for (const Texture& own : attachment.textures) {
     Texture texture = own;
@@ -83,43 +103,33 @@ void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& 
   for (const auto& mesh : attachment.meshes) {
     renamer.meshes.push_back(assets_.ShareMesh(*mesh, renamer.Name(mesh->name)));
   }
+}
 
-  for (std::size_t i = 0; i < attachment.bodies.size(); ++i) {
-    Body body = attachment.bodies[i];
-    if (i == 0) {
-      const Body& entry = object_.bodies[index];
+void Assembly::CopyBodies(const Attachment& attachment, const Renamer& renamer, std::size_t index) {
+  for (const Body& own : attachment.bodies) {
+    Body body = own;
+    renamer.Rename(body);
+    for (Part& part : body.parts) {
+      if (part.mesh >= 0)
+        part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
+    }
+    part_count_ += body.parts.size();
+    if (&own == &attachment.bodies.front()) {
+      Body& entry = object_.bodies[index];
       body.name = entry.name;
       body.parent = entry.parent;
       body.mark = entry.mark;
       body.joints.clear();
+      entry = std::move(body);
     } else {
-      body.name = renamer.Name(body.name);
       body.parent += static_cast<int>(index);
-    }
-    for (Joint& joint : body.joints) joint.name = renamer.Name(joint.name);
-    for (Site& site : body.sites) {
-      site.name = renamer.Name(site.name);
-      site.material = renamer.Material(site.material);
-    }
-    for (Element& element : body.elements) renamer.Rename(element);
-    for (Part& part : body.parts) {
-      part.name = renamer.Name(part.name);
-      part.material = renamer.Material(part.material);
-      if (part.mesh < 0) continue;
-      part.mesh = renamer.meshes[static_cast<std::size_t>(part.mesh)];
-      part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
-    }
-    part_count_ += body.parts.size();
-    if (i == 0) {
-      object_.bodies[index] = std::move(body);
-    } else {
       bodies_.emplace(body.name, static_cast<int>(object_.bodies.size()));
       object_.bodies.push_back(std::move(body));
     }
   }
-  for (const std::string& joint : attachment.root_joints) {
-    references_.TakeAway(renamer.Name(joint), fmt::format("'{}'", *file));
-  }
+}
+
+void Assembly::CopySections(const Attachment& attachment, const Renamer& renamer) {
   for (const Section& section : attachment.sections) {
     std::vector<Element>& elements = SectionOf(*section.info);
     for (const Element& own : section.elements) {

@@ -85,7 +85,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSe
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
-  ReadAttributes(reader, fields.own_attributes(), object_.bodies[index].attributes);
+  ReadAttributes(reader, fields, object_.bodies[index].attributes);
   at_ = outer;
   scope.X_BS = X_BS;
   scope.total_size = total_size;

@@ -28,12 +28,6 @@ FieldSet::FieldSet(std::span<const spec::Field> own, std::span<const spec::Field
   if (turned || Own(Key::kPos)) drop(Key::kFromTo);
 }
 
-bool FieldSet::OwnsAttribute(const spec::Field& default_attribute) const {
-  return std::ranges::any_of(own_attributes_, [&](const spec::Field* own) {
-    return own->info->key == default_attribute.info->key;
-  });
-}
-
 void FieldSet::Sort(std::span<const spec::Field> fields, ById& by_id, Attributes& attributes) {
   for (const spec::Field& field : fields) {
     const Key id = field.info->id;

@@ -31,13 +31,11 @@ class FieldSet {
   /// Fields that are written as they are.
   const Attributes& own_attributes() const { return own_attributes_; }
   const Attributes& default_attributes() const { return default_attributes_; }
-  /// Does the entry itself say what this default says?
-  bool OwnsAttribute(const spec::Field& default_attribute) const;
 
  private:
   static std::size_t Position(spec::Key id) { return static_cast<std::size_t>(id); }
-  // kJoint is the last one.
-  static constexpr std::size_t kKeys = static_cast<std::size_t>(spec::Key::kJoint) + 1;
+  // kSilence is the last one.
+  static constexpr std::size_t kKeys = static_cast<std::size_t>(spec::Key::kSilence) + 1;
   // One more than the position among the fields, 0 for none: a set is made for
   // every entry of every variant, so it is small.
   using ById = std::array<std::uint16_t, kKeys>;

@@ -17,6 +17,11 @@ using diag::Code;
 // MuJoCo's mjMINVAL, the smallest mass of a body that moves.
 constexpr double kSmallestMass = 1e-15;
 
+void Scale(MassProperties& properties, double factor) {
+  properties.mass *= factor;
+  properties.I_Cm_F *= factor;
+}
+
 Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   Bounds bounds;
   bounds.aabb = {.min = -total_size, .max = total_size};
@@ -70,7 +75,7 @@ void Assembly::SetMass(std::size_t index) {
   for (const Part& part : body.parts) {
     if (!(part.mass > 0)) continue;
     MassProperties properties = *assets_.UnitMassOf(part.shape, part.mesh);
-    properties.I_Cm_F *= part.mass / properties.mass;
+    Scale(properties, part.mass / properties.mass);
     properties.mass = part.mass;
     sum = Combine(sum, InFrame(part.X_BG, properties));
     body.explicit_inertial |= part.shape.type == GeomType::kMesh;
@@ -88,8 +93,7 @@ void Assembly::ScaleMass(double factor, std::size_t first_part, std::size_t firs
   scale(body().parts, first_part);
   for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
     scale(object_.bodies[i].parts, 0);
-    object_.bodies[i].mass_properties.mass *= factor;
-    object_.bodies[i].mass_properties.I_Cm_F *= factor;
+    Scale(object_.bodies[i].mass_properties, factor);
   }
 }
 
@@ -128,20 +132,31 @@ MassProperties Assembly::MassFrom(std::size_t first) const {
   return sum;
 }
 
-// What moves as one with a body that has joints must have a mass.
-bool Assembly::CheckMass() {
-  std::vector<double> rigid;  // mass of the body and of all that is fixed to it
-  for (const Body& body : object_.bodies) rigid.push_back(body.mass_properties.mass);
-  for (std::size_t i = object_.bodies.size(); i-- > 1;) {
-    const Body& body = object_.bodies[i];
-    if (body.joints.empty()) rigid[static_cast<std::size_t>(body.parent)] += rigid[i];
+// MuJoCo moves a body by the mass of what is fixed to it. Other simulators have a joint there, and
+// want some mass on both of its sides.
+void Assembly::ShareMass() {
+  std::vector<Body>& bodies = object_.bodies;
+  std::vector<std::size_t> movers(bodies.size());  // M, the body that each moves with
+  std::vector<Pose> X_MB(bodies.size());
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    movers[i] = i;
+    if (!bodies[i].joints.empty()) continue;
+    const auto parent = static_cast<std::size_t>(bodies[i].parent);
+    movers[i] = movers[parent];
+    X_MB[i] = X_MB[parent] * bodies[i].X_PB;
+    Body& mover = bodies[movers[i]];
+    if (mover.mass_properties.mass > 0 || !(bodies[i].mass_properties.mass > 0)) continue;
+    Scale(bodies[i].mass_properties, 0.5);
+    mover.mass_properties = InFrame(X_MB[i], bodies[i].mass_properties);
+    mover.explicit_inertial = bodies[i].explicit_inertial = true;
   }
-  bool good = true;
-  for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
-    const Body& body = object_.bodies[i];
-    if (body.joints.empty() || rigid[i] > kSmallestMass) continue;
-    good = false;
-    if (i == 0) {
+}
+
+// Of the bodies with joints, once they share the mass of what is fixed to them.
+void Assembly::CheckMass() {
+  for (const Body& body : object_.bodies) {
+    if (body.joints.empty() || body.mass_properties.mass > kSmallestMass) continue;
+    if (body.parent < 0) {
       findings_.Add(Code::kModelNoMass, body.mark,
                     fmt::format("object '{}' can move but has no mass", object_.name),
                     "give a part a mass, or write `joints: none`");
@@ -151,7 +166,6 @@ bool Assembly::CheckMass() {
                     "give a part of it a mass, or take its joints away");
     }
   }
-  return good;
 }
 
 void Assembly::Finish(const Scope& scope) {
@@ -167,8 +181,9 @@ void Assembly::Finish(const Scope& scope) {
   CheckUniqueNames(object_, findings_);
   references_.Check();
   SetMass(0);
-  CheckMass();
   object_.mass_properties = MassFrom(0);
+  ShareMass();
+  CheckMass();
   object_.bounds = scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsFrom(0);
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
   for (Section& section : object_.sections) {

@@ -133,11 +133,7 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& 
     good &= axis.has_value();
   }
   good &= ReadRange(reader, fields, joint);
-  good &= ReadAttributes(reader, fields.own_attributes(), joint.attributes);
-  for (const spec::Field* field : fields.default_attributes()) {
-    if (fields.OwnsAttribute(*field)) continue;
-    good &= reader.ReadAttribute(*field, joint.attributes.emplace_back());
-  }
+  good &= ReadAttributes(reader, fields, joint.attributes);
   if (good) body().joints.push_back(std::move(joint));
 }
 

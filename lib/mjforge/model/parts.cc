@@ -29,21 +29,6 @@ bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
   return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
 }
 
-// The part's own attributes, then its material's, then the defaults.
-bool ReadPartAttributes(FieldReader& reader, const FieldSet& fields, const MaterialState* material,
-                        std::vector<Attribute>& out) {
-  bool good = ReadAttributes(reader, fields.own_attributes(), out);
-  if (material != nullptr) {
-    for (const Attribute& attribute : material->contact) {
-      if (!Has(out, attribute.name)) out.push_back(attribute);
-    }
-  }
-  for (const spec::Field* field : fields.default_attributes()) {
-    if (!Has(out, field->info->key)) good &= reader.ReadAttribute(*field, out.emplace_back());
-  }
-  return good;
-}
-
 // placement: corner. `pos` is the place of the part's lower corner, counted
 // from the lower corner of the declared box.
 Eigen::Vector3d FromCorner(const Pose& X_SG, const Shape& shape,
@@ -54,12 +39,18 @@ Eigen::Vector3d FromCorner(const Pose& X_SG, const Shape& shape,
 
 }  // namespace
 
-bool ReadAttributes(FieldReader& reader, const FieldSet::Attributes& fields,
-                    std::vector<Attribute>& out) {
+bool ReadAttributes(FieldReader& reader, const FieldSet& fields, std::vector<Attribute>& out,
+                    std::span<const Attribute> of_material) {
   bool good = true;
-  out.reserve(out.size() + fields.size());
-  for (const spec::Field* field : fields) {
+  out.reserve(fields.own_attributes().size() + of_material.size());
+  for (const spec::Field* field : fields.own_attributes()) {
     good &= reader.ReadAttribute(*field, out.emplace_back());
+  }
+  for (const Attribute& attribute : of_material) {
+    if (!Has(out, attribute.name)) out.push_back(attribute);
+  }
+  for (const spec::Field* field : fields.default_attributes()) {
+    if (!Has(out, field->info->key)) good &= reader.ReadAttribute(*field, out.emplace_back());
   }
   return good;
 }
@@ -86,7 +77,9 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& f
   const MaterialState* material = nullptr;
   good &= ReadMaterial(scope, reader, fields, part, material);
   if (shaped) good &= ReadMass(reader, fields, material, part);
-  good &= ReadPartAttributes(reader, fields, material, part.attributes);
+  good &= ReadAttributes(reader, fields, part.attributes,
+                         material != nullptr ? std::span<const Attribute>(material->contact)
+                                             : std::span<const Attribute>());
   if (!good) return;
   Pose X_SG = X_SF * X_FG;
   if (scope.total_size && scope.values.spec().placement == spec::Placement::kCorner) {

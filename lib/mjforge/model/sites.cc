@@ -49,11 +49,7 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& f
     if (material != nullptr) site.material = material->index;
     good &= material != nullptr;
   }
-  good &= ReadAttributes(reader, fields.own_attributes(), site.attributes);
-  for (const spec::Field* field : fields.default_attributes()) {
-    if (fields.OwnsAttribute(*field)) continue;
-    good &= reader.ReadAttribute(*field, site.attributes.emplace_back());
-  }
+  good &= ReadAttributes(reader, fields, site.attributes);
   if (good) body().sites.push_back(std::move(site));
 }
 

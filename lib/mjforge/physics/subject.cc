@@ -61,6 +61,7 @@ Subject SubjectOf(const model::Object& object) {
     if (body.solids.empty()) continue;
     // Of an attached body only the whole may be known.
     body.masses_known = sum > 0;
+    if (body.masses_known) body.mass = sum;  // it may have given half of it to what it is fixed to
     if (!body.masses_known) ShareMass(body);
     AddBox(body, X_RootB[i], subject);
     subject.bodies.push_back(std::move(body));

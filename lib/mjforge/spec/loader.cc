@@ -100,7 +100,11 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* import = root.Find("import")) ReadImports(*import, reading);
     if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, reading);
     if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, reading);
-    if (const YamlNode* joints = root.Find("joints")) ReadJoints(*joints, reading);
+    const YamlNode* joints = root.Find("joints");
+    for (const NamedNode& setting : settings) {
+      if (setting.name == kRootJoints) joints = &setting.value;
+    }
+    if (joints != nullptr) ReadJoints(*joints, reading);
     if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);

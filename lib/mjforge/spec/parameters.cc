@@ -156,7 +156,7 @@ void ApplySettings(std::span<const NamedNode> settings, std::vector<YamlNode>& n
   std::vector<std::string_view> names;
   for (const Parameter& parameter : reading.spec.parameters) names.push_back(parameter.name);
   for (const NamedNode& setting : settings) {
-    if (setting.name.starts_with(kChecksPrefix)) continue;
+    if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints) continue;
     const auto found = std::ranges::find(names, setting.name);
     if (found == names.end()) {
       reading.findings.Add(

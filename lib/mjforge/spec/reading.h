@@ -78,6 +78,8 @@ void ReadSections(const YamlNode& sections, Reading& reading);
 /// checks:, with those settings in place of its own values whose name is
 /// `checks.` and a key. `checks` may be null.
 inline constexpr std::string_view kChecksPrefix = "checks.";
+/// The name of the setting that stands in place of `joints:` of the whole.
+inline constexpr std::string_view kRootJoints = "root.joints";
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading);
 
 /// What can be told of a part's fields from its literal type: which must be

@@ -127,7 +127,8 @@ void Comparison::CompareElement(const model::Element& element) {
 void Comparison::CompareMass(int id, const model::Body& body) {
   const Subject subject{"body", body.name, {}, body.mark};
   const model::MassProperties& meant = body.mass_properties;
-  Number(subject, "mass", -1, m_.body_mass[id], meant.mass, kRelative * meant.mass);
+  // Several massless geoms are written with the least that MuJoCo calls a mass.
+  Number(subject, "mass", -1, m_.body_mass[id], meant.mass, kRelative * meant.mass + mjMINVAL);
   if (meant.mass == 0) return;  // no centre, no inertia
   Vector(subject, "centre of mass", m_.body_ipos + 3 * id, meant.p_FCm, length_tolerance_);
   CompareInertia(id, body);

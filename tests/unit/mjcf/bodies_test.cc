@@ -132,13 +132,17 @@ TEST_CASE("a body with a prism states its inertia") {
   CHECK(document.Origin(8).line == 1);
 }
 
-TEST_CASE("a massless body says so") {
+TEST_CASE("a massless body states the least mass where MuJoCo 2.2 asks for one, and none else") {
   model::Object object = Ball(Role::kVisual);
   object.bodies[0].parts[0].mass = 0;
   object.bodies[0].joints.clear();
   MjcfDocument document;
   WriteMjcf(object, Target::kMujoco, {}, document);
-  CHECK(document.text.find("      <inertial pos=\"0 0 0\" mass=\"0\" diaginertia=\"0 0 0\"/>\n") !=
+  CHECK(document.text.find("<inertial") == std::string::npos);
+  object.bodies[0].parts.push_back(object.bodies[0].parts[0]);
+  WriteMjcf(object, Target::kMujoco, {}, document);
+  CHECK(document.text.find(
+            "      <inertial pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"/>\n") !=
         std::string::npos);
 }
 

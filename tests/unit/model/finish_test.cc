@@ -58,5 +58,42 @@ TEST_CASE("a mass that no part can carry is an error") {
         "3:7 mass of object 'thing' cannot be reached: no part has mass");
 }
 
+TEST_CASE("a root without mass takes half of that of the first body fixed to it") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: sign, parts: [{name: s, type: sphere, size: [1], role: visual}]}\n"
+      "- {name: base, parent: sign, pos: [0, 0, 2], parts: [{name: b, type: sphere, size: [1], "
+      "mass: 3}]}\n"
+      "- {name: rest, parts: [{name: r, type: sphere, size: [1], mass: 5}]}\n");
+  const std::vector<Body>& bodies = thing.object().bodies;
+  REQUIRE(bodies.size() == 4);
+  CHECK(bodies[0].mass_properties.mass == 1.5);
+  CHECK(bodies[0].mass_properties.p_FCm == Eigen::Vector3d(0, 0, 2));
+  CHECK(bodies[0].mass_properties.I_Cm_F(0, 0) == Approx(0.4 * 1.5));
+  CHECK(bodies[2].mass_properties.mass == 1.5);
+  CHECK(bodies[3].mass_properties.mass == 5);
+  CHECK(bodies[0].explicit_inertial);
+  CHECK(bodies[2].explicit_inertial);
+  CHECK_FALSE(bodies[3].explicit_inertial);
+  CHECK(thing.object().mass_properties.mass == 8);
+}
+
+TEST_CASE(
+    "a body that moves and has no mass takes it from what is fixed to it, not from beyond a "
+    "joint") {
+  const Assembling thing(
+      "parts: [{name: p, type: sphere, size: [1]}]\n"
+      "bodies:\n"
+      "- {name: arm, joints: [{name: j, axis: [0, 0, 1]}], parts: []}\n"
+      "- {name: far, parent: arm, joints: [{name: k, axis: [0, 0, 1]}],\n"
+      "   parts: [{name: f, type: sphere, size: [1], mass: 7}]}\n"
+      "- {name: hand, parent: arm, parts: [{name: h, type: sphere, size: [1], mass: 3}]}\n");
+  const std::vector<Body>& bodies = thing.object().bodies;
+  CHECK_FALSE(bodies[0].explicit_inertial);
+  CHECK(bodies[1].mass_properties.mass == 1.5);
+  CHECK(bodies[2].mass_properties.mass == 7);
+  CHECK(bodies[3].mass_properties.mass == 1.5);
+}
+
 }  // namespace
 }  // namespace mjforge::model

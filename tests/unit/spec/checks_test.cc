@@ -51,6 +51,20 @@ TEST_CASE("only findings about physics can be silenced, each with a reason", "[c
   CHECK(ReportWithBox("checks: {silence: [physics/thin]}\n").size() == 1);
 }
 
+TEST_CASE("the setting root.joints takes the place of the joints of the root") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\njoints: [{name: j, axis: [0, 0, 1]}]\n"
+      "parts: [{name: box, type: sphere, size: 1}]\n";
+  const Loaded loaded = Load(yaml, {{"root.joints", "free"}, {"root.joints", "none"}});
+  CHECK(loaded.Report().empty());
+  REQUIRE(loaded.spec);
+  CHECK(loaded.spec->root_joints == RootJoints::kNone);
+  CHECK(loaded.spec->joints.empty());
+  CHECK(Load(yaml, {{"root.joints", "fee"}}).Report() ==
+        Strings{"1:13 spec/bad-value: 'fee' is not one of free, none or a list of joints (did you "
+                "mean 'free'?)"});
+}
+
 TEST_CASE("settings named checks.KEY take the place of a threshold", "[checks]") {
   const std::string yaml =
       "mjforge: 1\nname: t\nchecks: {sink: 2mm}\n"
