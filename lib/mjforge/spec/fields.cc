@@ -342,9 +342,10 @@ constexpr FieldInfo kBodyFields[] = {
     kAxisAngle,
     kXyAxes,
     kZAxis,
-    Row({"joints", Key::kJoints}, Slot::kJoints, "none",
-        "Its joints; without any it is fixed to its parent. Top-level joints that a spec or an "
-        "MJCF file brings are taken away."),
+    Word({"joints", Key::kJoints}, "none", "none",
+         "Its joints; without any it is fixed to its parent. Top-level joints that a spec or an "
+         "MJCF file brings are taken away.",
+         Slot::kJoints),
     Row({"sites", Key::kSites}, Slot::kSites, "Sites of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
            "Mass of the body with all that a spec or an MJCF file brings; scaled to it."),

@@ -10,10 +10,12 @@ namespace mjforge::spec {
 namespace {
 
 std::string TakenBy(const FieldInfo& field) {
-  if (field.slot == Slot::kWord) {
-    return fmt::format("{}", fmt::join(expr::WordsOf(field.words), ", "));
+  const std::string_view takes = InfoOf(field.slot).takes;
+  if (!field.words.empty()) {
+    return fmt::format("{}{}{}", fmt::join(expr::WordsOf(field.words), ", "),
+                       takes.empty() ? "" : " or ", takes);
   }
-  if (field.slot != Slot::kNumbers) return std::string(InfoOf(field.slot).takes);
+  if (field.slot != Slot::kNumbers) return std::string(takes);
   return field.min_count == field.max_count
              ? fmt::format("{} numbers", field.max_count)
              : fmt::format("{} to {} numbers", field.min_count, field.max_count);

@@ -105,12 +105,16 @@ std::string Points(const FieldInfo& field) {
       field.min_count);
 }
 
-std::string Word(const FieldInfo& field) {
+std::string Words(const FieldInfo& field) {
   Members words;
   for (const std::string_view word : expr::WordsOf(field.words)) words.push_back(Quoted(word));
-  return fmt::format(R"("anyOf": [{{"enum": [{}]}}, {{"type": "string", "pattern": "\\$\\{{"}}, )"
-                     R"({{"@is text_draw"}}])",
-                     Joined(words));
+  return fmt::format(R"({{"enum": [{}]}})", Joined(words));
+}
+
+std::string Word(const FieldInfo& field) {
+  return fmt::format(
+      R"("anyOf": [{}, {{"type": "string", "pattern": "\\$\\{{"}}, {{"@is text_draw"}}])",
+      Words(field));
 }
 
 std::string PlainText(const FieldInfo& field) {
@@ -163,6 +167,8 @@ std::string Taken(const FieldInfo& field) {
       return Points(field);
     case Slot::kPlainText:
       return PlainText(field);
+    case Slot::kJoints:
+      return fmt::format(R"("anyOf": [{}, {{"@list joint"}}])", Words(field));
     case Slot::kFields:
       return DefaultFields(field);
     case Slot::kSections:
