@@ -1,8 +1,10 @@
 # mjforge_room(NAME SOURCES ... ROOMS ... LIBRARIES ...)
 #
 # A room is one stage of the data flow, one static library. It sees the headers
-# of the rooms in ROOMS and of no other: each room's include directory holds
-# only that room, so an include against the flow does not compile.
+# of the rooms in ROOMS and of those that their doors include, and of no other:
+# each room's include directory holds only that room, so an include against the
+# flow does not compile. Which of these a room may include and name itself stands
+# in tests/house/doors_test.cc.
 # LIBRARIES stay private to the room; PUBLIC_LIBRARIES appear in its door.
 # PUBLIC_HEADERS are the door and what it includes; only they are installed.
 function(mjforge_room name)
@@ -29,4 +31,22 @@ function(mjforge_room name)
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(FILES ${room_PUBLIC_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mjforge/${name})
+endfunction()
+
+# mjforge_embed(VARIABLE NAMESPACE ... FILES ...)
+#
+# Files of the room become part of the program (cmake/EmbedTexts.cmake). VARIABLE is the source
+# file to add to the room's SOURCES.
+function(mjforge_embed variable)
+  cmake_parse_arguments(PARSE_ARGV 1 embed "" "NAMESPACE" "FILES")
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/embedded.cc)
+  list(TRANSFORM embed_FILES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -D OUTPUT=${output} -D NAMESPACE=${embed_NAMESPACE}
+      "-DFILES=${embed_FILES}" -P ${PROJECT_SOURCE_DIR}/cmake/EmbedTexts.cmake
+    DEPENDS ${embed_FILES} ${PROJECT_SOURCE_DIR}/cmake/EmbedTexts.cmake
+    VERBATIM)
+  # It exists only after it was made, and clang-tidy need not read it.
+  set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set(${variable} ${output} PARENT_SCOPE)
 endfunction()

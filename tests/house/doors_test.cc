@@ -139,6 +139,20 @@ std::string Fault(std::string_view file, std::string_view include, bool quoted) 
   return include.find('/') == std::string_view::npos ? "" : "a path that is not from lib";
 }
 
+// Whether code outside comments says `room::`.
+bool Names(std::string_view text, std::string_view room) {
+  const std::string word = std::string(room) + "::";
+  for (const std::string_view line : Lines(text)) {
+    const std::string_view code = line.substr(0, line.find("//"));
+    const std::size_t at = code.find(word);
+    if (at == std::string_view::npos) continue;
+    if (at == 0 || std::string_view(" (<!&{,").find(code[at - 1]) != std::string_view::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
 struct Include {
   std::string_view name;
   bool quoted = false;
@@ -164,6 +178,20 @@ TEST_CASE("every include goes through a door, to the left, or to a library of th
       if (!include) continue;
       INFO(file.name << ": " << line);
       CHECK(Fault(file.name, include->name, include->quoted) == "");
+    }
+  }
+}
+
+TEST_CASE("a room names only rooms that it may include") {
+  // The doors it includes show it others: what it needs of those, its neighbour names.
+  std::vector<ProjectFile> files = CppFiles("lib/");
+  for (ProjectFile& file : CppFiles("app/")) files.push_back(std::move(file));
+  for (const ProjectFile& file : files) {
+    const Room& own = RoomOf(file.name);
+    for (const Room& other : kRooms) {
+      if (other.name == own.name || own.may_include.contains(other.name)) continue;
+      INFO(file.name << " names " << other.name);
+      CHECK_FALSE(Names(file.text, other.name));
     }
   }
 }

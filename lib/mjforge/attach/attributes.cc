@@ -53,14 +53,11 @@ double Shortest(float value) {
 }
 
 std::vector<double> ParseNumbers(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
   std::vector<double> numbers;
-  for (std::size_t start = text.find_first_not_of(kBlanks); start != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, start), text.size());
-    const std::optional<double> number = expr::ParseNumber(text.substr(start, end - start));
+  for (const std::string_view word : expr::WordsOf(text)) {
+    const std::optional<double> number = expr::ParseNumber(word);
     if (!number) return {};
     numbers.push_back(*number);
-    start = text.find_first_not_of(kBlanks, end);
   }
   return numbers;
 }

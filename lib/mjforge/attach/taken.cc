@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 
 namespace mjforge::attach {
-namespace {
-
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
 
 std::string MakeName(std::string_view name) {
   std::string made(name);
   for (char& c : made) {
-    if (!IsLetter(c) && !IsDigit(c)) c = '_';
+    if (!expr::IsNameCharacter(c)) c = '_';
   }
-  if (!made.empty() && !IsLetter(made.front())) made.insert(made.begin(), 'x');
+  if (!made.empty() && !expr::IsName(made)) made.insert(made.begin(), 'x');
   return made;
 }
 

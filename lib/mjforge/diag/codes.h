@@ -6,8 +6,9 @@
 
 namespace mjforge::diag {
 
-/// Every kind of finding there is. The name's first part is the stage that
-/// notices it. docs/errors.md has a chapter for each; a test compares the two.
+/// Every kind of finding there is, grouped by what was being done; the first part
+/// of its name says that, too. docs/errors.md has a chapter for each and tests/golden
+/// a case; tests compare them.
 enum class Code {
   // Reading a file as YAML.
   kYamlCannotRead,

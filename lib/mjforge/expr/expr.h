@@ -32,6 +32,13 @@ std::string ExactNumberText(double value);
 /// whole text. `.inf` and `.nan` are not numbers here.
 std::optional<double> ParseNumber(std::string_view text);
 
+/// Whether it is a letter, then letters, digits and underscores, all of ASCII.
+bool IsName(std::string_view text);
+bool IsNameCharacter(char c);
+
+/// The words of a text: what stands between blanks and line ends.
+std::vector<std::string_view> WordsOf(std::string_view text);
+
 enum class Type { kNumber, kBoolean, kText };
 std::string_view TypeName(Type type);  // "number", "boolean", "text"
 

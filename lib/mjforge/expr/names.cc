@@ -1,8 +1,31 @@
+#include <algorithm>
 #include <utility>
 
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::expr {
+namespace {
+
+bool IsAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+}  // namespace
+
+bool IsName(std::string_view text) {
+  return !text.empty() && IsAsciiLetter(text.front()) && std::ranges::all_of(text, IsNameCharacter);
+}
+
+bool IsNameCharacter(char c) { return IsAsciiLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
+
+std::vector<std::string_view> WordsOf(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  std::vector<std::string_view> words;
+  for (auto begin = text.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
+    const auto end = std::min(text.find_first_of(kBlanks, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(kBlanks, end);
+  }
+  return words;
+}
 
 std::string_view TypeName(Type type) {
   switch (type) {

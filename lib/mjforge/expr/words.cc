@@ -95,9 +95,9 @@ class Splitter {
     }
     const std::string_view digits = Since(begin);
     const std::size_t unit = at_;
-    Skip([](char c) { return IsLetter(c) || IsDigit(c); });
+    Skip(IsNameCharacter);
     if (Peek() == '.' && Peek(1) != '.') {
-      Skip([](char c) { return IsLetter(c) || IsDigit(c) || c == '.'; });
+      Skip([](char c) { return IsNameCharacter(c) || c == '.'; });
       return Fail(begin, fmt::format("'{}' is not a number", Since(begin)));
     }
     const std::optional<double> number = ParseNumber(digits);
@@ -113,11 +113,10 @@ class Splitter {
 
   bool Name() {
     const std::size_t begin = at_;
-    const auto part = [](char c) { return IsLetter(c) || IsDigit(c); };
-    Skip(part);
+    Skip(IsNameCharacter);
     while (Peek() == '.' && IsLetter(Peek(1))) {
       ++at_;
-      Skip(part);
+      Skip(IsNameCharacter);
     }
     words_.push_back({.kind = Word::Kind::kName, .offset = begin, .text = Since(begin)});
     return true;

@@ -49,9 +49,6 @@ Settings SettingsOf(const spec::ObjectSpec& spec) {
   return settings;
 }
 
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool IsNameCharacter(char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
-
 }  // namespace
 
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
@@ -75,11 +72,7 @@ std::string ExpandName(std::string_view text, std::uint64_t index) {
 }
 
 bool CheckName(std::string_view text, diag::Findings& findings) {
-  const std::string name = ExpandName(text, 0);
-  if (!name.empty() && IsLetter(name[0]) &&
-      std::all_of(name.begin(), name.end(), IsNameCharacter)) {
-    return true;
-  }
+  if (expr::IsName(ExpandName(text, 0))) return true;
   findings.Add(diag::Code::kOutputBadName, {}, fmt::format("'{}' cannot be an object's name", text),
                "use a letter, then letters, digits and _; ${index} stands for the variant's index");
   return false;

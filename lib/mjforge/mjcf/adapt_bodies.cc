@@ -11,7 +11,7 @@ namespace {
 using diag::Code;
 
 model::Attribute Numbers(std::string_view name, std::initializer_list<double> numbers) {
-  return {name, spec::Applies::kBoth, sample::Numbers(numbers.begin(), numbers.end()), {}};
+  return {name, model::Applies::kBoth, {numbers.begin(), numbers.end()}, {}};
 }
 
 // As robosuite's own objects have them: there, but not to be seen.

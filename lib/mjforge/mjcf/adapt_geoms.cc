@@ -9,9 +9,9 @@ namespace mjforge::mjcf {
 namespace {
 
 using diag::Code;
+using model::Applies;
 using model::Part;
 using model::Role;
-using spec::Applies;
 
 /// Parts with something that the target overrides or drops.
 struct Lost {

@@ -170,16 +170,16 @@ void DropPictureSides(model::Texture& texture, const TargetRules& rules, diag::F
   std::erase_if(texture.files, is_side);
   if (!texture.files.empty()) return;
   const auto word = [](std::string_view name, std::string text) {
-    return Attribute{name, spec::Applies::kBoth, {}, std::move(text)};
+    return Attribute{name, model::Applies::kBoth, {}, std::move(text)};
   };
   const auto number = [](std::string_view name, double value) {
-    return Attribute{name, spec::Applies::kBoth, {value}, {}};
+    return Attribute{name, model::Applies::kBoth, {value}, {}};
   };
   texture.attributes = {word("type", "cube"),
                         word("builtin", "flat"),
                         number("width", 8),
                         number("height", 8),
-                        {"rgb1", spec::Applies::kBoth, {0.8, 0.8, 0.8}, {}}};
+                        {"rgb1", model::Applies::kBoth, {0.8, 0.8, 0.8}, {}}};
 }
 
 }  // namespace

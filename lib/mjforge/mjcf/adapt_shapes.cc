@@ -183,7 +183,7 @@ class Replacement {
       part.role = Role::kCollision;
       part.material = -1;
       std::erase_if(part.attributes, [](const model::Attribute& attribute) {
-        return attribute.applies == spec::Applies::kVisual;
+        return attribute.applies == model::Applies::kVisual;
       });
     }
     const std::string name = part.name;
@@ -202,7 +202,7 @@ class Replacement {
       for (const std::string_view bits : {"contype", "conaffinity"}) {
         std::erase_if(twin.attributes,
                       [&](const model::Attribute& attribute) { return attribute.name == bits; });
-        twin.attributes.push_back({bits, spec::Applies::kBoth, {0}, {}});
+        twin.attributes.push_back({bits, model::Applies::kBoth, {0}, {}});
       }
       twins_.emplace(name, twin.name);
     } else {

@@ -7,8 +7,8 @@
 namespace mjforge::mjcf {
 namespace {
 
+using model::Applies;
 using model::Role;
-using spec::Applies;
 
 // What robosuite's collision geoms look like where nothing else is said.
 constexpr std::string_view kCollisionLook = " rgba=\"0.5 0 0 1\"";

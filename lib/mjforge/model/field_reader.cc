@@ -44,27 +44,7 @@ const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
 }
 
-std::vector<std::string_view> Split(std::string_view words) {
-  std::vector<std::string_view> list;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
-    list.push_back(words.substr(0, end));
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
-  return list;
-}
-
 }  // namespace
-
-bool FieldReader::MayDraw(const spec::Value& value) {
-  if (const auto* list = std::get_if<spec::List>(&value.form)) {
-    return std::ranges::any_of(list->items, MayDraw);
-  }
-  return !std::holds_alternative<double>(value.form) &&
-         !std::holds_alternative<expr::Expression>(value.form) &&
-         !std::holds_alternative<spec::VariableReference>(value.form) &&
-         !std::holds_alternative<spec::Text>(value.form);
-}
 
 std::string FieldReader::Owner() const {
   if (name_.empty()) return std::string(element_);
@@ -153,13 +133,8 @@ std::optional<std::string> FieldReader::Text(const spec::Field& field) {
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
   std::optional<std::string> word = Text(field);
   if (!word) return std::nullopt;
-  std::string_view words = field.info->words;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
-    if (words.substr(0, end) == *word) return word;
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
-  const std::vector<std::string_view> known = Split(field.info->words);
+  const std::vector<std::string_view> known = expr::WordsOf(field.info->words);
+  if (std::ranges::find(known, *word) != known.end()) return word;
   Report(Code::kModelBadValue, field,
          fmt::format("is {}; it must be one of {}", Quoted(*word), fmt::join(known, ", ")),
          diag::DidYouMean(*word, known));

@@ -56,9 +56,8 @@ class FieldReader {
  private:
   /// What draws nothing needs no stream.
   sample::StreamId PathOf(const spec::Field& field) const {
-    return MayDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
+    return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }
-  static bool MayDraw(const spec::Value& value);
   /// Says what is wrong with one of the `count` numbers of a field.
   void ReportNumber(const spec::Field& field, double number, std::size_t position,
                     std::size_t count);

@@ -34,8 +34,7 @@ class FieldSet {
 
  private:
   static std::size_t Position(spec::Key id) { return static_cast<std::size_t>(id); }
-  // kSilence is the last one.
-  static constexpr std::size_t kKeys = static_cast<std::size_t>(spec::Key::kSilence) + 1;
+  static constexpr std::size_t kKeys = static_cast<std::size_t>(spec::Key::kCount);
   // One more than the position among the fields, 0 for none: a set is made for
   // every entry of every variant, so it is small.
   using ById = std::array<std::uint16_t, kKeys>;

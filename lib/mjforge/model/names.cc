@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::string_view kTwin = "_vis";
 
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool IsNamePart(char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
-
 void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMark second,
                  diag::SourceMark first, std::string hint, diag::Findings& findings) {
   const bool same_entry = second == first;
@@ -116,10 +113,6 @@ void CheckTwins(const Object& object, NameTable& names, diag::Findings& findings
 }
 
 }  // namespace
-
-bool IsName(std::string_view text) {
-  return !text.empty() && IsLetter(text.front()) && std::ranges::all_of(text, IsNamePart);
-}
 
 std::string Quoted(std::string_view text) {
   constexpr std::size_t kLongest = 80;

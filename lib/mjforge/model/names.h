@@ -9,8 +9,7 @@
 
 namespace mjforge::model {
 
-/// A letter, then letters, digits and underscores.
-bool IsName(std::string_view text);
+using expr::IsName;
 inline constexpr std::string_view kNameRule =
     "a name is a letter, then letters, digits and underscores";
 

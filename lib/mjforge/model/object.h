@@ -28,11 +28,13 @@ namespace mjforge::model {
 /// Objects with more parts than this are refused.
 inline constexpr int kMaxParts = 100'000;
 
+using spec::Applies;  // rooms to the right know no specs
+
 /// One MJCF attribute that mjforge carries without interpreting it: its numbers
 /// or, if there are none, its text.
 struct Attribute {
   std::string_view name;  // of the field table: lives forever
-  spec::Applies applies = spec::Applies::kBoth;
+  Applies applies = Applies::kBoth;
   sample::Numbers numbers;
   std::string text;
   std::string_view refers = {};  // kind of element the text names; see spec::FieldInfo

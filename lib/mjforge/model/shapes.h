@@ -1,12 +1,8 @@
 #ifndef MJFORGE_MODEL_SHAPES_H_
 #define MJFORGE_MODEL_SHAPES_H_
 
-// Solid shapes with MuJoCo's sizes, and what can be said of them exactly.
-//
-// To add a shape: GeomType and GeomTypeName here; SizeCount, Volume,
-// UnitDensityInertia, Support, HorizontalRadius and Contains in shapes.cc; the
-// word in spec/fields.cc; model/parts.cc reads it; validate/compare.cc checks
-// it; tests/unit/model/shapes_test.cc has a row for it.
+// Solid shapes with MuJoCo's sizes, and what can be said of them exactly. To add
+// one: CONTRIBUTING.md, "To add a part type".
 
 #include <limits>
 #include <span>

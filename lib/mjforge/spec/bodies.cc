@@ -71,7 +71,7 @@ class BodyReader {
   // NAME.top and the like, and NAME.param.
   void DeclareProperties(BodyEntry& body) {
     const auto name = LiteralText(body.head.name);
-    if (!name || !IsElementName(*name)) return;
+    if (!name || !expr::IsName(*name)) return;
     expr::Names& names = reading_.spec.names;
     const std::string prefix = std::string(*name) + ".";
     if (names.Find(prefix + "top") != nullptr) return;  // of another body of that name

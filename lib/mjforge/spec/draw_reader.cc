@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/spec/slots.h"
 #include "mjforge/spec/value_reader.h"
 
 namespace mjforge::spec {
@@ -23,23 +24,6 @@ const DistributionInfo* FindDistribution(std::string_view key) {
   const auto all = Distributions();
   const auto found = std::ranges::find(all, key, &DistributionInfo::key);
   return found == all.end() ? nullptr : &*found;
-}
-
-std::string_view TypeWord(Slot slot) {
-  switch (slot) {
-    case Slot::kNumber:
-    case Slot::kInteger:
-      return "a number";
-    case Slot::kBoolean:
-      return "true or false";
-    case Slot::kWord:
-    case Slot::kText:
-      return "text";
-    case Slot::kNumbers:
-      return "numbers";
-    default:
-      return "a value";
-  }
 }
 
 // Whether a draw of this distribution can stand in the slot.
@@ -96,7 +80,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
         Code::kSpecWrongType, node.mark,
         fmt::format("'{}' draws {} numbers, but {} {} expected here", key, value.components,
                     expected.slot == Slot::kNumbers ? fmt::format("{}", expected.max_count)
-                                                    : std::string(TypeWord(expected.slot)),
+                                                    : std::string(InfoOf(expected.slot).drawn),
                     expected.max_count == 1 ? "is" : "are"));
     return value;
   }
@@ -146,8 +130,8 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
     if (main == nullptr) return Harmless(node);
   }
   if (main == nullptr)
-    return Wrong(node,
-                 extra_keys.empty() ? TypeWord(expected.slot) : "a key 'value' or a distribution");
+    return Wrong(
+        node, extra_keys.empty() ? InfoOf(expected.slot).drawn : "a key 'value' or a distribution");
   if (main->key == "value") return ReadAnything(main->value);
   if (const DistributionInfo* info = FindDistribution(main->key))
     return ReadDraw(*info, expected, node);
@@ -159,9 +143,10 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
   const YamlNode& node = *map.Find(info.key);
   Value value = Harmless(map);
   if (!Fits(info, expected.slot)) {
-    findings_.Add(Code::kSpecWrongType, map.mark,
-                  fmt::format("expected {}, but '{}' draws {}", TypeWord(expected.slot), info.key,
-                              info.id == Distribution::kBernoulli ? "true or false" : "numbers"));
+    findings_.Add(
+        Code::kSpecWrongType, map.mark,
+        fmt::format("expected {}, but '{}' draws {}", InfoOf(expected.slot).drawn, info.key,
+                    info.id == Distribution::kBernoulli ? "true or false" : "numbers"));
     return value;
   }
   Draw draw;
@@ -169,24 +154,8 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
   if (info.arguments < 0) {
     ReadOptions(expected, node, draw, value);
   } else {
+    if (!ReadArguments(info, node, draw)) return value;
     value.components = 1;
-    const bool single = info.arguments == 1 && node.kind != YamlNode::Kind::kList;
-    const std::size_t count = single ? 1 : node.items.size();
-    if (count != static_cast<std::size_t>(info.arguments)) {
-      findings_.Add(Code::kSpecDistribution, node.mark,
-                    fmt::format("'{}' takes {} number{}", info.key, info.arguments,
-                                info.arguments == 1 ? "" : "s"),
-                    fmt::format("write {}", info.usage));
-      return Harmless(map);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      draw.arguments.push_back(ReadNumber(single ? node : node.items[i]));
-    }
-    if (info.arguments > 1 &&
-        (info.id == Distribution::kUniform || info.id == Distribution::kInteger ||
-         info.id == Distribution::kLogUniform)) {
-      CheckRangeOrder(draw.arguments[0], draw.arguments[1], node.mark);
-    }
     if (info.id == Distribution::kBernoulli) value.type = Type::kBoolean;
   }
   if (const YamlNode* option = info.option.empty() ? nullptr : map.Find(info.option)) {
@@ -197,6 +166,26 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
   }
   value.form = std::move(draw);
   return value;
+}
+
+bool ValueReader::ReadArguments(const DistributionInfo& info, const YamlNode& node, Draw& draw) {
+  const bool single = info.arguments == 1 && node.kind != YamlNode::Kind::kList;
+  const std::size_t count = single ? 1 : node.items.size();
+  if (count != static_cast<std::size_t>(info.arguments)) {
+    findings_.Add(Code::kSpecDistribution, node.mark,
+                  fmt::format("'{}' takes {} number{}", info.key, info.arguments,
+                              info.arguments == 1 ? "" : "s"),
+                  fmt::format("write {}", info.usage));
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    draw.arguments.push_back(ReadNumber(single ? node : node.items[i]));
+  }
+  if (info.id == Distribution::kUniform || info.id == Distribution::kInteger ||
+      info.id == Distribution::kLogUniform) {
+    CheckRangeOrder(draw.arguments[0], draw.arguments[1], node.mark);
+  }
+  return true;
 }
 
 void ValueReader::ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
 
@@ -12,21 +11,6 @@ namespace mjforge::spec {
 namespace {
 
 using diag::Code;
-
-bool IsValueSlot(Slot slot) {
-  switch (slot) {
-    case Slot::kNumber:
-    case Slot::kInteger:
-    case Slot::kBoolean:
-    case Slot::kWord:
-    case Slot::kText:
-    case Slot::kNumbers:
-    case Slot::kPoints:
-      return true;
-    default:
-      return false;
-  }
-}
 
 // Keys of which an element may have only one: they say the same thing.
 constexpr std::array kOrientations = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
@@ -61,17 +45,14 @@ void CheckOneOf(const std::array<Key, n>& keys, const std::vector<Field>& fields
 
 }  // namespace
 
-const Field* Entry::Find(Key id) const {
+const Field* FindField(std::span<const Field> fields, Key id) {
   const auto found =
       std::ranges::find_if(fields, [id](const Field& f) { return f.info->id == id; });
   return found == fields.end() ? nullptr : &*found;
 }
 
-const Field* Material::Find(Key id) const {
-  const auto found =
-      std::ranges::find_if(fields, [id](const Field& f) { return f.info->id == id; });
-  return found == fields.end() ? nullptr : &*found;
-}
+const Field* Entry::Find(Key id) const { return FindField(fields, id); }
+const Field* Material::Find(Key id) const { return FindField(fields, id); }
 
 const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
   const auto found = std::ranges::find(parameters, parameter, &Parameter::name);
@@ -110,7 +91,7 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, R
   std::vector<Field> fields;
   for (const auto& pair : map.pairs) {
     const FieldInfo* info = element.Find(pair.key);
-    if (info == nullptr || !IsValueSlot(info->slot) || info->id == Key::kName) continue;
+    if (info == nullptr || !HoldsValue(info->slot) || info->id == Key::kName) continue;
     fields.push_back({info, reading.values.Read(*info, pair.value), pair.mark});
   }
   CheckOneOf(kOrientations, fields, "an orientation", reading);
@@ -120,15 +101,9 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, R
   return fields;
 }
 
-bool IsElementName(std::string_view name) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto is_name = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_name);
-}
-
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings) {
-  if (IsElementName(name)) return;
+  if (expr::IsName(name)) return;
   findings.Add(Code::kSpecBadName, mark, fmt::format("{} name '{}' is not a name", what, name),
                "a letter, then letters, digits and underscores");
 }

@@ -38,16 +38,6 @@ void CollectSure(std::string_view what, std::span<const Entry> entries,
 
 }  // namespace
 
-bool HasDraw(const Value& value) {
-  if (const auto* list = std::get_if<List>(&value.form)) {
-    return std::ranges::any_of(list->items, HasDraw);
-  }
-  return std::holds_alternative<Draw>(value.form) ||
-         std::holds_alternative<RandomRotation>(value.form) ||
-         std::holds_alternative<RotationAbout>(value.form) ||
-         std::holds_alternative<PointOnSphere>(value.form);
-}
-
 void EntryReader::ReadList(const ElementInfo& element, const YamlNode& list,
                            std::vector<Entry>& out) {
   if (!IsList(list, fmt::format("{}s", element.name), reading_)) return;

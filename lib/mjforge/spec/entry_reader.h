@@ -44,9 +44,6 @@ class EntryReader {
   Reading& reading_;
 };
 
-/// Is any number in it drawn?
-bool HasDraw(const Value& value);
-
 }  // namespace mjforge::spec
 
 #endif  // MJFORGE_SPEC_ENTRY_READER_H_

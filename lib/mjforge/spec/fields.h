@@ -79,7 +79,8 @@ enum class Key {
   kJoint,
   // checks
   kSilence,
-};  // clang-format: one group a line
+  kCount,  // not a key: how many there are
+};
 
 /// What may stand in a field.
 enum class Slot {
@@ -116,6 +117,8 @@ enum class Slot {
   kSilence,
   kAnything,
 };
+/// Whether one value stands in it, which may be drawn or computed.
+constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kPoints; }
 
 /// Which of a part's two geoms an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };

@@ -15,10 +15,7 @@ std::vector<Field> ReadTexture(const YamlNode& node, Reading& reading) {
   if (!IsMap(node, "a texture's keys", reading)) return {};
   CheckKeys(TextureElement(), node, reading);
   std::vector<Field> fields = ReadFields(TextureElement(), node, reading);
-  const auto has = [&fields](Key id) {
-    return std::ranges::any_of(fields, [id](const Field& field) { return field.info->id == id; });
-  };
-  if (!has(Key::kBuiltin) && !has(Key::kFile)) {
+  if (!FindField(fields, Key::kBuiltin) && !FindField(fields, Key::kFile)) {
     reading.findings.Add(Code::kSpecMissingKey, node.mark, "a texture needs 'builtin' or 'file'");
   }
   return fields;
@@ -39,22 +36,9 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
 }
 
 // Keys that a default cannot give: what an entry is, and where.
-bool CanHaveDefault(const FieldInfo& field) {
-  switch (field.id) {
-    case Key::kName:
-    case Key::kIf:
-    case Key::kFor:
-    case Key::kSpec:
-    case Key::kParams:
-    case Key::kFrame:
-    case Key::kParts:
-    case Key::kFromTo:
-    case Key::kPolygon:
-      return false;
-    default:
-      return true;
-  }
-}
+constexpr Key kWithoutDefault[] = {Key::kName,  Key::kIf,     Key::kFor,
+                                   Key::kSpec,  Key::kParams, Key::kFrame,
+                                   Key::kParts, Key::kFromTo, Key::kPolygon};
 
 void MergeDefaults(const ElementInfo& element, const YamlNode& node, std::vector<Field>& into,
                    Reading& reading) {
@@ -62,7 +46,8 @@ void MergeDefaults(const ElementInfo& element, const YamlNode& node, std::vector
   CheckKeys(element, node, reading);
   for (const auto& pair : node.pairs) {
     const FieldInfo* info = element.Find(pair.key);
-    if (info != nullptr && !CanHaveDefault(*info)) {
+    if (info != nullptr &&
+        std::ranges::find(kWithoutDefault, info->id) != std::end(kWithoutDefault)) {
       reading.findings.Add(Code::kSpecConflict, pair.mark,
                            fmt::format("'{}' cannot be a default", pair.key));
       return;

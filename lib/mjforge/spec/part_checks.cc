@@ -37,10 +37,8 @@ const std::array<ShapeKeys, 7>& Shapes() {
 constexpr std::array kShapeKeys = {Key::kPolygon, Key::kHeight, Key::kScale, Key::kFile};
 
 const Field* FindField(const Entry& part, Key id, const Defaults& defaults) {
-  if (const Field* own = part.Find(id)) return own;
-  const auto found = std::ranges::find_if(
-      defaults.part, [id](const Field& field) { return field.info->id == id; });
-  return found == defaults.part.end() ? nullptr : &*found;
+  const Field* own = part.Find(id);
+  return own != nullptr ? own : FindField(defaults.part, id);
 }
 
 void CheckSizes(const Entry& part, const ShapeKeys& shape, Reading& reading) {

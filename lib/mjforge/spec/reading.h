@@ -43,8 +43,10 @@ bool IsList(const YamlNode& node, std::string_view what, Reading& reading);
 /// meaning (two orientations, density and mass) reported.
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading);
 
-/// Letters, digits and underscores, a letter first.
-bool IsElementName(std::string_view name);
+/// The field of a key; null: it is not there.
+const Field* FindField(std::span<const Field> fields, Key id);
+
+/// A finding unless expr::IsName(name).
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 

@@ -1,83 +1,24 @@
 // The reference chapter of the manual, from the field table.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "mjforge/spec/slots.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
 namespace {
 
-std::string SlotText(const FieldInfo& field) {
-  switch (field.slot) {
-    case Slot::kNumber:
-      return "number";
-    case Slot::kInteger:
-      return "whole number";
-    case Slot::kBoolean:
-      return "true or false";
-    case Slot::kText:
-      return "text";
-    case Slot::kPlainText:
-      return "fixed text";
-    case Slot::kFormat:
-      return "1";
-    case Slot::kPoints:
-      return "list of points [x, y]";
-    case Slot::kNumbers:
-      return field.min_count == field.max_count
-                 ? fmt::format("{} numbers", field.max_count)
-                 : fmt::format("{} to {} numbers", field.min_count, field.max_count);
-    case Slot::kWord: {
-      std::string words;
-      for (const char c : field.words) words += c == ' ' ? std::string(", ") : std::string(1, c);
-      return words;
-    }
-    case Slot::kCondition:
-      return "condition";
-    case Slot::kConditions:
-      return "list of conditions";
-    case Slot::kParameters:
-      return "name: parameter";
-    case Slot::kOverrides:
-      return "name: value";
-    case Slot::kLoops:
-      return "variable: count";
-    case Slot::kMaterials:
-      return "name: material";
-    case Slot::kDefaults:
-      return "defaults";
-    case Slot::kImports:
-      return "list of files";
-    case Slot::kParts:
-      return "list of parts";
-    case Slot::kSites:
-      return "list of sites";
-    case Slot::kJoints:
-      return "free, none or list of joints";
-    case Slot::kPose:
-      return "frame";
-    case Slot::kTexture:
-      return "texture";
-    case Slot::kFields:
-      return "keys";
-    case Slot::kBodies:
-      return "list of bodies";
-    case Slot::kContact:
-      return "contact";
-    case Slot::kExcludes:
-      return "list of pairs";
-    case Slot::kBodyPair:
-      return "two names";
-    case Slot::kSections:
-      return "section: elements";
-    case Slot::kChecks:
-      return "checks";
-    case Slot::kSilence:
-      return "code: reason";
-    case Slot::kAnything:
-      return "any value";
+std::string TakenBy(const FieldInfo& field) {
+  const std::string_view takes = InfoOf(field.slot).takes;
+  if (!field.words.empty()) {
+    return fmt::format("{}{}{}", fmt::join(expr::WordsOf(field.words), ", "),
+                       takes.empty() ? "" : " or ", takes);
   }
-  return {};
+  if (field.slot != Slot::kNumbers) return std::string(takes);
+  return field.min_count == field.max_count
+             ? fmt::format("{} numbers", field.max_count)
+             : fmt::format("{} to {} numbers", field.min_count, field.max_count);
 }
 
 std::string BoundsText(const FieldInfo& field) {
@@ -108,7 +49,7 @@ std::string ElementTable(const ElementInfo& element) {
       "|\n";
   for (const FieldInfo& field : element.fields) {
     out += fmt::format("| `{}`{} | {} | {} | {} | {} | {} |\n", field.key,
-                       field.required ? " (required)" : "", SlotText(field), field.unit,
+                       field.required ? " (required)" : "", TakenBy(field), field.unit,
                        BoundsText(field), Cell(field.default_text), Cell(field.doc));
   }
   return out + "\n";

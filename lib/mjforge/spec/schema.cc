@@ -1,390 +1,375 @@
-// The JSON Schema of a spec (draft-07), from the field table: what an editor
-// needs to complete and check. It checks structure; names, expressions and
-// references are checked by the parser alone.
+// The JSON Schema of a spec (draft-07): what an editor needs to complete and check. It checks
+// structure; names, expressions and references are checked by the parser alone.
+//
+// schema.json is the schema with markers: "@KIND NAME" stands for what the tables of the language
+// say, and what is made from them may contain markers, too.
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/reader.h>
+#include <rapidjson/stringbuffer.h>
 
-#include "mjforge/spec/schema_sections.h"
+#include "mjforge/spec/slots.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
+
+extern const std::string_view kSchemaJson;  // the file, embedded
+
 namespace {
 
-constexpr const char* kNamePattern = "^[A-Za-z][A-Za-z0-9_]*$";
-class SpecSchema : private SectionSchema {
- public:
-  std::string Write() {
-    Object([this] {
-      Text("$schema", "http://json-schema.org/draft-07/schema#");
-      Text("title", "mjforge object spec");
-      Text("description", ObjectElement().doc);
-      Text("type", "object");
-      Properties(ObjectElement());
-      Strings("required", {"mjforge"});
-      SpecOrLibrary();
-      Key("definitions");
-      Object([this] { Definitions(); });
-    });
-    return Finish();
-  }
+using Members = std::vector<std::string>;
 
- private:
-  void Properties(const ElementInfo& element) {
-    Key("properties");
-    Object([&] {
-      for (const FieldInfo& field : element.fields) {
-        Key(field.key);
-        Object([&] { Field(field); });
-      }
-    });
-    NoOtherKeys();
-  }
+// As texts of JSON: a quoted number is text, and so no expression.
+constexpr std::string_view kExpression =
+    R"x("type": "string", "pattern": "^(?![-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?$)")x";
+constexpr std::string_view kNamePattern = R"("^[A-Za-z][A-Za-z0-9_]*$")";
 
-  void Describe(const FieldInfo& field) {
-    std::string text(field.doc);
-    if (!field.unit.empty()) text += fmt::format(" Unit: {}.", field.unit);
-    if (!field.default_text.empty()) text += fmt::format(" Default: {}.", field.default_text);
-    Text("description", text);
-  }
+std::string Quoted(std::string_view text) {
+  rapidjson::StringBuffer buffer;
+  rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
+  writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+  return buffer.GetString();
+}
 
-  void Field(const FieldInfo& field) {
-    Describe(field);
-    switch (field.slot) {
-      case Slot::kNumber:
-        return IsBounded(field) ? Number(field) : Ref("number");
-      case Slot::kInteger:
-        return AnyOf({[&] { Literal(field, "integer"); }, [this] { Expression(); },
-                      [this] { Ref("number_draw"); }});
-      case Slot::kBoolean:
-        return Ref("boolean");
-      case Slot::kWord:
-        return Word(field);
-      case Slot::kText:
-        return Ref("text");
-      case Slot::kNumbers:
-        return IsBounded(field) ? Numbers(field) : Ref(NumbersName(field));
-      case Slot::kPoints:
-        return Points(field);
-      case Slot::kPlainText:
-        return PlainText(field);
-      case Slot::kFormat:
-        Count("const", 1);
-        return;
-      default:
-        return Structure(field);
+std::string Joined(const Members& members) { return fmt::format("{}", fmt::join(members, ", ")); }
+
+// One member whose value is an object.
+std::string Member(std::string_view key, std::string_view members) {
+  return fmt::format(R"("{}": {{{}}})", key, members);
+}
+
+std::string Is(std::string_view definition) { return fmt::format(R"("@is {}")", definition); }
+
+std::string ListOf(std::string_view members) {
+  return fmt::format(R"("type": "array", "items": {{{}}})", members);
+}
+
+std::string Mapping(const Members& properties) {
+  return fmt::format(R"("type": "object", "properties": {{{}}}, "additionalProperties": false)",
+                     Joined(properties));
+}
+
+const ElementInfo* FindElement(std::string_view name) {
+  return *std::ranges::find(AllElements(), name, &ElementInfo::name);
+}
+
+// --- Fields -----------------------------------------------------------------
+
+bool IsBounded(const FieldInfo& field) {
+  return std::isfinite(field.lower) || std::isfinite(field.upper);
+}
+
+std::string Literal(const FieldInfo& field, std::string_view type) {
+  std::string text = fmt::format(R"("type": "{}")", type);
+  if (std::isfinite(field.lower)) {
+    text += fmt::format(R"(, "{}": {})", field.above ? "exclusiveMinimum" : "minimum",
+                        expr::NumberText(field.lower));
+  }
+  if (std::isfinite(field.upper)) {
+    text += fmt::format(R"(, "maximum": {})", expr::NumberText(field.upper));
+  }
+  return text;
+}
+
+std::string Number(const FieldInfo& field, std::string_view type) {
+  return fmt::format(R"("anyOf": [{{{}}}, {{"@expression"}}, {{"@is number_draw"}}])",
+                     Literal(field, type));
+}
+
+std::string NumbersName(const FieldInfo& field) {
+  return fmt::format("numbers_{}_{}", field.min_count, field.max_count);
+}
+
+std::string Numbers(const FieldInfo& field) {
+  const std::string alone =
+      field.min_count == 1 ? fmt::format("{{{}}}, ", Literal(field, "number")) : "";
+  return fmt::format(
+      R"("anyOf": [{{"type": "array", "items": {{{}}}, "minItems": {}, "maxItems": {}}}, )"
+      R"({}{{"@expression"}}, {{"@is vector_draw"}}])",
+      Number(field, "number"), field.min_count, field.max_count, alone);
+}
+
+std::string Points(const FieldInfo& field) {
+  return fmt::format(
+      R"("type": "array", "minItems": {}, "items": {{"anyOf": [{{"@list number", "minItems": 2, )"
+      R"("maxItems": 2}}, {{"@expression"}}, {{"@is vector_draw"}}]}})",
+      field.min_count);
+}
+
+std::string Words(const FieldInfo& field) {
+  Members words;
+  for (const std::string_view word : expr::WordsOf(field.words)) words.push_back(Quoted(word));
+  return fmt::format(R"({{"enum": [{}]}})", Joined(words));
+}
+
+std::string Word(const FieldInfo& field) {
+  return fmt::format(
+      R"("anyOf": [{}, {{"type": "string", "pattern": "\\$\\{{"}}, {{"@is text_draw"}}])",
+      Words(field));
+}
+
+std::string PlainText(const FieldInfo& field) {
+  if (field.id == Key::kName)
+    return fmt::format(R"("type": "string", "pattern": {})", kNamePattern);
+  // `unit: 1` is text to us and a number to a reader of YAML.
+  return R"("anyOf": [{"type": "string"}, {"type": "number"}])";
+}
+
+// The fields of the element that the key of `defaults:` names, none of them required.
+std::string DefaultFields(const FieldInfo& defaults) {
+  const ElementInfo& element = *FindElement(defaults.key);
+  Members properties;
+  for (const FieldInfo& field : element.fields) {
+    properties.push_back(
+        Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key))));
+  }
+  return Mapping(properties);
+}
+
+std::string Silence() {
+  Members properties;
+  for (const diag::CodeInfo& info : diag::AllCodes()) {
+    if (!CanBeSilenced(info.code)) continue;
+    properties.push_back(Member(info.name, R"("type": "string")"));
+  }
+  return Mapping(properties);
+}
+
+std::string SectionProperties() {
+  Members properties;
+  for (const SectionInfo& section : Sections()) {
+    properties.push_back(Member(section.name, Is(section.name)));
+  }
+  return Mapping(properties);
+}
+
+// The members of the schema of what may stand in a field.
+std::string Taken(const FieldInfo& field) {
+  switch (field.slot) {
+    case Slot::kNumber:
+      return IsBounded(field) ? Number(field, "number") : Is("number");
+    case Slot::kInteger:
+      return Number(field, "integer");
+    case Slot::kWord:
+      return Word(field);
+    case Slot::kNumbers:
+      return IsBounded(field) ? Numbers(field) : Is(NumbersName(field));
+    case Slot::kPoints:
+      return Points(field);
+    case Slot::kPlainText:
+      return PlainText(field);
+    case Slot::kJoints:
+      return fmt::format(R"("anyOf": [{}, {{"@list joint"}}])", Words(field));
+    case Slot::kFields:
+      return DefaultFields(field);
+    case Slot::kSections:
+      return SectionProperties();
+    case Slot::kSilence:
+      return Silence();
+    default:
+      return std::string(InfoOf(field.slot).schema);
+  }
+}
+
+std::string Property(const FieldInfo& field) {
+  std::string text(field.doc);
+  if (!field.unit.empty()) text += fmt::format(" Unit: {}.", field.unit);
+  if (!field.default_text.empty()) text += fmt::format(" Default: {}.", field.default_text);
+  return Member(field.key, fmt::format(R"("description": {}, {})", Quoted(text), Taken(field)));
+}
+
+// --- Draws ------------------------------------------------------------------
+
+std::string DrawArguments(const DistributionInfo& info) {
+  if (info.arguments < 0) return R"("type": "array", "minItems": 1)";
+  const std::string list =
+      fmt::format(R"("@list number", "minItems": {0}, "maxItems": {0})", info.arguments);
+  return info.arguments > 1 ? list : fmt::format(R"("anyOf": [{{"@is number"}}, {{{}}}])", list);
+}
+
+std::string DrawForm(const DistributionInfo& info, const Members& more_properties) {
+  Members properties = {Member(info.key, DrawArguments(info))};
+  if (info.option == "weights") {
+    properties.push_back(Member(info.option, R"("@list number", "minItems": 1)"));
+  } else if (!info.option.empty()) {
+    properties.push_back(Member(info.option, R"("@list number", "minItems": 2, "maxItems": 2)"));
+  }
+  if (!info.flag.empty()) properties.push_back(Member(info.flag, R"("type": "boolean")"));
+  properties.insert(properties.end(), more_properties.begin(), more_properties.end());
+  return fmt::format(
+      R"("type": "object", "description": {}, "properties": {{{}}}, "required": ["{}"], )"
+      R"("additionalProperties": false)",
+      Quoted(fmt::format("{}: {}", info.usage, info.doc)), Joined(properties), info.key);
+}
+
+bool Gives(const DistributionInfo& info, std::string_view kind) {
+  if (kind == "any") return true;
+  if (info.id == Distribution::kBernoulli) return kind == "boolean";
+  return info.arguments < 0 || kind == "number";
+}
+
+// --- Sections ---------------------------------------------------------------
+
+// A mapping whose one key is an element.
+std::string OneOf(std::span<const ElementInfo> elements, Members properties);
+
+std::string Attributes(const ElementInfo& element, bool children_by_name) {
+  Members properties;
+  for (const FieldInfo& field : element.fields) {
+    properties.push_back(Member(field.key, Is(field.slot == Slot::kNumbers   ? "attribute_numbers"
+                                              : field.slot == Slot::kBoolean ? "boolean"
+                                                                             : "text")));
+  }
+  if (children_by_name) {
+    for (const ElementInfo& child : element.children) {
+      properties.push_back(Member(child.name, Attributes(child, false)));
+    }
+  } else if (!element.children.empty()) {
+    properties.push_back(Member("children", ListOf(OneOf(element.children, {}))));
+  }
+  return Mapping(properties);
+}
+
+std::string OneOf(std::span<const ElementInfo> elements, Members properties) {
+  for (const ElementInfo& element : elements) {
+    properties.push_back(Member(element.name, Attributes(element, false)));
+  }
+  return Mapping(properties);
+}
+
+// --- Markers ----------------------------------------------------------------
+
+std::string Fields(std::string_view element) {
+  Members properties;
+  for (const FieldInfo& field : FindElement(element)->fields) properties.push_back(Property(field));
+  return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)", Joined(properties));
+}
+
+std::string Doc(std::string_view element) {
+  return fmt::format(R"("description": {})", Quoted(FindElement(element)->doc));
+}
+
+std::string DocAndUnit(std::string_view /*none*/) {
+  const ElementInfo& parameter = ParameterElement();
+  return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit))});
+}
+
+std::string Draws(std::string_view /*none*/) {
+  Members draws;
+  for (const DistributionInfo& info : Distributions()) {
+    draws.push_back(Member(info.key, DrawForm(info, {})));
+  }
+  return Joined(draws);
+}
+
+std::string DrawsOf(std::string_view kind) {
+  Members draws;
+  for (const DistributionInfo& info : Distributions()) {
+    if (Gives(info, kind)) draws.push_back(fmt::format("{{{}}}", Is(info.key)));
+  }
+  return Joined(draws);
+}
+
+std::string DrawsWithDoc(std::string_view none) {
+  Members draws;
+  for (const DistributionInfo& info : Distributions()) {
+    draws.push_back(fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)})));
+  }
+  return Joined(draws);
+}
+
+// One definition for each length that some field without bounds has.
+std::string NumberLists(std::string_view /*none*/) {
+  std::set<std::string> done;
+  Members lists;
+  for (const ElementInfo* element : AllElements()) {
+    for (const FieldInfo& field : element->fields) {
+      if (field.slot != Slot::kNumbers || IsBounded(field)) continue;
+      if (!done.insert(NumbersName(field)).second) continue;
+      lists.push_back(Member(NumbersName(field), Numbers(field)));
     }
   }
+  return Joined(lists);
+}
 
-  static bool IsBounded(const FieldInfo& field) {
-    return std::isfinite(field.lower) || std::isfinite(field.upper);
+std::string SectionDefinitions(std::string_view /*none*/) {
+  const Members repeats = {
+      Member("if", Is("condition")),
+      Member("for", R"("type": "object", "additionalProperties": {"@is number"})")};
+  Members definitions;
+  for (const SectionInfo& section : Sections()) {
+    definitions.push_back(Member(section.name, section.is_element
+                                                   ? Attributes(section.elements.front(), true)
+                                                   : ListOf(OneOf(section.elements, repeats))));
   }
-  static std::string NumbersName(const FieldInfo& field) {
-    return fmt::format("numbers_{}_{}", field.min_count, field.max_count);
-  }
-  void Number(const FieldInfo& field) {
-    AnyOf({[&] { Literal(field, "number"); }, [this] { Expression(); },
-           [this] { Ref("number_draw"); }});
-  }
+  return Joined(definitions);
+}
 
-  void Literal(const FieldInfo& field, std::string_view type) {
-    Text("type", type);
-    if (std::isfinite(field.lower))
-      Bound(field.above ? "exclusiveMinimum" : "minimum", field.lower);
-    if (std::isfinite(field.upper)) Bound("maximum", field.upper);
-  }
-  void Word(const FieldInfo& field) {
-    AnyOf({[&] {
-             Key("enum");
-             OpenList();
-             std::string_view words = field.words;
-             while (!words.empty()) {
-               const auto end = std::min(words.find(' '), words.size());
-               String(words.substr(0, end));
-               words.remove_prefix(std::min(end + 1, words.size()));
-             }
-             CloseList();
-           },
-           [this] {
-             Text("type", "string");
-             Text("pattern", "\\$\\{");
-           },
-           [this] { Ref("text_draw"); }});
-  }
-  void NumberList(const FieldInfo& field) {
-    Text("type", "array");
-    Key("items");
-    Object([&] {
-      AnyOf({[&] { Literal(field, "number"); }, [this] { Expression(); },
-             [this] { Ref("number_draw"); }});
-    });
-    Count("minItems", field.min_count);
-    Count("maxItems", field.max_count);
-  }
-  void Numbers(const FieldInfo& field) {
-    if (field.min_count == 1) {
-      AnyOf({[&] { NumberList(field); }, [&] { Literal(field, "number"); },
-             [this] { Expression(); }, [this] { Ref("vector_draw"); }});
-    } else {
-      AnyOf({[&] { NumberList(field); }, [this] { Expression(); }, [this] { Ref("vector_draw"); }});
-    }
-  }
-  void Points(const FieldInfo& field) {
-    Text("type", "array");
-    Count("minItems", field.min_count);
-    Key("items");
-    Object([this] {
-      AnyOf({[this] {
-               Text("type", "array");
-               Key("items");
-               Object([this] { Ref("number"); });
-               Count("minItems", 2);
-               Count("maxItems", 2);
-             },
-             [this] { Expression(); }, [this] { Ref("vector_draw"); }});
-    });
-  }
-  void PlainText(const FieldInfo& field) {
-    if (field.id == Key::kName) {
-      Text("type", "string");
-      Text("pattern", kNamePattern);
-    } else {
-      // `unit: 1` is text to us and a number to a reader of YAML.
-      AnyOf({[this] { Text("type", "string"); }, [this] { Text("type", "number"); }});
-    }
-  }
-
-  void MapOf(std::string_view definition) {
-    Text("type", "object");
-    Key("patternProperties");
-    Object([&] { Define(kNamePattern, [&] { Ref(definition); }); });
-    NoOtherKeys();
-  }
-
-  void Structure(const FieldInfo& field) {
-    switch (field.slot) {
-      case Slot::kParameters:
-        return MapOf("parameter");
-      case Slot::kOverrides:
-        return MapOf("value");
-      case Slot::kMaterials:
-        return MapOf("material");
-      case Slot::kLoops:
-        return MapOf("number");
-      case Slot::kDefaults:
-        return Ref("defaults");
-      case Slot::kTexture:
-        return Ref("texture");
-      case Slot::kPose:
-        return Ref("frame");
-      case Slot::kParts:
-        return ListOf("part");
-      case Slot::kSites:
-        return ListOf("site");
-      case Slot::kBodies:
-        return ListOf("body");
-      case Slot::kContact:
-        return Ref("contacts");
-      case Slot::kExcludes:
-        return Excludes();
-      case Slot::kBodyPair:
-        return BodyPair();
-      case Slot::kSections:
-        return SectionProperties();
-      case Slot::kChecks:
-        return Ref("checks");
-      case Slot::kSilence:
-        return Silence();
-      case Slot::kCondition:
-        return Ref("condition");
-      case Slot::kConditions:
-        return AnyOf({[this] { Ref("condition"); }, [this] { ListOf("condition"); }});
-      case Slot::kImports:
-        return AnyOf({[this] { Text("type", "string"); },
-                      [this] {
-                        Text("type", "array");
-                        Key("items");
-                        Object([this] { Text("type", "string"); });
-                      }});
-      case Slot::kJoints:
-        return AnyOf({[this] { Strings("enum", {"free", "none"}); }, [this] { ListOf("joint"); }});
-      case Slot::kFields:
-        return Defaults(field.id == Key::kPart   ? PartElement()
-                        : field.id == Key::kSite ? SiteElement()
-                                                 : JointElement());
-      default:
-        return;
-    }
-  }
-
-  void Silence() {
-    Text("type", "object");
-    Key("properties");
-    Object([this] {
-      for (const diag::CodeInfo& info : diag::AllCodes()) {
-        if (CanBeSilenced(info.code)) Define(info.name, [this] { Text("type", "string"); });
-      }
-    });
-    NoOtherKeys();
-  }
-
-  // The element's own fields, none of them required.
-  void Defaults(const ElementInfo& element) {
-    Text("type", "object");
-    SchemaWriter::Key("properties");
-    Object([&] {
-      for (const FieldInfo& field : element.fields) {
-        Define(field.key, [&] { Ref(fmt::format("{}/properties/{}", element.name, field.key)); });
-      }
-    });
-    NoOtherKeys();
-  }
-
-  // A file with a name and parts or bodies is a spec; one with neither is for `import:`.
-  void SpecOrLibrary() {
-    AnyOf({[this] {
-             Strings("required", {"name"});
-             AnyOf({[this] { Strings("required", {"parts"}); },
-                    [this] { Strings("required", {"bodies"}); }});
-           },
-           [this] {
-             Key("not");
-             Object([this] {
-               AnyOf({[this] { Strings("required", {"name"}); },
-                      [this] { Strings("required", {"parts"}); },
-                      [this] { Strings("required", {"bodies"}); }});
-             });
-           }});
-  }
-
-  void Element(const ElementInfo& element, const Body& more) {
-    Element(element, element.name, more);
-  }
-  void Element(const ElementInfo& element, std::string_view definition, const Body& more) {
-    Key(definition);
-    Object([&] {
-      Text("type", "object");
-      Text("description", element.doc);
-      Properties(element);
-      more();
-    });
-  }
-
-  void Definitions() {
-    Values();
-    Draws();
-    NumberLists();
-    Parameter();
-    Element(MaterialElement(), [] {});
-    Element(TextureElement(), [this] {
-      AnyOf({[this] { Strings("required", {"builtin"}); },
-             [this] { Strings("required", {"file"}); }});
-    });
-    Element(PartElement(), [this] {
-      AnyOf({[this] { Strings("required", {"name"}); },
-             [this] {
-               Strings("required", {"frame", "parts"});
-             }});
-    });
-    Element(FrameElement(), [] {});
-    Element(SiteElement(), [this] { Strings("required", {"name"}); });
-    Element(JointElement(), [this] { Strings("required", {"name"}); });
-    Element(BodyElement(), [this] { Strings("required", {"name"}); });
-    // `contact` alone is the definition of MJCF's section.
-    Element(ContactElement(), "contacts", [] {});
-    Element(ExcludeElement(), [this] { Strings("required", {"bodies"}); });
-    Element(DefaultsElement(), [] {});
-    Element(ChecksElement(), [] {});
-    SectionDefinitions();
-  }
-
-  void Values() {
-    Define("number", [this] {
-      AnyOf({[this] { Text("type", "number"); }, [this] { Expression(); },
-             [this] { Ref("number_draw"); }});
-    });
-    Define("boolean", [this] {
-      AnyOf({[this] { Text("type", "boolean"); }, [this] { Expression(); },
-             [this] { Ref("boolean_draw"); }});
-    });
-    Define("text", [this] {
-      AnyOf({[this] { Text("type", "string"); }, [this] { Ref("text_draw"); }});
-    });
-    Define("condition", [this] {
-      AnyOf({[this] { Text("type", "boolean"); }, [this] { Expression(); }});
-    });
-    Define("value", [this] {
-      AnyOf({[this] {
-               Key("type");
-               OpenList();
-               for (const std::string_view type : {"number", "boolean", "string"}) String(type);
-               CloseList();
-             },
-             [this] {
-               ListOf("number");
-               Count("minItems", 2);
-               Count("maxItems", 4);
-             },
-             [this] { Ref("any_draw"); }});
-    });
-  }
-
-  // One definition for each length that some field without bounds has.
-  void NumberLists() {
-    std::set<std::string> done;
-    for (const ElementInfo* element : AllElements()) {
-      for (const FieldInfo& field : element->fields) {
-        if (field.slot != Slot::kNumbers || IsBounded(field)) continue;
-        const std::string name = NumbersName(field);
-        if (done.insert(name).second) Define(name, [&] { Numbers(field); });
-      }
-    }
-  }
-
-  void DocAndUnit() {
-    for (const std::string_view key : {"doc", "unit"}) {
-      const FieldInfo* field = ParameterElement().Find(key);
-      Define(key, [&] { Field(*field); });
-    }
-  }
-
-  // A value, or the long form: a value or a distribution beside doc and unit.
-  void Parameter() {
-    Define("parameter", [this] {
-      Text("description", ParameterElement().doc);
-      Key("anyOf");
-      OpenList();
-      Object([this] { Ref("value"); });
-      Object([this] {
-        Text("type", "object");
-        Key("properties");
-        Object([this] {
-          Define("value", [this] { Ref("value"); });
-          DocAndUnit();
-        });
-        Strings("required", {"value"});
-        NoOtherKeys();
-      });
-      for (const DistributionInfo& info : Distributions()) {
-        Object([&] { Draw(info, [this] { DocAndUnit(); }); });
-      }
-      for (const std::string_view form : {"about", "hsv", "on_sphere"}) {
-        Object([&] {
-          Text("type", "object");
-          Strings("required", {form});
-        });
-      }
-      CloseList();
-    });
-  }
+struct Marker {
+  std::string_view kind;
+  std::string (*text)(std::string_view name);
 };
+constexpr Marker kMarkers[] = {
+    {"doc", Doc},
+    {"fields", Fields},
+    {"doc_and_unit", DocAndUnit},
+    {"draws", Draws},
+    {"draws_of", DrawsOf},
+    {"draws_with_doc", DrawsWithDoc},
+    {"number_lists", NumberLists},
+    {"sections", SectionDefinitions},
+    {"element",
+     [](std::string_view name) {
+       return fmt::format(R"("type": "object", "@doc {0}", "@fields {0}")", name);
+     }},
+    {"expression", [](std::string_view) { return std::string(kExpression); }},
+    {"is",
+     [](std::string_view name) { return fmt::format(R"("$ref": "#/definitions/{}")", name); }},
+    {"list", [](std::string_view name) { return ListOf(Is(name)); }},
+    {"map",
+     [](std::string_view name) {
+       return fmt::format(R"("type": "object", "patternProperties": {{{}: {{"@is {}"}}}}, )"
+                          R"("additionalProperties": false)",
+                          kNamePattern, name);
+     }},
+    {"pair",
+     [](std::string_view) { return std::string(R"("@list text", "minItems": 2, "maxItems": 2)"); }},
+};
+
+std::string Expand(std::string_view text) {
+  std::string out;
+  for (std::size_t at = text.find("\"@"); at != std::string_view::npos; at = text.find("\"@")) {
+    out += text.substr(0, at);
+    text.remove_prefix(at + 2);
+    const std::string_view marker = text.substr(0, text.find('"'));
+    text.remove_prefix(marker.size() + 1);
+    if (text.starts_with(": 0")) text.remove_prefix(3);
+    const std::vector<std::string_view> words = expr::WordsOf(marker);
+    const auto* found = std::ranges::find(kMarkers, words[0], &Marker::kind);
+    out += Expand(found->text(words.back()));
+  }
+  return out.append(text);
+}
 
 }  // namespace
 
-std::string JsonSchema() { return SpecSchema().Write(); }
+std::string JsonSchema() {
+  const std::string compact = Expand(kSchemaJson);
+  rapidjson::StringStream stream(compact.c_str());
+  rapidjson::StringBuffer buffer;
+  rapidjson::PrettyWriter<rapidjson::StringBuffer> writer(buffer);
+  writer.SetIndent(' ', 2);
+  rapidjson::Reader().Parse(stream, writer);
+  return std::string(buffer.GetString()) + "\n";
+}
 
 }  // namespace mjforge::spec

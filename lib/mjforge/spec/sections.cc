@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mjforge/expr/expr.h"
 #include "mjforge/spec/sections.h"
 
 namespace mjforge::spec {
@@ -210,11 +211,7 @@ class Table {
  private:
   std::span<const FieldInfo> FieldsOf(std::string_view attributes) {
     std::vector<FieldInfo>& fields = fields_.emplace_back();
-    while (!attributes.empty()) {
-      const std::size_t end = std::min(attributes.find(' '), attributes.size());
-      if (end > 0) fields.push_back(Parse(attributes.substr(0, end)));
-      attributes.remove_prefix(std::min(end + 1, attributes.size()));
-    }
+    for (const std::string_view word : expr::WordsOf(attributes)) fields.push_back(Parse(word));
     return fields;
   }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/spec/value_reader.h"
 
@@ -12,26 +13,6 @@ namespace {
 
 using diag::Code;
 using expr::Type;
-
-bool IsWordCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-std::string Words(std::string_view words) {
-  std::string out;
-  for (const char c : words) out += c == ' ' ? std::string(", ") : std::string(1, c);
-  return out;
-}
-
-std::vector<std::string_view> SplitWords(std::string_view words) {
-  std::vector<std::string_view> out;
-  while (!words.empty()) {
-    const auto end = std::min(words.find(' '), words.size());
-    out.push_back(words.substr(0, end));
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -126,14 +107,14 @@ Value ValueReader::ReadWord(const Expected& expected, const YamlNode& node) {
   Value value = ReadText(node);
   const auto* text = std::get_if<Text>(&value.form);
   if (text == nullptr || text->pieces.size() != 1 || text->pieces[0].literal.empty()) return value;
-  const auto words = SplitWords(expected.words);
+  const auto words = expr::WordsOf(expected.words);
   const std::string& word = text->pieces[0].literal;
   if (std::ranges::find(words, word) == words.end()) {
     std::string hint = diag::DidYouMean(word, words);
     if (names_.Find(word) != nullptr)
       hint = fmt::format("for the parameter's value write ${{{}}}", word);
     findings_.Add(Code::kSpecBadValue, node.mark,
-                  fmt::format("'{}' is not one of {}", word, Words(expected.words)),
+                  fmt::format("'{}' is not one of {}", word, fmt::join(words, ", ")),
                   std::move(hint));
   }
   return value;
@@ -144,11 +125,11 @@ bool ValueReader::LooksLikeText(const YamlNode& node) const {
   const auto first = static_cast<unsigned char>(text.empty() ? '0' : text.front());
   if (std::isalpha(first) == 0 && first != '_' && first < 0x80 && first != '.') return false;
   const auto is_plain = [](char c) {
-    return IsWordCharacter(c) || c == '.' || c == '-' || c == '/' || c == ' ' ||
+    return expr::IsNameCharacter(c) || c == '.' || c == '-' || c == '/' || c == ' ' ||
            static_cast<unsigned char>(c) >= 0x80;
   };
   if (!std::ranges::all_of(text, is_plain)) return false;
-  if (node.quoted && std::ranges::all_of(text, IsWordCharacter)) return true;
+  if (node.quoted && std::ranges::all_of(text, expr::IsNameCharacter)) return true;
   const auto used = expr::NamesUsedIn(text);
   return std::ranges::none_of(used,
                               [this](const std::string& name) { return names_.Find(name); }) &&

@@ -1,7 +1,6 @@
 #include "mjforge/spec/value_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,10 +11,6 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 using expr::Type;
-
-bool IsWordCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 bool IsYamlNotFinite(std::string_view text) {
   const std::string_view bare =
@@ -62,7 +57,7 @@ void CollectNames(const YamlNode& node, std::vector<std::string>& names) {
   } else if (const auto dots = FindRange(text)) {
     add(text.substr(0, *dots));
     add(text.substr(*dots + 2));
-  } else if (!node.quoted || !std::ranges::all_of(text, IsWordCharacter)) {
+  } else if (!node.quoted || !std::ranges::all_of(text, expr::IsNameCharacter)) {
     add(text);
   }
 }

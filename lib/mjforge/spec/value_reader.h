@@ -56,6 +56,7 @@ class ValueReader {
   Value ReadMapping(const Expected& expected, const YamlNode& node,
                     std::span<const std::string_view> extra_keys);
   Value ReadDraw(const DistributionInfo& info, const Expected& expected, const YamlNode& map);
+  bool ReadArguments(const DistributionInfo& info, const YamlNode& node, Draw& draw);
   void ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw, Value& value);
   void ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw);
   void ReadExact(const YamlNode& node, Draw& draw);

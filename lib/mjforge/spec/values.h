@@ -65,6 +65,9 @@ struct Value {
       form = 0.0;
 };
 
+/// Is any number in it drawn?
+bool HasDraw(const Value& value);
+
 }  // namespace mjforge::spec
 
 #endif  // MJFORGE_SPEC_VALUES_H_

@@ -123,7 +123,7 @@ void Comparison::CompareGeom(int id, const model::Part& part, const Subject& sub
     Number(subject, "contype", -1, m_.geom_contype[id], 0, 0);
     Number(subject, "conaffinity", -1, m_.geom_conaffinity[id], 0, 0);
   }
-  const spec::Applies other = collides ? spec::Applies::kVisual : spec::Applies::kCollision;
+  const model::Applies other = collides ? model::Applies::kVisual : model::Applies::kCollision;
   for (const model::Attribute& attribute : part.attributes) {
     const bool written = part.as_is || attribute.applies != other ||
                          (collides && part.role == model::Role::kCollision);

@@ -35,3 +35,18 @@ TEST_CASE("types have names for messages") {
   CHECK(TypeName(Type::kBoolean) == "boolean");
   CHECK(TypeName(Type::kText) == "text");
 }
+
+TEST_CASE("a name is a letter, then letters, digits and underscores") {
+  for (const std::string_view name : {"a", "Z9", "wall_3_"}) CHECK(IsName(name));
+  for (const std::string_view text : {"", "_a", "9a", "a-b", "a b", "caf\xc3\xa9"}) {
+    INFO(text);
+    CHECK_FALSE(IsName(text));
+  }
+}
+
+TEST_CASE("words stand between blanks") {
+  using Words = std::vector<std::string_view>;
+  CHECK(WordsOf("box sphere") == Words{"box", "sphere"});
+  CHECK(WordsOf("\t 1\n 2  ") == Words{"1", "2"});
+  CHECK(WordsOf(" \r\n").empty());
+}

@@ -51,6 +51,21 @@ TEST_CASE("a default pose does not count beside an own fromto, nor the reverse")
   CHECK(FieldSet(pose, fromto)[Key::kFromTo] == nullptr);
 }
 
+TEST_CASE("a set has room for every key") {
+  const std::vector<spec::Field> defaults = FieldsOf({"type"});
+  for (const spec::ElementInfo* element : spec::AllElements()) {
+    for (const spec::FieldInfo& info : element->fields) {
+      if (info.id == Key::kAttribute) continue;
+      INFO(element->name << "." << info.key);
+      std::vector<spec::Field> own(1);
+      own[0].info = &info;
+      const FieldSet fields(own, defaults);
+      CHECK(fields.Own(info.id) == own.data());
+      CHECK_FALSE(fields.Default(Key::kAttribute));
+    }
+  }
+}
+
 TEST_CASE("attributes are the fields that are written as they are") {
   const std::vector<spec::Field> own = FieldsOf({"size", "friction", "rgba"});
   const std::vector<spec::Field> defaults = FieldsOf({"rgba", "margin"});

@@ -1,0 +1,23 @@
+#ifndef MJFORGE_SPEC_SLOTS_H_
+#define MJFORGE_SPEC_SLOTS_H_
+
+#include <string_view>
+
+#include "mjforge/spec/fields.h"
+
+namespace mjforge::spec {
+
+/// What the reference, the schema and messages say of a slot; empty where the field's counts,
+/// bounds or words decide.
+struct SlotInfo {
+  Slot slot;
+  std::string_view takes;              // "list of parts"
+  std::string_view schema = {};        // members of its JSON Schema, with markers (schema.cc)
+  std::string_view drawn = "a value";  // what a draw has to give
+};
+
+const SlotInfo& InfoOf(Slot slot);
+
+}  // namespace mjforge::spec
+
+#endif  // MJFORGE_SPEC_SLOTS_H_
