@@ -53,7 +53,7 @@ std::string SlotText(const FieldInfo& field) {
     case Slot::kSites:
       return "list of sites";
     case Slot::kJoints:
-      return "free, none or list of joints";
+      return field.words.empty() ? "none or list of joints" : "free, none or list of joints";
     case Slot::kPose:
       return "frame";
     case Slot::kTexture:
