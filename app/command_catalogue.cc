@@ -1,57 +1,45 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 
 #include "commands.h"
 #include "json.h"
 #include "mjforge/forge/forge.h"
-#include "options.h"
 #include "table.h"
 
 namespace mjforge::app {
 namespace {
 
-struct CatalogueOptions {
-  bool json = false;
-  ReportOptions report;
-};
-
-struct Item {
-  std::string name;
-  std::string description;
-};
-
-std::vector<Item> ListItems(diag::Sources& sources, diag::Findings& findings) {
+// Names and descriptions.
+std::map<std::string, std::string> ListItems(Console& console) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
   std::set<std::string> seen;  // the first folder of the search path wins
-  std::vector<Item> items;
+  std::map<std::string, std::string> items;
   for (const std::filesystem::path& folder : load.search_path) {
     for (const std::string& name : spec::ListSpecs(folder)) {
       if (!seen.insert(name).second) continue;
-      const std::unique_ptr<spec::ObjectSpec> spec = spec::LoadSpec(name, load, sources, findings);
-      if (spec != nullptr) items.push_back({name, spec->description});
+      const auto spec = spec::LoadSpec(name, load, console.sources, console.findings);
+      if (spec != nullptr) items[name] = spec->description;
     }
   }
-  std::sort(items.begin(), items.end(),
-            [](const Item& a, const Item& b) { return a.name < b.name; });
   return items;
 }
 
-std::string Text(const std::vector<Item>& items) {
+std::string Text(const std::map<std::string, std::string>& items) {
   Table table({"spec", "description"});
-  for (const Item& item : items) table.Add({item.name, item.description});
+  for (const auto& [name, description] : items) table.Add({name, description});
   return table.Render();
 }
 
-std::string JsonText(const std::vector<Item>& items) {
+std::string JsonText(const std::map<std::string, std::string>& items) {
   Json json;
   json.StartArray();
-  for (const Item& item : items) {
+  for (const auto& [name, description] : items) {
     json.StartObject();
-    json.Member("name", item.name);
-    json.Member("description", item.description);
+    json.Member("name", name);
+    json.Member("description", description);
     json.EndObject();
   }
   json.EndArray();
@@ -60,21 +48,13 @@ std::string JsonText(const std::vector<Item>& items) {
 
 }  // namespace
 
-Action AddCatalogue(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("catalogue", "List the specs that have a name");
-  auto options = std::make_shared<CatalogueOptions>();
-  command.add_flag("--json", options->json, "One JSON array");
-  AddReportOptions(command, options->report);
-  AddExamples(command,
-              "  mjforge catalogue\n"
-              "  MJFORGE_PATH=~/my-specs mjforge catalogue --json");
-  return [options] {
-    diag::Sources sources;
-    diag::Findings findings;
-    const std::vector<Item> items = ListItems(sources, findings);
-    const ExitStatus status = StatusOf(findings);
-    Console(options->report).Show(std::move(findings), sources);
-    return Worse(status, Print(options->json ? JsonText(items) : Text(items)));
+Action AddCatalogue(CLI::App& command) {
+  auto json = std::make_shared<bool>(false);
+  command.add_flag("--json", *json, "One JSON array");
+  return [json](Console& console) {
+    const auto items = ListItems(console);
+    const ExitStatus status = console.Tell();
+    return Worse(status, Print(*json ? JsonText(items) : Text(items)));
   };
 }
 

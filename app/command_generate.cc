@@ -2,13 +2,16 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <chrono>
+#include <csignal>
+#include <limits>
 #include <memory>
 #include <set>
 
 #include "commands.h"
-#include "generate_options.h"
-#include "interrupt.h"
+#include "make_options.h"
+#include "options.h"
 #include "progress_bar.h"
 #include "usage.h"
 
@@ -17,6 +20,150 @@ namespace {
 
 using Kind = output::Destination::Kind;
 using Clock = std::chrono::steady_clock;
+
+// What `generate` is told.
+struct GenerateOptions : ManyOptions {
+  std::string output;
+  std::uint64_t per_archive = 10'000;
+  std::string shard;
+  std::string target = "mujoco";
+  std::string validate = "load";
+  std::string on_invalid = "fail";
+  std::string sampler = "random";
+  bool verbose = false;
+  MakeOptions make;
+};
+
+// As many digits as a shard's manifest has in its name.
+constexpr std::uint64_t kMostShards = 99'999;
+
+// "3/8"
+std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_not) {
+  const std::size_t slash = text.find('/');
+  const std::optional<std::uint64_t> index = ParseWhole(text.substr(0, slash));
+  const std::optional<std::uint64_t> count =
+      slash == text.npos ? std::nullopt : ParseWhole(text.substr(slash + 1));
+  if (!index || !count || *count == 0 || *count > kMostShards) {
+    why_not = fmt::format("--shard: '{}' is not of the form I/N, N up to {}", text, kMostShards);
+    return std::nullopt;
+  }
+  if (*index >= *count) {
+    why_not = fmt::format("--shard {}: shards count from 0, so the last one is {}/{}", text,
+                          *count - 1, *count);
+    return std::nullopt;
+  }
+  return output::Shard{*index, *count};
+}
+
+// Options that one object's destination or a folder has no use for.
+std::string Misplaced(const GenerateOptions& options, const batch::Request& request) {
+  const Kind kind = request.destination.kind;
+  const bool is_one = kind == Kind::kFile || kind == Kind::kStandardOutput;
+  if (is_one && request.count > 1)
+    return fmt::format("-o {} takes one variant, -n asks for {}", options.output, request.count);
+  if (kind != Kind::kFolder && options.specs.size() > 1)
+    return fmt::format("-o {} takes one spec, {} are given", options.output, options.specs.size());
+  if (is_one && request.resume) return fmt::format("-o {} has nothing to resume", options.output);
+  if (is_one && !request.shard.IsWhole())
+    return fmt::format("-o {} is one variant, which has no shards", options.output);
+  if (kind == Kind::kArchive && !request.shard.IsWhole()) {
+    return fmt::format(
+        "--shard: '{}' is one archive; shards fill a folder or a series, such as '{}'",
+        options.output, std::string(options.output).insert(options.output.find(".tar"), "_%05d"));
+  }
+  return {};
+}
+
+std::string MisplacedMake(const GenerateOptions& options, const batch::Request& request) {
+  const MakeOptions& make = options.make;
+  if (!make.wanted()) return {};
+  if (options.specs.size() > 1) return "-MD takes one spec";
+  if (request.resume) return "-MD and --resume: what kept variants were made from is not known";
+  if (!request.shard.IsWhole()) return "-MD and --shard: a shard is no target of its own";
+  if (request.destination.kind == Kind::kStandardOutput &&
+      (make.file.empty() || make.targets.empty())) {
+    return "-MD with -o - needs -MF and -MT";
+  }
+  return {};
+}
+
+std::vector<std::string> TargetNames() {
+  std::vector<std::string> names;
+  for (const mjcf::TargetRules& info : mjcf::Targets()) names.emplace_back(info.name);
+  return names;
+}
+
+void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
+  command
+      .add_option("-o,--output", options.output, "A folder [./NAME/], .xml, .tar[.zst], %d.tar, -")
+      ->option_text("OUT");
+  AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1);
+  command.add_option("--shard", options.shard, "Part I (from 0) of the N parts of the batch")
+      ->option_text("I/N");
+  command.add_flag("--resume", options.request.resume, "Continue what an earlier run left");
+  command.add_flag("--if-changed", options.request.if_changed,
+                   "Leave files alone that stay the same");
+  command.add_flag("--force", options.request.force, "Overwrite files that mjforge did not make");
+}
+
+// As a batch takes them.
+std::optional<batch::Request> Converted(const GenerateOptions& options, std::string& why_not) {
+  batch::Request request = RequestOf(static_cast<const ManyOptions&>(options));
+  request.variant.target = *mjcf::FindTarget(options.target);
+  request.variant.sampler = *sample::FindMethod(options.sampler);
+  request.variant.validation = *forge::FindValidation(options.validate);
+  request.on_invalid = options.on_invalid == "skip"       ? batch::OnInvalid::kSkip
+                       : options.on_invalid == "resample" ? batch::OnInvalid::kResample
+                                                          : batch::OnInvalid::kFail;
+  request.all_or_nothing = options.make.wanted();
+  const auto destination = output::ParseDestination(options.output, options.per_archive, why_not);
+  if (!destination) {
+    why_not = fmt::format("-o {}: {}", options.output, why_not);
+    return std::nullopt;
+  }
+  request.destination = *destination;
+  if (options.shard.empty()) return request;
+  const std::optional<output::Shard> shard = ParseShard(options.shard, why_not);
+  if (!shard) return std::nullopt;
+  request.shard = *shard;
+  return request;
+}
+
+void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
+  AddManyOptions(command, options);
+  AddWholeNumber(command, "--first", options.request.first, "Index of the first variant");
+  AddOutputOptions(command, options);
+  command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
+      ->option_text("TEXT");
+  AddWord(command, "--target", options.target, TargetNames(), "For");
+  AddWord(command, "--validate", options.validate, Words(forge::ValidationNames()),
+          "MuJoCo's verdict");
+  AddWord(command, "--on-invalid", options.on_invalid, {"fail", "skip", "resample"},
+          "Bad variants");
+  AddWord(command, "--sampler", options.sampler, Words(sample::MethodNames()),
+          "How draws are spread");
+  AddWholeNumber(command, "--batch", options.request.variant.batch, "Variants they are spread over",
+                 1)
+      ->option_text("N [-n]");
+  AddMakeOptions(command, options.make);
+  command.add_flag("-v,--verbose", options.verbose, "Say a line about each variant");
+}
+
+// The options as a batch takes them, except a folder's name that the spec says; nothing, and
+// why, if they contradict each other.
+std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
+  std::optional<batch::Request> request = Converted(options, why_not);
+  if (!request) return std::nullopt;
+  if (request->count - 1 > std::numeric_limits<std::uint64_t>::max() - request->first) {
+    why_not = "--first and -n lead beyond the largest index";
+  } else if (request->variant.batch > sample::kMaxBatch) {
+    why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
+  } else {
+    why_not = Misplaced(options, *request);
+    if (why_not.empty()) why_not = MisplacedMake(options, *request);
+  }
+  return why_not.empty() ? request : std::nullopt;
+}
 
 ExitStatus StatusOf(const batch::Summary& summary) {
   if (summary.interrupted) return ExitStatus::kInterrupted;
@@ -40,11 +187,27 @@ std::string Counts(const batch::Summary& summary, Clock::time_point start) {
   return text + ")";
 }
 
+// A signal handler can reach nothing but a global.
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void OnInterrupt(int) { interrupted = true; }
+
+// From now on the first SIGINT or SIGTERM only sets the flag; a second one ends the program.
+const std::atomic<bool>& CatchInterrupts() {
+  struct sigaction action = {};
+  action.sa_handler = OnInterrupt;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return interrupted;
+}
+
 // The run of one `generate`.
 class Run {
  public:
-  Run(const GenerateOptions& options, batch::Request request)
-      : options_(options), request_(std::move(request)), console_(options.report) {
+  Run(const GenerateOptions& options, batch::Request request, Console& console)
+      : options_(options), request_(std::move(request)), console_(console) {
     request_.stop = &CatchInterrupts();
   }
 
@@ -70,33 +233,32 @@ class Run {
 
   // All specs first: a mistake in the last one must not show after an hour.
   void Load() {
-    diag::Findings findings;
-    if (!options_.name.empty() && !forge::CheckName(options_.name, findings)) {
-      console_.Show(std::move(findings), sources_);
+    if (!request_.variant.name.empty() &&
+        !forge::CheckName(request_.variant.name, console_.findings)) {
+      console_.Tell();
       status_ = ExitStatus::kUsage;
       return;
     }
-    const spec::LoadOptions load = MakeLoadOptions(options_.spec);
     std::set<std::string> names;
     for (const std::string& spec : options_.specs) {
-      std::optional<forge::Recipe> recipe = forge::LoadRecipe(spec, load, sources_, findings);
+      std::optional<forge::Recipe> recipe = LoadRecipe(spec, options_.spec, console_);
       if (!recipe) continue;
       const std::string& name = recipe->spec->name;
       if (!names.insert(name).second) {
-        findings.Add(diag::Code::kOutputBadName, {},
-                     fmt::format("two specs are named '{}' and would share a folder", name),
-                     "generate them one by one");
+        console_.findings.Add(
+            diag::Code::kOutputBadName, {},
+            fmt::format("two specs are named '{}' and would share a folder", name),
+            "generate them one by one");
       }
       recipes_.push_back(*std::move(recipe));
     }
-    status_ = app::StatusOf(findings);
-    console_.Show(std::move(findings), sources_);
+    status_ = console_.Tell();
   }
 
   std::filesystem::path FolderOf(const forge::Recipe& recipe) const {
-    const bool own_name = options_.specs.size() == 1 && !options_.name.empty() &&
-                          options_.name.find('$') == std::string::npos;
-    const std::string name = own_name ? options_.name : recipe.spec->name;
+    const bool own_name = options_.specs.size() == 1 && !request_.variant.name.empty() &&
+                          request_.variant.name.find('$') == std::string::npos;
+    const std::string name = own_name ? request_.variant.name : recipe.spec->name;
     if (options_.output.empty()) return name;
     if (options_.specs.size() == 1) return options_.output;
     return std::filesystem::path(options_.output) / name;
@@ -106,16 +268,16 @@ class Run {
     const auto start = Clock::now();
     batch::Request request = request_;
     if (request.destination.kind == Kind::kFolder) request.destination.path = FolderOf(recipe);
-    ProgressBar bar(!options_.report.quiet);
+    ProgressBar bar(!console_.quiet());
     batch::Watch watch;
     watch.progress = [&](const batch::Summary& summary) { bar.Show(summary); };
-    if (console_.verbose()) {
+    if (options_.verbose) {
       watch.variant = [&](const batch::Done& done) {
         bar.Clear();
         Say(done, request.destination);
       };
     }
-    batch::Summary summary = batch::Run(recipe, sources_, request, watch);
+    batch::Summary summary = batch::Run(recipe, console_.sources, request, watch);
     bar.Clear();
     ExitStatus status = StatusOf(summary);
     if (status == ExitStatus::kDone && options_.make.wanted() &&
@@ -124,7 +286,7 @@ class Run {
                            summary.findings)) {
       status = ExitStatus::kInputOutput;
     }
-    console_.Show(summary.findings, sources_, summary.more_findings);
+    console_.Show(summary.findings, console_.sources, summary.more_findings);
     if (request.destination.kind == Kind::kStandardOutput)
       return Worse(status, Print(summary.text));
     Say(recipe, request, summary, start);
@@ -149,7 +311,7 @@ class Run {
                              Counts(summary, start)));
     const bool is_batch = request.destination.kind != Kind::kFile;
     if (is_batch && (summary.interrupted || summary.output_failed) && summary.done() > 0)
-      console_.Say("  hint: the same command with --resume goes on from there");
+      console_.Say("  hint: the same command with --resume continues from there");
   }
 
   std::set<std::string> FilesOf(const forge::Recipe& recipe, const batch::Summary& summary) const {
@@ -161,27 +323,21 @@ class Run {
 
   const GenerateOptions& options_;
   batch::Request request_;
-  Console console_;
-  diag::Sources sources_;
+  Console& console_;
   std::vector<forge::Recipe> recipes_;
   ExitStatus status_ = ExitStatus::kDone;
 };
 
 }  // namespace
 
-Action AddGenerate(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("generate", "Make variants of objects");
+Action AddGenerate(CLI::App& command) {
   auto options = std::make_shared<GenerateOptions>();
   AddGenerateOptions(command, *options);
-  AddExamples(command,
-              "  mjforge generate hammer -n 100 --seed 7 -o out/\n"
-              "  mjforge generate mug.yaml --set 'height=8cm .. 12cm' -o mug.xml\n"
-              "  mjforge generate hammer -n 1000000 -o 'hammers_%05d.tar.zst'");
-  return [options] {
+  return [options](Console& console) {
     std::string why_not;
     std::optional<batch::Request> request = RequestOf(*options, why_not);
     if (!request) return WrongUsage(why_not, "generate");
-    return Run(*options, *std::move(request))();
+    return Run(*options, *std::move(request), console)();
   };
 }
 

@@ -15,15 +15,10 @@
 namespace mjforge::app {
 namespace {
 
-struct InspectOptions {
-  std::string what;
-  std::uint64_t seed = 0;
-  std::uint64_t index = 0;
+struct InspectOptions : OneOptions {
   std::string contains;
   bool sweep = false;
   bool json = false;
-  SpecOptions spec;
-  ReportOptions report;
 };
 
 // "0.1,-2,3e-1"
@@ -50,60 +45,57 @@ ExitStatus PrintContains(const model::Object& object, const InspectOptions& opti
   return Print(json.Line());
 }
 
-ExitStatus InspectSpec(const InspectOptions& options) {
-  Console console(options.report);
-  diag::Sources sources;
-  diag::Findings findings;
-  const std::optional<forge::Recipe> recipe =
-      forge::LoadRecipe(options.what, MakeLoadOptions(options.spec), sources, findings);
+ExitStatus InspectSpec(const InspectOptions& options, Console& console) {
+  const std::optional<forge::Recipe> recipe = LoadRecipe(options.what, options.spec, console);
   forge::Variant variant;
   if (recipe) {
-    forge::Options generator_options;
-    generator_options.seed = options.seed;
-    generator_options.validation = forge::Validation::kNone;
-    forge::Generator(*recipe, sources, generator_options).Make(options.index, variant);
-    findings.Append(variant.findings);
+    forge::Options how;
+    how.seed = options.spec.seed;
+    how.validation = forge::Validation::kNone;
+    forge::Generator(*recipe, console.sources, how).Make(options.index, variant);
+    console.findings.Append(variant.findings);
   }
   std::optional<validate::Sweep> sweep;
-  if (options.sweep && variant.object) {
-    sweep = validate::Loader().SweepJoints(variant.document, *variant.object, findings);
-  }
-  const ExitStatus status = StatusOf(findings);
-  console.Show(std::move(findings), sources);
+  if (options.sweep && variant.object)
+    sweep = validate::Loader().SweepJoints(variant.document, *variant.object, console.findings);
+  const ExitStatus status = console.Tell();
   if (!variant.object) return status;
   if (!options.contains.empty()) return Worse(status, PrintContains(*variant.object, options));
   return Worse(status, Print(options.json ? InspectJson(*recipe, variant, sweep)
                                           : InspectTables(*recipe, variant, sweep)));
 }
 
-ExitStatus InspectFile(const InspectOptions& options) {
+ExitStatus InspectFile(const InspectOptions& options, Console& console) {
   if (!options.contains.empty()) return WrongUsage("--contains takes a spec", "inspect");
-  diag::Sources sources;
-  diag::Findings findings;
   validate::Loader loader;
-  const std::optional<validate::CompiledModel> model = loader.Load(options.what, sources, findings);
+  const auto model = loader.Load(options.what, console.sources, console.findings);
   std::optional<validate::Sweep> sweep;
-  if (options.sweep && model && findings.empty()) {
-    sweep = loader.SweepJoints(options.what, sources, findings);
-  }
-  const ExitStatus status = StatusOf(findings);
-  Console(options.report).Show(std::move(findings), sources);
+  if (options.sweep && model && console.findings.empty())
+    sweep = loader.SweepJoints(options.what, console.sources, console.findings);
+  const ExitStatus status = console.Tell();
   if (!model) return Worse(status, ExitStatus::kFindings);
   return Worse(status,
                Print(options.json ? InspectJson(*model, sweep) : InspectTables(*model, sweep)));
 }
 
+ExitStatus Inspect(const InspectOptions& options, Console& console) {
+  if (!options.contains.empty() && !ParsePoint(options.contains)) {
+    return WrongUsage(fmt::format("--contains: '{}' is not of the form X,Y,Z", options.contains),
+                      "inspect");
+  }
+  if (const auto manifest = FindManifest(options.what)) {
+    if (options.sweep || !options.contains.empty())
+      return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
+    return InspectBatch(*manifest, options.json, console);
+  }
+  return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
+}
+
 }  // namespace
 
-Action AddInspect(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("inspect", "Show parameters and one variant, or a batch");
+Action AddInspect(CLI::App& command) {
   auto options = std::make_shared<InspectOptions>();
-  command.add_option("WHAT", options->what, "A spec, a FILE.xml, or the folder of a batch")
-      ->required()
-      ->option_text(" ");
-  AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
-  AddWholeNumber(command, "--index", options->index, "The variant to show");
-  AddSpecOptions(command, options->spec);
+  AddOneOptions(command, *options, "A spec, a FILE.xml, or the folder of a batch");
   CLI::Option* contains =
       command
           .add_option("--contains", options->contains, "Say whether a point (m) is inside a part")
@@ -112,27 +104,7 @@ Action AddInspect(CLI::App& app) {
       ->option_text(" ")
       ->excludes(contains);
   command.add_flag("--json", options->json, "One JSON object");
-  AddReportOptions(command, options->report);
-  AddExamples(command,
-              "  mjforge inspect hammer\n"
-              "  mjforge inspect hammer --index 41 --seed 7 --json\n"
-              "  mjforge inspect hammer --contains 0,0,0.05\n"
-              "  mjforge inspect robot.xml --sweep\n"
-              "  mjforge inspect out/hammer_000041.xml\n"
-              "  mjforge inspect out/ --json");
-  return [options] {
-    if (!options->contains.empty() && !ParsePoint(options->contains)) {
-      return WrongUsage(fmt::format("--contains: '{}' is not of the form X,Y,Z", options->contains),
-                        "inspect");
-    }
-    if (const auto manifest = FindManifest(options->what)) {
-      if (options->sweep || !options->contains.empty())
-        return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
-      Console console(options->report);
-      return InspectBatch(*manifest, options->json, console);
-    }
-    return options->what.ends_with(".xml") ? InspectFile(*options) : InspectSpec(*options);
-  };
+  return [options](Console& console) { return Inspect(*options, console); };
 }
 
 }  // namespace mjforge::app

@@ -5,32 +5,22 @@
 
 #include "commands.h"
 #include "mjforge/batch/batch.h"
-#include "options.h"
 #include "usage.h"
 
 namespace mjforge::app {
 namespace {
 
-struct MergeOptions {
-  std::string output;
-  ReportOptions report;
-};
-
-ExitStatus Merge(const MergeOptions& options) {
+ExitStatus Merge(const std::string& place, Console& console) {
   using Kind = output::Destination::Kind;
   std::string why_not;
-  const auto destination = output::ParseDestination(options.output, 1, why_not);
-  if (!destination) return WrongUsage(fmt::format("{}: {}", options.output, why_not), "merge");
+  const auto destination = output::ParseDestination(place, 1, why_not);
+  if (!destination) return WrongUsage(fmt::format("{}: {}", place, why_not), "merge");
   if (destination->kind != Kind::kFolder && destination->kind != Kind::kArchives) {
-    return WrongUsage(
-        fmt::format("'{}' is neither a folder nor a series of archives", options.output), "merge");
+    return WrongUsage(fmt::format("'{}' is neither a folder nor a series of archives", place),
+                      "merge");
   }
-  diag::Sources sources;
-  diag::Findings findings;
-  const std::optional<std::uint64_t> count = batch::Merge(*destination, sources, findings);
-  const ExitStatus status = StatusOf(findings);
-  Console console(options.report);
-  console.Show(std::move(findings), sources);
+  const auto count = batch::Merge(*destination, console.sources, console.findings);
+  const ExitStatus status = console.Tell();
   if (count)
     console.Say(fmt::format("{} variants in {}", *count, destination->Manifest({}).string()));
   return status;
@@ -38,17 +28,12 @@ ExitStatus Merge(const MergeOptions& options) {
 
 }  // namespace
 
-Action AddMerge(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("merge", "Join the manifests of all shards of a batch");
-  auto options = std::make_shared<MergeOptions>();
-  command.add_option("OUT", options->output, "Where the shards went, as generate's -o says it")
+Action AddMerge(CLI::App& command) {
+  auto output = std::make_shared<std::string>();
+  command.add_option("OUT", *output, "Where the shards went, as generate's -o says it")
       ->required()
       ->option_text(" ");
-  AddReportOptions(command, options->report);
-  AddExamples(command,
-              "  mjforge merge out/\n"
-              "  mjforge merge 'hammers_%05d.tar.zst'");
-  return [options] { return Merge(*options); };
+  return [output](Console& console) { return Merge(*output, console); };
 }
 
 }  // namespace mjforge::app

@@ -7,12 +7,24 @@
 #include "commands.h"
 #include "mjforge/forge/forge.h"
 #include "preview_captions.h"
-#include "preview_file.h"
 #include "preview_options.h"
 #include "usage.h"
 
 namespace mjforge::app {
 namespace {
+
+std::string PictureSoftware() { return "mjforge " + std::string(forge::Version()); }
+
+// Whether nothing would be lost by writing a picture there. Else a finding.
+bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Findings& findings) {
+  // Pictures say so before what they show.
+  constexpr std::size_t kStart = 8192;
+  const auto is_ours = [](std::string_view start) {
+    const bool picture = start.starts_with("\x89PNG\r\n") || start.starts_with("GIF89a");
+    return picture && start.substr(0, kStart).find("mjforge ") != start.npos;
+  };
+  return output::MayReplace(file, force, kStart, is_ours, findings);
+}
 
 // One object that is to be drawn, and what its picture says of it.
 struct Sight {
@@ -22,22 +34,21 @@ struct Sight {
 
 class Preview {
  public:
-  Preview(const PreviewOptions& options, PreviewRequest request)
-      : options_(options), request_(std::move(request)), console_(options.report) {}
+  Preview(const PreviewOptions& options, Console& console)
+      : options_(options), console_(console), findings_(console.findings) {}
 
   ExitStatus operator()() {
     const std::optional<std::string> bytes = Make();
     const bool printed = options_.output == "-";
     if (bytes && !printed && MayReplacePicture(place_, options_.force, findings_))
       output::WriteFile(place_, *bytes, false, findings_);
-    const ExitStatus status = StatusOf(findings_);
-    console_.Show(std::move(findings_), sources_);
+    const ExitStatus status = console_.Tell();
     return bytes && printed ? Worse(status, Print(*bytes)) : status;
   }
 
  private:
   std::optional<std::string> Make() {
-    std::vector<Sight> sights = options_.is_file() ? LoadFile() : LoadVariants();
+    std::vector<Sight> sights = options_.is_file ? LoadFile() : LoadVariants();
     if (sights.empty() || !Pose(sights)) return std::nullopt;
     // Before the work that would be in vain.
     if (options_.output != "-" && !MayReplacePicture(place_, options_.force, findings_))
@@ -53,10 +64,12 @@ class Preview {
   }
 
   std::vector<Sight> LoadFile() {
-    ChoosePlace(std::filesystem::path(options_.what).stem().string());
+    ChoosePlace(options_.what == "-" ? "stdin"
+                                     : std::filesystem::path(options_.what).stem().string());
     std::vector<Sight> sights;
     // Says what is wrong with it, and where.
-    if (!validate::Loader().Load(options_.what, sources_, findings_) || findings_.HasErrors())
+    if (!validate::Loader().Load(options_.what, console_.sources, findings_) ||
+        findings_.HasErrors())
       return sights;
     std::string why_not;
     auto subject = picture::Loader().LoadFile(options_.what, why_not);
@@ -70,13 +83,13 @@ class Preview {
 
   std::vector<Sight> LoadVariants() {
     std::vector<Sight> sights;
-    recipe_ = forge::LoadRecipe(options_.what, MakeLoadOptions(options_.spec), sources_, findings_);
+    recipe_ = LoadRecipe(options_.what, options_.spec, console_);
     if (!recipe_) return sights;
     ChoosePlace(recipe_->spec->name);
     forge::Options options;
-    options.seed = options_.seed;
+    options.seed = options_.spec.seed;
     options.validation = forge::Validation::kNone;
-    forge::Generator generator(*recipe_, sources_, options);
+    forge::Generator generator(*recipe_, console_.sources, options);
     picture::Loader loader;
     forge::Variant variant;
     for (std::uint64_t i = 0; i < options_.count; ++i) {
@@ -100,23 +113,23 @@ class Preview {
     validate::Loader().Validate(variant.document, *variant.object, found);
     if (!found.HasErrors())
       found.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
-    found.SetVariant(options_.seed, variant.record.index);
+    found.SetVariant(options_.spec.seed, variant.record.index);
     findings_.Append(std::move(found));
   }
 
   bool Pose(std::vector<Sight>& sights) {
     for (Sight& sight : sights) {
-      for (const auto& [name, value] : request_.joints) {
+      for (const auto& [name, value] : options_.poses) {
         const std::optional<int> joint = sight.subject->FindJoint(name, findings_);
         if (joint) sight.subject->SetJoint(*joint, value, findings_);
       }
-      if (findings_.HasErrors() && !request_.joints.empty()) return false;
+      if (findings_.HasErrors() && !options_.poses.empty()) return false;
     }
     return true;
   }
 
   std::optional<std::string> DrawOne(picture::Renderer& renderer, Sight& sight) {
-    const auto image = renderer.Draw(*sight.subject, request_.picture, findings_);
+    const auto image = renderer.Draw(*sight.subject, options_.picture, findings_);
     if (!image) return std::nullopt;
     return picture::EncodePng(*image, TextsOf(sight.record, ""));
   }
@@ -124,13 +137,13 @@ class Preview {
   std::optional<std::string> DrawSweep(picture::Renderer& renderer, Sight& sight) {
     constexpr int kDelay = 50;  // ms
     std::optional<int> joint;
-    if (!request_.swept.empty()) {
-      joint = sight.subject->FindJoint(request_.swept, findings_);
+    if (!options_.swept.empty()) {
+      joint = sight.subject->FindJoint(options_.swept, findings_);
       if (!joint) return std::nullopt;
     }
     const std::vector<picture::Pose> poses = sight.subject->Sweep(joint, findings_);
     if (poses.empty()) return std::nullopt;
-    const auto frames = renderer.DrawMotion(*sight.subject, poses, request_.picture, findings_);
+    const auto frames = renderer.DrawMotion(*sight.subject, poses, options_.picture, findings_);
     if (!frames) return std::nullopt;
     const picture::Texts texts = TextsOf(sight.record, "");
     return place_.extension() == ".gif" ? picture::EncodeGif(*frames, kDelay, texts)
@@ -138,14 +151,14 @@ class Preview {
   }
 
   std::optional<std::string> DrawSheet(picture::Renderer& renderer, std::vector<Sight>& sights) {
-    picture::Options tile = request_.picture;
+    picture::Options tile = options_.picture;
     tile.background.transparent = true;
     std::vector<manifest::Record> records;
     std::vector<picture::Tile> tiles;
     for (Sight& sight : sights) {
       diag::Findings found;
       auto image = renderer.Draw(*sight.subject, tile, found);
-      found.SetVariant(options_.seed, sight.record.index);
+      found.SetVariant(options_.spec.seed, sight.record.index);
       findings_.Append(std::move(found));
       sight.subject.reset();
       if (!image) continue;
@@ -156,13 +169,13 @@ class Preview {
     const auto captions = Captions(records, *recipe_->spec);
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];
     const picture::Image sheet =
-        picture::ContactSheet(renderer, tiles, request_.picture.background);
+        picture::ContactSheet(renderer, tiles, options_.picture.background);
     return picture::EncodePng(sheet, TextsOf(records.front(), fmt::format("+{}", options_.count)));
   }
 
   // So that a picture can be traced to what it shows.
   picture::Texts TextsOf(const manifest::Record& record, const std::string& count) const {
-    picture::Texts texts = {{"Software", std::string(PictureSoftware())}};
+    picture::Texts texts = {{"Software", PictureSoftware()}};
     if (recipe_) {
       texts.emplace_back("mjforge",
                          fmt::format("spec={} sha256={} seed={} index={}{}", record.spec,
@@ -175,32 +188,23 @@ class Preview {
   }
 
   const PreviewOptions& options_;
-  PreviewRequest request_;
-  Console console_;
-  diag::Sources sources_;
-  diag::Findings findings_;
+  Console& console_;
+  diag::Findings& findings_;  // the console's
   std::optional<forge::Recipe> recipe_;
   std::filesystem::path place_;
 };
 
 }  // namespace
 
-Action AddPreview(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("preview", "Draw an object, or a sheet of variants");
+Action AddPreview(CLI::App& command) {
   auto options = std::make_shared<PreviewOptions>();
   AddPreviewOptions(command, *options);
-  AddExamples(command,
-              "  mjforge preview hammer -n 16 -o hammers.png\n"
-              "  mjforge preview hinged_box --joint hinge=45deg\n"
-              "  mjforge preview faucet --sweep -o faucet.gif --size 320\n"
-              "  mjforge preview robot.xml --layer collision --size 1280x720");
-  return [options] {
+  return [options](Console& console) {
     std::string why_not;
-    std::optional<PreviewRequest> request = RequestOf(*options, why_not);
-    if (!request) return WrongUsage(why_not, "preview");
+    if (!Understand(*options, why_not)) return WrongUsage(why_not, "preview");
     if (options->output == "-" && ::isatty(STDOUT_FILENO) != 0)
       return WrongUsage("-o -: a terminal cannot show a picture", "preview");
-    return Preview(*options, *std::move(request))();
+    return Preview(*options, console)();
   };
 }
 

@@ -24,7 +24,6 @@ struct PageOptions {
   std::string spec;
   std::uint64_t thumbnails = 200;
   bool force = false;
-  ReportOptions report;
 };
 
 std::string SizeText(std::size_t bytes) {
@@ -33,8 +32,10 @@ std::string SizeText(std::size_t bytes) {
 }
 
 // What the page says in a line; empty if there is none.
-std::string MakeReport(const PageOptions& options, diag::Sources& sources, std::string& html,
-                       std::filesystem::path& file, diag::Findings& findings) {
+std::string MakeReport(const PageOptions& options, std::string& html, std::filesystem::path& file,
+                       Console& console) {
+  diag::Sources& sources = console.sources;
+  diag::Findings& findings = console.findings;
   const auto manifest = FindBatch(options.what, findings);
   if (!manifest) return {};
   const bool is_printed = options.output == "-";
@@ -53,21 +54,17 @@ std::string MakeReport(const PageOptions& options, diag::Sources& sources, std::
                      SizeText(html.size()));
 }
 
-ExitStatus Report(const PageOptions& options) {
+ExitStatus Report(const PageOptions& options, Console& console) {
   std::error_code ignored;
   if (std::filesystem::equivalent(options.what, options.output, ignored))
     return WrongUsage("-o names the manifest itself", "report");
-  diag::Sources sources;
-  diag::Findings findings;
   std::string html;
   std::filesystem::path file;
-  const std::string words = MakeReport(options, sources, html, file, findings);
+  const std::string words = MakeReport(options, html, file, console);
   const bool is_printed = options.output == "-";
   const bool is_written =
-      !words.empty() && !is_printed && output::WriteFile(file, html, false, findings);
-  ExitStatus status = StatusOf(findings);
-  Console console(options.report);
-  console.Show(std::move(findings), sources);
+      !words.empty() && !is_printed && output::WriteFile(file, html, false, console.findings);
+  ExitStatus status = console.Tell();
   if (!words.empty() && is_printed) status = Worse(status, Print(html));
   if (is_written) console.Say(fmt::format("{} in {}", words, file.string()));
   return status;
@@ -75,8 +72,7 @@ ExitStatus Report(const PageOptions& options) {
 
 }  // namespace
 
-Action AddReport(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("report", "Make an HTML page about a batch");
+Action AddReport(CLI::App& command) {
   auto options = std::make_shared<PageOptions>();
   command.add_option("WHAT", options->what, "The folder, archive or manifest of a batch")
       ->required()
@@ -86,16 +82,10 @@ Action AddReport(CLI::App& app) {
   AddWholeNumber(command, "--thumbnails", options->thumbnails, "Variants to show, at most");
   command.add_option("--spec", options->spec, "The spec, if it moved since")->option_text("SPEC");
   command.add_flag("--force", options->force, "Overwrite a file that is not a report");
-  AddReportOptions(command, options->report);
-  AddExamples(command,
-              "  mjforge report out/\n"
-              "  mjforge report hammers.tar.zst -o hammers.html\n"
-              "  mjforge report out/ --thumbnails 1000\n"
-              "  mjforge report out/.manifest.jsonl.part -o - > so_far.html");
-  return [options] {
+  return [options](Console& console) {
     if (options->thumbnails > kMostThumbnails)
       return WrongUsage(fmt::format("--thumbnails: at most {}", kMostThumbnails), "report");
-    return Report(*options);
+    return Report(*options, console);
   };
 }
 

@@ -2,22 +2,16 @@
 #include <memory>
 
 #include "commands.h"
-#include "console.h"
 #include "mjforge/forge/forge.h"
-#include "options.h"
 #include "usage.h"
 
 namespace mjforge::app {
 
-Action AddSchema(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("schema", "Print a JSON Schema");
+Action AddSchema(CLI::App& command) {
   auto which = std::make_shared<std::string>("object");
   command.add_option("WHICH", *which, "object (of a spec, the default) or manifest")
       ->option_text(" ");
-  AddExamples(command,
-              "  mjforge schema > object.schema.json\n"
-              "  mjforge schema manifest");
-  return [which] {
+  return [which](Console&) {
     if (*which == "object") return Print(spec::JsonSchema());
     if (*which == "manifest") return Print(manifest::ManifestSchema());
     return WrongUsage("'" + *which + "' is not one of object, manifest", "schema");

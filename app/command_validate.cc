@@ -17,7 +17,6 @@ struct ValidateOptions {
   bool physics = false;
   std::vector<std::string> settings;
   bool json = false;
-  ReportOptions report;
 };
 
 /// What is known of a file.
@@ -94,55 +93,50 @@ struct Judges {
   model::Checks checks;
 };
 
-ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options, Judges& judges) {
+ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options, Judges& judges,
+                        const Console& console) {
   diag::Sources sources;
   Verdict verdict;
   verdict.model = judges.loader.Load(file, sources, verdict.findings);
-  if (verdict.ok() && judges.laboratory) {
+  if (verdict.ok() && judges.laboratory)
     verdict.physics = judges.laboratory->Examine(file, judges.checks, sources, verdict.findings);
-  }
-  const ExitStatus status = StatusOf(verdict.findings);
-  const ExitStatus printed =
-      Print(options.json ? JsonLine(file, verdict, sources) : Line(file, verdict));
-  if (!options.json) Console(options.report).Show(std::move(verdict.findings), sources);
-  return Worse(printed, verdict.model ? status : Worse(status, ExitStatus::kFindings));
+  ExitStatus status = StatusOf(verdict.findings);
+  if (!verdict.model) status = Worse(status, ExitStatus::kFindings);
+  const std::string name = file == "-" ? "<stdin>" : file;
+  if (options.json) return Worse(status, Print(JsonLine(name, verdict, sources)));
+  if (!console.quiet()) status = Worse(status, Print(Line(name, verdict)));
+  console.Show(std::move(verdict.findings), sources);
+  return status;
 }
 
-ExitStatus ValidateFiles(const ValidateOptions& options) {
+ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
   Judges judges;
   if (options.physics) judges.laboratory.emplace();
-  diag::Sources sources;
-  diag::Findings findings;
-  const auto checks = forge::LoadChecks(MakeSettings(options.settings), sources, findings);
-  if (!checks) {
-    Console(options.report).Show(std::move(findings), sources);
-    return ExitStatus::kFindings;
-  }
+  const auto checks =
+      forge::LoadChecks(MakeSettings(options.settings), console.sources, console.findings);
+  if (!checks) return Worse(console.Tell(), ExitStatus::kFindings);
   judges.checks = *checks;
   ExitStatus status = ExitStatus::kDone;
   for (const std::string& file : options.files) {
-    status = Worse(status, ValidateFile(file, options, judges));
+    if (file == "-") IsMjcf(file);  // keeps it: it is read for every look
+    status = Worse(status, ValidateFile(file, options, judges, console));
   }
   return status;
 }
 
 }  // namespace
 
-Action AddValidate(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("validate", "Load MJCF files in MuJoCo");
+Action AddValidate(CLI::App& command) {
   auto options = std::make_shared<ValidateOptions>();
-  command.add_option("FILE", options->files, "Any MJCF file")->required()->option_text("...");
+  command.add_option("FILE", options->files, "Any MJCF file, or - (stdin)")
+      ->required()
+      ->option_text("...");
   CLI::Option* physics =
       command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSettings(command, options->settings, "Set a threshold: checks.NAME=VALUE");
   command.get_option("--set")->needs(physics);
-  command.add_flag("--json", options->json, "One JSON object a file, findings included");
-  AddReportOptions(command, options->report);
-  AddExamples(command,
-              "  mjforge validate out/*.xml\n"
-              "  mjforge validate robot.xml --json\n"
-              "  mjforge validate mug.xml --physics --set checks.stable=true");
-  return [options] { return ValidateFiles(*options); };
+  command.add_flag("--json", options->json, "One JSON object per file, findings included");
+  return [options](Console& console) { return ValidateFiles(*options, console); };
 }
 
 }  // namespace mjforge::app

@@ -1,91 +1,197 @@
+#include <fmt/format.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <memory>
+#include <string_view>
+#include <system_error>
 
 #include "commands.h"
-#include "mjforge/forge/forge.h"
 #include "options.h"
 #include "usage.h"
-#include "viewer.h"
 
 namespace mjforge::app {
 namespace {
 
-struct ViewOptions {
-  std::string what;
-  std::uint64_t seed = 0;
-  std::uint64_t index = 0;
-  SpecOptions spec;
-  ReportOptions report;
+using diag::Code;
 
-  bool is_file() const { return what.ends_with(".xml"); }
-};
+constexpr int kCannotRun = 127;  // as shells say it
 
-class View {
- public:
-  explicit View(const ViewOptions& options) : options_(options), console_(options.report) {}
-
-  ExitStatus operator()() {
-    ExitStatus status = options_.is_file() ? ShowFile() : ShowVariant();
-    status = Worse(status, StatusOf(findings_));
-    console_.Show(std::move(findings_), sources_);
-    return status;
+std::filesystem::path FindInPath(std::string_view program) {
+  const char* variable = std::getenv("PATH");
+  std::string_view rest = variable == nullptr ? "" : variable;
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    const std::filesystem::path file = std::filesystem::path(folder) / program;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0)
+      return std::filesystem::absolute(file, error);
   }
+  return {};
+}
+
+sigset_t WatchedSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, signal);
+  return signals;
+}
+
+// In the new process; does not return.
+[[noreturn]] void Become(const std::filesystem::path& viewer, const std::filesystem::path& file,
+                         const std::filesystem::path& folder, const sigset_t& signals) {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &signals, nullptr);
+  if (::chdir(folder.c_str()) == 0) ::execl(viewer.c_str(), viewer.c_str(), file.c_str(), nullptr);
+  ::_exit(kCannotRun);
+}
+
+// Until the process ends; its status as waitpid says it. `interrupted` is set if a
+// signal came.
+int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
+  int status = 0;
+  while (::waitpid(process, &status, WNOHANG) == 0) {
+    int signal = 0;
+    if (::sigwait(&watched, &signal) != 0 || signal == SIGCHLD) continue;
+    ::kill(process, interrupted ? SIGKILL : signal);
+    interrupted = true;
+  }
+  return status;
+}
+
+std::string HowItEnded(int status) {
+  if (WIFSIGNALED(status)) return fmt::format("signal {} ended it", WTERMSIG(status));
+  if (WEXITSTATUS(status) == kCannotRun) return "it cannot be run";
+  return fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+// A fresh folder among the temporary ones, gone with all that is in it when it ends.
+class TemporaryFolder {
+ public:
+  // Nothing, and a finding, if it cannot be made.
+  static std::optional<TemporaryFolder> Make(diag::Findings& findings);
+  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) {
+    other.path_.clear();
+  }
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  ~TemporaryFolder();
+
+  const std::filesystem::path& path() const { return path_; }
 
  private:
-  ExitStatus ShowFile() {
-    if (!validate::Loader().Load(options_.what, sources_, findings_)) return ExitStatus::kFindings;
-    const auto viewer = FindViewer(findings_);
-    const auto folder = viewer ? TemporaryFolder::Make(findings_) : std::nullopt;
-    if (!folder) return ExitStatus::kFindings;
-    return RunViewer(*viewer, std::filesystem::absolute(options_.what), folder->path(), findings_);
-  }
-
-  ExitStatus ShowVariant() {
-    const std::optional<forge::Recipe> recipe =
-        forge::LoadRecipe(options_.what, MakeLoadOptions(options_.spec), sources_, findings_);
-    if (!recipe) return ExitStatus::kFindings;
-    forge::Options options;
-    options.seed = options_.seed;
-    options.target = mjcf::Target::kScene;
-    forge::Variant variant;
-    forge::Generator(*recipe, sources_, options).Make(options_.index, variant);
-    findings_.Append(variant.findings);
-    if (!variant.ok()) return ExitStatus::kFindings;
-    const auto viewer = FindViewer(findings_);
-    const auto folder = viewer ? TemporaryFolder::Make(findings_) : std::nullopt;
-    if (!folder) return ExitStatus::kFindings;
-    const std::string name = variant.record.name + ".xml";
-    if (!output::ObjectFolder(folder->path(), {}).Write(name, variant.document, findings_))
-      return ExitStatus::kInputOutput;
-    return RunViewer(*viewer, folder->path() / name, folder->path(), findings_);
-  }
-
-  const ViewOptions& options_;
-  Console console_;
-  diag::Sources sources_;
-  diag::Findings findings_;
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
 };
+
+std::optional<TemporaryFolder> TemporaryFolder::Make(diag::Findings& findings) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+  std::string name = ((error ? "/tmp" : parent) / "mjforge-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    findings.Add(Code::kOutputCannotWrite, {},
+                 fmt::format("cannot make a temporary folder '{}': {}", name,
+                             std::generic_category().message(errno)));
+    return std::nullopt;
+  }
+  return TemporaryFolder(name);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+// MuJoCo's own viewer, by the name it has in Debian, else in MuJoCo's own archives. Nothing,
+// and a finding, if PATH has neither or there is no display.
+std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
+  for (const std::string_view program : {"mujoco-simulate", "simulate"}) {
+    const std::filesystem::path file = FindInPath(program);
+    if (file.empty()) continue;
+    if (IsSet("DISPLAY") || IsSet("WAYLAND_DISPLAY")) return file;
+    findings.Add(Code::kPictureNoDisplay, {},
+                 "there is no display for MuJoCo's viewer: neither DISPLAY nor WAYLAND_DISPLAY "
+                 "is set",
+                 "'mjforge preview' draws without one");
+    return std::nullopt;
+  }
+  findings.Add(Code::kPictureNoViewer, {},
+               "MuJoCo's viewer is not installed: there is no 'mujoco-simulate' in PATH",
+               "install the package libmujoco-samples");
+  return std::nullopt;
+}
+
+// Shows a file, with `folder` as its working folder, and waits until the viewer ends. SIGINT,
+// SIGTERM and SIGHUP go on to it, the second one as SIGKILL.
+ExitStatus RunViewer(const std::filesystem::path& viewer, const std::filesystem::path& file,
+                     const std::filesystem::path& folder, diag::Findings& findings) {
+  const sigset_t watched = WatchedSignals();
+  sigset_t before;
+  ::sigprocmask(SIG_BLOCK, &watched, &before);
+  const pid_t process = ::fork();
+  if (process == 0) Become(viewer, file, folder, before);
+  bool interrupted = false;
+  const int status = process < 0 ? 0 : WaitFor(process, watched, interrupted);
+  if (process < 0) {
+    findings.Add(Code::kPictureNoViewer, {},
+                 fmt::format("cannot start MuJoCo's viewer '{}': {}", viewer.string(),
+                             std::generic_category().message(errno)));
+  } else if (status != 0 && !interrupted) {
+    findings.Add(Code::kPictureNoViewer, {},
+                 fmt::format("MuJoCo's viewer '{}' failed: {}", viewer.filename().string(),
+                             HowItEnded(status)));
+  }
+  // Signals stay blocked: what is left to do is quick.
+  return interrupted ? ExitStatus::kInterrupted : StatusOf(findings);
+}
+
+ExitStatus ViewFile(const std::string& file, Console& console) {
+  if (!validate::Loader().Load(file, console.sources, console.findings))
+    return ExitStatus::kFindings;
+  const auto viewer = FindViewer(console.findings);
+  const auto folder = viewer ? TemporaryFolder::Make(console.findings) : std::nullopt;
+  if (!folder) return ExitStatus::kFindings;
+  return RunViewer(*viewer, std::filesystem::absolute(file), folder->path(), console.findings);
+}
+
+ExitStatus ViewVariant(const OneOptions& options, Console& console) {
+  const std::optional<forge::Recipe> recipe = LoadRecipe(options.what, options.spec, console);
+  if (!recipe) return ExitStatus::kFindings;
+  forge::Options how;
+  how.seed = options.spec.seed;
+  how.target = mjcf::Target::kScene;
+  forge::Variant variant;
+  forge::Generator(*recipe, console.sources, how).Make(options.index, variant);
+  console.findings.Append(variant.findings);
+  if (!variant.ok()) return ExitStatus::kFindings;
+  const auto viewer = FindViewer(console.findings);
+  const auto folder = viewer ? TemporaryFolder::Make(console.findings) : std::nullopt;
+  if (!folder) return ExitStatus::kFindings;
+  const std::string name = variant.record.name + ".xml";
+  if (!output::ObjectFolder(folder->path(), {}).Write(name, variant.document, console.findings))
+    return ExitStatus::kInputOutput;
+  return RunViewer(*viewer, folder->path() / name, folder->path(), console.findings);
+}
 
 }  // namespace
 
-Action AddView(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("view", "Open an object in MuJoCo's own viewer");
-  auto options = std::make_shared<ViewOptions>();
-  command.add_option("WHAT", options->what, "A spec or a FILE.xml")->required()->option_text(" ");
-  AddWholeNumber(command, "-s,--seed", options->seed, "Seed of all draws");
-  AddWholeNumber(command, "--index", options->index, "The variant to show");
-  AddSpecOptions(command, options->spec);
-  AddReportOptions(command, options->report);
-  AddExamples(command,
-              "  mjforge view hammer --index 41\n"
-              "  mjforge view robot.xml");
-  return [options] {
-    const bool has_settings =
-        !options->spec.settings.empty() || !options->spec.parameter_files.empty();
-    if (options->is_file() && (has_settings || options->seed != 0 || options->index != 0))
+Action AddView(CLI::App& command) {
+  auto options = std::make_shared<OneOptions>();
+  AddOneOptions(command, *options, "A spec or a FILE.xml");
+  return [options](Console& console) {
+    const bool is_file = options->what.ends_with(".xml");
+    if (is_file && (options->spec.given() || options->index != 0))
       return WrongUsage("--seed, --index, --set, --root and --params take a spec, not a file",
                         "view");
-    return View(*options)();
+    const ExitStatus status =
+        is_file ? ViewFile(options->what, console) : ViewVariant(*options, console);
+    return Worse(status, console.Tell());
   };
 }
 

@@ -1,11 +1,77 @@
 #include "commands.h"
 
-namespace mjforge::app {
+#include <CLI/CLI.hpp>
 
-std::vector<Action> AddCommands(CLI::App& app) {
-  return {AddGenerate(app), AddCheck(app),     AddInspect(app), AddValidate(app),
-          AddPreview(app),  AddView(app),      AddReport(app),  AddMerge(app),
-          AddReplay(app),   AddCatalogue(app), AddSchema(app)};
+#include "options.h"
+
+namespace mjforge::app {
+namespace {
+
+struct Command {
+  const char* name;
+  const char* description;
+  Action (*add)(CLI::App& command);
+  const char* examples;
+};
+
+constexpr Command kCommands[] = {
+    {"generate", "Make variants of objects", AddGenerate,
+     "  mjforge generate hammer -n 100 --seed 7 -o out/\n"
+     "  mjforge generate mug.yaml --set 'height=8cm .. 12cm' -o mug.xml\n"
+     "  mjforge generate hammer -n 1000000 -o 'hammers_%05d.tar.zst'"},
+    {"check", "Find mistakes in specs; writes nothing", AddCheck,
+     "  mjforge check mug.yaml\n"
+     "  mjforge check specs/*.yaml -n 100 --findings json\n"
+     "  mjforge check mug.yaml --physics --set checks.stable=true"},
+    {"inspect", "Show parameters and one variant, or a batch", AddInspect,
+     "  mjforge inspect hammer\n"
+     "  mjforge inspect hammer --index 41 --seed 7 --json\n"
+     "  mjforge inspect hammer --contains 0,0,0.05\n"
+     "  mjforge inspect robot.xml --sweep\n"
+     "  mjforge inspect out/hammer_000041.xml\n"
+     "  mjforge inspect out/ --json"},
+    {"validate", "Load MJCF files in MuJoCo", AddValidate,
+     "  mjforge validate out/*.xml\n"
+     "  mjforge validate robot.xml --json\n"
+     "  mjforge validate mug.xml --physics --set checks.stable=true"},
+    {"preview", "Draw an object, or a sheet of variants", AddPreview,
+     "  mjforge preview hammer -n 16 -o hammers.png\n"
+     "  mjforge preview hinged_box --joint hinge=45deg\n"
+     "  mjforge preview faucet --sweep -o faucet.gif --size 320\n"
+     "  mjforge preview robot.xml --layer collision --azimuth 90 --elevation -20"},
+    {"view", "Open an object in MuJoCo's own viewer", AddView,
+     "  mjforge view hammer --index 41\n"
+     "  mjforge view robot.xml"},
+    {"report", "Make an HTML page about a batch", AddReport,
+     "  mjforge report out/\n"
+     "  mjforge report hammers.tar.zst -o hammers.html\n"
+     "  mjforge report out/ --thumbnails 1000\n"
+     "  mjforge report out/.manifest.jsonl.part -o - > so_far.html"},
+    {"merge", "Join the manifests of all shards of a batch", AddMerge,
+     "  mjforge merge out/\n"
+     "  mjforge merge 'hammers_%05d.tar.zst'"},
+    {"replay", "Make a variant again and compare the bytes", AddReplay,
+     "  mjforge replay out/manifest.jsonl:42\n"
+     "  mjforge replay out/hammer_000042.xml --spec old/hammer.yaml"},
+    {"catalogue", "List the specs that have a name", AddCatalogue,
+     "  mjforge catalogue\n"
+     "  MJFORGE_PATH=~/my-specs mjforge catalogue --json"},
+    {"schema", "Print a JSON Schema", AddSchema,
+     "  mjforge schema > object.schema.json\n"
+     "  mjforge schema manifest"},
+};
+
+}  // namespace
+
+std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, ReportOptions& report) {
+  std::vector<std::pair<CLI::App*, Action>> commands;
+  for (const Command& row : kCommands) {
+    CLI::App& command = *app.add_subcommand(row.name, row.description);
+    commands.emplace_back(&command, row.add(command));
+    AddReportOptions(command, report);
+    command.footer(std::string("Examples:\n") + row.examples);
+  }
+  return commands;
 }
 
 }  // namespace mjforge::app

@@ -2,9 +2,10 @@
 #define MJFORGE_APP_COMMANDS_H_
 
 #include <functional>
+#include <utility>
 #include <vector>
 
-#include "exit_status.h"
+#include "console.h"
 
 namespace CLI {
 class App;
@@ -13,23 +14,23 @@ class App;
 namespace mjforge::app {
 
 /// What a command does once its options are parsed.
-using Action = std::function<ExitStatus()>;
+using Action = std::function<ExitStatus(Console&)>;
 
-// Each adds its subcommand and returns what it does.
-Action AddGenerate(CLI::App& app);
-Action AddCheck(CLI::App& app);
-Action AddInspect(CLI::App& app);
-Action AddValidate(CLI::App& app);
-Action AddPreview(CLI::App& app);
-Action AddView(CLI::App& app);
-Action AddMerge(CLI::App& app);
-Action AddReplay(CLI::App& app);
-Action AddReport(CLI::App& app);
-Action AddCatalogue(CLI::App& app);
-Action AddSchema(CLI::App& app);
+// Each adds its options to its command and returns what it does.
+Action AddGenerate(CLI::App& command);
+Action AddCheck(CLI::App& command);
+Action AddInspect(CLI::App& command);
+Action AddValidate(CLI::App& command);
+Action AddPreview(CLI::App& command);
+Action AddView(CLI::App& command);
+Action AddMerge(CLI::App& command);
+Action AddReplay(CLI::App& command);
+Action AddReport(CLI::App& command);
+Action AddCatalogue(CLI::App& command);
+Action AddSchema(CLI::App& command);
 
-/// All of them, in the order of the help.
-std::vector<Action> AddCommands(CLI::App& app);
+/// All of them, in the order of the help, with the options that all have.
+std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, ReportOptions& report);
 
 }  // namespace mjforge::app
 

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include "mjforge/batch/batch.h"
 
@@ -23,18 +24,17 @@ bool WriteAll(int descriptor, std::string_view bytes) {
   return true;
 }
 
-// https://no-color.org: any value but the empty one.
+bool UseColor(const std::string& choice) {
+  if (choice != "auto") return choice == "always";
+  return !IsSet("NO_COLOR") && IsTerminal();  // https://no-color.org
+}
+
+}  // namespace
+
 bool IsSet(const char* variable) {
   const char* value = std::getenv(variable);
   return value != nullptr && *value != '\0';
 }
-
-bool UseColor(const std::string& choice) {
-  if (choice != "auto") return choice == "always";
-  return !IsSet("NO_COLOR") && IsTerminal();
-}
-
-}  // namespace
 
 bool IsTerminal() {
   const char* terminal = std::getenv("TERM");
@@ -43,29 +43,32 @@ bool IsTerminal() {
 }
 
 Console::Console(const ReportOptions& options)
-    : json_(options.findings == "json"),
-      color_(UseColor(options.color)),
-      quiet_(options.quiet),
-      verbose_(options.verbose) {}
+    : json_(options.findings == "json"), color_(UseColor(options.color)), quiet_(options.quiet) {}
 
-void Console::Show(diag::Findings findings, const diag::Sources& sources, std::uint64_t more) {
-  findings.Sort();
-  findings.Unique();
+ExitStatus Console::Tell() {
+  const ExitStatus status = StatusOf(findings);
+  Show(std::exchange(findings, {}), sources);
+  return status;
+}
+
+void Console::Show(diag::Findings found, const diag::Sources& places, std::uint64_t more) const {
+  found.Sort();
+  found.Unique();
   std::string text;
   std::size_t shown = 0;
-  for (const diag::Finding& finding : findings) {
+  for (const diag::Finding& finding : found) {
     if (shown == batch::kMaxFindings) break;
-    text += json_ ? diag::RenderJson(finding, sources) + "\n"
-                  : diag::RenderText(finding, sources, color_);
+    text += json_ ? diag::RenderJson(finding, places) + "\n"
+                  : diag::RenderText(finding, places, color_);
     ++shown;
   }
-  more += findings.size() - shown;
+  more += found.size() - shown;
   if (more > 0 && json_) text += fmt::format("{{\"more\":{}}}\n", more);
   if (more > 0 && !json_) text += fmt::format("and {} more\n", more);
   WriteAll(STDERR_FILENO, text);
 }
 
-void Console::Say(std::string_view line) {
+void Console::Say(std::string_view line) const {
   if (!quiet_) WriteAll(STDERR_FILENO, fmt::format("{}\n", line));
 }
 

@@ -20,21 +20,29 @@ void Value(Json& json, const sample::ParameterValue& value) {
   }
 }
 
-void Parameters(Json& json, const forge::Recipe& recipe, const forge::Variant& variant) {
-  json.Key("parameters");
+// An object for each item, whose members `write` writes.
+template <typename Items, typename Write>
+void Array(Json& json, std::string_view key, const Items& items, const Write& write) {
+  json.Key(key);
   json.StartArray();
-  for (std::size_t i = 0; i < recipe.spec->parameters.size(); ++i) {
-    const spec::Parameter& parameter = recipe.spec->parameters[i];
+  for (const auto& item : items) {
     json.StartObject();
-    json.Member("name", parameter.name);
-    json.Member("spec", parameter.source);
-    json.Key("value");
-    Value(json, variant.record.params[i].second);
-    json.Member("unit", parameter.unit);
-    json.Member("doc", parameter.doc);
+    write(item);
     json.EndObject();
   }
   json.EndArray();
+}
+
+void Parameters(Json& json, const forge::Recipe& recipe, const forge::Variant& variant) {
+  auto drawn = variant.record.params.begin();
+  Array(json, "parameters", recipe.spec->parameters, [&](const spec::Parameter& parameter) {
+    json.Member("name", parameter.name);
+    json.Member("spec", parameter.source);
+    json.Key("value");
+    Value(json, (drawn++)->second);
+    json.Member("unit", parameter.unit);
+    json.Member("doc", parameter.doc);
+  });
 }
 
 void Pose(Json& json, const model::Pose& pose) {
@@ -43,10 +51,7 @@ void Pose(Json& json, const model::Pose& pose) {
 }
 
 void Parts(Json& json, const model::Body& body) {
-  json.Key("parts");
-  json.StartArray();
-  for (const model::Part& part : body.parts) {
-    json.StartObject();
+  Array(json, "parts", body.parts, [&](const model::Part& part) {
     json.Member("name", part.name);
     json.Member("type", model::GeomTypeName(part.shape.type));
     json.Member("collides", part.role != model::Role::kVisual);
@@ -54,35 +59,23 @@ void Parts(Json& json, const model::Body& body) {
     json.Member("size", part.shape.size.head(model::SizeCount(part.shape.type)));
     Pose(json, part.X_BG);
     json.Member("mass", part.mass);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 void Joints(Json& json, const model::Body& body) {
-  json.Key("joints");
-  json.StartArray();
-  for (const model::Joint& joint : body.joints) {
-    json.StartObject();
+  Array(json, "joints", body.joints, [&](const model::Joint& joint) {
     json.Member("name", joint.name);
     json.Member("type", joint.type);
     if (joint.type == "hinge" || joint.type == "slide") json.Member("axis", joint.axis);
     if (joint.range) json.Member("range", *joint.range);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 void Sites(Json& json, const model::Body& body) {
-  json.Key("sites");
-  json.StartArray();
-  for (const model::Site& site : body.sites) {
-    json.StartObject();
+  Array(json, "sites", body.sites, [&](const model::Site& site) {
     json.Member("name", site.name);
     Pose(json, site.X_BS);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 void Box(Json& json, const model::Box3& aabb) {
@@ -115,10 +108,10 @@ void Element(Json& json, std::string_view kind, std::string_view name) {
 }
 
 void Elements(Json& json, std::string_view key, const std::vector<model::Element>& elements) {
-  json.Key(key);
-  json.StartArray();
-  for (const model::Element& element : elements) Element(json, element.tag, element.name);
-  json.EndArray();
+  Array(json, key, elements, [&](const model::Element& element) {
+    json.Member("kind", element.tag);
+    json.Member("name", element.name);
+  });
 }
 
 void Sections(Json& json, const model::Object& object) {
@@ -151,24 +144,17 @@ void Sweep(Json& json, const std::optional<validate::Sweep>& sweep) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   json.Key("sweep");
   json.StartObject();
-  json.Key("contacts");
-  json.StartArray();
-  for (const validate::Sweep::Contact& contact : sweep->contacts) {
-    json.StartObject();
-    if (contact.joint.empty()) {
-      json.Member("joint", kNone);
-    } else {
-      json.Member("joint", contact.joint);
-    }
-    json.Member("value", contact.joint.empty() ? kNone : contact.value);
+  Array(json, "contacts", sweep->contacts, [&](const validate::Sweep::Contact& contact) {
+    const bool alone = !contact.joint.empty();
+    json.Key("joint");
+    alone ? json.Value(contact.joint) : json.Value(kNone);
+    json.Member("value", alone ? contact.value : kNone);
     json.Member("body1", contact.body1);
     json.Member("geom1", contact.geom1);
     json.Member("body2", contact.body2);
     json.Member("geom2", contact.geom2);
     json.Member("depth", contact.depth);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
   json.Key("held");
   json.StartArray();
   for (const std::string& joint : sweep->held) json.Value(joint);

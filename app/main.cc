@@ -1,16 +1,15 @@
 // The program: words in, words out, exit status.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
 #include <exception>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "commands.h"
-#include "interrupt.h"
 #include "make_options.h"
 #include "usage.h"
 
@@ -21,24 +20,26 @@ ExitStatus Run(int argc, char** argv) {
   CLI::App app("Randomized MuJoCo objects from declarative YAML specs.", "mjforge");
   app.require_subcommand(1);
   app.set_version_flag("--version", VersionText, "Print versions and exit");
-  app.footer("'mjforge COMMAND --help' explains a command and has examples.");
-  const std::vector<Action> actions = AddCommands(app);
+  app.footer("'mjforge help COMMAND' explains a command and has examples.");
+  ReportOptions report;
+  const auto commands = AddCommands(app, report);
+  std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    const auto is_meant = [&](const auto& row) { return row.first->get_name() == words[0]; };
+    if (words.empty() || std::any_of(commands.begin(), commands.end(), is_meant))
+      words.emplace_back("--help");
+  }
   try {
-    const std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them
   } catch (const CLI::ParseError& error) {
-    return ExplainParseError(app, error, argc > 1 ? argv[1] : "");
+    return ExplainParseError(app, error, words.empty() ? "" : words[0]);
   }
-  const std::vector<CLI::App*> commands = app.get_subcommands({});
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (commands[i]->parsed()) return actions[i]();
+  for (const auto& [command, action] : commands) {
+    Console console(report);
+    if (command->parsed()) return action(console);
   }
   return ExitStatus::kUsage;
-}
-
-ExitStatus Bug(std::string_view what) {
-  fmt::print(stderr, "mjforge: internal error: {}\n", what);
-  return ExitStatus::kBug;
 }
 
 }  // namespace
@@ -46,12 +47,13 @@ ExitStatus Bug(std::string_view what) {
 
 int main(int argc, char** argv) {
   using namespace mjforge::app;
-  IgnoreWriteSignals();
+  // A closed pipe and a file-size limit become failed writes instead of ends.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return static_cast<int>(Run(argc, argv));
   } catch (const std::exception& error) {
-    return static_cast<int>(Bug(error.what()));
-  } catch (...) {
-    return static_cast<int>(Bug("unknown"));
+    fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
+    return static_cast<int>(ExitStatus::kBug);
   }
 }

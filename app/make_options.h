@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "exit_status.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/output/output.h"
 

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
 #include <charconv>
 
-#include "mjforge/forge/forge.h"
+#include "mjforge/expr/expr.h"
 
 namespace mjforge::app {
 namespace {
@@ -17,57 +21,6 @@ std::string CheckSetting(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals != std::string::npos && equals > 0) return {};
   return fmt::format("'{}' is not of the form name=value", text);
-}
-
-}  // namespace
-
-void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
-  command.add_option("--set", settings, doc)
-      ->option_text("NAME=VALUE")
-      ->allow_extra_args(false)
-      ->check(CheckSetting);
-}
-
-void AddSpecOptions(CLI::App& command, SpecOptions& options) {
-  AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");
-  command
-      .add_option_function<std::string>(
-          "--root",
-          [&options](const std::string& word) {
-            options.settings.push_back("root.joints=" + word);
-          },
-          "Joint of the root: free, none")
-      ->check(CLI::IsMember({"free", "none"}))
-      ->option_text("WORD");
-  command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
-      ->option_text("FILE")
-      ->allow_extra_args(false);
-}
-
-std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
-  std::vector<spec::Setting> settings;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
-  return settings;
-}
-
-spec::LoadOptions MakeLoadOptions(const SpecOptions& options) {
-  spec::LoadOptions load;
-  load.settings = MakeSettings(options.settings);
-  load.parameter_files.assign(options.parameter_files.begin(), options.parameter_files.end());
-  load.search_path = forge::SearchPath();
-  return load;
-}
-
-// CLI11 would read "010" as eight.
-std::optional<std::uint64_t> ParseWhole(std::string_view text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
 }
 
 void AddJobs(CLI::App& command, std::uint64_t& jobs) {
@@ -84,14 +37,123 @@ void AddJobs(CLI::App& command, std::uint64_t& jobs) {
       ->option_text("N [cores]");
 }
 
+// More is neither a spec nor a model, but something that does not end.
+constexpr std::size_t kMost = std::size_t{1} << 28;
+
+std::string ReadAll() {
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  while (text.size() < kMost) {
+    const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(got));
+  }
+  return text;
+}
+
+// Puts a file of the same content, in memory, in its place.
+bool KeepAndLook() {
+  const std::string text = ReadAll();
+  const int file = ::memfd_create("stdin", 0);
+  if (file < 0 || ::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
+      ::lseek(file, 0, SEEK_SET) != 0 || ::dup2(file, STDIN_FILENO) < 0) {
+    return false;
+  }
+  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // and the mark of UTF-8
+  const std::size_t first = text.find_first_not_of(kBlank);
+  return first != text.npos && text[first] == '<';
+}
+
+}  // namespace
+
+void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
+  command.add_option("--set", settings, doc)
+      ->option_text("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->check(CheckSetting);
+}
+
+void AddSpecOptions(CLI::App& command, SpecOptions& options) {
+  AddWholeNumber(command, "-s,--seed", options.seed, "Seed of all draws");
+  AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");
+  const auto set_root = [&options](const std::string& word) {
+    options.settings.push_back("root.joints=" + word);
+  };
+  command.add_option_function<std::string>("--root", set_root, "Joint of the root: free, none")
+      ->check(CLI::IsMember({"free", "none"}))
+      ->option_text("WORD");
+  command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
+      ->option_text("FILE")
+      ->allow_extra_args(false);
+}
+
+std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
+                                        Console& console) {
+  spec::LoadOptions load;
+  load.settings = MakeSettings(options.settings);
+  load.parameter_files.assign(options.parameter_files.begin(), options.parameter_files.end());
+  load.search_path = forge::SearchPath();
+  return forge::LoadRecipe(what, load, console.sources, console.findings);
+}
+
+bool IsMjcf(const std::string& what) {
+  if (what != "-") return what.ends_with(".xml");
+  static const bool is_mjcf = KeepAndLook();
+  return is_mjcf;
+}
+
+void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc) {
+  command.add_option("WHAT", options.what, doc)->required()->option_text(" ");
+  AddWholeNumber(command, "--index", options.index, "The variant to show");
+  AddSpecOptions(command, options.spec);
+}
+
+void AddManyOptions(CLI::App& command, ManyOptions& options) {
+  batch::Request& request = options.request;
+  command.add_option("SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)")
+      ->required()
+      ->option_text("...");
+  AddWholeNumber(command, "-n,--count", request.count, "Variants to make", 1);
+  AddSpecOptions(command, options.spec);
+  AddJobs(command, request.jobs);
+  const auto set_limit = [&request](double s) {
+    request.time_limit = std::chrono::duration<double>(s);
+  };
+  AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0",
+            "CPU time for a variant, s; by the clock 10 S + 5")
+      ->option_text(fmt::format("S [{:g}]", request.time_limit.count()));
+}
+
+batch::Request RequestOf(const ManyOptions& options) {
+  batch::Request request = options.request;
+  request.variant.seed = options.spec.seed;
+  if (request.variant.batch == 0) request.variant.batch = request.count;
+  return request;
+}
+
+std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
+  std::vector<spec::Setting> settings;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return settings;
+}
+
+// CLI11 would read "010" as eight.
+std::optional<std::uint64_t> ParseWhole(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
 void AddReportOptions(CLI::App& command, ReportOptions& options) {
   AddWord(command, "--findings", options.findings, {"text", "json"}, "Form of errors");
   AddWord(command, "--color", options.color, {"auto", "always", "never"}, "Color of errors");
   command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
-}
-
-void AddVerboseOption(CLI::App& command, ReportOptions& options) {
-  command.add_flag("-v,--verbose", options.verbose, "Say a line about each variant");
 }
 
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
@@ -107,6 +169,27 @@ CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::ui
       ->option_text(fmt::format("N [{}]", value));
 }
 
+CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
+                       const std::function<void(double)>& assign, double least, double most,
+                       const std::string& what, const std::string& doc) {
+  const auto parse = [least, most](const std::string& text) {
+    const std::optional<double> number = expr::ParseNumber(text);
+    return number && *number >= least && *number <= most ? number : std::nullopt;
+  };
+  const auto check = [parse, what](const std::string& text) {
+    return parse(text) ? std::string() : fmt::format("'{}' is not {}", text, what);
+  };
+  return command
+      .add_option_function<std::string>(
+          flags, [assign, parse](const std::string& text) { assign(*parse(text)); }, doc)
+      ->check(check)
+      ->option_text("X");
+}
+
+std::vector<std::string> Words(std::span<const std::string_view> words) {
+  return {words.begin(), words.end()};
+}
+
 CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& value,
                      const std::vector<std::string>& words, const std::string& doc) {
   const auto check = [words](const std::string& text) {
@@ -119,10 +202,6 @@ CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& v
   return command.add_option(flags, value, fmt::format("{}: {}", doc, fmt::join(words, ", ")))
       ->check(check)
       ->option_text(fmt::format("WORD [{}]", value));
-}
-
-void AddExamples(CLI::App& command, const std::string& lines) {
-  command.footer("Examples:\n" + lines);
 }
 
 }  // namespace mjforge::app

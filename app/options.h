@@ -4,14 +4,15 @@
 // Options that several commands share.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "console.h"
-#include "make_options.h"
-#include "mjforge/spec/spec.h"
+#include "mjforge/batch/batch.h"
 
 namespace CLI {
 class App;
@@ -20,32 +21,61 @@ class Option;
 
 namespace mjforge::app {
 
+/// How a spec's parameters get their values.
 struct SpecOptions {
+  std::uint64_t seed = 0;
   std::vector<std::string> settings;  // name=value
   std::vector<std::string> parameter_files;
+
+  bool given() const { return seed != 0 || !settings.empty() || !parameter_files.empty(); }
 };
+void AddSpecOptions(CLI::App& command, SpecOptions& options);
+/// The spec named so; nothing, and findings, if it has errors.
+std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
+                                        Console& console);
+
+/// Whether what a command line names is an MJCF file and not a spec: by its name, of standard
+/// input ("-") by its first character. That can be read as often as wanted from then on.
+bool IsMjcf(const std::string& what);
+
+/// One variant of a spec, or a file.
+struct OneOptions {
+  std::string what;
+  std::uint64_t index = 0;
+  SpecOptions spec;
+};
+void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc);
+
+/// Many variants of specs.
+struct ManyOptions {
+  std::vector<std::string> specs;
+  SpecOptions spec;
+  batch::Request request;  // seed and batch: see RequestOf
+};
+void AddManyOptions(CLI::App& command, ManyOptions& options);
+/// With the seed, and draws spread over the variants unless they are over more.
+batch::Request RequestOf(const ManyOptions& options);
+
 /// --set NAME=VALUE
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);
 std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts);
-void AddSpecOptions(CLI::App& command, SpecOptions& options);
-spec::LoadOptions MakeLoadOptions(const SpecOptions& options);
 
-/// -q -v --findings --color; `verbose` only where it does something.
+/// -q --findings --color
 void AddReportOptions(CLI::App& command, ReportOptions& options);
-void AddVerboseOption(CLI::App& command, ReportOptions& options);
 
 /// A decimal number up to 2^64 - 1, digits only.
 std::optional<std::uint64_t> ParseWhole(std::string_view text);
-/// -j; 0: not given.
-void AddJobs(CLI::App& command, std::uint64_t& jobs);
 /// An option that takes a decimal number from `least` to 2^64 - 1.
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least = 0);
+/// An option that takes a number from `least` to `most`, which are `what`.
+CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
+                       const std::function<void(double)>& assign, double least, double most,
+                       const std::string& what, const std::string& doc);
+std::vector<std::string> Words(std::span<const std::string_view> words);
 /// An option that takes one of `words`.
 CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& value,
                      const std::vector<std::string>& words, const std::string& doc);
-/// "Examples:" and the lines, below the help.
-void AddExamples(CLI::App& command, const std::string& lines);
 
 }  // namespace mjforge::app
 

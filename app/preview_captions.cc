@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <tuple>
+#include <utility>
 #include <variant>
 
 namespace mjforge::app {
@@ -15,36 +18,63 @@ using sample::ParameterValue;
 
 constexpr std::size_t kMostLines = 3;
 
-std::string TextOf(const ParameterValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.3g}", *number);
-  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  std::string list;
-  for (const double number : std::get<std::vector<double>>(value))
-    list += fmt::format("{}{:.2g}", list.empty() ? "" : " ", number);
-  return list;
+// The unit of a parameter's numbers; one that the spec does not name may be seen in the text of
+// its value, as in "22cm .. 30cm".
+std::string_view UnitOf(const spec::Parameter* parameter) {
+  if (parameter == nullptr) return "";
+  if (parameter->unit == "1") return "";
+  if (!parameter->unit.empty()) return parameter->unit;
+  const std::string& text = parameter->source;
+  for (const auto& [unit, si] :
+       {std::pair("mm", "m"), std::pair("cm", "m"), std::pair("deg", "rad")}) {
+    for (std::size_t at = text.find(unit); at != text.npos; at = text.find(unit, at + 1)) {
+      if (at > 0 && text[at - 1] >= '0' && text[at - 1] <= '9') return si;
+    }
+  }
+  return "";
 }
 
-// How much a parameter differs: of numbers the width of their range over the largest,
-// of words the share of different ones, which counts half. Lists are too long to show.
-double Spread(std::span<const Record> records, std::size_t parameter) {
-  double min = 0;
-  double max = 0;
+// "28.1 cm", "45 deg"
+std::string NumberText(double number, std::string_view unit) {
+  const double size = std::abs(number);
+  if (unit == "rad") return fmt::format("{:.3g} deg", number * 180 / std::numbers::pi);
+  if (unit == "m" && size > 0 && size < 0.01) return fmt::format("{:.3g} mm", 1000 * number);
+  if (unit == "m" && size > 0 && size < 1) return fmt::format("{:.3g} cm", 100 * number);
+  return fmt::format("{:.3g}{}{}", number, unit.empty() ? "" : " ", unit);
+}
+
+std::string TextOf(const ParameterValue& value, std::string_view unit) {
+  if (const auto* number = std::get_if<double>(&value)) return NumberText(*number, unit);
+  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+  return std::get<std::string>(value);
+}
+
+// How well a parameter is seen to differ: first words, then lengths and angles, by the width of
+// their range, then other numbers without a unit, by that width over the largest; last mass,
+// friction and what else no picture shows. Lists are too long to show.
+struct Difference {
+  int rank = 0;
+  double spread = 0;  // 0: none
+};
+
+Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
+                        std::string_view unit) {
   std::set<std::string> texts;
-  bool numbers = true;
+  std::vector<double> numbers;
   for (const Record& record : records) {
     const ParameterValue& value = record.params[parameter].second;
-    if (std::holds_alternative<std::vector<double>>(value)) return 0;
-    texts.insert(TextOf(value));
-    const auto* number = std::get_if<double>(&value);
-    numbers = numbers && number != nullptr;
-    if (!numbers) continue;
-    min = texts.size() == 1 ? *number : std::min(min, *number);
-    max = texts.size() == 1 ? *number : std::max(max, *number);
+    if (std::holds_alternative<std::vector<double>>(value)) return {};
+    texts.insert(TextOf(value, unit));
+    if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
   }
-  if (texts.size() < 2) return 0;
-  if (numbers) return (max - min) / std::max(std::abs(max), std::abs(min));
-  return 0.5 + 0.5 * static_cast<double>(texts.size()) / static_cast<double>(records.size());
+  if (texts.size() < 2) return {};
+  if (numbers.size() < records.size())
+    return {0, static_cast<double>(texts.size()) / static_cast<double>(records.size())};
+  const auto [min, max] = std::minmax_element(numbers.begin(), numbers.end());
+  const double width = *max - *min;
+  if (unit == "m") return {1, width};
+  if (unit == "rad") return {2, width};
+  return {unit.empty() ? 3 : 4, width / std::max(std::abs(*max), std::abs(*min))};
 }
 
 // What is computed from others says less than those.
@@ -58,18 +88,18 @@ std::vector<std::size_t> MostDifferent(std::span<const Record> records,
   const auto& params = records.front().params;
   const bool any_drawn = std::any_of(params.begin(), params.end(),
                                      [&](const auto& param) { return IsDrawn(spec, param.first); });
-  std::vector<std::pair<double, std::size_t>> spreads;
+  std::vector<std::tuple<int, double, std::size_t>> found;
   for (std::size_t i = 0; i < params.size(); ++i) {
     if (any_drawn && !IsDrawn(spec, params[i].first)) continue;
-    const double spread = Spread(records, i);
-    if (spread > 0) spreads.emplace_back(-spread, i);
+    const auto [rank, spread] =
+        DifferenceOf(records, i, UnitOf(spec.FindParameter(params[i].first)));
+    if (spread > 0) found.emplace_back(rank, -spread, i);
   }
-  std::sort(spreads.begin(), spreads.end());
-  spreads.resize(std::min(spreads.size(), kMostLines));
+  std::sort(found.begin(), found.end());
+  found.resize(std::min(found.size(), kMostLines));
   std::vector<std::size_t> parameters;
-  parameters.reserve(spreads.size());
-  for (const auto& [spread, parameter] : spreads) parameters.push_back(parameter);
-  std::sort(parameters.begin(), parameters.end());
+  parameters.reserve(found.size());
+  for (const auto& [rank, spread, parameter] : found) parameters.push_back(parameter);
   return parameters;
 }
 
@@ -85,7 +115,7 @@ std::vector<std::vector<std::string>> Captions(std::span<const Record> records,
     lines.push_back(fmt::format("#{}", record.index));
     for (const std::size_t parameter : parameters) {
       const auto& [name, value] = record.params[parameter];
-      lines.push_back(fmt::format("{} {}", name, TextOf(value)));
+      lines.push_back(fmt::format("{} {}", name, TextOf(value, UnitOf(spec.FindParameter(name)))));
     }
   }
   return captions;

@@ -10,9 +10,9 @@
 
 namespace mjforge::app {
 
-/// The lines below each variant of a contact sheet: its index, and the
-/// parameters in which these variants differ most, in the spec's order: drawn ones,
-/// or any where the spec draws none.
+/// The lines below each variant of a contact sheet: its index, and the parameters in which these
+/// variants are seen to differ most: words first, then sizes. Drawn ones, or any where the spec
+/// draws none.
 std::vector<std::vector<std::string>> Captions(std::span<const manifest::Record> records,
                                                const spec::ObjectSpec& spec);
 

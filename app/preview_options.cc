@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <tuple>
 
 #include "mjforge/expr/expr.h"
 
@@ -17,6 +18,7 @@ constexpr int kSizeOfTile = 320;  // and of an animation
 // What is in memory at the same time: frames, and the tiles of a sheet.
 constexpr int kLargestFrame = 800;
 constexpr std::uint64_t kMostPixels = 64'000'000;
+constexpr std::uint64_t kMostTiles = 400;
 
 // "640", "640x480"
 std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
@@ -65,7 +67,8 @@ std::string WrongName(const PreviewOptions& options) {
   return fmt::format("-o {}: pictures are .png, with --sweep also .apng and .gif", options.output);
 }
 
-std::string TooLarge(const PreviewOptions& options, const picture::Options& picture) {
+std::string TooLarge(const PreviewOptions& options) {
+  const picture::Options& picture = options.picture;
   const auto pixels = options.count * static_cast<std::uint64_t>(picture.width) *
                       static_cast<std::uint64_t>(picture.height);
   if (options.count > 1 && pixels > kMostPixels)
@@ -78,12 +81,11 @@ std::string TooLarge(const PreviewOptions& options, const picture::Options& pict
 }
 
 std::string Contradiction(const PreviewOptions& options) {
-  if (options.count == 0) return "-n 0: there is nothing to draw";
   if (options.count > kMostTiles)
     return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMostTiles);
   if (options.sweep && options.count > 1) return "--sweep takes one object, not a sheet";
   if (std::string wrong = WrongName(options); !wrong.empty()) return wrong;
-  if (!options.is_file()) return {};
+  if (!options.is_file) return {};
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
   if (!options.spec.settings.empty() || !options.spec.parameter_files.empty())
@@ -92,20 +94,65 @@ std::string Contradiction(const PreviewOptions& options) {
   return {};
 }
 
+// False, and why, if the text is wrong; empty: the usual size.
+bool SetSize(PreviewOptions& options, std::string& why_not) {
+  const int usual = options.count > 1 || options.sweep ? kSizeOfTile : kSizeOfOne;
+  const auto size = options.size.empty() ? std::pair(usual, usual) : ParseSize(options.size);
+  if (!size) {
+    why_not = fmt::format("--size: '{}' is not of the form WxH, each {} to {}", options.size,
+                          picture::kMinSize, picture::kMaxSize);
+    return false;
+  }
+  std::tie(options.picture.width, options.picture.height) = *size;
+  why_not = TooLarge(options);
+  return why_not.empty();
+}
+
+// With --sweep a name alone says what is swept. False, and why, if a text is wrong.
+bool SetJoints(PreviewOptions& options, std::string& why_not) {
+  for (const std::string& text : options.joints) {
+    if (!options.sweep || text.find('=') != text.npos) {
+      const auto joint = ParseJoint(text, why_not);
+      if (!joint) return false;
+      options.poses.push_back(*joint);
+    } else if (options.swept.empty()) {
+      options.swept = text;
+    } else {
+      why_not = fmt::format("--sweep moves one joint, or all: '{}' or '{}'?", options.swept, text);
+      return false;
+    }
+  }
+  return true;
+}
+
+void AddCamera(CLI::App& command, picture::View& view) {
+  const auto add = [&](const char* name, std::optional<double>& value, double least, double most,
+                       const char* what, const char* doc) {
+    AddNumber(
+        command, name, [&value](double number) { value = number; }, least, most, what, doc);
+  };
+  add("--azimuth", view.azimuth, -360, 360, "an angle from -360 to 360 degrees",
+      "Where the camera looks, about z, degrees");
+  add("--elevation", view.elevation, -90, 90, "an angle from -90 to 90 degrees",
+      "The same, upwards; -90 is from above");
+  add("--distance", view.distance, 1e-9, 1e9, "a distance above 0 in metres",
+      "From the camera to the middle, m [as fits]");
+}
+
 }  // namespace
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   command.add_option("WHAT", options.what, "A spec or a FILE.xml")->required()->option_text(" ");
   AddWholeNumber(command, "-n,--count", options.count, "Variants; several make a contact sheet", 1);
-  AddWholeNumber(command, "-s,--seed", options.seed, "Seed of all draws");
   AddWholeNumber(command, "--first", options.first, "Index of the first variant");
+  AddSpecOptions(command, options.spec);
   command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
       ->option_text("OUT");
-  const std::vector<std::string> layers(picture::LayerNames().begin(), picture::LayerNames().end());
-  AddWord(command, "--layer", options.layer, layers, "Show");
+  AddWord(command, "--layer", options.layer, Words(picture::LayerNames()), "Show");
   command.add_option("--joint", options.joints, "Where a joint stands (hinge=45deg)")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
+  AddCamera(command, options.picture.view);
   command.add_option("--size", options.size, "Pixels [640; of each of several, moving 320]")
       ->option_text("WxH");
   command
@@ -115,45 +162,14 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
       ->option_text("COLOR [studio]");
   command.add_flag("--sweep", options.sweep, "Animate all joints, or --joint NAME");
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
-  AddSpecOptions(command, options.spec);
-  AddReportOptions(command, options.report);
 }
 
-std::optional<PreviewRequest> RequestOf(const PreviewOptions& options, std::string& why_not) {
+bool Understand(PreviewOptions& options, std::string& why_not) {
+  options.is_file = IsMjcf(options.what);
+  options.picture.layer = *picture::ParseLayer(options.layer);
+  options.picture.background = *picture::ParseBackground(options.background);
   why_not = Contradiction(options);
-  if (!why_not.empty()) return std::nullopt;
-  PreviewRequest request;
-  request.picture.width = request.picture.height =
-      options.count > 1 || options.sweep ? kSizeOfTile : kSizeOfOne;
-  if (!options.size.empty()) {
-    const auto size = ParseSize(options.size);
-    if (!size) {
-      why_not = fmt::format("--size: '{}' is not of the form WxH, each {} to {}", options.size,
-                            picture::kMinSize, picture::kMaxSize);
-      return std::nullopt;
-    }
-    request.picture.width = size->first;
-    request.picture.height = size->second;
-  }
-  why_not = TooLarge(options, request.picture);
-  if (!why_not.empty()) return std::nullopt;
-  request.picture.layer = *picture::ParseLayer(options.layer);
-  request.picture.background = *picture::ParseBackground(options.background);
-  for (const std::string& text : options.joints) {
-    if (options.sweep && text.find('=') == text.npos) {
-      if (!request.swept.empty()) {
-        why_not =
-            fmt::format("--sweep moves one joint, or all: '{}' or '{}'?", request.swept, text);
-        return std::nullopt;
-      }
-      request.swept = text;
-      continue;
-    }
-    const auto joint = ParseJoint(text, why_not);
-    if (!joint) return std::nullopt;
-    request.joints.push_back(*joint);
-  }
-  return request;
+  return why_not.empty() && SetSize(options, why_not) && SetJoints(options, why_not);
 }
 
 }  // namespace mjforge::app

@@ -2,7 +2,6 @@
 #define MJFORGE_APP_PREVIEW_OPTIONS_H_
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,9 +13,8 @@ namespace mjforge::app {
 
 /// What `preview` is told.
 struct PreviewOptions {
-  std::string what;  // a spec or FILE.xml
+  std::string what;  // a spec or a file
   std::uint64_t count = 1;
-  std::uint64_t seed = 0;
   std::uint64_t first = 0;
   std::string output;
   std::string size;
@@ -26,23 +24,18 @@ struct PreviewOptions {
   bool sweep = false;
   bool force = false;
   SpecOptions spec;
-  ReportOptions report;
 
-  bool is_file() const { return what.ends_with(".xml"); }
+  // What Understand makes of it.
+  bool is_file = false;
+  picture::Options picture;                           // `view` is told
+  std::vector<std::pair<std::string, double>> poses;  // of joints, rad, m
+  std::string swept;                                  // a joint; empty: each of them
 };
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options);
 
-/// Variants on one contact sheet.
-inline constexpr std::uint64_t kMostTiles = 400;
-
-/// The options as a renderer takes them; nothing, and why, if they contradict each other.
-struct PreviewRequest {
-  picture::Options picture;
-  std::vector<std::pair<std::string, double>> joints;  // rad, m
-  std::string swept;                                   // a joint; empty: each of them
-};
-std::optional<PreviewRequest> RequestOf(const PreviewOptions& options, std::string& why_not);
+/// False, and why, if the options contradict each other.
+bool Understand(PreviewOptions& options, std::string& why_not);
 
 }  // namespace mjforge::app
 

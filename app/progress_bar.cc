@@ -33,8 +33,8 @@ std::string TimeText(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-}  // namespace
-
+// "[#####.....]  50 %  500 of 1000  250/s  0:02 left  3 failed", at most `width` columns.
+// `seconds`: since the start of this run.
 std::string ProgressLine(const batch::Summary& summary, double seconds, std::size_t width) {
   const auto done = static_cast<double>(summary.done());
   const double share = summary.count == 0 ? 1 : done / static_cast<double>(summary.count);
@@ -53,6 +53,8 @@ std::string ProgressLine(const batch::Summary& summary, double seconds, std::siz
   if (line.size() > width) line.resize(width);
   return line;
 }
+
+}  // namespace
 
 ProgressBar::ProgressBar(bool enabled) : enabled_(enabled && IsTerminal()) {}
 

@@ -26,10 +26,6 @@ class ProgressBar {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// "[#####.....]  50 %  500 of 1000  250/s  0:02 left  3 failed", at most `width`
-/// columns. `seconds`: since the start of this run.
-std::string ProgressLine(const batch::Summary& summary, double seconds, std::size_t width);
-
 }  // namespace mjforge::app
 
 #endif  // MJFORGE_APP_PROGRESS_BAR_H_

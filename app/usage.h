@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "exit_status.h"
+#include "console.h"
 
 namespace CLI {
 class App;

@@ -92,6 +92,28 @@ TEST_CASE_METHOD(PreviewTest, "size, background and layer are as they are asked 
   CHECK(layers.size() == 5);
 }
 
+TEST_CASE_METHOD(PreviewTest, "the camera stands where --azimuth, --elevation, --distance say") {
+  const std::vector<std::string> small = {"chest.xml", "--size", "64", "--background",
+                                          "transparent"};
+  const auto seen = [&](std::vector<std::string> camera) {
+    camera.insert(camera.begin(), small.begin(), small.end());
+    return DecodePng(Draw(camera));
+  };
+  CHECK(seen({"--azimuth", "90"}).Seen() != seen({"--azimuth", "180"}).Seen());
+  // From above a box is a rectangle of its own proportions, twice as long as wide.
+  const harness::Png above = seen({"--azimuth", "90", "--elevation", "-90"});
+  CHECK(above.At(32, 4)[3] > 200);
+  CHECK(above.At(4, 32)[3] < 100);
+  CHECK(seen({"--distance", "4"}).Seen() < seen({"--distance", "2"}).Seen());
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--elevation", "91"},
+                                                {"--distance", "0"},
+                                                {"--azimuth", "north"}}) {
+    const auto result = Run({"preview", "chest.xml", wrong[0], wrong[1]});
+    CHECK(result.status == 2);
+    CHECK(result.err.starts_with("mjforge: error: " + wrong[0] + ": '" + wrong[1] + "' is not a"));
+  }
+}
+
 TEST_CASE_METHOD(PreviewTest, "a joint moves by --joint, in any unit, with or without its prefix") {
   const std::string closed = Draw({"chest.xml", "--size", "100"});
   const std::string open = Draw({"chest.xml", "--size", "100", "--joint", "lid_hinge=90deg"});

@@ -95,6 +95,13 @@ TEST_CASE_METHOD(UsageTest, "the first help names every command") {
   }
 }
 
+TEST_CASE_METHOD(UsageTest, "help COMMAND is COMMAND --help, and help alone is --help") {
+  CHECK(Run({"help"}).out == Run({"--help"}).out);
+  CHECK(Run({"help", "preview"}).out == Run({"preview", "--help"}).out);
+  CHECK(WrongUsage({"help", "preveiw"}) ==
+        "mjforge: error: there is no command 'preveiw'; did you mean 'preview'?");
+}
+
 TEST_CASE_METHOD(UsageTest,
                  "with --version names mjforge and the libraries that shape its output") {
   const auto result = Run({"--version"});

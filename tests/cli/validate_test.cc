@@ -59,6 +59,41 @@ TEST_CASE_METHOD(CrateTest, "everything that generate writes is valid") {
             .status == 0);
 }
 
+TEST_CASE_METHOD(CrateTest, "validate --quiet says nothing but findings") {
+  folder().Write("a.xml", kGoodXml);
+  folder().Write("bad.xml", kBadXml);
+  const auto result = Run({"validate", "-q", "a.xml", "bad.xml"});
+  CHECK(result.status == 1);
+  CHECK(result.out.empty());
+  CHECK(result.err.starts_with("bad.xml:3"));
+}
+
+TEST_CASE_METHOD(CrateTest, "validate reads standard input, and what it refers to from here") {
+  folder().Write("half.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>");
+  const std::string good = std::string("\n") + kGoodXml;
+  CHECK(Run({"validate", "-"}, good).out == "<stdin>: ok, 1 body, 1 joint, 1 geom, 2 kg\n");
+  CHECK(Run({"validate", "-"}, "<mujoco><include file=\"half.xml\"/></mujoco>").out ==
+        "<stdin>: ok, 0 bodies, 0 joints, 1 geom, 0 kg\n");
+  const auto bad = Run({"validate", "-"}, kBadXml);
+  CHECK(bad.status == 1);
+  CHECK(bad.err.starts_with("<stdin>:3:"));
+  CHECK(Run({"validate", "-", "--physics"}, kGoodXml).out.starts_with("<stdin>: ok, 1 body"));
+  const std::string falling =
+      "<mujoco><worldbody><body><freejoint/><geom type='box' size='.1 .1 .1' mass='1'/></body>"
+      "</worldbody></mujoco>";
+  const auto dropped = Run({"validate", "-", "--physics"}, falling);
+  INFO(dropped.err);
+  CHECK(dropped.out.find("; at rest after") != std::string::npos);
+}
+
+TEST_CASE_METHOD(CrateTest, "inspect - takes MJCF or a spec, whichever standard input has") {
+  CHECK(Run({"inspect", "-"}, kGoodXml).out.find("\na     world") != std::string::npos);
+  CHECK(Run({"inspect", "-", "--sweep"}, kGoodXml).out.find("swept") != std::string::npos);
+  CHECK(Run({"inspect", "-"}, folder().Read("crate.yaml")).out ==
+        Run({"inspect", "crate.yaml"}).out);
+  CHECK(Run({"inspect", "-"}, "").status == 1);
+}
+
 TEST_CASE_METHOD(CrateTest, "what is no MJCF is a finding") {
   CHECK(Run({"validate", "crate.yaml"}).status == 1);
   CHECK(Run({"validate", "none.xml"}).status != 0);

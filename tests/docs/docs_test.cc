@@ -71,13 +71,6 @@ TEST_CASE("there are pages with commands to run") {
   CHECK(commands >= 80);
 }
 
-TEST_CASE("the C++ on the front page is the program that the install test builds") {
-  const std::string program = harness::ReadFile(kRoot / "tests/install/consumer/main.cc");
-  const std::vector<std::string> blocks = ReadCpp(kRoot / "README.md");
-  REQUIRE(blocks.size() == 1);
-  CHECK(program.ends_with(blocks[0]));
-}
-
 TEST_CASE("every link between the pages leads to a file and a chapter") {
   for (const fs::path& page : Pages()) {
     for (const std::string& link : ReadLinks(page)) {

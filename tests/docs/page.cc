@@ -102,22 +102,6 @@ void ReplaceOutputs(const std::filesystem::path& page, const std::map<int, std::
   }
 }
 
-std::vector<std::string> ReadCpp(const std::filesystem::path& page) {
-  std::vector<std::string> blocks;
-  bool in_block = false;
-  for (const std::string& line : Lines(harness::ReadFile(page))) {
-    if (line == "```cpp") {
-      in_block = true;
-      blocks.emplace_back();
-    } else if (line.starts_with("```")) {
-      in_block = false;
-    } else if (in_block) {
-      blocks.back() += line + "\n";
-    }
-  }
-  return blocks;
-}
-
 std::vector<std::string> ReadLinks(const std::filesystem::path& page) {
   static const std::regex kLink("\\]\\(([^)\\s]+)\\)");
   const std::string text = harness::ReadFile(page);

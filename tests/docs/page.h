@@ -23,9 +23,6 @@ std::vector<Step> ReadSteps(const std::filesystem::path& page);
 /// Puts other outputs below the commands at these lines, and leaves the rest.
 void ReplaceOutputs(const std::filesystem::path& page, const std::map<int, std::string>& outputs);
 
-/// The page's ```cpp blocks.
-std::vector<std::string> ReadCpp(const std::filesystem::path& page);
-
 /// Targets of the page's links, `[text](target)`.
 std::vector<std::string> ReadLinks(const std::filesystem::path& page);
 

@@ -41,15 +41,27 @@ foreach(file LICENSE README.md CHANGELOG.md manual.md errors.md architecture.md 
   expect_file(${work_folder}/prefix/share/doc/mjforge/${file})
 endforeach()
 
-run(${CMAKE_COMMAND} -S ${source_folder}/tests/install/consumer -B ${work_folder}/consumer
+# The project that README shows, and nothing that it does not show.
+file(READ ${source_folder}/README.md page)
+foreach(file CMakeLists.txt main.cc)
+  string(REGEX MATCH "\n```[a-z]+\n[#/]+ file: (${file}\n.*)" rest "${page}")
+  if(NOT rest)
+    message(FATAL_ERROR "README.md shows no ${file}")
+  endif()
+  string(REGEX REPLACE "^${file}\n" "" code "${CMAKE_MATCH_1}")
+  string(FIND "${code}" "\n```" end)
+  string(SUBSTRING "${code}" 0 ${end} code)
+  file(WRITE ${work_folder}/hammer/${file} "${code}\n")
+endforeach()
+run(${CMAKE_COMMAND} -S ${work_folder}/hammer -B ${work_folder}/hammer/build
   -G ${generator} -D CMAKE_PREFIX_PATH=${work_folder}/prefix -D CMAKE_CXX_COMPILER=${compiler}
-  -D CMAKE_BUILD_TYPE=${build_type} -D CMAKE_CXX_FLAGS=${flags} -D wanted=${version})
-run(${CMAKE_COMMAND} --build ${work_folder}/consumer)
-run(${work_folder}/consumer/consumer)
-set(of_consumer "${output}")
+  -D CMAKE_BUILD_TYPE=${build_type} -D CMAKE_CXX_FLAGS=${flags})
+run(${CMAKE_COMMAND} --build ${work_folder}/hammer/build)
+run(${work_folder}/hammer/build/hammer)
+set(of_library "${output}")
 run(${program} generate hammer --seed 7 --first 41 -n 1 -o -)
-if(NOT output MATCHES "<mujoco model=\"hammer\">" OR NOT output STREQUAL of_consumer)
-  message(FATAL_ERROR "library and program differ:\n${of_consumer}\n${output}")
+if(NOT output MATCHES "<mujoco model=\"hammer\">" OR NOT output STREQUAL of_library)
+  message(FATAL_ERROR "library and program differ:\n${of_library}\n${output}")
 endif()
 
 run(${program} generate hammer -n 2 --seed 7 -o hammers)

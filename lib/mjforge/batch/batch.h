@@ -39,10 +39,16 @@ struct Request {
   bool all_or_nothing = false;
 
   std::uint64_t jobs = 0;  // worker processes; 0: as many as there are cores
-  /// A variant that takes longer fails, and its worker is killed.
+  /// CPU time. A variant that takes more fails, and its worker is killed; so does one that
+  /// takes more than WallLimit by the clock, because it hangs.
   std::chrono::duration<double> time_limit = std::chrono::seconds(30);
   const std::atomic<bool>* stop = nullptr;  // set by a signal: finish what is begun, and end
 };
+
+/// Ample, so that a busy machine fails no good variant.
+constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> time_limit) {
+  return 10 * time_limit + std::chrono::seconds(5);
+}
 
 /// What is known of a variant when it is done.
 struct Done {

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -21,6 +22,7 @@ namespace mjforge::batch {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 // A worker has its next task at hand when it is done with one.
 constexpr std::size_t kTasksPerWorker = 2;
@@ -102,6 +104,14 @@ Channel MakeChannel() {
   std::exit(status);
 }
 
+// CPU time of a process, all its threads; 0 if it is gone.
+Seconds CpuTime(::pid_t process) {
+  ::clockid_t clock = {};
+  std::timespec time = {};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return {};
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
 std::string Ending(int status) {
   if (WIFSIGNALED(status)) {
     const char* name = ::sigabbrev_np(WTERMSIG(status));
@@ -120,7 +130,8 @@ struct Pool::Worker {
   Slot* slot = nullptr;
   std::uint64_t seen_turn = 0;
   Clock::time_point seen_at;
-  bool too_slow = false;
+  Seconds seen_cpu;
+  std::string too_slow;  // how, if it was killed for it
 
   void Close() {
     if (channel >= 0) ::close(std::exchange(channel, -1));
@@ -171,7 +182,8 @@ void Pool::Start(Worker& worker) {
   worker.channel = channel.leader;
   worker.seen_turn = 0;
   worker.seen_at = Clock::now();
-  worker.too_slow = false;
+  worker.seen_cpu = {};
+  worker.too_slow.clear();
 }
 
 bool Pool::HasRoom() const {
@@ -268,12 +280,10 @@ void Pool::Replace(Worker& worker) {
   std::deque<Task> tasks = std::exchange(worker.given, {});
   if (tasks.empty()) return;
   Task& first = tasks.front();
-  const std::string how = worker.too_slow
-                              ? fmt::format("took longer than {:g} s", time_limit_.count())
-                              : Ending(status);
+  const std::string how = worker.too_slow.empty() ? Ending(status) : worker.too_slow;
   const bool at_work = worker.slot->turn() % 2 == 1;
   if (at_work) {
-    first.condemned.push_back({worker.slot->index(), worker.too_slow, how});
+    first.condemned.push_back({worker.slot->index(), !worker.too_slow.empty(), how});
   } else if (++fruitless_deaths_ > kMaxFruitlessDeaths) {
     throw std::runtime_error(fmt::format("workers cannot work: the last one {}", how));
   }
@@ -284,17 +294,21 @@ void Pool::Replace(Worker& worker) {
 
 void Pool::KillSlowWorkers() {
   const Clock::time_point now = Clock::now();
+  const Seconds patience = WallLimit(time_limit_);
   for (const auto& worker : workers_) {
-    if (worker->process < 0 || worker->given.empty()) continue;
+    if (worker->process < 0 || worker->given.empty() || !worker->too_slow.empty()) continue;
     const std::uint64_t turn = worker->slot->turn();
+    const Seconds cpu = CpuTime(worker->process);
     if (turn != worker->seen_turn || turn % 2 == 0) {
       worker->seen_turn = turn;
       worker->seen_at = now;
-    } else if (now - worker->seen_at > time_limit_) {
-      worker->too_slow = true;
-      ::kill(worker->process, SIGKILL);
-      worker->seen_at = now;  // once
+      worker->seen_cpu = cpu;
+    } else if (cpu - worker->seen_cpu > time_limit_) {
+      worker->too_slow = fmt::format("took more than {:g} s of CPU time", time_limit_.count());
+    } else if (now - worker->seen_at > patience) {
+      worker->too_slow = fmt::format("took more than {:g} s by the clock", patience.count());
     }
+    if (!worker->too_slow.empty()) ::kill(worker->process, SIGKILL);
   }
 }
 

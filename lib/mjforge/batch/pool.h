@@ -40,9 +40,9 @@ class Slot {
 /// Does tasks, in the worker.
 using Work = std::function<Result(const Task&, Slot&)>;
 
-/// Worker processes. One that a signal ends, or that works on one variant for
-/// longer than the limit, is replaced; its tasks go to others, with the variant
-/// it worked on condemned. Workers end with this process, however it ends.
+/// Worker processes. One that a signal ends, or that takes more than the limit
+/// for one variant (CPU time; WallLimit by the clock), is replaced; its tasks go to others, with
+/// the variant it worked on condemned. Workers end with this process, however it ends.
 class Pool {
  public:
   /// `make_work` is called in each worker when it starts.

@@ -76,9 +76,12 @@ class Worker {
     diag::Finding finding;
     finding.code = condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
     finding.message = fmt::format("variant {}: its worker {}", condemned.index, condemned.how);
+    const bool resumes =
+        request_.destination.kind == Kind::kFolder || request_.destination.IsArchive();
     finding.hint = condemned.too_slow
                        ? "give it more with --time-limit, or look at it with inspect --index"
-                       : "no other variant is touched by it; --resume tries this one again";
+                   : resumes ? "no other variant is touched by it; --resume tries this one again"
+                             : "look at it with inspect --index";
     return finding;
   }
 

@@ -125,6 +125,10 @@ Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string
   return Load((folder / kTextName).c_str(), vfs_.get());
 }
 
-Loaded Engine::LoadFile(const std::filesystem::path& file) { return Load(file.c_str(), nullptr); }
+Loaded Engine::LoadFile(const std::filesystem::path& file) {
+  if (file != kStandardInput) return Load(file.c_str(), nullptr);
+  std::string why_not;
+  return LoadTextIn(".", ReadText(kStandardInputFile, why_not).value_or(""));
+}
 
 }  // namespace mjforge::engine

@@ -54,7 +54,7 @@ class Engine {
   Loaded LoadText(const std::string& text);
   /// As if the text were a file in that folder: what it refers to is on the disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
-  /// Loads a file and what it refers to from the disk.
+  /// Loads a file, or standard input, and what it refers to from the disk.
   Loaded LoadFile(const std::filesystem::path& file);
 
  private:

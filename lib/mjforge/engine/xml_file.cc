@@ -72,14 +72,15 @@ std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes) {
 
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings) {
+  const bool standard_input = file == kStandardInput;
+  const std::string name = standard_input ? "<stdin>" : file.string();
   std::string why_not;
-  std::optional<std::string> text = ReadText(file, why_not);
+  std::optional<std::string> text = ReadText(standard_input ? kStandardInputFile : file, why_not);
   if (!text) {
-    findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(), why_not));
+    findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", name, why_not));
     return std::nullopt;
   }
-  const std::uint32_t source = sources.Add(file.string(), *std::move(text));
+  const std::uint32_t source = sources.Add(name, *std::move(text));
   bool has_includes = false;
   const std::optional<XmlFault> fault = WhyNotMjcf(sources.Text(source), &has_includes);
   if (fault) {

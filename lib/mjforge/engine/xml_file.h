@@ -28,11 +28,16 @@ std::optional<XmlFault> WhyNotXml(std::string_view text);
 /// The same of a text whose root element must be <mujoco>.
 std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes = nullptr);
 
+/// A command line's name of standard input, and its file, which is read from its start on if
+/// it is one that can be.
+inline constexpr const char* kStandardInput = "-";
+inline constexpr const char* kStandardInputFile = "/dev/stdin";
+
 /// The whole file; nothing, and the reason ("No such file or directory"), if it
 /// cannot be read.
 std::optional<std::string> ReadText(const std::filesystem::path& file, std::string& why_not);
 
-/// Reads the file into `sources`; nothing and a finding if it is not MJCF.
+/// Reads a file or standard input into `sources`; nothing and a finding if it is not MJCF.
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings);
 

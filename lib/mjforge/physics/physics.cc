@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <string_view>
+#include <system_error>
 
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/behaviour.h"
@@ -90,8 +91,14 @@ std::string FloorName(const mjModel& m) {
 
 /// The file as it is, with a floor. The file's name is one of its folder.
 std::string WithFloor(const std::filesystem::path& file, const std::string& floor) {
+  std::string path = file.filename().string();
+  if (file == engine::kStandardInput) {  // MuJoCo takes every name for one below the folder
+    std::error_code ignored;
+    const std::filesystem::path here = std::filesystem::current_path(ignored);
+    path = std::filesystem::path(engine::kStandardInputFile).lexically_relative(here).string();
+  }
   std::string name;
-  for (const char c : file.filename().string()) {
+  for (const char c : path) {
     name += c == '&' ? std::string("&amp;") : c == '"' ? std::string("&quot;") : std::string(1, c);
   }
   return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)", name,

@@ -33,17 +33,32 @@ double Balanced(const Shapes& shapes, const Eigen::Vector3d& across, const Eigen
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
 
+// Where it looks, and what is right of that: where it looks straight down, as the azimuth says.
+void Turn(const View& view, Camera& camera) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  camera.forward = -kToEye.normalized();
+  camera.right = camera.forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  if (view.azimuth || view.elevation) {
+    const double azimuth =
+        view.azimuth ? *view.azimuth * kDegree : std::atan2(camera.forward.y(), camera.forward.x());
+    const double elevation =
+        view.elevation ? *view.elevation * kDegree : std::asin(camera.forward.z());
+    camera.right = {std::sin(azimuth), -std::cos(azimuth), 0};
+    camera.forward = {std::cos(elevation) * std::cos(azimuth),
+                      std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+  }
+  camera.up = camera.right.cross(camera.forward);
+}
+
 Eigen::Vector3f ToFloat(const Eigen::Vector3d& v) { return v.cast<float>(); }
 
 }  // namespace
 
 // Shapes are inside a frustum exactly if their support in the direction of each
 // of its four sides is; two opposite sides give the depth that the eye needs.
-Camera FrameShapes(const Shapes& shapes, double width, double height) {
+Camera FrameShapes(const Shapes& shapes, double width, double height, const View& view) {
   Camera camera;
-  camera.forward = -kToEye.normalized();
-  camera.right = camera.forward.cross(Eigen::Vector3d::UnitZ()).normalized();
-  camera.up = camera.right.cross(camera.forward);
+  Turn(view, camera);
   const double shorter = std::min(width, height);
   camera.tan_x = std::tan(kHalfAngle) * width / shorter;
   camera.tan_y = std::tan(kHalfAngle) * height / shorter;
@@ -66,6 +81,11 @@ Camera FrameShapes(const Shapes& shapes, double width, double height) {
                Balanced(shapes, camera.up, camera.forward, depth, ty) * camera.up +
                depth * camera.forward;
   camera.near = 0.5 * (nearest - depth);
+  if (view.distance) {
+    camera.eye = camera.center - *view.distance * camera.forward;
+    // Within the shapes, too, something must be between the two planes.
+    camera.near = std::max(0.5 * (nearest - camera.eye.dot(camera.forward)), 0.01 * camera.radius);
+  }
   camera.far = (camera.center - camera.eye).dot(camera.forward) + 12 * camera.radius;
   return camera;
 }

@@ -5,11 +5,12 @@
 
 #include <Eigen/Dense>
 
+#include "mjforge/picture/picture.h"
 #include "mjforge/picture/support.h"
 
 namespace mjforge::picture {
 
-/// A camera that sees all of some shapes, as large as they fit.
+/// A camera that looks at some shapes.
 struct Camera {
   Eigen::Vector3d eye;      // W
   Eigen::Vector3d right;    // W, unit
@@ -26,8 +27,8 @@ struct Camera {
   Eigen::Vector2d Project(const Eigen::Vector3d& point, int width, int height) const;
 };
 
-/// Three-quarter view, always in the same direction, for a picture of this shape.
-Camera FrameShapes(const Shapes& shapes, double width, double height);
+/// A camera for a picture of this shape.
+Camera FrameShapes(const Shapes& shapes, double width, double height, const View& view = {});
 
 /// The camera for rows [top, bottom) of a picture `height` rows high.
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height);

@@ -88,6 +88,13 @@ struct JointMark {
   double End(int i) const { return m.jnt_range[2 * joint + i]; }
   double Thickness() const { return 0.012 * radius; }
 
+  // A number there, and below the picture what has this number.
+  void Label(const Vector3d& place, std::string_view range) const {
+    const std::size_t number = scene.legend().size() + 1;
+    scene.AddLabel(place, fmt::format("{}", number));
+    scene.AddToLegend(fmt::format("{} {}: {}", number, Name(), range), JointColor(joint));
+  }
+
   void Arrow(const Vector3d& from, const Vector3d& to) const {
     const Color color = JointColor(joint);
     const Vector3d along = (to - from).normalized();
@@ -125,7 +132,7 @@ struct JointMark {
                                 End(1) * 180 / std::numbers::pi)
                   : "unlimited";
     const double higher = axis.z() < 0 ? -0.3 : 0.45;
-    scene.AddLabel(anchor + higher * radius * axis, fmt::format("{}: {}", Name(), range));
+    Label(anchor + higher * radius * axis, range);
   }
 
   void Slide() const {
@@ -137,14 +144,13 @@ struct JointMark {
     Ball(anchor, 2.2 * Thickness(), JointColor(joint), scene);
     const std::string range =
         Limited() ? fmt::format("{:.4g} to {:.4g} m", End(0), End(1)) : "unlimited";
-    scene.AddLabel(anchor + to * axis, fmt::format("{}: {}", Name(), range));
+    Label(anchor + to * axis, range);
   }
 
   void BallJoint() const {
     Ball(Anchor(), 0.06 * radius, JointColor(joint), scene);
-    const std::string range =
-        Limited() ? fmt::format("to {:.3g} deg", End(1) * 180 / std::numbers::pi) : "unlimited";
-    scene.AddLabel(Anchor(), fmt::format("{}: ball, {}", Name(), range));
+    Label(Anchor(), Limited() ? fmt::format("ball, to {:.3g} deg", End(1) * 180 / std::numbers::pi)
+                              : "ball, unlimited");
   }
 };
 

@@ -61,11 +61,20 @@ void PutOn(const Background& background, Image& image);
 inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
+/// Where the camera is, in the words of MuJoCo's mjvCamera. What is not given is as usual: seen
+/// from the front, right and above, as near as what is shown fits.
+struct View {
+  std::optional<double> azimuth;    // deg, of the direction it looks in; 0: x, 90: y
+  std::optional<double> elevation;  // deg, of the same; -90: down, 90: up
+  std::optional<double> distance;   // m, from the middle of what is shown
+};
+
 struct Options {
   int width = 640;
   int height = 640;
   Layer layer = Layer::kVisual;
   Background background = {};
+  View view = {};
 };
 
 /// A joint of a subject and where it stands; rad for hinges, m for slides.
@@ -137,10 +146,9 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Seen from the front, right and above, as large as fits, on a floor, unless
-  /// the model has planes of its own. A warning if what is shown is not what was
-  /// asked for, as there is none; nothing, and a finding, if there is nothing to
-  /// show at all. The same subject and options give the same bytes.
+  /// Seen as the options' view says, on a floor, unless the model has planes of its own. A warning
+  /// if what is shown is not what was asked for, as there is none; nothing, and a finding, if there
+  /// is nothing to show at all. The same subject and options give the same bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
   /// The same of each pose, all from one place that suits them all.

@@ -67,7 +67,8 @@ struct Renderer::State {
 
   Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
                   const Options& options);
-  void DrawLabels(const Scene& scene, const Camera& camera, Image& image);
+  void DrawLabels(const Scene& scene, const Camera& camera, int height, Image& image);
+  std::vector<PlacedText> DrawLegend(const Scene& scene, const Options& options);
   std::optional<std::vector<Image>> DrawPoses(Subject& subject, std::span<const Pose> poses,
                                               const Options& options, diag::Findings& findings);
 };
@@ -124,17 +125,47 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
   return matte.Finish();
 }
 
-void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, Image& image) {
+// The scene has the upper `height` rows.
+void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, int height,
+                                 Image& image) {
   constexpr int kAside = 8;  // pixels to the right of what it names
   std::vector<PlacedText> labels;
   for (const Scene::Label& label : scene.labels()) {
-    const Eigen::Vector2d place = camera.Project(label.p_W, image.width, image.height);
+    const Eigen::Vector2d place = camera.Project(label.p_W, image.width, height);
     PlacedText text{font->Draw(label.text, {30, 34, 42}), 0, 0};
     text.x = static_cast<int>(std::lround(place.x())) + kAside;
     text.y = static_cast<int>(std::lround(place.y())) - text.text.height / 2;
     labels.push_back(std::move(text));
   }
   PutLabels(std::move(labels), image);
+}
+
+// In rows, from the top left of their own, in at most a third of the picture.
+std::vector<PlacedText> Renderer::State::DrawLegend(const Scene& scene, const Options& options) {
+  constexpr int kGap = 10;  // pixels
+  std::vector<PlacedText> texts;
+  int x = kGap;
+  int y = 0;
+  for (const Scene::Line& line : scene.legend()) {
+    Background::Color color;
+    for (std::size_t i = 0; i < 3; ++i)
+      color[i] = static_cast<std::uint8_t>(std::lround(255 * line.color[i]));
+    Image text = font->Draw(line.text, color);
+    if (x > kGap && x + text.width > options.width) {
+      x = kGap;
+      y += text.height;
+    }
+    if (y + text.height > options.height / 3) {
+      if (texts.empty()) break;
+      const std::size_t more = scene.legend().size() - texts.size() + 1;
+      texts.back().text = font->Draw(fmt::format("and {} more", more), color);
+      break;
+    }
+    const int width = text.width;
+    texts.push_back({std::move(text), x, y});
+    x += width + kGap;
+  }
+  return texts;
 }
 
 std::optional<Image> Renderer::Draw(Subject& subject, const Options& options,
@@ -174,8 +205,11 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
     all.Add(scene.shapes());
     lowest = std::min(lowest, scene.floor_height());
   }
-  const Camera camera = FrameShapes(all, options.width, options.height);
-  ModelContext context(model, options);
+  const std::vector<PlacedText> legend = DrawLegend(scene, options);
+  Options above = options;
+  if (!legend.empty()) above.height -= legend.back().y + legend.back().text.height;
+  const Camera camera = FrameShapes(all, above.width, above.height, above.view);
+  ModelContext context(model, above);
   std::vector<Image> images;
   for (const Pose& pose : poses) {
     diag::Findings again;
@@ -184,9 +218,13 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
       scene.Fill(subject, options.layer, again);
     }
     scene.Light(camera, lowest);
-    Image& image = images.emplace_back(DrawScene(context, scene, camera, options));
+    Image& image = images.emplace_back(DrawScene(context, scene, camera, above));
+    image.height = options.height;
+    image.rgba.resize(4 * static_cast<std::size_t>(image.width) *
+                      static_cast<std::size_t>(image.height));
     PutOn(options.background, image);
-    DrawLabels(scene, camera, image);
+    DrawLabels(scene, camera, above.height, image);
+    for (const PlacedText& line : legend) PutOver(line.text, line.x, above.height + line.y, image);
   }
   return images;
 }

@@ -160,6 +160,7 @@ void Scene::KeepColliding(const mjModel& m) {
 bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   Subject::State& state = subject.state();
   labels_.clear();
+  legend_.clear();
   floor_ = backdrop_ = -1;
   const char* lacking = "there is nothing to show: no geom and no site";
   if (layer == Layer::kCollision) {

@@ -36,6 +36,12 @@ class Scene {
     std::string text;
   };
   const std::vector<Label>& labels() const { return labels_; }
+  /// Lines below the picture.
+  struct Line {
+    std::string text;
+    std::array<float, 4> color;
+  };
+  const std::vector<Line>& legend() const { return legend_; }
 
   /// Adds light, a backdrop, and a floor of the given height, or none if it has one.
   void Light(const Camera& camera, double floor_height);
@@ -50,6 +56,10 @@ class Scene {
   void AddToFrame(const Shape& shape) { shapes_.Add(shape); }
   void AddLabel(const Eigen::Vector3d& p_W, std::string text) {
     labels_.push_back({p_W, std::move(text)});
+  }
+
+  void AddToLegend(std::string text, const std::array<float, 4>& color) {
+    legend_.push_back({std::move(text), color});
   }
 
   /// A further geom; false if there is no room.
@@ -69,6 +79,7 @@ class Scene {
   mjvScene scene_;
   Shapes shapes_;
   std::vector<Label> labels_;
+  std::vector<Line> legend_;
   bool has_ground_ = false;
   double floor_height_ = 0;
   int floor_ = -1;     // its geom
