@@ -69,7 +69,7 @@ TEST_CASE_METHOD(BatchTest, "an interrupted batch ends cleanly and says how to g
       std::string(signal) + " $p; wait $p; echo $?");
   CHECK(result.out == "130\n");
   CHECK(result.err.find(" ok, interrupted (") != std::string::npos);
-  CHECK(result.err.find("--resume goes on from there\n") != std::string::npos);
+  CHECK(result.err.find("--resume continues from there\n") != std::string::npos);
   // Every record's file is there, and no half of one.
   const std::string manifest = folder().Read("out/.manifest.jsonl.part");
   const auto lines = static_cast<std::size_t>(std::count(manifest.begin(), manifest.end(), '\n'));
@@ -149,7 +149,7 @@ TEST_CASE_METHOD(BatchTest, "a full disk stops a batch, which can go on when the
   CHECK(result.err.find("error: cannot write 'x.tar': File too large") != std::string::npos);
   CHECK(result.err.find("seed 0, index ") != std::string::npos);
   CHECK(result.err.find("stopped: output failed") != std::string::npos);
-  CHECK(result.err.find("--resume goes on from there") != std::string::npos);
+  CHECK(result.err.find("--resume continues from there") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder() / "x.tar"));
   const CommandResult resumed = Shell(
       "$mjforge generate crate.yaml -n 4000 --validate none -o x.tar --resume &&"

@@ -114,6 +114,25 @@ TEST_CASE_METHOD(PreviewTest, "the camera stands where --azimuth, --elevation, -
   }
 }
 
+TEST_CASE_METHOD(PreviewTest,
+                 "the names of joints stand below the picture, which they do not cover") {
+  const auto seen_in = [](const harness::Png& png, int top, int bottom) {
+    int count = 0;
+    for (int y = top; y < bottom; ++y) {
+      for (int x = 0; x < png.width; ++x) count += png.At(x, y)[3] > 100 ? 1 : 0;
+    }
+    return count;
+  };
+  const harness::Png joints = DecodePng(
+      Draw({"chest.xml", "--size", "300", "--layer", "joints", "--background", "transparent"}));
+  CHECK(joints.height == 300);
+  CHECK(seen_in(joints, 280, 300) > 300);  // one line of text
+  CHECK(seen_in(joints, 272, 280) < 300);  // the margin between
+  const harness::Png bounds = DecodePng(
+      Draw({"chest.xml", "--size", "300", "--layer", "visual", "--background", "transparent"}));
+  CHECK(seen_in(bounds, 290, 300) == 0);
+}
+
 TEST_CASE_METHOD(PreviewTest, "a joint moves by --joint, in any unit, with or without its prefix") {
   const std::string closed = Draw({"chest.xml", "--size", "100"});
   const std::string open = Draw({"chest.xml", "--size", "100", "--joint", "lid_hinge=90deg"});
