@@ -153,13 +153,8 @@ std::optional<std::string> FieldReader::Text(const spec::Field& field) {
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
   std::optional<std::string> word = Text(field);
   if (!word) return std::nullopt;
-  std::string_view words = field.info->words;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
-    if (words.substr(0, end) == *word) return word;
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
   const std::vector<std::string_view> known = Split(field.info->words);
+  if (std::ranges::find(known, *word) != known.end()) return word;
   Report(Code::kModelBadValue, field,
          fmt::format("is {}; it must be one of {}", Quoted(*word), fmt::join(known, ", ")),
          diag::DidYouMean(*word, known));
