@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "docs/page.h"
@@ -189,6 +191,23 @@ TEST_CASE("the pictures are small") {
     total += size;
   }
   CHECK(total < 3'000'000);
+}
+
+TEST_CASE("the page of the bundled specs says what each of them requires") {
+  const std::string page = harness::ReadFile(kRoot / "docs/catalogue.md");
+  constexpr std::string_view kStart = "\nrequire:\n";
+  int count = 0;
+  for (const std::string& name : BundledSpecs()) {
+    const std::string text = harness::ReadFile(kRoot / "specs" / (name + ".yaml"));
+    const std::size_t at = text.find(kStart);
+    if (at == std::string::npos) continue;
+    std::istringstream lines(text.substr(at + kStart.size()));
+    for (std::string line; std::getline(lines, line) && line.starts_with("  "); ++count) {
+      INFO(name << ": " << line);
+      CHECK(page.find("\n" + line.substr(2) + "\n") != std::string::npos);
+    }
+  }
+  CHECK(count > 30);
 }
 
 }  // namespace mjforge::docs

@@ -40,6 +40,24 @@ std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) 
   return X_FB;
 }
 
+/// `for_each` calls what it is given with every part and its pose X_FG.
+template <typename ForEach>
+Bounds BoundsOfAll(const ForEach& for_each) {
+  bool some_collide = false;
+  for_each([&](const Part& part, const Pose&) { some_collide |= part.role != Role::kVisual; });
+  Bounds bounds;
+  for_each([&](const Part& part, const Pose& X_FG) {
+    if (some_collide && part.role == Role::kVisual) return;
+    bounds.aabb.Add(BoundsOf(part.shape, X_FG));
+    bounds.horizontal_radius =
+        std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
+  });
+  if (bounds.aabb.empty()) return bounds;
+  bounds.top_offset = bounds.aabb.max.z();
+  bounds.bottom_offset = bounds.aabb.min.z();
+  return bounds;
+}
+
 bool HasState(const Element& actuator) {
   constexpr std::string_view kStateful[] = {"intvelocity", "cylinder", "muscle"};
   if (std::ranges::find(kStateful, actuator.tag) != std::end(kStateful)) return true;
@@ -50,22 +68,9 @@ bool HasState(const Element& actuator) {
 }  // namespace
 
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first) {
-  bool some_collide = false;
-  for (std::size_t i = first; i < parts.size(); ++i) {
-    some_collide |= parts[i].role != Role::kVisual;
-  }
-  Bounds bounds;
-  for (std::size_t i = first; i < parts.size(); ++i) {
-    const Part& part = parts[i];
-    if (some_collide && part.role == Role::kVisual) continue;
-    bounds.aabb.Add(BoundsOf(part.shape, part.X_BG));
-    bounds.horizontal_radius =
-        std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, part.X_BG));
-  }
-  if (bounds.aabb.empty()) return bounds;
-  bounds.top_offset = bounds.aabb.max.z();
-  bounds.bottom_offset = bounds.aabb.min.z();
-  return bounds;
+  return BoundsOfAll([&](const auto& visit) {
+    for (std::size_t i = first; i < parts.size(); ++i) visit(parts[i], parts[i].X_BG);
+  });
 }
 
 void Assembly::SetMass(std::size_t index) {
@@ -100,25 +105,12 @@ void Assembly::ScaleMass(double factor, std::size_t first_part, std::size_t firs
 Bounds Assembly::BoundsFrom(std::size_t first) const {
   const std::vector<Body>& bodies = object_.bodies;
   if (first + 1 == bodies.size()) return BoundsOf(bodies[first].parts);
-  bool some_collide = false;
-  for (std::size_t i = first; i < bodies.size(); ++i) {
-    for (const Part& part : bodies[i].parts) some_collide |= part.role != Role::kVisual;
-  }
-  Bounds bounds;
   const std::vector<Pose> X_FB = PosesFrom(bodies, first);
-  for (std::size_t i = first; i < bodies.size(); ++i) {
-    for (const Part& part : bodies[i].parts) {
-      if (some_collide && part.role == Role::kVisual) continue;
-      const Pose X_FG = X_FB[i - first] * part.X_BG;
-      bounds.aabb.Add(BoundsOf(part.shape, X_FG));
-      bounds.horizontal_radius =
-          std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
+  return BoundsOfAll([&](const auto& visit) {
+    for (std::size_t i = first; i < bodies.size(); ++i) {
+      for (const Part& part : bodies[i].parts) visit(part, X_FB[i - first] * part.X_BG);
     }
-  }
-  if (bounds.aabb.empty()) return bounds;
-  bounds.top_offset = bounds.aabb.max.z();
-  bounds.bottom_offset = bounds.aabb.min.z();
-  return bounds;
+  });
 }
 
 MassProperties Assembly::MassFrom(std::size_t first) const {

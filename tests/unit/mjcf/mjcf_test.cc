@@ -25,7 +25,7 @@ TEST_CASE("a small object is written as it always was") {
   CHECK(document.text ==
         R"(<!-- mjforge 0.1.0 spec=mallet sha256=00ff seed=7 index=41 -->
 <mujoco model="mallet">
-  <compiler angle="radian"/>
+  <compiler angle="radian" usethread="false"/>
   <worldbody>
     <body name="mallet_root" pos="0 0 0">
       <joint name="mallet_joint0" type="free"/>

@@ -61,7 +61,7 @@ TEST_CASE("the setting root.joints takes the place of the joints of the root") {
   CHECK(loaded.spec->root_joints == RootJoints::kNone);
   CHECK(loaded.spec->joints.empty());
   CHECK(Load(yaml, {{"root.joints", "fee"}}).Report() ==
-        Strings{"1:13 spec/bad-value: 'fee' is not one of free, none or a list of joints (did you "
+        Strings{"1:14 spec/bad-value: 'fee' is not one of free, none or a list of joints (did you "
                 "mean 'free'?)"});
 }
 
