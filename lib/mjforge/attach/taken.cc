@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/expr/expr.h"
+
 namespace mjforge::attach {
 
 std::string MakeName(std::string_view name) {

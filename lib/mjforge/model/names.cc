@@ -1,6 +1,5 @@
 #include "mjforge/model/names.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <functional>

@@ -12,7 +12,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Named {
   std::string_view key;
   Key id = Key::kAttribute;
-  constexpr Named(const char* text) : key(text) {}  // NOLINT(google-explicit-constructor)
+  constexpr Named(const char* text) : key(text) {}
   constexpr Named(const char* text, Key interpreted) : key(text), id(interpreted) {}
 };
 
