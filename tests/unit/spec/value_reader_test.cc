@@ -120,11 +120,11 @@ TEST_CASE("the options and the ends of a draw are held against the bounds, too",
         .Report();
   };
   CHECK(report("condim: 2") ==
-        Strings{"4:50 spec/bad-value: condim is 2; it must be 1, 3, 4 or 6"});
+        Strings{"4:49 spec/bad-value: condim is 2; it must be 1, 3, 4 or 6"});
   CHECK(report("condim: {choice: [1, 2]}") ==
-        Strings{"4:63 spec/bad-value: condim is 2; it must be 1, 3, 4 or 6"});
+        Strings{"4:62 spec/bad-value: condim is 2; it must be 1, 3, 4 or 6"});
   CHECK(report("density: -5 .. 10") ==
-        Strings{"4:51 spec/bad-value: density is -5; it must be at least 0"});
+        Strings{"4:50 spec/bad-value: density is -5; it must be at least 0"});
   CHECK(report("density: 0 .. 10") == Strings{});
   CHECK(report("condim: {choice: [1, 3]}") == Strings{});
 }
