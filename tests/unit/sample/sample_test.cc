@@ -32,7 +32,7 @@ TEST_CASE("attempts begin at the key's attempt") {
 
 TEST_CASE("a draw that is rejected once too often is found with its requirements") {
   CHECK(ReportOf("{a: 0 .. 1, b: 0 .. 1}", "require:\n  - a > 0.5\n  - b > 2\n  - a + b < 9") ==
-        Strings{"5:5 sample/rejected: no draw in 1000 attempts met all requirements (loosen a "
+        Strings{"6:5 sample/rejected: no draw in 1000 attempts met all requirements (loosen a "
                 "requirement, or narrow the ranges it compares) 7/3",
                 "  5:5 'a > 0.5' rejected 470 times", "  6:5 'b > 2' rejected 530 times",
                 "  7:5 'a + b < 9' rejected 0 times"});
