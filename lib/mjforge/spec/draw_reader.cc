@@ -42,12 +42,6 @@ std::string KnownDistributions() {
   return text;
 }
 
-bool IsConstant(const Value& value) {
-  if (std::holds_alternative<double>(value.form)) return true;
-  const auto* expression = std::get_if<expr::Expression>(&value.form);
-  return expression != nullptr && expression->constant();
-}
-
 std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_keys,
                                         const DistributionInfo* main) {
   std::vector<std::string_view> keys(extra_keys.begin(), extra_keys.end());
@@ -120,6 +114,13 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
                         (pair.key == distribution->option || pair.key == distribution->flag);
     if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
+    }
+    if (pair.key == "for" || pair.key == "if") {
+      findings_.Add(Code::kSpecUnknownKey, pair.mark,
+                    fmt::format("'{}' has no meaning within a value", pair.key),
+                    "it belongs to an entry of a list such as `parts:`; write out all numbers or "
+                    "points");
+      return Harmless(node);
     }
     std::string hint = pair.key == kExact
                            ? "'exact' belongs beside 'choice'"
@@ -218,7 +219,7 @@ void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   if (!draw.exact) return;
   has_exact_choice_ = true;
   for (const Value& weight : draw.weights) {
-    if (weight.components == 0 || IsConstant(weight)) continue;  // 0: it was reported
+    if (weight.components == 0 || ConstantOf(weight)) continue;  // 0: it was reported
     findings_.Add(Code::kSpecNotConstant, weight.mark,
                   "the weights of an exact choice must be constants",
                   "without `exact: true` they may be computed and drawn");

@@ -192,7 +192,9 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
     if (parameter->value.type != value.type || parameter->value.components != value.components) {
       reading_.findings.Add(
           Code::kSpecWrongType, value.mark,
-          fmt::format("parameter '{}' of '{}' is of another kind", pair.key, entry.nested->name));
+          fmt::format("parameter '{}' of '{}' is {}, but this is {}", pair.key, entry.nested->name,
+                      KindText(parameter->value.type, parameter->value.components),
+                      KindText(value.type, value.components)));
       return;
     }
   }

@@ -118,7 +118,38 @@ class Graph {
   std::vector<int> order_;
 };
 
-void ReadOne(Parameter& parameter, const YamlNode& node, bool in_cycle, Reading& reading) {
+// What the parameters are by their own values.
+std::vector<Parameter> OwnParameters(const YamlNode& params, Reading& reading) {
+  ObjectSpec own;
+  own.names.Declare("index", expr::Type::kNumber);
+  diag::Findings ignored;
+  Reading inner{reading.sources, ignored, own, reading.loader,
+                ValueReader(own.names, reading.sources, ignored)};
+  ReadParameters(&params, nullptr, {}, inner);
+  return std::move(own.parameters);
+}
+
+// A setting is of the parameter's kind: else each use of it would be found to be wrong.
+void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& parameter,
+                  Reading& reading) {
+  const Value& wanted = own.value;
+  Value& value = parameter.value;
+  if (wanted.components == 0) return;  // it is wrong itself
+  if (value.type == wanted.type && value.components == wanted.components) return;
+  if (value.components != 0) {
+    const std::string given = node.kind == YamlNode::Kind::kScalar ? node.text : FlowText(node);
+    reading.findings.Add(Code::kSpecWrongType, node.mark,
+                         fmt::format("parameter '{}' is {}, but '{}' is {}", own.name,
+                                     KindText(wanted.type, wanted.components), given,
+                                     KindText(value.type, value.components)),
+                         fmt::format("the spec has '{}: {}'", own.name, own.source));
+  }
+  value = Value{.mark = node.mark, .type = wanted.type, .components = wanted.components};
+}
+
+// `own`: what a setting stands in for; null: nothing was set.
+void ReadOne(Parameter& parameter, const YamlNode& node, bool in_cycle, const Parameter* own,
+             Reading& reading) {
   if (in_cycle) {
     parameter.slot = reading.spec.names.Declare(parameter.name, expr::Type::kNumber);
     return;
@@ -126,33 +157,37 @@ void ReadOne(Parameter& parameter, const YamlNode& node, bool in_cycle, Reading&
   parameter.value = reading.values.ReadAnything(
       node, IsLongForm(node) ? std::span<const std::string_view>(kLongFormKeys)
                              : std::span<const std::string_view>());
+  if (own != nullptr) CheckSetting(*own, node, parameter, reading);
   parameter.slot = reading.spec.names.Declare(parameter.name, parameter.value.type,
                                               std::clamp(parameter.value.components, 1, 4));
 }
 
 // A pinned text must be one the spec knows: any other would quietly leave out
-// the parts that ask for it.
-void CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Reading& reading) {
+// the parts that ask for it. False after a finding.
+bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Reading& reading) {
   const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
   const YamlNode& bare = value != nullptr ? *value : own;
   const YamlNode* options = bare.kind == YamlNode::Kind::kMap ? bare.Find("choice") : nullptr;
-  if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return;
+  if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return true;
   std::vector<std::string_view> words;
   std::string list;
   for (const YamlNode& option : options->items) {
-    if (option.kind != YamlNode::Kind::kScalar || expr::ParseNumber(option.text)) return;
+    if (option.kind != YamlNode::Kind::kScalar || expr::ParseNumber(option.text)) return true;
     words.push_back(option.text);
     if (!list.empty()) list += ", ";
     list += option.text;
   }
-  if (std::ranges::find(words, pinned.text) != words.end()) return;
+  if (std::ranges::find(words, pinned.text) != words.end()) return true;
   reading.findings.Add(Code::kSpecBadValue, pinned.mark,
                        fmt::format("'{}' is not one of {}", pinned.text, list),
                        diag::DidYouMean(pinned.text, words));
+  return false;
 }
 
-void ApplySettings(std::span<const NamedNode> settings, std::vector<YamlNode>& nodes,
-                   Reading& reading) {
+// Which parameters were set.
+std::vector<bool> ApplySettings(std::span<const NamedNode> settings, std::vector<YamlNode>& nodes,
+                                Reading& reading) {
+  std::vector<bool> is_set(nodes.size());
   std::vector<std::string_view> names;
   for (const Parameter& parameter : reading.spec.parameters) names.push_back(parameter.name);
   for (const NamedNode& setting : settings) {
@@ -166,10 +201,12 @@ void ApplySettings(std::span<const NamedNode> settings, std::vector<YamlNode>& n
       continue;
     }
     const auto position = static_cast<std::size_t>(found - names.begin());
-    CheckPinnedChoice(nodes[position], setting.value, reading);
+    if (!CheckPinnedChoice(nodes[position], setting.value, reading)) continue;
+    is_set[position] = true;
     nodes[position] = setting.value;
     reading.spec.parameters[position].source = SourceText(setting.value);
   }
+  return is_set;
 }
 
 void ReadRequirements(const YamlNode& require, Reading& reading) {
@@ -214,7 +251,9 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
   if (params != nullptr && IsMap(*params, "parameters", reading)) {
     DeclareParameters(*params, nodes, reading);
   }
-  ApplySettings(settings, nodes, reading);
+  std::vector<Parameter> own;
+  if (!settings.empty() && !nodes.empty()) own = OwnParameters(*params, reading);
+  const std::vector<bool> is_set = ApplySettings(settings, nodes, reading);
 
   std::vector<bool> in_cycle(nodes.size());
   spec.evaluation_order = Graph(nodes, spec.parameters).Order([&](const std::vector<int>& path) {
@@ -229,7 +268,7 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
   });
   for (const int i : spec.evaluation_order) {
     const auto at = static_cast<std::size_t>(i);
-    ReadOne(spec.parameters[at], nodes[at], in_cycle[at], reading);
+    ReadOne(spec.parameters[at], nodes[at], in_cycle[at], is_set[at] ? &own[at] : nullptr, reading);
   }
   if (require != nullptr) ReadRequirements(*require, reading);
 }

@@ -32,6 +32,33 @@ std::string CountText(int min_count, int max_count) {
 
 }  // namespace
 
+std::string Refusal(const FieldInfo& field, double number) {
+  const auto rule = [](std::string_view what, double bound) {
+    return fmt::format("must be {} {}", what, expr::NumberText(bound));
+  };
+  if (field.above && number <= field.lower) return rule("greater than", field.lower);
+  if (number < field.lower) return rule("at least", field.lower);
+  if (number > field.upper) return rule("at most", field.upper);
+  if (field.slot != Slot::kInteger) return {};
+  if (number != std::floor(number)) return "must be a whole number";
+  // The dimensions that MuJoCo's contacts have.
+  if (field.key == "condim" && (number == 2 || number == 5)) return "must be 1, 3, 4 or 6";
+  return {};
+}
+
+std::optional<double> ConstantOf(const Value& value) {
+  if (const auto* literal = std::get_if<double>(&value.form)) return *literal;
+  const auto* expression = std::get_if<expr::Expression>(&value.form);
+  const bool is_number = expression != nullptr && expression->type() == Type::kNumber;
+  return is_number ? expression->constant() : std::nullopt;
+}
+
+std::string KindText(Type type, int components) {
+  if (type == Type::kText) return "text";
+  if (type == Type::kBoolean) return "true or false";
+  return components == 1 ? "a number" : fmt::format("{} numbers", components);
+}
+
 std::optional<std::size_t> FindRange(std::string_view text) {
   const auto dots = text.find("..");
   if (dots == std::string_view::npos) return std::nullopt;
@@ -91,13 +118,7 @@ Value ValueReader::Harmless(const YamlNode& node) {
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node) {
   Value value = Read(Expected{field.slot, field.min_count, field.max_count, field.words}, node);
-  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
-    for (std::size_t i = 0; i < list->items.size(); ++i) {
-      CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
-    }
-  } else {
-    CheckBounds(field, value, 0);
-  }
+  CheckBounds(field, value, 0);
   return value;
 }
 
@@ -122,34 +143,37 @@ Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
 }
 
 void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {
-  if (value.type != Type::kNumber || value.components != 1) return;
-  double number = 0;
-  if (const auto* literal = std::get_if<double>(&value.form)) {
-    number = *literal;
-  } else if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
-    if (!expression->constant()) return;
-    number = *expression->constant();
-  } else {
-    return;
+  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
+    }
+  } else if (const auto* draw = std::get_if<Draw>(&value.form)) {
+    CheckDrawBounds(field, *draw, position);
+  } else if (const auto number = ConstantOf(value); number && value.components == 1) {
+    const std::string what = position > 0 && field.max_count > 1
+                                 ? fmt::format("{} {}", field.key, position)
+                                 : std::string(field.key);
+    const std::string rule = std::isfinite(*number) ? Refusal(field, *number) : std::string();
+    if (!std::isfinite(*number)) {
+      findings_.Add(Code::kExprNotFinite, value.mark,
+                    fmt::format("{} is not a finite number", what));
+    } else if (!rule.empty()) {
+      findings_.Add(Code::kSpecBadValue, value.mark,
+                    fmt::format("{} is {}; it {}", what, expr::NumberText(*number), rule));
+    }
   }
-  const std::string what = position > 0 && field.max_count > 1
-                               ? fmt::format("{} {}", field.key, position)
-                               : std::string(field.key);
-  if (!std::isfinite(number)) {
-    findings_.Add(Code::kExprNotFinite, value.mark, fmt::format("{} is not a finite number", what));
-  } else if (field.above ? number <= field.lower : number < field.lower) {
-    findings_.Add(
-        Code::kSpecBadValue, value.mark,
-        fmt::format("{} is {}; it must be {} {}", what, expr::NumberText(number),
-                    field.above ? "greater than" : "at least", expr::NumberText(field.lower)));
-  } else if (number > field.upper) {
-    findings_.Add(Code::kSpecBadValue, value.mark,
-                  fmt::format("{} is {}; it must be at most {}", what, expr::NumberText(number),
-                              expr::NumberText(field.upper)));
-  } else if (field.slot == Slot::kInteger && number != std::floor(number)) {
-    findings_.Add(
-        Code::kSpecBadValue, value.mark,
-        fmt::format("{} is {}; it must be a whole number", what, expr::NumberText(number)));
+}
+
+// What some variant would have to refuse.
+void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position) {
+  if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
+    for (const Value& option : draw.arguments) CheckBounds(field, option, position);
+  } else if (draw.distribution == Distribution::kUniform) {
+    // An end that is excluded itself may still bound a range.
+    FieldInfo ends = field;
+    ends.above = false;
+    ends.slot = Slot::kNumber;
+    for (const Value& end : draw.arguments) CheckBounds(ends, end, position);
   }
 }
 
@@ -205,15 +229,8 @@ Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
 }
 
 void ValueReader::CheckRangeOrder(const Value& lo, const Value& hi, SourceMark mark) {
-  const auto constant = [](const Value& value) -> std::optional<double> {
-    if (const auto* literal = std::get_if<double>(&value.form)) return *literal;
-    if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
-      return expression->constant();
-    }
-    return std::nullopt;
-  };
-  const auto low = constant(lo);
-  const auto high = constant(hi);
+  const auto low = ConstantOf(lo);
+  const auto high = ConstantOf(hi);
   if (low && high && *low > *high) {
     findings_.Add(Code::kSpecEmptyRange, mark,
                   fmt::format("range {} .. {} is empty: its lower end is above its upper end",
@@ -234,6 +251,13 @@ Value ValueReader::ReadNumber(const YamlNode& node) {
   }
   if (IsBooleanWord(node)) return Wrong(node, "a number");
   if (IsYamlNotFinite(node.text)) return Wrong(node, "a finite number");
+  if (node.text.find("${") != std::string::npos) {
+    findings_.Add(Code::kSpecWrongType, node.mark,
+                  fmt::format("expected a number, got the text '{}'", node.text),
+                  "a number is an expression without ${}, such as w + 2 * i; names cannot be "
+                  "composed in it");
+    return Harmless(node);
+  }
   if (const auto dots = FindRange(node.text)) return ReadRange(node, *dots);
   Value value = ReadExpression(node);
   if (value.type != Type::kNumber) {
@@ -328,6 +352,8 @@ Value ValueReader::ReadAnything(const YamlNode& node,
     case YamlNode::Kind::kScalar:
       return ReadAnyScalar(node);
     case YamlNode::Kind::kList:
+      // As where a list is wanted: one number alone is a list of one.
+      if (node.items.size() == 1) return ReadNumber(node.items.front());
       return ReadList({.slot = Slot::kNumbers, .min_count = 2, .max_count = 4}, node);
     case YamlNode::Kind::kMap:
       return ReadMapping({}, node, extra_keys);

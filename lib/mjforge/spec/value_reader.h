@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "mjforge/diag/diag.h"
@@ -14,6 +15,16 @@
 #include "mjforge/spec/yaml.h"
 
 namespace mjforge::spec {
+
+/// "must be at least 0" and the like, if the field does not take the (finite) number;
+/// empty if it does.
+std::string Refusal(const FieldInfo& field, double number);
+
+/// The number of a literal, or of an expression without names.
+std::optional<double> ConstantOf(const Value& value);
+
+/// What a parameter or a value is: "a number", "3 numbers", "text", "true or false".
+std::string KindText(expr::Type type, int components);
 
 /// Reads values in the scope of `names`. A value that is wrong adds a finding
 /// and comes back as something harmless, so that reading goes on.
@@ -71,6 +82,7 @@ class ValueReader {
   bool LooksLikeText(const YamlNode& node) const;
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
+  void CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position);
   Value Wrong(const YamlNode& node, std::string_view expected);
   // Stands for a value that was reported: passes every later check.
   static Value Harmless(const YamlNode& node);

@@ -246,6 +246,15 @@ std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
+// The word around `${`, if its brace is at the column: to YAML it opens a mapping there.
+std::string_view Interpolated(std::string_view line, std::size_t column) {
+  if (column < 2 || !line.substr(column - 2).starts_with("${")) return {};
+  const std::size_t begin = line.find_last_of(" ,[{", column - 2) + 1;  // 0 if there is none
+  const std::size_t close = line.find('}', column);
+  if (close == std::string_view::npos) return {};
+  return line.substr(begin, std::min(line.find_first_of(" ,]}", close + 1), line.size()) - begin);
+}
+
 // What yaml-cpp says, in our words where its are obscure.
 std::string Reworded(const std::string& message) {
   struct Wording {
@@ -310,7 +319,14 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
   } catch (const YAML::DeepRecursion& error) {
     findings.Add(Code::kYamlTooDeep, builder.At(error.mark), "nested too deeply");
   } catch (const YAML::Exception& error) {
-    findings.Add(Code::kYamlSyntax, builder.At(error.mark), Reworded(error.msg));
+    const SourceMark mark = builder.At(error.mark);
+    if (const std::string_view word = Interpolated(sources.Line(mark), mark.column);
+        !word.empty()) {
+      findings.Add(Code::kYamlSyntax, mark, "in braces or brackets text with '${' is quoted",
+                   fmt::format("write '{}'", word));
+    } else {
+      findings.Add(Code::kYamlSyntax, mark, Reworded(error.msg));
+    }
   }
   return false;
 }

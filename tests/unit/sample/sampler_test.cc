@@ -66,8 +66,7 @@ TEST_CASE("rejected items redraw at random, the others keep their place") {
     int redrawn = 0;
     for (std::uint64_t index = 0; index < 64; ++index) {
       const DrawKey key = {.seed = 5, .index = index};
-      const auto values =
-          Sample(*strict.spec, key, RootStream(*strict.spec), {}, strict.findings, &sampler);
+      const auto values = Sample(*strict.spec, key, kRootStream, {}, strict.findings, &sampler);
       REQUIRE(values);
       if (values->key().attempt > 0) {
         ++redrawn;

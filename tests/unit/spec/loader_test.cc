@@ -101,8 +101,9 @@ TEST_CASE("a welded spec takes parameters of its own kind", "[loader]") {
       report("radus: 1") ==
       Strings{
           "4:36 spec/unknown-parameter: 'ball' has no parameter 'radus' (did you mean 'radius'?)"});
-  CHECK(report("radius: box") ==
-        Strings{"4:44 spec/wrong-type: parameter 'radius' of 'ball' is of another kind"});
+  CHECK(
+      report("radius: box") ==
+      Strings{"4:44 spec/wrong-type: parameter 'radius' of 'ball' is a number, but this is text"});
 }
 
 TEST_CASE("a spec that is not found names the nearest one", "[loader]") {

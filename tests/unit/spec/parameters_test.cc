@@ -72,6 +72,40 @@ TEST_CASE("a setting of an unknown parameter is reported at the setting", "[para
         Strings{"1:8 spec/bad-value: 'bal' is not one of box, ball (did you mean 'ball'?)"});
 }
 
+TEST_CASE("a setting of another kind is one finding, at the setting", "[params]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {length: 1cm .. 2cm, half: [1, 2, 3], flag: true, d: 2 * "
+      "length}\n"
+      "parts:\n- {name: a, type: sphere, size: length}\n- {name: b, type: box, size: half}\n"
+      "- {name: c, type: sphere, size: d, if: flag, pos: [half.x + length, 0, 0]}\n";
+  const auto report = [&yaml](const std::string& name, const std::string& text) {
+    return Load(yaml, {{.name = name, .text = text}}).Report();
+  };
+  CHECK(report("length", "abc") ==
+        Strings{"1:9 spec/wrong-type: parameter 'length' is a number, but 'abc' is text (the spec "
+                "has 'length: 1cm .. 2cm')"});
+  CHECK(report("length", "[1, 2]") ==
+        Strings{"1:9 spec/wrong-type: parameter 'length' is a number, but '[1, 2]' is 2 numbers "
+                "(the spec has 'length: 1cm .. 2cm')"});
+  CHECK(report("half", "3") ==
+        Strings{"1:7 spec/wrong-type: parameter 'half' is 3 numbers, but '3' is a number (the spec "
+                "has 'half: [1, 2, 3]')"});
+  CHECK(report("flag", "1").size() == 1);
+  CHECK(report("half", "[1, abc, 3]").size() == 1);
+  CHECK(report("length", "2 * d").size() == 1);  // a cycle
+  CHECK(report("length", "half.y") == Strings{});
+}
+
+TEST_CASE("a list of one number is a number", "[params]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {r: [1 .. 2]}\n"
+      "parts: [{name: a, type: sphere, size: r}, {name: b, type: sphere, size: [2 * r]}]\n";
+  CHECK(Load(yaml).Report() == Strings{});
+  const Loaded loaded = Load(yaml, {{.name = "r", .text = "[0.05]"}});
+  REQUIRE(loaded.Report() == Strings{});
+  CHECK(std::get<double>(loaded.spec->parameters[0].value.form) == 0.05);
+}
+
 TEST_CASE("a requirement is a condition", "[params]") {
   CHECK(ReportWithBox("params: {r: 1}\nrequire: [r > 0, r < 2]\n") == Strings{});
   CHECK(ReportWithBox("params: {r: 1}\nrequire: r + 1\n") ==

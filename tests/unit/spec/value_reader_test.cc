@@ -113,6 +113,22 @@ TEST_CASE("literal values are held against the table's bounds", "[value]") {
         Strings{"4:7 spec/bad-value: mass is 0; it must be greater than 0"});
 }
 
+TEST_CASE("the options and the ends of a draw are held against the bounds, too", "[value]") {
+  const auto report = [](const std::string& field) {
+    return Load("mjforge: 1\nname: t\nparts:\n- {name: a, type: box, size: [1, 1, 1], " + field +
+                "}\n")
+        .Report();
+  };
+  CHECK(report("condim: 2") ==
+        Strings{"4:49 spec/bad-value: condim is 2; it must be 1, 3, 4 or 6"});
+  CHECK(report("condim: {choice: [1, 2]}") ==
+        Strings{"4:62 spec/bad-value: condim is 2; it must be 1, 3, 4 or 6"});
+  CHECK(report("density: -5 .. 10") ==
+        Strings{"4:50 spec/bad-value: density is -5; it must be at least 0"});
+  CHECK(report("density: 0 .. 10") == Strings{});
+  CHECK(report("condim: {choice: [1, 3]}") == Strings{});
+}
+
 TEST_CASE("a wrong word gets the words and a suggestion", "[value]") {
   CHECK(ReportWithBox("placement: corners\ntotal_size: [1, 1, 1]\n") ==
         Strings{"4:12 spec/bad-value: 'corners' is not one of center, corner (did you mean "
