@@ -109,6 +109,7 @@ void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& 
       part.mesh = renamer.meshes[static_cast<std::size_t>(part.mesh)];
       part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
     }
+    body.attached = static_cast<int>(index);
     part_count_ += body.parts.size();
     if (i == 0) {
       object_.bodies[index] = std::move(body);

@@ -694,6 +694,13 @@ constexpr FieldInfo kDefaultsFields[] = {
 };
 
 constexpr FieldInfo kChecksFields[] = {
+    {.key = "self_collision",
+     .slot = Slot::kNumber,
+     .unit = "m",
+     .default_text = "0.01mm",
+     .lower = 0,
+     .doc = "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
+            "with every object, not only in physical checks."},
     {.key = "stable",
      .slot = Slot::kBoolean,
      .default_text = "false",
