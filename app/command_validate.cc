@@ -54,11 +54,12 @@ std::string Behaviour(const physics::Result& result) {
 std::string Line(const std::string& file, const Verdict& verdict) {
   const auto& model = verdict.model;
   if (!model) return fmt::format("{}: failed\n", file);
-  return fmt::format(
-      "{}: {}, {}, {}, {}, {:.6g} kg{}\n", file, verdict.ok() ? "ok" : "failed",
-      Count(model->bodies.size(), "body", "bodies"), Count(model->joints.size(), "joint", "joints"),
-      Count(static_cast<std::size_t>(model->geoms), "geom", "geoms"), model->mass_properties.mass,
-      verdict.physics ? Behaviour(*verdict.physics) : "");
+  return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg{}\n", file, verdict.ok() ? "ok" : "failed",
+                     Count(model->object.bodies.size(), "body", "bodies"),
+                     Count(static_cast<std::size_t>(model->joints), "joint", "joints"),
+                     Count(static_cast<std::size_t>(model->geoms), "geom", "geoms"),
+                     model->object.mass_properties.mass,
+                     verdict.physics ? Behaviour(*verdict.physics) : "");
 }
 
 std::string JsonLine(const std::string& file, const Verdict& verdict,
@@ -68,10 +69,10 @@ std::string JsonLine(const std::string& file, const Verdict& verdict,
   json.Member("file", file);
   json.Member("ok", verdict.ok());
   if (verdict.model) {
-    json.Member("nbody", verdict.model->bodies.size() + 1);
-    json.Member("njnt", verdict.model->joints.size());
+    json.Member("nbody", verdict.model->object.bodies.size() + 1);
+    json.Member("njnt", static_cast<std::size_t>(verdict.model->joints));
     json.Member("ngeom", static_cast<std::size_t>(verdict.model->geoms));
-    json.Member("mass", verdict.model->mass_properties.mass);
+    json.Member("mass", verdict.model->object.mass_properties.mass);
   }
   if (verdict.physics) {
     json.Key("physics");

@@ -123,7 +123,7 @@ void Sections(Json& json, const model::Object& object) {
   json.EndObject();
 }
 
-void Body(Json& json, const model::Object& object, const model::Body& body) {
+void BodyHead(Json& json, const model::Object& object, const model::Body& body) {
   json.StartObject();
   json.Member("name", body.name);
   json.Member("parent", body.parent < 0
@@ -131,6 +131,10 @@ void Body(Json& json, const model::Object& object, const model::Body& body) {
                             : object.bodies[static_cast<std::size_t>(body.parent)].name);
   Pose(json, body.X_PB);
   Mass(json, body.mass_properties);
+}
+
+void Body(Json& json, const model::Object& object, const model::Body& body) {
+  BodyHead(json, object, body);
   Parts(json, body);
   Joints(json, body);
   Sites(json, body);
@@ -197,29 +201,28 @@ std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep) {
   Json json;
   json.StartObject();
-  json.Member("name", model.name);
+  const model::Object& object = model.object;
+  json.Member("name", object.name);
   json.Key("bodies");
   json.StartArray();
-  for (const validate::CompiledModel::Body& body : model.bodies) {
-    json.StartObject();
-    json.Member("name", body.name);
-    json.Member("parent", body.parent);
-    Pose(json, body.X_PB);
-    Mass(json, body.mass_properties);
-    json.Member("geoms", static_cast<std::size_t>(body.geoms));
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    BodyHead(json, object, object.bodies[i]);
+    json.Member("geoms", static_cast<std::size_t>(model.body_geoms[i]));
     json.EndObject();
   }
   json.EndArray();
   json.Key("joints");
   json.StartArray();
-  for (const validate::CompiledModel::Joint& joint : model.joints) {
-    json.StartObject();
-    json.Member("name", joint.name);
-    json.Member("body", joint.body);
-    json.Member("type", joint.type);
-    json.Member("axis", joint.axis);
-    if (joint.limited) json.Member("range", joint.range);
-    json.EndObject();
+  for (const model::Body& body : object.bodies) {
+    for (const model::Joint& joint : body.joints) {
+      json.StartObject();
+      json.Member("name", joint.name);
+      json.Member("body", body.name);
+      json.Member("type", joint.type);
+      json.Member("axis", joint.axis);
+      if (joint.range) json.Member("range", *joint.range);
+      json.EndObject();
+    }
   }
   json.EndArray();
   json.Key("elements");
@@ -228,7 +231,7 @@ std::string InspectJson(const validate::CompiledModel& model,
   json.EndArray();
   json.Member("ngeom", static_cast<std::size_t>(model.geoms));
   json.Member("nsite", static_cast<std::size_t>(model.sites));
-  Totals(json, model.mass_properties, model.aabb);
+  Totals(json, object.mass_properties, object.bounds.aabb);
   Sweep(json, sweep);
   json.EndObject();
   return json.Line();

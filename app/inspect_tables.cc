@@ -108,13 +108,13 @@ std::string Parts(const model::Object& object) {
   return table.Render() + "\n";
 }
 
-std::string Joints(const model::Object& object) {
+std::string Joints(const model::Object& object, bool always_bodies) {
   Table table({"joint", "body", "type", "axis", "range"});
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
       const bool has_axis = joint.type == "hinge" || joint.type == "slide";
-      table.Add({joint.name, BodyText(object, body), std::string(joint.type),
-                 has_axis ? VectorText(joint.axis) : "",
+      table.Add({joint.name, always_bodies ? body.name : BodyText(object, body),
+                 std::string(joint.type), has_axis ? VectorText(joint.axis) : "",
                  joint.range ? NumbersText(*joint.range) : ""});
     }
   }
@@ -192,7 +192,7 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   text += Parameters(recipe, variant);
   text +=
       fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
-  text += Bodies(object) + Parts(object) + Joints(object) + Sites(object) + Elements(object);
+  text += Bodies(object) + Parts(object) + Joints(object, false) + Sites(object) + Elements(object);
   text += Totals(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
   return text + SweepText(sweep);
@@ -200,26 +200,25 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
 
 std::string InspectTables(const validate::CompiledModel& model,
                           const std::optional<validate::Sweep>& sweep) {
+  const model::Object& object = model.object;
+  const model::Box3& aabb = object.bounds.aabb;
   Table bodies({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
-  for (const validate::CompiledModel::Body& body : model.bodies) {
-    const bool heavy = body.mass > 0;
-    bodies.Add({body.name, body.parent, VectorText(body.X_PB.p), QuatText(body.X_PB.q),
-                fmt::format("{}", body.geoms), Number(body.mass),
-                heavy ? ComText(body.mass_properties, model.aabb) : "",
-                heavy ? InertiaText(body.mass_properties) : ""});
-  }
-  Table joints({"joint", "body", "type", "axis", "range"});
-  for (const validate::CompiledModel::Joint& joint : model.joints) {
-    const bool has_axis = joint.type == "hinge" || joint.type == "slide";
-    joints.Add({joint.name, joint.body, joint.type, has_axis ? VectorText(joint.axis) : "",
-                joint.limited ? NumbersText(joint.range) : ""});
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const model::Body& body = object.bodies[i];
+    const model::MassProperties& mass = body.mass_properties;
+    bodies.Add(
+        {body.name,
+         body.parent < 0 ? "world" : object.bodies[static_cast<std::size_t>(body.parent)].name,
+         VectorText(body.X_PB.p), QuatText(body.X_PB.q), fmt::format("{}", model.body_geoms[i]),
+         Number(mass.mass), mass.mass > 0 ? ComText(mass, aabb) : "",
+         mass.mass > 0 ? InertiaText(mass) : ""});
   }
   Table elements({"element", "kind"});
   for (const auto& [kind, name] : model.elements) elements.Add({name, kind});
-  std::string text = fmt::format("{}\n\n{}\n", model.name, bodies.Render());
-  if (!joints.empty()) text += joints.Render() + "\n";
+  std::string text = fmt::format("{}\n\n{}\n", object.name, bodies.Render());
+  text += Joints(object, true);
   if (!elements.empty()) text += elements.Render() + "\n";
-  return text + Totals(model.mass_properties, model.aabb) + SweepText(sweep);
+  return text + Totals(object.mass_properties, aabb) + SweepText(sweep);
 }
 
 }  // namespace mjforge::app

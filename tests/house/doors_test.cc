@@ -40,7 +40,7 @@ const std::array kRooms = {
          {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "physics",
           "manifest", "output"}},
     Room{"batch", {"diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
-    Room{"picture", {"diag", "engine"}},
+    Room{"picture", {"diag", "model", "engine", "compiled"}},
     Room{"report", {"diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
     Room{"app",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",

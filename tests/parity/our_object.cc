@@ -134,10 +134,12 @@ void AddMass(const model::MassProperties& properties, Element& element) {
                                 inertia(0, 1), inertia(0, 2), inertia(1, 2)};
 }
 
-Element Body(const validate::CompiledModel::Body& body, const std::string& name) {
+Element Body(const model::Object& object, const model::Body& body, const std::string& name) {
   Element element;
   const Eigen::Quaterniond& q = body.X_PB.q;
-  element.words["parent"] = body.parent == "world" ? body.parent : BodyName(body.parent, name);
+  element.words["parent"] =
+      body.parent < 0 ? "world"
+                      : BodyName(object.bodies[static_cast<std::size_t>(body.parent)].name, name);
   element.numbers["pos"] = List(body.X_PB.p);
   element.numbers["quat"] = Canonical({q.w(), q.x(), q.y(), q.z()});
   AddMass(body.mass_properties, element);
@@ -156,15 +158,15 @@ double HorizontalRadius(const model::Object& object) {
   return radius;
 }
 
-Element Whole(const model::Object& object, const validate::CompiledModel& compiled) {
+Element Whole(const model::Object& object, const model::Object& compiled) {
   Element element;
   AddMass(compiled.mass_properties, element);
   element.numbers["bottom_offset"] = {object.bounds.bottom_offset};
   element.numbers["top_offset"] = {object.bounds.top_offset};
   element.numbers["declared_radius"] = {object.bounds.horizontal_radius};
-  if (!compiled.aabb.empty()) {
-    element.numbers["aabb_min"] = List(compiled.aabb.min);
-    element.numbers["aabb_max"] = List(compiled.aabb.max);
+  if (!compiled.bounds.aabb.empty()) {
+    element.numbers["aabb_min"] = List(compiled.bounds.aabb.min);
+    element.numbers["aabb_max"] = List(compiled.bounds.aabb.max);
     element.numbers["horizontal_radius"] = {HorizontalRadius(object)};
   }
   return element;
@@ -205,11 +207,11 @@ void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& 
   const auto compiled = loader.Load(folder.Write("object.xml", document.text), sources, findings);
   if (!compiled) return;
   DescribeText(document.text, name, out);
-  for (const validate::CompiledModel::Body& body : compiled->bodies) {
-    out["body/" + BodyName(body.name, name)] = Body(body, name);
+  for (const model::Body& body : compiled->object.bodies) {
+    out["body/" + BodyName(body.name, name)] = Body(compiled->object, body, name);
   }
   GiveBack(*object, name, out);
-  out["whole"] = Whole(*object, *compiled);
+  out["whole"] = Whole(*object, compiled->object);
 }
 
 }  // namespace

@@ -12,19 +12,6 @@ constexpr std::string_view kDynamics[] = {"none", "integrator", "filter", "muscl
 constexpr std::string_view kGains[] = {"fixed", "affine", "muscle", "user"};
 constexpr std::string_view kBiases[] = {"none", "affine", "muscle", "user"};
 
-struct Transmission {
-  mjtObj kind;
-  std::string_view first;
-  std::string_view second;  // a site
-};
-// In the order of mjtTrn.
-constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
-                                           {mjOBJ_JOINT, "jointinparent", ""},
-                                           {mjOBJ_SITE, "cranksite", "slidersite"},
-                                           {mjOBJ_TENDON, "tendon", ""},
-                                           {mjOBJ_SITE, "site", "refsite"},
-                                           {mjOBJ_BODY, "body", ""}};
-
 /// Zeros at the end are what MuJoCo takes anyhow; the first number's default is
 /// not 0.
 std::span<const mjtNum> WithoutZeros(std::span<const mjtNum> numbers) {
@@ -32,23 +19,8 @@ std::span<const mjtNum> WithoutZeros(std::span<const mjtNum> numbers) {
   return numbers;
 }
 
-void WriteRange(Attributes& attributes, std::string_view limited, std::string_view range,
-                bool is_limited, std::span<const mjtNum> numbers) {
-  attributes.Flag(limited, is_limited);
-  if (is_limited) attributes.Numbers(range, numbers);
-}
-
 void WriteActuator(const mjModel& m, int i, Attributes attributes) {
-  attributes.Number("group", m.actuator_group[i], 0);
-  WriteRange(attributes, "ctrllimited", "ctrlrange", m.actuator_ctrllimited[i] != 0,
-             Row(m.actuator_ctrlrange, i, 2));
-  WriteRange(attributes, "forcelimited", "forcerange", m.actuator_forcelimited[i] != 0,
-             Row(m.actuator_forcerange, i, 2));
-  WriteRange(attributes, "actlimited", "actrange", m.actuator_actlimited[i] != 0,
-             Row(m.actuator_actrange, i, 2));
-  attributes.Numbers("lengthrange", Row(m.actuator_lengthrange, i, 2), {0, 0});
-  attributes.Numbers("gear", Row(m.actuator_gear, i, 6), {1, 0, 0, 0, 0, 0});
-  attributes.User(Row(m.actuator_user, i, m.nuser_actuator));
+  attributes.Read(m, mjOBJ_ACTUATOR, i);
   attributes.Text("dyntype", std::string(kDynamics[m.actuator_dyntype[i]]));
   attributes.Text("gaintype", std::string(kGains[m.actuator_gaintype[i]]));
   attributes.Text("biastype", std::string(kBiases[m.actuator_biastype[i]]));
@@ -62,7 +34,7 @@ void WriteActuator(const mjModel& m, int i, Attributes attributes) {
 void ReadActuators(SectionReader& sections) {
   const mjModel& m = sections.model();
   for (int i = 0; i < m.nu; ++i) {
-    const Transmission& transmission = kTransmissions[m.actuator_trntype[i]];
+    const compiled::Transmission& transmission = compiled::kTransmissions[m.actuator_trntype[i]];
     const Reference first = {transmission.kind, m.actuator_trnid[2 * i]};
     Reference second;
     if (!transmission.second.empty()) second = {mjOBJ_SITE, m.actuator_trnid[2 * i + 1]};

@@ -73,15 +73,7 @@ int AssetReader::Material(int id) {
   material.name = taken_.Name(mjOBJ_MATERIAL, id);
   material.mark = file_.MarkOf(mjOBJ_MATERIAL, id);
   material.texture = Texture(m.mat_texid[id]);
-  Attributes attributes(spec::MaterialElement(), material.attributes);
-  const auto one = [](const float& value) { return std::span<const float>(&value, 1); };
-  attributes.Numbers("rgba", std::span<const float>(m.mat_rgba + 4 * id, 4), {1, 1, 1, 1});
-  attributes.Numbers("specular", one(m.mat_specular[id]), {0.5});
-  attributes.Numbers("shininess", one(m.mat_shininess[id]), {0.5});
-  attributes.Numbers("reflectance", one(m.mat_reflectance[id]), {0});
-  attributes.Numbers("emission", one(m.mat_emission[id]), {0});
-  attributes.Numbers("texrepeat", std::span<const float>(m.mat_texrepeat + 2 * id, 2), {1, 1});
-  attributes.Flag("texuniform", m.mat_texuniform[id] != 0, false);
+  Attributes(spec::MaterialElement(), material.attributes).Read(m, mjOBJ_MATERIAL, id);
   out_.materials.push_back(std::move(material));
   return place->second;
 }

@@ -1,8 +1,6 @@
 #include "mjforge/attach/attributes.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 
@@ -30,27 +28,22 @@ void Attributes::Numbers(std::string_view key, std::span<const double> values,
   if (!std::ranges::equal(values, usual)) Numbers(key, values);
 }
 
-void Attributes::Numbers(std::string_view key, std::span<const float> values,
-                         std::initializer_list<double> usual) {
-  std::vector<double> numbers;
-  for (const float value : values) numbers.push_back(Shortest(value));
-  Numbers(key, std::span<const double>(numbers), usual);
-}
-
-void Attributes::User(std::span<const double> values) {
-  while (!values.empty() && values.back() == 0) values = values.first(values.size() - 1);
-  if (!values.empty()) Numbers("user", values);
+void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id) {
+  for (const compiled::ArrayField& field : fields) {
+    const sample::Numbers numbers = compiled::NumbersOf(m, field, id);
+    if (numbers.empty()) continue;
+    const bool usual = field.variable == nullptr && field.usual &&
+                       std::equal(numbers.begin(), numbers.end(), field.usual->begin());
+    if (usual) continue;
+    if (field.IsFlag()) {
+      Flag(field.attribute, numbers[0] != 0);
+    } else {
+      Numbers(field.attribute, std::span(numbers.data(), numbers.size()));
+    }
+  }
 }
 
 void Attributes::Text(std::string_view key, std::string text) { Add(key).text = std::move(text); }
-
-double Shortest(float value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  double number = value;
-  std::from_chars(text.data(), end, number);
-  return number;
-}
 
 std::vector<double> ParseNumbers(std::string_view text) {
   std::vector<double> numbers;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::attach {
@@ -25,11 +26,9 @@ class Attributes {
   void Numbers(std::string_view key, std::span<const double> values);
   void Numbers(std::string_view key, std::span<const double> values,
                std::initializer_list<double> usual);
-  /// MuJoCo's single precision, as the shortest number that gives it.
-  void Numbers(std::string_view key, std::span<const float> values,
-               std::initializer_list<double> usual);
-  /// Numbers for viewers: none if all are 0, without the zeros at the end.
-  void User(std::span<const double> values);
+  /// What a compiled element says by itself.
+  void Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id);
+  void Read(const mjModel& m, mjtObj kind, int id) { Read(m, compiled::ArrayFields(kind), id); }
   void Text(std::string_view key, std::string text);
   void Flag(std::string_view key, bool value) { Text(key, value ? "true" : "false"); }
   void Flag(std::string_view key, bool value, bool usual) {
@@ -42,9 +41,6 @@ class Attributes {
   const spec::ElementInfo& info_;
   std::vector<model::Attribute>& out_;
 };
-
-/// The shortest decimal number that reads as `value` in single precision.
-double Shortest(float value);
 
 /// Numbers apart by blanks; none if a word is not a number.
 std::vector<double> ParseNumbers(std::string_view text);

@@ -4,7 +4,6 @@
 // Numbers out of mjModel's arrays.
 
 #include <cstddef>
-#include <initializer_list>
 #include <span>
 
 namespace mjforge::attach {
@@ -14,10 +13,6 @@ template <typename T>
 std::span<const T> Row(const T* array, int id, int count) {
   return {array + static_cast<std::ptrdiff_t>(id) * count, static_cast<std::size_t>(count)};
 }
-
-/// What MuJoCo takes where nothing is said.
-inline constexpr std::initializer_list<double> kSolref = {0.02, 1};
-inline constexpr std::initializer_list<double> kSolimp = {0.9, 0.95, 0.001, 0.5, 2};
 
 }  // namespace mjforge::attach
 

@@ -80,12 +80,7 @@ void ReadContacts(SectionReader& sections) {
     Attributes attributes = SectionReader::Of("contact", *pair);
     attributes.Text("geom1", sections.NameOf(geom1));
     attributes.Text("geom2", sections.NameOf(geom2));
-    attributes.Number("condim", m.pair_dim[i]);
-    attributes.Numbers("friction", Row(m.pair_friction, i, 5));
-    attributes.Numbers("solref", Row(m.pair_solref, i, mjNREF));
-    attributes.Numbers("solimp", Row(m.pair_solimp, i, mjNIMP));
-    attributes.Number("margin", m.pair_margin[i]);
-    attributes.Number("gap", m.pair_gap[i]);
+    attributes.Read(m, mjOBJ_PAIR, i);
   }
   for (int i = 0; i < m.nexclude; ++i) {
     // Two body ids, each plus 1, in 16 bits.
@@ -99,27 +94,11 @@ void ReadContacts(SectionReader& sections) {
   }
 }
 
-namespace {
-
-struct Equality {
-  std::string_view tag;
-  mjtObj kind;
-  std::string_view first;
-  std::string_view second;
-};
-// In the order of mjtEq.
-constexpr Equality kEqualities[] = {{"connect", mjOBJ_BODY, "body1", "body2"},
-                                    {"weld", mjOBJ_BODY, "body1", "body2"},
-                                    {"joint", mjOBJ_JOINT, "joint1", "joint2"},
-                                    {"tendon", mjOBJ_TENDON, "tendon1", "tendon2"}};
-
-}  // namespace
-
 void ReadEqualities(SectionReader& sections) {
   const mjModel& m = sections.model();
   for (int i = 0; i < m.neq; ++i) {
     if (m.eq_type[i] > mjEQ_TENDON) continue;  // MuJoCo refuses `distance` since 2.2.2
-    const Equality& type = kEqualities[m.eq_type[i]];
+    const compiled::Equality& type = compiled::kEqualities[m.eq_type[i]];
     const Reference first = {type.kind, m.eq_obj1id[i]};
     const Reference second = {type.kind, m.eq_obj2id[i]};
     model::Element* element =
@@ -138,9 +117,7 @@ void ReadEqualities(SectionReader& sections) {
     } else {
       attributes.Numbers("polycoef", data.first(5));
     }
-    attributes.Flag("active", m.eq_active[i] != 0, true);
-    attributes.Numbers("solref", Row(m.eq_solref, i, mjNREF), kSolref);
-    attributes.Numbers("solimp", Row(m.eq_solimp, i, mjNIMP), kSolimp);
+    attributes.Read(m, mjOBJ_EQUALITY, i);
   }
 }
 

@@ -77,9 +77,7 @@ void ReadSensors(SectionReader& sections) {
       attributes.Text("needstage", std::string(kStages[m.sensor_needstage[i]]));
       attributes.Number("dim", m.sensor_dim[i]);
     }
-    attributes.Number("cutoff", m.sensor_cutoff[i], 0);
-    attributes.Number("noise", m.sensor_noise[i], 0);
-    attributes.User(Row(m.sensor_user, i, m.nuser_sensor));
+    attributes.Read(m, mjOBJ_SENSOR, i);
   }
 }
 

@@ -4,17 +4,34 @@
 // What MuJoCo compiled, in the words of the model.
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/compiled/attributes.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::compiled {
 
+struct DeleteData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using Data = std::unique_ptr<mjData, DeleteData>;
+/// Throws std::exception if there is not enough memory.
+Data MakeData(const mjModel& m);
+
+/// "lid", or "geom 3" for what has no name.
+std::string NameOf(const mjModel& m, mjtObj kind, int id);
+
 /// MJCF's words for mjtJoint, in its order.
 inline constexpr std::array<std::string_view, 4> kJointTypes = {"free", "ball", "slide", "hinge"};
+
+/// mjtGeom of each GeomType, in its order.
+inline constexpr std::array<int, 6> kGeomTypes = {mjGEOM_SPHERE,   mjGEOM_CAPSULE, mjGEOM_ELLIPSOID,
+                                                  mjGEOM_CYLINDER, mjGEOM_BOX,     mjGEOM_MESH};
 
 /// The number `id` of a list of triples.
 Eigen::Vector3d VectorAt(const mjtNum* array, int id);
@@ -42,6 +59,33 @@ model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 /// The box around all that can collide where mj_kinematics left it, in the world frame; with a
 /// `root` other than the world (0), of the bodies on that one alone.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
+
+/// Where a joint can stand, as qpos has it, rad or m: its range, or a full turn about the zero of
+/// an unlimited hinge. Of a ball joint the angle from its zero, from 0 up.
+struct JointRange {
+  bool limited = false;
+  double low = 0;
+  double high = 0;
+};
+/// Nothing for free joints and for slides without a range.
+std::optional<JointRange> RangeOf(const mjModel& m, int joint);
+
+/// The qpos of a ball joint that is turned from its zero.
+std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,
+                             double angle);
+
+/// A body without joints and parts. The numbers of bodies leave out the world: it is -1.
+model::Body BodyOf(const mjModel& m, int id);
+model::Joint JointOf(const mjModel& m, int id);
+/// Without attributes, mass and, of a mesh, its surface: the pose is that of MeshOf(). Nothing
+/// for planes and height fields.
+std::optional<model::Part> PartOf(const mjModel& m, int id);
+
+enum class Nameless { kEmpty, kNumbered };  // "", or what NameOf() says
+/// The bodies with joints and parts, as above, and the parts' `group`. Mass and bounds of the whole
+/// are in the world frame, at the joints' zero; of the bounds only the box is there, around all
+/// that can collide. Findings are to point at `mark`.
+model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless);
 
 }  // namespace mjforge::compiled
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "mjforge/compiled/compiled.h"
 
 namespace mjforge::compiled {
@@ -34,22 +36,9 @@ model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id) {
 }
 
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom) {
-  switch (mjtgeom) {
-    case mjGEOM_SPHERE:
-      return model::GeomType::kSphere;
-    case mjGEOM_CAPSULE:
-      return model::GeomType::kCapsule;
-    case mjGEOM_ELLIPSOID:
-      return model::GeomType::kEllipsoid;
-    case mjGEOM_CYLINDER:
-      return model::GeomType::kCylinder;
-    case mjGEOM_BOX:
-      return model::GeomType::kBox;
-    case mjGEOM_MESH:
-      return model::GeomType::kMesh;
-    default:
-      return std::nullopt;
-  }
+  const auto found = std::ranges::find(kGeomTypes, mjtgeom);
+  if (found == kGeomTypes.end()) return std::nullopt;
+  return static_cast<model::GeomType>(found - kGeomTypes.begin());
 }
 
 bool CollidesInBody(const mjModel& m, int geom) {

@@ -96,6 +96,8 @@ enum class Code {
   kPhysicsThin,
   kPhysicsSlender,
   kPhysicsLoose,
+  kPhysicsFarVisual,
+  kPhysicsUnseen,
   // Files written and read back.
   kOutputExists,
   kOutputCannotWrite,

@@ -109,6 +109,7 @@ void Assembly::CopyBodies(const Attachment& attachment, const Renamer& renamer, 
   for (const Body& own : attachment.bodies) {
     Body body = own;
     renamer.Rename(body);
+    body.attached = static_cast<int>(index);
     for (Part& part : body.parts) {
       if (part.mesh >= 0)
         part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;

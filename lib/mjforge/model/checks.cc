@@ -13,6 +13,7 @@ struct NumberCheck {
   double Checks::*member;
 };
 constexpr NumberCheck kNumbers[] = {
+    {"self_collision", &Checks::self_collision},
     {"settle_time", &Checks::settle_time},
     {"rest_speed", &Checks::rest_speed},
     {"tilt", &Checks::tilt},

@@ -12,9 +12,10 @@
 
 namespace mjforge::model {
 
-/// The thresholds of physical checks, SI units. The defaults are those of the
+/// The thresholds of checks, SI units. The defaults are those of the
 /// field table.
 struct Checks {
+  double self_collision = 1e-5;  // m, of two bodies at the joints' zero
   // Dropped on a floor.
   bool stable = false;               // whether a tilt beyond `tilt` is an error
   double settle_time = 3;            // s, at most

@@ -150,6 +150,8 @@ struct Body {
   /// with mesh parts, whose mass MuJoCo's versions compute differently, and
   /// attached ones, which keep the inertia of their own file.
   bool explicit_inertial = false;
+  /// Of an attached file's bodies: the first of them, in Object::bodies.
+  int attached = -1;
   diag::SourceMark mark;
 };
 

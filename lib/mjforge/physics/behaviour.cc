@@ -23,8 +23,11 @@ std::string Distance(const mjModel& m, int joint, double value) {
 }  // namespace
 
 diag::SourceMark Behaviour::MarkOf(std::string_view joint) const {
-  const auto found = std::ranges::find(marks_, joint, &JointMark::name);
-  return found == marks_.end() || !found->mark ? subject_.mark : found->mark;
+  for (const model::Body& body : object_.bodies) {
+    const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);
+    if (found != body.joints.end() && found->mark) return found->mark;
+  }
+  return mark_;
 }
 
 Trouble Behaviour::Drop(Result& result) {
@@ -46,8 +49,8 @@ bool Behaviour::CanStep() {
   const double steps = verdict_.checks().settle_time / timestep;
   if (timestep >= kShortest && timestep <= kLongest && steps <= kMostSteps) return true;
   verdict_.Error(
-      Code::kPhysicsUnstable, subject_.mark,
-      fmt::format("'{}' cannot be tried: {:g} s in steps of {:g} s", subject_.name,
+      Code::kPhysicsUnstable, mark_,
+      fmt::format("'{}' cannot be tried: {:g} s in steps of {:g} s", object_.name,
                   verdict_.checks().settle_time, timestep),
       fmt::format("a timestep of {:g} to {:g} s, and a settle_time of at most {:g} steps",
                   kShortest, kLongest, kMostSteps));
@@ -67,8 +70,8 @@ void Behaviour::Check(Result& result) {
 
 void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
   for (const std::string& warning : trouble.warnings) {
-    verdict_.Error(Code::kPhysicsUnstable, subject_.mark,
-                   fmt::format("MuJoCo warns as '{}' settles: {}", subject_.name, warning),
+    verdict_.Error(Code::kPhysicsUnstable, mark_,
+                   fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
                    trouble.blown_up ? "a smaller timestep, softer contacts, or larger masses and "
                                       "inertias beside its forces"
                                     : "");
@@ -76,35 +79,39 @@ void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
   if (trouble.blown_up) return;
   const model::Checks& checks = verdict_.checks();
   if (result.energy_gain > checks.energy_gain) {
-    verdict_.Error(Code::kPhysicsGainsEnergy, subject_.mark,
-                   fmt::format("'{}' gains energy as it settles: {:.3g} of mass * gravity * size, "
+    verdict_.Error(Code::kPhysicsGainsEnergy, mark_,
+                   fmt::format("'{}' gains energy as it settles: {} of mass * gravity * size, "
                                "more than {:g}",
-                               subject_.name, result.energy_gain, checks.energy_gain),
+                               object_.name, NumberBeyond(result.energy_gain, checks.energy_gain),
+                               checks.energy_gain),
                    "parts that push each other apart, springs, or actuators");
   }
   if (!result.at_rest && result.dropped && result.ncon == 0) {
-    verdict_.Warning(Code::kPhysicsNotAtRest, subject_.mark,
+    verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
                      fmt::format("'{}' touches nothing in {:g} s, and ends at {:.3g} m/s",
-                                 subject_.name, result.time, result.speed),
+                                 object_.name, result.time, result.speed),
                      "gravity, or the contact bits (contype, conaffinity)");
   } else if (!result.at_rest && result.dropped) {
-    verdict_.Warning(Code::kPhysicsNotAtRest, subject_.mark,
-                     fmt::format("'{}' still moves after {:g} s, at {:.3g} m/s", subject_.name,
-                                 result.time, result.speed),
-                     "a joint without damping, something round, or a longer `settle_time`");
+    verdict_.Warning(
+        Code::kPhysicsNotAtRest, mark_,
+        fmt::format("'{}' still moves after {:g} s: body '{}' at {:.3g} m/s, {:.3g} mm "
+                    "from where it began",
+                    object_.name, result.time, trouble.fastest, result.speed, 1000 * trouble.way),
+        "a joint without damping, something round, or a longer `settle_time`");
   }
   if (result.penetration > checks.penetration) {
-    verdict_.Error(Code::kPhysicsPenetrates, subject_.mark,
-                   fmt::format("contacts get {:.3g} mm deep as '{}' lands, more than {:g} mm",
-                               1000 * result.penetration, subject_.name, 1000 * checks.penetration),
+    verdict_.Error(Code::kPhysicsPenetrates, mark_,
+                   fmt::format("contacts get {} mm deep as '{}' lands, more than {:g} mm",
+                               NumberBeyond(1000 * result.penetration, 1000 * checks.penetration),
+                               object_.name, 1000 * checks.penetration),
                    kHarderContacts);
   }
   if (result.sink > checks.sink) {
-    verdict_.Error(
-        Code::kPhysicsSinks, subject_.mark,
-        fmt::format("contacts are {:.3g} mm deep when '{}' has settled, more than {:g} mm",
-                    1000 * result.sink, subject_.name, 1000 * checks.sink),
-        kHarderContacts);
+    verdict_.Error(Code::kPhysicsSinks, mark_,
+                   fmt::format("contacts are {} mm deep when '{}' has settled, more than {:g} mm",
+                               NumberBeyond(1000 * result.sink, 1000 * checks.sink), object_.name,
+                               1000 * checks.sink),
+                   kHarderContacts);
   }
   ReportPose(result);
 }
@@ -112,16 +119,19 @@ void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
 void Behaviour::ReportPose(const Result& result) {
   const model::Checks& checks = verdict_.checks();
   if (checks.stable && result.tilt > checks.tilt) {
-    verdict_.Error(Code::kPhysicsTopples, subject_.mark,
-                   fmt::format("'{}' topples: it leans over by {:.3g} deg, more than {:.3g} deg",
-                               subject_.name, kDegrees * result.tilt, kDegrees * checks.tilt),
-                   "a wider foot, or a lower centre of mass");
+    verdict_.Error(
+        Code::kPhysicsTopples, mark_,
+        fmt::format("'{}' topples: it leans over by {} deg, more than {:.3g} deg", object_.name,
+                    NumberBeyond(kDegrees * result.tilt, kDegrees * checks.tilt),
+                    kDegrees * checks.tilt),
+        "a wider foot, or a lower centre of mass");
   }
   if (result.drift > checks.drift) {
-    verdict_.Error(Code::kPhysicsDrifts, subject_.mark,
-                   fmt::format("'{}' moves {:.3g} mm along the floor, more than {:g} mm",
-                               subject_.name, 1000 * result.drift, 1000 * checks.drift),
-                   "a level foot, or more friction");
+    verdict_.Error(
+        Code::kPhysicsDrifts, mark_,
+        fmt::format("'{}' moves {} mm along the floor, more than {:g} mm", object_.name,
+                    NumberBeyond(1000 * result.drift, 1000 * checks.drift), 1000 * checks.drift),
+        "a level foot, or more friction");
   }
 }
 

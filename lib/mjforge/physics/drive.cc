@@ -6,8 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/simulation.h"
-#include "mjforge/physics/subject.h"
 
 namespace mjforge::physics {
 namespace {
@@ -71,26 +71,16 @@ struct Coupling {
 };
 
 std::vector<Path> PathsOf(const mjModel& m, int joint) {
-  const bool limited = m.jnt_limited[joint] != 0;
-  const mjtNum* range = m.jnt_range + 2 * joint;
-  const double zero = m.qpos0[m.jnt_qposadr[joint]];
-  constexpr double kTurn = std::numbers::pi;
-  switch (m.jnt_type[joint]) {
-    case mjJNT_HINGE:
-      if (!limited) return {{joint, 0, false, -kTurn, kTurn}};
-      return {{joint, 0, true, range[0] - zero, range[1] - zero}};
-    case mjJNT_SLIDE:
-      if (!limited) return {};
-      return {{joint, 0, true, range[0] - zero, range[1] - zero}};
-    case mjJNT_BALL: {
-      const double most = limited ? range[1] : 0.9 * kTurn;  // a full half turn has no direction
-      return {{joint, 0, limited, -most, most},
-              {joint, 1, limited, -most, most},
-              {joint, 2, limited, -most, most}};
-    }
-    default:
-      return {};
+  const std::optional<compiled::JointRange> range = compiled::RangeOf(m, joint);
+  if (!range) return {};
+  if (m.jnt_type[joint] != mjJNT_BALL) {
+    const double zero = m.qpos0[m.jnt_qposadr[joint]];
+    return {{joint, 0, range->limited, range->low - zero, range->high - zero}};
   }
+  const double most = range->limited ? range->high : 0.9 * range->high;  // half a turn has no way
+  std::vector<Path> paths;
+  for (int axis = 0; axis < 3; ++axis) paths.push_back({joint, axis, range->limited, -most, most});
+  return paths;
 }
 
 class Driver {
@@ -116,7 +106,7 @@ class Driver {
   Driven Run(int joint) {
     Driven driven;
     driven.joint = joint;
-    driven.measured.name = NameOf(m_, mjOBJ_JOINT, joint);
+    driven.measured.name = compiled::NameOf(m_, mjOBJ_JOINT, joint);
     for (const Path& path : PathsOf(m_, joint)) Follow(path, driven);
     return driven;
   }
@@ -238,12 +228,8 @@ class Driver {
   std::array<double, 3> Errors(int joint, int axis, double target) const {
     const int at = m_.jnt_qposadr[joint];
     if (m_.jnt_type[joint] != mjJNT_BALL) return {m_.qpos0[at] + target - d_.qpos[at], 0, 0};
-    std::array<double, 3> about = {};
-    about[Index(axis)] = 1;
-    std::array<mjtNum, 4> turn = {};
-    mju_axisAngle2Quat(turn.data(), about.data(), target);
-    std::array<mjtNum, 4> wanted = {};
-    mju_mulQuat(wanted.data(), m_.qpos0 + at, turn.data());
+    const std::array<mjtNum, 4> wanted =
+        compiled::BallAt(m_, joint, Eigen::Vector3d::Unit(axis), target);
     std::array<double, 3> errors = {};
     mju_subQuat(errors.data(), wanted.data(), d_.qpos + at);
     return errors;
@@ -276,8 +262,8 @@ class Driver {
       if (m_.body_rootid[body1] != root || m_.body_rootid[body2] != root) continue;
       if (-contact.dist <= driven.measured.penetration) continue;
       driven.measured.penetration = -contact.dist;
-      driven.body1 = NameOf(m_, mjOBJ_BODY, std::min(body1, body2));
-      driven.body2 = NameOf(m_, mjOBJ_BODY, std::max(body1, body2));
+      driven.body1 = compiled::NameOf(m_, mjOBJ_BODY, std::min(body1, body2));
+      driven.body2 = compiled::NameOf(m_, mjOBJ_BODY, std::max(body1, body2));
       driven.where = value;
     }
   }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
-#include <stdexcept>
 
 #include "mjforge/compiled/compiled.h"
 
@@ -12,10 +10,6 @@ namespace {
 
 constexpr double kClearance = 0.002;  // m
 
-struct DeleteData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
 template <std::size_t n>
 void Set(mjtNum* numbers, int id, const std::array<double, n>& values) {
   std::ranges::copy(values, numbers + static_cast<std::ptrdiff_t>(n) * id);
@@ -23,8 +17,7 @@ void Set(mjtNum* numbers, int id, const std::array<double, n>& values) {
 
 /// The lowest point of all that can collide; planes have none.
 double LowestPoint(const mjModel& m) {
-  const std::unique_ptr<mjData, DeleteData> d(mj_makeData(&m));
-  if (!d) throw std::runtime_error("there is not enough memory for this model");
+  const compiled::Data d = compiled::MakeData(m);
   mj_kinematics(&m, d.get());
   const model::Box3 box = compiled::CollidingBox(m, *d, 0);
   return box.empty() ? 0 : box.min.z();

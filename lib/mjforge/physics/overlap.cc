@@ -16,7 +16,8 @@ bool Meet(const model::Box3& a, const model::Box3& b) {
 // Points in the box of a solid in its own frame, from a sequence that fills it evenly.
 class PointsIn {
  public:
-  explicit PointsIn(const Solid& solid) : box_(model::BoundsOf(solid.shape, {})), sequence_(3) {}
+  explicit PointsIn(const model::Part& solid)
+      : box_(model::BoundsOf(solid.shape, {})), sequence_(3) {}
   Eigen::Vector3d Next() {
     Eigen::Vector3d share;
     for (double& number : share) number = std::ldexp(static_cast<double>(sequence_()), -64);
@@ -30,13 +31,13 @@ class PointsIn {
 
 }  // namespace
 
-Overlap FindOverlap(const RigidBody& body) {
+Overlap FindOverlap(const std::vector<model::Part>& parts) {
   Overlap overlap;
   double most = 0;
   std::vector<model::Box3> boxes;
-  for (const Solid& solid : body.solids) boxes.push_back(model::BoundsOf(solid.shape, solid.X_BG));
-  for (std::size_t i = 1; i < body.solids.size(); ++i) {
-    const Solid& solid = body.solids[i];
+  for (const model::Part& solid : parts) boxes.push_back(model::BoundsOf(solid.shape, solid.X_BG));
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const model::Part& solid = parts[i];
     std::vector<std::size_t> others;
     for (std::size_t j = 0; j < i; ++j) {
       if (Meet(boxes[i], boxes[j])) others.push_back(j);
@@ -52,7 +53,7 @@ Overlap FindOverlap(const RigidBody& body) {
       ++inside;
       const Eigen::Vector3d p_B = solid.X_BG.p + solid.X_BG.q * p_G;
       for (std::size_t j = 0; j < others.size(); ++j) {
-        const Solid& other = body.solids[others[j]];
+        const model::Part& other = parts[others[j]];
         if (!model::Contains(other.shape, other.X_BG, p_B)) continue;
         ++twice;
         ++shared[j];

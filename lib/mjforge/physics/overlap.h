@@ -2,15 +2,16 @@
 #define MJFORGE_PHYSICS_OVERLAP_H_
 
 #include <cstddef>
+#include <vector>
 
-#include "mjforge/physics/subject.h"
+#include "mjforge/model/model.h"
 
 namespace mjforge::physics {
 
-/// Mass that is counted twice because the solids of a body overlap.
+/// Mass that is counted twice because parts overlap.
 struct Overlap {
-  double mass = 0;  // kg, of the body
-  // The two that share most, as numbers in body.solids.
+  double mass = 0;  // kg
+  // The two that share most, by their numbers.
   std::size_t first = 0;
   std::size_t second = 0;
 };
@@ -18,7 +19,7 @@ struct Overlap {
 /// By quasi-Monte Carlo: 2,000 points in each solid that meets an earlier one. A
 /// point in several solids counts for all but the first of them. The error is
 /// below a hundredth of the solid's mass.
-Overlap FindOverlap(const RigidBody& body);
+Overlap FindOverlap(const std::vector<model::Part>& parts);
 
 }  // namespace mjforge::physics
 

@@ -9,12 +9,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/behaviour.h"
 #include "mjforge/physics/floor.h"
 #include "mjforge/physics/proportions.h"
 #include "mjforge/physics/simulation.h"
-#include "mjforge/physics/subject.h"
 #include "mjforge/physics/verdict.h"
 
 namespace mjforge::physics {
@@ -111,28 +111,27 @@ struct Laboratory::State {
   engine::Engine engine;
   Workspace workspace;
 
-  std::optional<Result> Examine(engine::Model model, const Subject& subject,
-                                const std::vector<JointMark>& marks, const model::Checks& checks,
+  std::optional<Result> Examine(engine::Model model, const model::Object& object,
+                                diag::SourceMark mark, const model::Checks& checks,
                                 diag::Findings& findings);
 };
 
 Laboratory::Laboratory() : state_(std::make_unique<State>()) {}
 Laboratory::~Laboratory() = default;
 
-std::optional<Result> Laboratory::State::Examine(engine::Model model, const Subject& subject,
-                                                 const std::vector<JointMark>& marks,
-                                                 const model::Checks& checks,
+std::optional<Result> Laboratory::State::Examine(engine::Model model, const model::Object& object,
+                                                 diag::SourceMark mark, const model::Checks& checks,
                                                  diag::Findings& findings) {
   Verdict verdict(checks, findings);
   try {
     Result result;
-    Behaviour(*model, workspace, subject, marks, verdict).Check(result);
-    result.overlap = CheckProportions(subject, verdict);
+    Behaviour(*model, workspace, object, mark, verdict).Check(result);
+    result.overlap = CheckProportions(object, mark, verdict);
     Round(result);
     return result;
   } catch (const std::exception& error) {
     findings.Add(
-        Code::kMujocoError, subject.mark,
+        Code::kMujocoError, mark,
         fmt::format("MuJoCo cannot simulate the object: {}", engine::OneLine(error.what())));
     return std::nullopt;
   }
@@ -140,7 +139,8 @@ std::optional<Result> Laboratory::State::Examine(engine::Model model, const Subj
 
 std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
                                           const model::Object& object, diag::Findings& findings) {
-  const Subject subject = SubjectOf(object);
+  const diag::SourceMark mark =
+      object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
   engine::Loaded loaded;
   if (const auto problem = state_->engine.SetAssets(document.assets)) {
     loaded.error = problem->message;
@@ -148,16 +148,12 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
     loaded = state_->engine.LoadText(WithSurroundings(document));
   }
   if (!loaded.model) {
-    findings.Add(Code::kMujocoError, subject.mark,
+    findings.Add(Code::kMujocoError, mark,
                  fmt::format("MuJoCo refused the object on a floor: {}",
                              engine::ParseRefusal(loaded.error).reason));
     return std::nullopt;
   }
-  std::vector<JointMark> marks;
-  for (const model::Body& body : object.bodies) {
-    for (const model::Joint& joint : body.joints) marks.push_back({joint.name, joint.mark});
-  }
-  return state_->Examine(std::move(loaded.model), subject, marks, object.checks, findings);
+  return state_->Examine(std::move(loaded.model), object, mark, object.checks, findings);
 }
 
 std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
@@ -175,7 +171,8 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   };
   engine::Loaded loaded = state_->engine.LoadFile(file);
   if (!loaded.model) return refused("", loaded, {});
-  const Subject subject = SubjectOf(*loaded.model, start);
+  const model::Object object =
+      compiled::ObjectOf(*loaded.model, start, compiled::Nameless::kNumbered);
   const Scenery scenery = SceneryOf(*loaded.model);
   if (scenery.free && !scenery.plane) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
@@ -185,7 +182,7 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
       return refused(" with a floor", loaded, "a plane of its own would be taken instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
   }
-  return state_->Examine(std::move(loaded.model), subject, {}, checks, findings);
+  return state_->Examine(std::move(loaded.model), object, start, checks, findings);
 }
 
 }  // namespace mjforge::physics

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "mjforge/physics/overlap.h"
+#include "mjforge/physics/solids.h"
 #include "mjforge/physics/touching.h"
 
 namespace mjforge::physics {
@@ -15,11 +18,16 @@ using diag::Code;
 
 // A sum of finite numbers of inertia: rounding of the principal axes.
 constexpr double kRounding = 1e-6;
+constexpr double kNothing = 1e-12;
+// A visual part farther than so many times the body's size is not part of how it looks.
+constexpr double kFar = 0.5;
+constexpr double kFaces = 1e-9;  // m
 
 std::string OutsideOf(double value, const Eigen::Vector2d& range, std::string_view unit) {
   const bool low = value < range.x();
-  return fmt::format("{:.3g} {}, {} than {:g}", value, unit, low ? "less" : "more",
-                     low ? range.x() : range.y());
+  const double limit = low ? range.x() : range.y();
+  return fmt::format("{} {}, {} than {:g}", NumberBeyond(value, limit), unit, low ? "less" : "more",
+                     limit);
 }
 
 bool IsOutside(double value, const Eigen::Vector2d& range) {
@@ -33,62 +41,97 @@ Eigen::Vector2d SidesOf(const model::Shape& shape) {
   return {sides.minCoeff(), sides.maxCoeff()};
 }
 
+std::string WithMore(std::size_t more) {
+  return more > 0 ? fmt::format(" with {} more", more) : std::string();
+}
+
+/// A viewer shows groups 0 to 2; a part of a spec is seen by a geom of its own.
+bool IsSeen(const model::Part& part) {
+  if (!part.as_is) return part.role != model::Role::kCollision;
+  const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
+  return group == part.attributes.end() || group->numbers.empty() || group->numbers[0] <= 2;
+}
+
+using Box = Eigen::AlignedBox3d;
+
+Box BoxAround(const model::Part& part) {
+  const model::Box3 box = model::BoundsOf(part.shape, part.X_BG);
+  return {box.min, box.max};
+}
+
+/// More than faces that meet.
+bool Overlaps(const std::vector<Box>& boxes, const Box& box) {
+  return std::ranges::any_of(
+      boxes, [&](const Box& other) { return box.intersection(other).sizes().minCoeff() > kFaces; });
+}
+
+double DistanceTo(const std::vector<Box>& boxes, const Box& box) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Box& other : boxes) nearest = std::min(nearest, box.exteriorDistance(other));
+  return nearest;
+}
+
 class Proportions {
  public:
-  Proportions(const Subject& subject, Verdict& verdict) : subject_(subject), verdict_(verdict) {}
+  Proportions(const model::Object& object, diag::SourceMark mark, Verdict& verdict)
+      : object_(object), mark_(mark), verdict_(verdict) {}
 
   double Check() {
     CheckWhole();
     double twice = 0;
-    for (const RigidBody& body : subject_.bodies) {
-      CheckSolids(body);
-      if (!(body.mass > 0)) continue;
-      CheckDensity(body);
+    for (const model::Body& body : object_.bodies) {
+      const Solids solids = SolidsOf(body);
+      CheckSolids(solids);
+      CheckLooks(body);
+      if (solids.parts.empty() || !(solids.mass > 0)) continue;
+      CheckDensity(body, solids);
       CheckInertia(body);
-      CheckCenter(body);
-      twice += CheckOverlap(body);
-      CheckPieces(body);
+      CheckCenter(body, solids);
+      twice += CheckOverlap(body, solids);
+      CheckPieces(body, solids);
     }
-    return subject_.mass > 0 ? twice / subject_.mass : 0;
+    return object_.mass_properties.mass > 0 ? twice / object_.mass_properties.mass : 0;
   }
 
  private:
   void CheckWhole() {
-    if (subject_.box.empty() || !(subject_.mass > 0)) return;
-    const double volume = (subject_.box.max - subject_.box.min).prod();
-    if (!(volume > 0)) return;
-    const double density = subject_.mass / volume;
+    const model::Box3& box = object_.bounds.aabb;
+    const double mass = object_.mass_properties.mass;
+    if (box.empty() || !(mass > 0)) return;
+    const Eigen::Vector3d sides = box.max - box.min;
+    if (!(sides.prod() > 0)) return;
+    const double density = mass / sides.prod();
     if (!IsOutside(density, verdict_.checks().bulk_density)) return;
-    verdict_.Warning(Code::kPhysicsBulkDensity, subject_.mark,
-                     fmt::format("{:.3g} kg in a box of {:.3g} x {:.3g} x {:.3g} m is {}",
-                                 subject_.mass, subject_.box.max.x() - subject_.box.min.x(),
-                                 subject_.box.max.y() - subject_.box.min.y(),
-                                 subject_.box.max.z() - subject_.box.min.z(),
+    verdict_.Warning(Code::kPhysicsBulkDensity, mark_,
+                     fmt::format("{:.3g} kg in a box of {:.3g} x {:.3g} x {:.3g} m is {}", mass,
+                                 sides.x(), sides.y(), sides.z(),
                                  OutsideOf(density, verdict_.checks().bulk_density, "kg/m^3")),
                      "sizes are in metres, masses in kilograms");
   }
 
-  void CheckSolids(const RigidBody& body) {
+  void CheckSolids(const Solids& solids) {
     const model::Checks& checks = verdict_.checks();
-    for (const Solid& solid : body.solids) {
+    for (const model::Part& solid : solids.parts) {
       const Eigen::Vector2d sides = SidesOf(solid.shape);
       if (sides.x() < checks.thickness) {
         verdict_.Warning(Code::kPhysicsThin, solid.mark,
-                         fmt::format("part '{}' is {:.3g} mm thin, less than {:g} mm", solid.name,
-                                     1000 * sides.x(), 1000 * checks.thickness),
+                         fmt::format("part '{}' is {} mm thin, less than {:g} mm", solid.name,
+                                     NumberBeyond(1000 * sides.x(), 1000 * checks.thickness),
+                                     1000 * checks.thickness),
                          "contacts push through thin parts; give it more, or `role: visual`");
       }
       if (sides.y() > checks.aspect * sides.x()) {
         verdict_.Warning(
             Code::kPhysicsSlender, solid.mark,
-            fmt::format("part '{}' is {:.3g} times as long as it is thin, more than {:g} times",
-                        solid.name, sides.y() / sides.x(), checks.aspect),
+            fmt::format("part '{}' is {} times as long as it is thin, more than {:g} times",
+                        solid.name, NumberBeyond(sides.y() / sides.x(), checks.aspect),
+                        checks.aspect),
             "split it into several parts");
       }
     }
   }
 
-  void CheckDensity(const RigidBody& body) {
+  void CheckDensity(const model::Body& body, const Solids& solids) {
     const Eigen::Vector2d& range = verdict_.checks().density;
     const auto check = [&](std::string_view what, const std::string& name, double mass,
                            double volume, diag::SourceMark mark) {
@@ -99,22 +142,25 @@ class Proportions {
                        mass / volume < range.x() ? "polystyrene foam has about 20 kg/m^3"
                                                  : "osmium has 22,590 kg/m^3");
     };
-    if (!body.masses_known) {
+    if (!solids.masses_known) {
       double volume = 0;
-      for (const Solid& solid : body.solids) volume += model::Volume(solid.shape);
-      check("body", body.name, body.mass, volume, body.mark);
+      for (const model::Part& solid : solids.parts) volume += model::Volume(solid.shape);
+      check("body", body.name, solids.mass, volume, body.mark);
       return;
     }
-    for (const Solid& solid : body.solids)
+    for (const model::Part& solid : solids.parts)
       check("part", solid.name, solid.mass, model::Volume(solid.shape), solid.mark);
   }
 
   // MuJoCo refuses such inertias too, unless it is told to balance or bound them.
-  void CheckInertia(const RigidBody& body) {
-    Eigen::Vector3d inertia = body.inertia;
-    std::sort(inertia.begin(), inertia.end());
+  void CheckInertia(const model::Body& body) {
+    // Sorted.
+    const Eigen::Vector3d inertia = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+                                        body.mass_properties.I_Cm_F, Eigen::EigenvaluesOnly)
+                                        .eigenvalues();
     const double rounding = kRounding * inertia.z();
-    if (inertia.x() > 0 && inertia.x() + inertia.y() >= inertia.z() - rounding) return;
+    if (inertia.x() > kNothing * inertia.z() && inertia.x() + inertia.y() >= inertia.z() - rounding)
+      return;
     verdict_.Error(Code::kPhysicsInertia, body.mark,
                    fmt::format("body '{}' has principal inertias {:.4g}, {:.4g} and {:.4g} kg m^2, "
                                "which no solid has",
@@ -122,54 +168,95 @@ class Proportions {
                    "each is above 0, and no more than the other two together");
   }
 
-  void CheckCenter(const RigidBody& body) {
-    if (CenterOfMassIsInside(body)) return;
+  void CheckCenter(const model::Body& body, const Solids& solids) {
+    const Eigen::Vector3d& p_BCm = body.mass_properties.p_FCm;
+    if (IsInsideHull(solids.parts, p_BCm)) return;
     verdict_.Warning(
         Code::kPhysicsCenterOfMass, body.mark,
         fmt::format("the centre of mass of body '{}', {:.4g} {:.4g} {:.4g}, is outside "
                     "the hull of its parts",
-                    body.name, body.p_BCm.x(), body.p_BCm.y(), body.p_BCm.z()));
+                    body.name, p_BCm.x(), p_BCm.y(), p_BCm.z()));
   }
 
   /// kg counted twice.
-  double CheckOverlap(const RigidBody& body) {
-    const Overlap overlap = FindOverlap(body);
-    const double share = overlap.mass / body.mass;
+  double CheckOverlap(const model::Body& body, const Solids& solids) {
+    const Overlap overlap = FindOverlap(solids.parts);
+    const double share = overlap.mass / solids.mass;
     if (share > verdict_.checks().overlap) {
       verdict_.Warning(
-          Code::kPhysicsOverlap, body.solids[overlap.second].mark,
+          Code::kPhysicsOverlap, solids.parts[overlap.second].mark,
           fmt::format("{:.2g} % of the mass of body '{}' is counted twice, most of it where part "
                       "'{}' is inside part '{}'",
-                      100 * share, body.name, body.solids[overlap.second].name,
-                      body.solids[overlap.first].name),
+                      100 * share, body.name, solids.parts[overlap.second].name,
+                      solids.parts[overlap.first].name),
           "make them meet at their faces, or lower a density");
     }
     return overlap.mass;
   }
 
-  void CheckPieces(const RigidBody& body) {
-    if (body.solids.size() < 2) return;
+  void CheckPieces(const model::Body& body, const Solids& solids) {
+    if (solids.parts.size() < 2) return;
     const double gap = verdict_.checks().gap;
-    const auto pieces = Pieces(body, gap);
+    const auto pieces = Pieces(solids.parts, gap);
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-      const Solid& solid = body.solids[pieces[i].front()];
+      const model::Part& solid = solids.parts[pieces[i].front()];
       const std::size_t more = pieces[i].size() - 1;
+      const Neighbour nearest = NearestOf(solids.parts, pieces[i], gap);
       verdict_.Warning(
           Code::kPhysicsLoose, solid.mark,
-          fmt::format("part '{}'{} of body '{}' touches nothing else of it within {:g} mm",
-                      solid.name, more > 0 ? fmt::format(" with {} more", more) : "", body.name,
-                      1000 * gap));
+          fmt::format("part '{}'{} of body '{}' is loose: {} mm from the nearest other part, '{}', "
+                      "more than {:g} mm",
+                      solid.name, WithMore(more), body.name,
+                      NumberBeyond(1000 * nearest.distance, 1000 * gap),
+                      solids.parts[nearest.part].name, 1000 * gap));
     }
   }
 
-  const Subject& subject_;
+  /// How well what is seen of a body goes with what collides. Boxes tell.
+  void CheckLooks(const model::Body& body) {
+    std::vector<Box> hard;
+    std::vector<Box> seen;
+    Box all_hard;
+    for (const model::Part& part : body.parts) {
+      if (part.role != model::Role::kVisual) all_hard.extend(hard.emplace_back(BoxAround(part)));
+      if (IsSeen(part)) seen.push_back(BoxAround(part));
+    }
+    if (hard.empty()) return;
+    const double size = all_hard.diagonal().norm();
+    std::vector<const model::Part*> unseen;
+    for (const model::Part& part : body.parts) {
+      if (part.role != model::Role::kVisual) {
+        if (!IsSeen(part) && !Overlaps(seen, BoxAround(part))) unseen.push_back(&part);
+        continue;
+      }
+      const double distance = DistanceTo(hard, BoxAround(part));
+      if (distance > kFar * size) ReportFar(body, part, distance, size);
+    }
+    if (unseen.empty()) return;
+    verdict_.Warning(Code::kPhysicsUnseen, unseen.front()->mark,
+                     fmt::format("part '{}'{} of body '{}' collides where nothing is seen",
+                                 unseen.front()->name, WithMore(unseen.size() - 1), body.name),
+                     "a visual part there, or `role: both`");
+  }
+
+  void ReportFar(const model::Body& body, const model::Part& part, double distance, double size) {
+    verdict_.Warning(
+        Code::kPhysicsFarVisual, part.mark,
+        fmt::format("visual part '{}' is {:.3g} mm from all that collides of body '{}', which is "
+                    "{:.3g} mm across",
+                    part.name, 1000 * distance, body.name, 1000 * size),
+        "check its `pos` and its units; what is seen there can be neither touched nor held");
+  }
+
+  const model::Object& object_;
+  diag::SourceMark mark_;
   Verdict& verdict_;
 };
 
 }  // namespace
 
-double CheckProportions(const Subject& subject, Verdict& verdict) {
-  return Proportions(subject, verdict).Check();
+double CheckProportions(const model::Object& object, diag::SourceMark mark, Verdict& verdict) {
+  return Proportions(object, mark, verdict).Check();
 }
 
 }  // namespace mjforge::physics

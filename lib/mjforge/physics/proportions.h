@@ -1,15 +1,15 @@
 #ifndef MJFORGE_PHYSICS_PROPORTIONS_H_
 #define MJFORGE_PHYSICS_PROPORTIONS_H_
 
-#include "mjforge/physics/subject.h"
+#include "mjforge/model/model.h"
 #include "mjforge/physics/verdict.h"
 
 namespace mjforge::physics {
 
 /// Holds what an object is made of against what things are made of: densities,
 /// sizes, inertias, parts that overlap or hang in the air. Returns the share of
-/// the mass that is counted twice.
-double CheckProportions(const Subject& subject, Verdict& verdict);
+/// the mass that is counted twice. `mark` is for what is of no single body.
+double CheckProportions(const model::Object& object, diag::SourceMark mark, Verdict& verdict);
 
 }  // namespace mjforge::physics
 

@@ -73,7 +73,8 @@ class Drop {
     result_.at_rest = slow >= steps_at_rest;
     result_.time = step * m_.opt.timestep;
     End();
-    return {HasBlownUp(d_), WarningsOf(d_)};
+    return {HasBlownUp(d_), WarningsOf(d_), compiled::NameOf(m_, mjOBJ_BODY, fastest_),
+            (VectorAt(d_.xipos, fastest_) - VectorAt(starts_.data(), fastest_)).norm()};
   }
 
  private:
@@ -97,6 +98,7 @@ class Drop {
   Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }
 
   void Begin() {
+    starts_.assign(d_.xipos, d_.xipos + 3 * m_.nbody);
     for (Root& root : roots_) {
       root.start = VectorAt(d_.subtree_com, root.body);
       root.up_B = TurnOf(root.body).conjugate() * Eigen::Vector3d::UnitZ();
@@ -145,7 +147,7 @@ class Drop {
 
   /// Of the fastest point, no point of a geom being farther from its body's centre of mass
   /// than the geom's centre and bounding radius say.
-  double Speed() const {
+  double Speed() {
     double fastest = 0;
     for (int i = 0; i < m_.ngeom; ++i) {
       const int body = m_.geom_bodyid[i];
@@ -156,8 +158,9 @@ class Drop {
       const Eigen::Map<const Eigen::Vector3d> move(cvel + 3);
       const Eigen::Vector3d arm =
           VectorAt(d_.geom_xpos, i) - VectorAt(d_.subtree_com, m_.body_rootid[body]);
-      fastest =
-          std::max(fastest, (move + turn.cross(arm)).norm() + turn.norm() * m_.geom_rbound[i]);
+      const double speed = (move + turn.cross(arm)).norm() + turn.norm() * m_.geom_rbound[i];
+      if (speed > fastest) fastest_ = body;
+      fastest = std::max(fastest, speed);
     }
     return fastest;
   }
@@ -180,6 +183,8 @@ class Drop {
   const model::Checks& checks_;
   Result& result_;
   std::vector<Root> roots_;
+  std::vector<mjtNum> starts_;  // xipos at the start
+  int fastest_ = 0;             // the body that was, when last looked at
   double start_energy_ = 0;
   double highest_energy_ = 0;
   double energy_scale_ = 0;  // J

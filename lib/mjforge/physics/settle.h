@@ -15,6 +15,8 @@ namespace mjforge::physics {
 struct Trouble {
   bool blown_up = false;  // numbers that are none, or too large
   std::vector<std::string> warnings;
+  std::string fastest;  // the body that is fastest at the end
+  double way = 0;       // of its centre of mass from the start, m
 };
 
 /// Puts what is free above the floor by DropHeight(), if the model has a level

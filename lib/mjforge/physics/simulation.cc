@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <span>
-#include <stdexcept>
 
 namespace mjforge::physics {
 namespace {
@@ -24,8 +23,7 @@ mjData& Workspace::For(const mjModel& m) {
     return *data_;
   }
   data_.reset();
-  data_.reset(mj_makeData(&m));
-  if (!data_) throw std::runtime_error("there is not enough memory for this model");
+  data_ = compiled::MakeData(m);
   sizes_.assign(sizes.begin(), sizes.end());
   return *data_;
 }

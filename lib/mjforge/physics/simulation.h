@@ -2,11 +2,10 @@
 #define MJFORGE_PHYSICS_SIMULATION_H_
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include <mujoco/mujoco.h>
+#include "mjforge/compiled/compiled.h"
 
 namespace mjforge::physics {
 
@@ -19,10 +18,7 @@ class Workspace {
   mjData& For(const mjModel& m);
 
  private:
-  struct Delete {
-    void operator()(mjData* data) const { mj_deleteData(data); }
-  };
-  std::unique_ptr<mjData, Delete> data_;
+  compiled::Data data_;
   std::vector<std::byte> sizes_;  // of the model it was made for
 };
 

@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-3;  // of the size, where a point is asked for
 /// The convex hull of solids and of all within a distance of it, in units of
 /// `scale` about `origin`.
 struct Hull {
-  std::span<const Solid> solids;
+  std::span<const model::Part> solids;
   double around = 0;  // m
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double scale = 1;  // m
@@ -27,7 +27,7 @@ struct Hull {
 Eigen::Vector3d FarthestPoint(const Hull& hull, const Eigen::Vector3d& direction) {
   Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
   double distance = -std::numeric_limits<double>::infinity();
-  for (const Solid& solid : hull.solids) {
+  for (const model::Part& solid : hull.solids) {
     const Eigen::Vector3d p =
         solid.X_BG.p +
         solid.X_BG.q * model::SupportPoint(solid.shape, solid.X_BG.q.conjugate() * direction);
@@ -59,10 +59,10 @@ bool Intersect(const void* a, ccd_support_fn support_a, const void* b, ccd_suppo
   return ccdGJKIntersect(a, b, &ccd) != 0;
 }
 
-model::Box3 BoxOf(const Solid& solid) { return model::BoundsOf(solid.shape, solid.X_BG); }
+model::Box3 BoxOf(const model::Part& solid) { return model::BoundsOf(solid.shape, solid.X_BG); }
 
-bool Touch(const Solid& a, const model::Box3& box_a, const Solid& b, const model::Box3& box_b,
-           double gap) {
+bool Touch(const model::Part& a, const model::Box3& box_a, const model::Part& b,
+           const model::Box3& box_b, double gap) {
   if (((box_a.min - box_b.max).array() > gap).any() ||
       ((box_b.min - box_a.max).array() > gap).any()) {
     return false;
@@ -78,12 +78,12 @@ bool Touch(const Solid& a, const model::Box3& box_a, const Solid& b, const model
 
 }  // namespace
 
-bool Touch(const Solid& a, const Solid& b, double gap) {
+bool Touch(const model::Part& a, const model::Part& b, double gap) {
   return Touch(a, BoxOf(a), b, BoxOf(b), gap);
 }
 
-std::vector<std::vector<std::size_t>> Pieces(const RigidBody& body, double gap) {
-  const std::size_t count = body.solids.size();
+std::vector<std::vector<std::size_t>> Pieces(const std::vector<model::Part>& parts, double gap) {
+  const std::size_t count = parts.size();
   std::vector<std::size_t> leader(count);
   std::iota(leader.begin(), leader.end(), 0);
   const auto find = [&](std::size_t i) {
@@ -91,10 +91,10 @@ std::vector<std::vector<std::size_t>> Pieces(const RigidBody& body, double gap) 
     return i;
   };
   std::vector<model::Box3> boxes;
-  for (const Solid& solid : body.solids) boxes.push_back(BoxOf(solid));
+  for (const model::Part& part : parts) boxes.push_back(BoxOf(part));
   for (std::size_t i = 1; i < count; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (find(i) != find(j) && Touch(body.solids[i], boxes[i], body.solids[j], boxes[j], gap))
+      if (find(i) != find(j) && Touch(parts[i], boxes[i], parts[j], boxes[j], gap))
         leader[find(i)] = find(j);
     }
   }
@@ -103,22 +103,46 @@ std::vector<std::vector<std::size_t>> Pieces(const RigidBody& body, double gap) 
   std::erase_if(pieces, [](const auto& piece) { return piece.empty(); });
   const auto mass = [&](const std::vector<std::size_t>& piece) {
     double sum = 0;
-    for (const std::size_t i : piece) sum += body.solids[i].mass;
+    for (const std::size_t i : piece) sum += parts[i].mass;
     return sum;
   };
   std::ranges::stable_sort(pieces, std::ranges::greater(), mass);
   return pieces;
 }
 
-bool CenterOfMassIsInside(const RigidBody& body) {
+Neighbour NearestOf(const std::vector<model::Part>& parts, const std::vector<std::size_t>& group,
+                    double gap) {
+  model::Box3 all;
+  std::vector<model::Box3> boxes;
+  for (const model::Part& part : parts) all.Add(boxes.emplace_back(BoxOf(part)));
+  Neighbour nearest = {.distance = (all.max - all.min).norm()};
+  for (std::size_t other = 0; other < parts.size(); ++other) {
+    if (std::ranges::find(group, other) != group.end()) continue;
+    for (const std::size_t own : group) {
+      const auto touch = [&](double distance) {
+        return Touch(parts[own], boxes[own], parts[other], boxes[other], distance);
+      };
+      if (!touch(nearest.distance)) continue;
+      double near = gap;
+      nearest.part = other;
+      while (nearest.distance - near > 1e-4 * nearest.distance) {
+        const double middle = (near + nearest.distance) / 2;
+        (touch(middle) ? nearest.distance : near) = middle;
+      }
+    }
+  }
+  return nearest;
+}
+
+bool IsInsideHull(const std::vector<model::Part>& parts, const Eigen::Vector3d& p_B) {
   model::Box3 box;
-  for (const Solid& solid : body.solids) box.Add(BoxOf(solid));
+  for (const model::Part& part : parts) box.Add(BoxOf(part));
   const double size = (box.max - box.min).norm() / 2;
-  const Hull hull = {.solids = body.solids,
+  const Hull hull = {.solids = parts,
                      .around = kRounding * size,
                      .origin = (box.min + box.max) / 2,
                      .scale = size};
-  const Eigen::Vector3d point = (body.p_BCm - hull.origin) / hull.scale;
+  const Eigen::Vector3d point = (p_B - hull.origin) / hull.scale;
   return Intersect(&hull, HullSupport, &point, PointSupport);
 }
 

@@ -3,21 +3,27 @@
 
 #include <vector>
 
-#include "mjforge/physics/subject.h"
+#include "mjforge/physics/solids.h"
 
 namespace mjforge::physics {
 
 /// Are two solids of a body no farther apart than `gap`, m? Meshes count as
 /// their convex hulls. To about a thousandth of the solids' size.
-bool Touch(const Solid& a, const Solid& b, double gap);
+bool Touch(const model::Part& a, const model::Part& b, double gap);
 
-/// The solids of a body in groups that hold together, as numbers in
-/// body.solids; the heaviest group first.
-std::vector<std::vector<std::size_t>> Pieces(const RigidBody& body, double gap);
+/// Groups of parts that hold together, as numbers in `parts`; the heaviest group first.
+std::vector<std::vector<std::size_t>> Pieces(const std::vector<model::Part>& parts, double gap);
 
-/// Is the body's centre of mass in the convex hull of its solids, or nearer to it
-/// than a thousandth of their size?
-bool CenterOfMassIsInside(const RigidBody& body);
+/// The part outside a group that is nearest to it, as a number in `parts`.
+struct Neighbour {
+  std::size_t part = 0;
+  double distance = 0;  // m, above `gap`; to a thousandth of itself or of the parts' size
+};
+Neighbour NearestOf(const std::vector<model::Part>& parts, const std::vector<std::size_t>& group,
+                    double gap);
+
+/// Is a point in the convex hull of the parts, or nearer to it than a thousandth of their size?
+bool IsInsideHull(const std::vector<model::Part>& parts, const Eigen::Vector3d& p_B);
 
 }  // namespace mjforge::physics
 

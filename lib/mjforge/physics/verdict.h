@@ -8,6 +8,9 @@
 
 namespace mjforge::physics {
 
+/// A number that is beyond a limit, with as many digits, at least three, as it takes to see that.
+std::string NumberBeyond(double value, double limit);
+
 /// Takes findings, but for those whose code is silenced.
 class Verdict {
  public:

@@ -172,12 +172,11 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
   Rod(foot, head, 1.5 * thin, kMark, scene);
   Ball(root, 8 * thin, kMark, scene);
   Shape box;
-  box.size = (max - min) / 2;
+  box.solid.size = (max - min) / 2;
   box.p_WS = (min + max) / 2;
   scene.AddToFrame(box);
   Shape disk;
-  disk.type = mjGEOM_CYLINDER;
-  disk.size = {reach, reach, thin};
+  disk.solid = {model::GeomType::kCylinder, {reach, thin, 0}};
   disk.p_WS = foot;
   scene.AddToFrame(disk);
   const Vector3d size = max - min;
@@ -208,7 +207,7 @@ void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scen
     scene.Add(mjGEOM_BOX, half, center, axes, kInertia);
     Ball(center, 0.025 * radius, kMark, scene);
     Shape box;
-    box.size = half;
+    box.solid.size = half;
     box.p_WS = center;
     box.R_WS = axes;
     scene.AddToFrame(box);

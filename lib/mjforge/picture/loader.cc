@@ -13,7 +13,7 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   auto state = std::make_unique<Subject::State>();
   state->model = std::move(loaded.model);
   try {
-    state->data.reset(mj_makeData(state->model.get()));
+    state->data = compiled::MakeData(*state->model);
     return std::make_unique<Subject>(std::move(state));
   } catch (const std::exception& error) {
     why_not = error.what();

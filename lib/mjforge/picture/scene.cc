@@ -226,8 +226,8 @@ void Scene::Measure(const mjModel& m) {
   }
   for (int i = 0; i < scene_.nskin; ++i) {
     Shape skin;
-    skin.vertices = scene_.skinvert + 3 * scene_.skinvertadr[i];
-    skin.vertex_count = scene_.skinvertnum[i];
+    skin.vertices = {scene_.skinvert + 3 * scene_.skinvertadr[i],
+                     3 * static_cast<std::size_t>(scene_.skinvertnum[i])};
     shapes_.Add(skin);
   }
   if (!shapes_.empty()) {

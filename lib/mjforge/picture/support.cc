@@ -5,48 +5,42 @@
 #include <limits>
 #include <numbers>
 
+#include "mjforge/compiled/compiled.h"
+
 namespace mjforge::picture {
 
 double Shape::Support(const Eigen::Vector3d& direction) const {
   const Eigen::Vector3d d = R_WS.transpose() * direction;
   const double center = direction.dot(p_WS);
-  if (vertices != nullptr) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < vertex_count; ++i) {
-      const float* v = vertices + 3 * i;
-      most = std::max(most, d.x() * v[0] + d.y() * v[1] + d.z() * v[2]);
-    }
-    return center + most;
+  if (vertices.empty()) return center + model::Support(solid, d);
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < vertices.size(); i += 3) {
+    most = std::max(most, d.x() * vertices[i] + d.y() * vertices[i + 1] + d.z() * vertices[i + 2]);
   }
-  switch (type) {
-    case mjGEOM_SPHERE:
-    case mjGEOM_ELLIPSOID:
-      return center + d.cwiseProduct(size).norm();
-    case mjGEOM_CAPSULE:
-      return center + size.x() * d.norm() + size.z() * std::abs(d.z());
-    case mjGEOM_CYLINDER:
-      return center + size.x() * std::hypot(d.x(), d.y()) + size.z() * std::abs(d.z());
-    default:
-      return center + size.dot(d.cwiseAbs());
-  }
+  return center + most;
 }
 
 Shape ShapeOf(const mjModel& m, const mjvGeom& geom) {
   Shape shape;
-  shape.type = geom.type;
-  shape.size = Eigen::Map<const Eigen::Vector3f>(geom.size).cast<double>();
   shape.p_WS = Eigen::Map<const Eigen::Vector3f>(geom.pos).cast<double>();
   shape.R_WS =
       Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(geom.mat).cast<double>();
+  Eigen::Vector3d& size = shape.solid.size;
+  size = Eigen::Map<const Eigen::Vector3f>(geom.size).cast<double>();
   if (geom.type == mjGEOM_MESH && geom.objtype == mjOBJ_GEOM) {
     const int mesh = m.geom_dataid[geom.objid];
-    shape.vertices = m.mesh_vert + 3 * m.mesh_vertadr[mesh];
-    shape.vertex_count = m.mesh_vertnum[mesh];
+    shape.vertices = {m.mesh_vert + 3 * m.mesh_vertadr[mesh],
+                      3 * static_cast<std::size_t>(m.mesh_vertnum[mesh])};
   } else if (geom.type == mjGEOM_HFIELD && geom.objtype == mjOBJ_GEOM) {
-    const mjtNum* size = m.hfield_size + 4 * m.geom_dataid[geom.objid];
-    shape.size = {size[0], size[1], size[2]};
+    const mjtNum* sides = m.hfield_size + 4 * m.geom_dataid[geom.objid];
+    size = {sides[0], sides[1], sides[2]};
   } else if (geom.type == mjGEOM_PLANE) {
-    shape.size.z() = 0;
+    size.z() = 0;
+  } else if (const auto type = compiled::GeomTypeOf(geom.type);
+             type && *type != model::GeomType::kMesh) {
+    shape.solid.type = *type;
+    // mjvGeom has radii of x and y, and the half length last.
+    if (model::SizeCount(*type) == 2) size = {size.x(), size.z(), 0};
   }
   return shape;
 }

@@ -6,19 +6,19 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Dense>
-#include <array>
+#include <span>
 #include <vector>
+
+#include "mjforge/model/model.h"
 
 namespace mjforge::picture {
 
-/// A convex shape in the world, m. Of a mesh its vertices count.
+/// A convex shape S in the world, m.
 struct Shape {
-  int type = mjGEOM_BOX;  // a box for all types that have no formula of their own
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // as mjvGeom has it
+  model::Shape solid = {.type = model::GeomType::kBox};  // a box for all that has no formula
   Eigen::Vector3d p_WS = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
-  const float* vertices = nullptr;  // 3 each, in S
-  int vertex_count = 0;
+  std::span<const float> vertices;  // of a mesh, in place of the solid: 3 each, in S
 
   /// The largest dot product of `direction` with a point of it.
   double Support(const Eigen::Vector3d& direction) const;

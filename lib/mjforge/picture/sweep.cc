@@ -8,13 +8,7 @@
 namespace mjforge::picture {
 namespace {
 
-using Type = Joint::Type;
-
 constexpr int kFramesPerWay = 12;  // from one place to the next
-
-bool CanSweep(const Joint& joint) {
-  return joint.type == Type::kHinge || (joint.type == Type::kSlide && joint.limited);
-}
 
 // Slower towards both ends. The last place itself is the next way's first.
 void AppendWay(int joint, double from, double to, std::vector<Pose>& poses) {
@@ -45,7 +39,9 @@ std::vector<Pose> Subject::Sweep(std::optional<int> joint, diag::Findings& findi
   const std::vector<Joint> all = joints();
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Joint& each = all[static_cast<std::size_t>(i)];
-    if ((!joint || *joint == i) && CanSweep(each)) AppendSweep(i, each, poses);
+    const bool can_move = each.type == Joint::Type::kHinge || each.type == Joint::Type::kSlide;
+    if ((!joint || *joint == i) && can_move && compiled::RangeOf(*state_->model, i))
+      AppendSweep(i, each, poses);
   }
   if (poses.empty() && joint) {
     findings.Add(diag::Code::kPictureBadJointValue, {},

@@ -372,6 +372,9 @@ constexpr FieldInfo kDefaultsFields[] = {
 };
 
 constexpr FieldInfo kChecksFields[] = {
+    Number("self_collision", "m", AtLeast(0), "0.01mm",
+           "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
+           "with every object, not only in physical checks."),
     Row("stable", Slot::kBoolean, "false",
         "Whether a tilt of more than `tilt` is an error: whether it must stay as it is put down."),
     Number("settle_time", "s", Above(0), "3", "How long it may take to come to rest."),

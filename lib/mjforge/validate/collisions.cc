@@ -24,21 +24,25 @@ class SelfCollisions {
   SelfCollisions(mjModel& m, const model::Object& object, diag::Findings& findings)
       : m_(m), object_(object), findings_(findings), order_(mjcf::DepthFirst(object)) {}
 
-  void Check() {
+  bool Check() {
     ContactFinder finder(m_);
+    std::size_t told = 0;
     std::size_t more = 0;
     for (const BodyContact& contact : finder.Find()) {
-      const bool attached = AreParentAndChild(contact.body1, contact.body2);
-      if (attached && InHost()) continue;
-      if (findings_.size() < before_ + kMostPairs) {
-        Report(contact, attached);
+      if (contact.margin - contact.distance < object_.checks.self_collision) continue;
+      const bool related = AreParentAndChild(contact.body1, contact.body2);
+      if (related && InHost()) continue;
+      if (told < kMostPairs) {
+        Report(contact, related);
+        ++told;
       } else {
         ++more;
       }
     }
-    if (more == 0) return;
+    if (more == 0) return told > 0;
     findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
                   fmt::format("{} more pairs of bodies touch at the joints' zero", more));
+    return true;
   }
 
  private:
@@ -75,7 +79,12 @@ class SelfCollisions {
     return name;
   }
 
-  void Report(const BodyContact& contact, bool attached) {
+  /// Both come from one attached file, which may mean it so.
+  bool OfOneFile(const model::Body& first, const model::Body& second) const {
+    return first.attached >= 0 && first.attached == second.attached;
+  }
+
+  void Report(const BodyContact& contact, bool related) {
     const model::Body* first = &BodyOf(contact.body1);
     const model::Body* second = &BodyOf(contact.body2);
     int first_geom = contact.geom1;
@@ -88,13 +97,14 @@ class SelfCollisions {
         fmt::format("bodies '{}' and '{}' touch at the joints' zero: geoms '{}' and '{}', {}",
                     first->name, second->name, m_.names + m_.name_geomadr[first_geom],
                     m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
-    if (attached) message += "; MuJoCo lets parent and child collide as the parent is fixed";
+    if (related) message += "; MuJoCo lets parent and child collide as the parent is fixed";
     std::string hint = fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
                                    AuthorsName(*first), AuthorsName(*second));
     constexpr auto kCode = diag::Code::kMujocoSelfCollision;
     diag::Finding& finding =
-        attached ? findings_.Warn(kCode, second->mark, std::move(message), std::move(hint))
-                 : findings_.Add(kCode, second->mark, std::move(message), std::move(hint));
+        related || OfOneFile(*first, *second)
+            ? findings_.Warn(kCode, second->mark, std::move(message), std::move(hint))
+            : findings_.Add(kCode, second->mark, std::move(message), std::move(hint));
     if (first->mark) finding.notes.push_back({first->mark, fmt::format("'{}'", first->name)});
   }
 
@@ -102,7 +112,6 @@ class SelfCollisions {
   const model::Object& object_;
   diag::Findings& findings_;
   const std::vector<int> order_;  // MuJoCo's body number less one -> place in the object
-  const std::size_t before_ = findings_.size();
 };
 
 }  // namespace
@@ -113,8 +122,8 @@ std::string DepthText(double distance) {
   return text + (distance > kRounding ? " mm apart, within the margin" : " mm deep");
 }
 
-void CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings& findings) {
-  SelfCollisions(m, object, findings).Check();
+bool CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings& findings) {
+  return SelfCollisions(m, object, findings).Check();
 }
 
 }  // namespace mjforge::validate

@@ -45,9 +45,9 @@ class Comparison {
   void ComparePart(int& geom, const model::Part& part);
   void CompareGeom(int id, const model::Part& part, const Subject& subject, bool collides);
   void CompareMesh(int id, const model::Part& part, const Subject& subject);
-  void CompareGeomAttribute(int id, const model::Attribute& attribute, const Subject& subject);
+  void CompareAttribute(mjtObj kind, int id, const model::Attribute& attribute,
+                        const Subject& subject);
   void CompareJoint(int id, const model::Joint& joint);
-  void CompareJointAttributes(int id, const model::Joint& joint, const Subject& subject);
   void CompareSite(int id, const model::Site& site);
   void CompareElement(const model::Element& element);
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/validate/compare.h"
 
 namespace mjforge::validate {
@@ -84,6 +85,11 @@ class SectionComparison {
                                        element.tag, element.name, compiled, meant));
   }
 
+  void ReferenceIfAny(const Element& element, std::string_view attribute, std::string_view meant,
+                      std::string_view compiled) {
+    if (!meant.empty()) Reference(element, attribute, meant, compiled);
+  }
+
   void Sensor(int id, const Element& element) {
     for (const model::Attribute& attribute : element.attributes) {
       if (attribute.refers.empty()) continue;
@@ -95,22 +101,10 @@ class SectionComparison {
   }
 
   void Actuator(int id, const Element& element) {
-    struct Transmission {
-      std::string_view attribute;
-      int kind;
-      int which;  // of the two ids
-    };
-    constexpr Transmission kTransmissions[] = {
-        {"joint", mjOBJ_JOINT, 0},     {"jointinparent", mjOBJ_JOINT, 0},
-        {"tendon", mjOBJ_TENDON, 0},   {"site", mjOBJ_SITE, 0},
-        {"refsite", mjOBJ_SITE, 1},    {"cranksite", mjOBJ_SITE, 0},
-        {"slidersite", mjOBJ_SITE, 1}, {"body", mjOBJ_BODY, 0},
-    };
-    for (const Transmission& transmission : kTransmissions) {
-      const std::string_view meant = TextOf(element, transmission.attribute);
-      if (meant.empty()) continue;
-      Reference(element, transmission.attribute, meant,
-                NameOf(transmission.kind, m_.actuator_trnid[2 * id + transmission.which]));
+    const int* ids = m_.actuator_trnid + 2 * id;
+    for (const auto& [kind, first, second] : compiled::kTransmissions) {
+      ReferenceIfAny(element, first, TextOf(element, first), NameOf(kind, ids[0]));
+      ReferenceIfAny(element, second, TextOf(element, second), NameOf(mjOBJ_SITE, ids[1]));
     }
   }
 
@@ -119,41 +113,22 @@ class SectionComparison {
                element.children.size(), element.mark)) {
       return;
     }
-    int wrap = m_.tendon_adr[id];
+    int at = m_.tendon_adr[id];
     for (const Element& child : element.children) {
-      const int object = m_.wrap_objid[wrap];
+      const compiled::Wrap wrap = compiled::WrapAt(m_, at++);
       // The attribute has the tag's name: <joint joint="..."/>.
-      const int kind = child.tag == "joint"  ? mjOBJ_JOINT
-                       : child.tag == "site" ? mjOBJ_SITE
-                                             : mjOBJ_GEOM;
       if (child.tag != "pulley") {
-        Reference(element, child.tag, TextOf(child, child.tag), NameOf(kind, object));
+        Reference(element, child.tag, TextOf(child, child.tag), NameOf(wrap.kind, wrap.object));
       }
-      const std::string_view side = TextOf(child, "sidesite");
-      if (!side.empty()) {
-        Reference(element, "sidesite", side,
-                  NameOf(mjOBJ_SITE, static_cast<int>(m_.wrap_prm[wrap])));
-      }
-      ++wrap;
+      ReferenceIfAny(element, "sidesite", TextOf(child, "sidesite"), NameOf(mjOBJ_SITE, wrap.side));
     }
   }
 
   void Equality(int id, const Element& element) {
-    struct Side {
-      std::string_view attribute;
-      int kind;
-      int object;
-    };
-    const Side sides[] = {
-        {"body1", mjOBJ_BODY, m_.eq_obj1id[id]},     {"body2", mjOBJ_BODY, m_.eq_obj2id[id]},
-        {"joint1", mjOBJ_JOINT, m_.eq_obj1id[id]},   {"joint2", mjOBJ_JOINT, m_.eq_obj2id[id]},
-        {"tendon1", mjOBJ_TENDON, m_.eq_obj1id[id]}, {"tendon2", mjOBJ_TENDON, m_.eq_obj2id[id]},
-    };
-    for (const Side& side : sides) {
-      const std::string_view meant = TextOf(element, side.attribute);
-      if (!meant.empty()) {
-        Reference(element, side.attribute, meant, NameOf(side.kind, side.object));
-      }
+    for (const auto& [tag, kind, first, second] : compiled::kEqualities) {
+      if (tag == "weld") continue;  // its attributes are those of `connect`
+      ReferenceIfAny(element, first, TextOf(element, first), NameOf(kind, m_.eq_obj1id[id]));
+      ReferenceIfAny(element, second, TextOf(element, second), NameOf(kind, m_.eq_obj2id[id]));
     }
   }
 

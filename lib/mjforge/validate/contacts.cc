@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -29,13 +28,8 @@ ContactFinder::ContactFinder(mjModel& model) : model_(model) {
   model_.njmax = 0;
   model_.nconmax = kContactsAtFirst;
   model_.nstack = StackSize(model);
-  MakeData();
+  data_ = compiled::MakeData(model_);
   Move();
-}
-
-void ContactFinder::MakeData() {
-  data_.reset(mj_makeData(&model_));
-  if (!data_) throw std::runtime_error("there is not enough memory for this model");
 }
 
 void ContactFinder::Move() {
@@ -48,7 +42,7 @@ void ContactFinder::Collide() {
   while (data_->warning[mjWARN_CONTACTFULL].number > 0 && model_.nconmax < kMostContacts) {
     const std::vector<mjtNum> here(qpos().begin(), qpos().end());
     model_.nconmax = std::min(8 * model_.nconmax, kMostContacts);
-    MakeData();
+    data_ = compiled::MakeData(model_);
     std::ranges::copy(here, qpos().begin());
     Move();
     mj_collision(&model_, data_.get());
@@ -64,8 +58,12 @@ const std::vector<BodyContact>& ContactFinder::Find() {
     const mjContact& contact = data_->contact[i];
     // MuJoCo excludes a contact at distance 0, or within the gap; the first touches.
     if (contact.dist > 0 && contact.exclude != 0) continue;
-    BodyContact found = {model_.geom_bodyid[contact.geom1], model_.geom_bodyid[contact.geom2],
-                         contact.geom1, contact.geom2, contact.dist};
+    BodyContact found = {model_.geom_bodyid[contact.geom1],
+                         model_.geom_bodyid[contact.geom2],
+                         contact.geom1,
+                         contact.geom2,
+                         contact.dist,
+                         contact.includemargin};
     if (found.body1 == 0 || found.body2 == 0) continue;
     if (found.body1 > found.body2) {
       std::swap(found.body1, found.body2);

@@ -3,11 +3,10 @@
 
 // The contacts that MuJoCo finds between the bodies of a compiled model.
 
-#include <memory>
 #include <span>
 #include <vector>
 
-#include <mujoco/mujoco.h>
+#include "mjforge/compiled/compiled.h"
 
 namespace mjforge::validate {
 
@@ -18,6 +17,7 @@ struct BodyContact {
   int geom1 = 0;  // of body1
   int geom2 = 0;
   double distance = 0;  // m; below 0: they are that deep in each other
+  double margin = 0;    // m; MuJoCo pushes below this distance
 };
 
 /// Places a model's bodies and finds what touches. Who may touch whom is for
@@ -42,14 +42,10 @@ class ContactFinder {
   const std::vector<BodyContact>& Find();
 
  private:
-  struct DeleteData {
-    void operator()(mjData* data) const { mj_deleteData(data); }
-  };
-  void MakeData();
   void Collide();
 
   mjModel& model_;
-  std::unique_ptr<mjData, DeleteData> data_;
+  compiled::Data data_;
   std::vector<BodyContact> contacts_;
 };
 

@@ -59,26 +59,10 @@ struct MovedJoint {
 std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& held) {
   std::vector<MovedJoint> joints;
   for (int i = 0; i < m.njnt; ++i) {
-    const bool limited = m.jnt_limited[i] != 0;
-    const mjtNum* range = m.jnt_range + 2 * i;
-    const double zero = m.qpos0[m.jnt_qposadr[i]];
-    switch (m.jnt_type[i]) {
-      case mjJNT_BALL:
-        joints.push_back({i, true, 0, limited ? range[1] : std::numbers::pi});
-        break;
-      case mjJNT_HINGE:
-        joints.push_back({i, false, limited ? range[0] : zero - std::numbers::pi,
-                          limited ? range[1] : zero + std::numbers::pi});
-        break;
-      case mjJNT_SLIDE:
-        if (limited) {
-          joints.push_back({i, false, range[0], range[1]});
-        } else {
-          held.emplace_back(m.names + m.name_jntadr[i]);
-        }
-        break;
-      default:
-        break;
+    if (const auto range = compiled::RangeOf(m, i)) {
+      joints.push_back({i, m.jnt_type[i] == mjJNT_BALL, range->low, range->high});
+    } else if (m.jnt_type[i] == mjJNT_SLIDE) {
+      held.emplace_back(m.names + m.name_jntadr[i]);
     }
   }
   return joints;
@@ -153,11 +137,7 @@ class Sweeper {
   }
 
   void SetBall(const MovedJoint& joint, const Eigen::Vector3d& axis, double angle) {
-    const int address = m_.jnt_qposadr[joint.id];
-    mju_axisAngle2Quat(QposOf(joint), axis.data(), angle);
-    mjtNum turned[4];
-    mju_mulQuat(turned, m_.qpos0 + address, QposOf(joint));
-    mju_copy4(QposOf(joint), turned);
+    std::ranges::copy(compiled::BallAt(m_, joint.id, axis, angle), QposOf(joint));
   }
 
   /// All joints at once: `point` has numbers from 0 to 1.

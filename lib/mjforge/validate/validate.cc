@@ -57,13 +57,16 @@ int LineOf(std::string_view text, std::string_view needle) {
 }
 
 /// `crowded`: so many bodies touch that there may be no room for their contacts,
-/// which needs no second finding.
-void AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::SourceMark mark,
+/// which needs no second finding. True if there was one to add.
+bool AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
+  bool any = false;
   for (const std::string& warning : warnings) {
     if (crowded && warning.find("buffer is full") != std::string::npos) continue;
     findings.Add(Code::kMujocoWarning, mark, fmt::format("MuJoCo warns: {}", OneLine(warning)));
+    any = true;
   }
+  return any;
 }
 
 /// MuJoCo gave up where it is asked for poses and contacts.
@@ -75,13 +78,12 @@ void AddFailure(const std::exception& error, diag::SourceMark mark, diag::Findin
 /// Adds what touches at the joints' zero; true if there is any.
 bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findings) {
   if (object.bodies.size() < 2) return false;
-  const std::size_t before = findings.size();
   try {
-    CheckSelfCollision(m, object, findings);
+    return CheckSelfCollision(m, object, findings);
   } catch (const std::exception& error) {
     AddFailure(error, MarkOf(object), findings);
+    return true;
   }
-  return findings.size() > before;
 }
 
 /// Nothing, and a finding, if MuJoCo gives up.
@@ -164,9 +166,7 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
   Comparison(*loaded.model, object, found).Run(document.lift);
   const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
   const bool as_meant = !found.HasErrors();
-  const std::size_t before = findings.size();
-  AddWarnings(loaded.warnings, crowded, MarkOf(object), findings);
-  const bool warned = findings.size() > before;
+  const bool warned = AddWarnings(loaded.warnings, crowded, MarkOf(object), findings);
   findings.Append(std::move(found));
   return as_meant && !warned;
 }
@@ -214,10 +214,12 @@ std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, dia
 std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
                                          diag::Findings& findings) {
   diag::SourceMark start;
-  const std::size_t before = findings.size();
-  const engine::Model model = state_->LoadFile(file, sources, start, findings);
-  // Numbers that are none would go round and round.
-  if (!model || findings.size() > before) return std::nullopt;
+  diag::Findings found;
+  const engine::Model model = state_->LoadFile(file, sources, start, found);
+  // Numbers that are not finite would go round and round.
+  const bool clean = found.empty();
+  findings.Append(std::move(found));
+  if (!model || !clean) return std::nullopt;
   constexpr int kWorld = 0;
   return TrySweep(*model, kWorld, start, findings);
 }

@@ -17,37 +17,18 @@
 
 namespace mjforge::validate {
 
-/// What MuJoCo compiled, in SI units, at the joints' zero.
+/// What MuJoCo compiled.
 struct CompiledModel {
-  struct Body {
-    std::string name;
-    std::string parent;
-    model::Pose X_PB;
-    double mass = 0;
-    Eigen::Vector3d inertia = Eigen::Vector3d::Zero();  // principal
-    model::MassProperties mass_properties;              // in B
-    int geoms = 0;
-  };
-  struct Joint {
-    std::string name;
-    std::string body;
-    std::string type;
-    bool limited = false;
-    Eigen::Vector2d range = Eigen::Vector2d::Zero();
-    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  };
   struct Element {
     std::string kind;  // camera light pair exclude equality tendon actuator sensor
     std::string name;  // may be empty
   };
-  std::string name;
-  std::vector<Body> bodies;  // without the world
-  std::vector<Joint> joints;
-  std::vector<Element> elements;
-  int geoms = 0;
-  int sites = 0;
-  model::MassProperties mass_properties;  // of all but the world, in the world frame
-  model::Box3 aabb;  // of all geoms that can collide and belong to a body but the world
+  model::Object object;           // as compiled::ObjectOf() reads it
+  std::vector<int> body_geoms;    // of each body: planes and height fields, too
+  std::vector<Element> elements;  // of the world, too
+  int joints = 0;
+  int geoms = 0;  // of the world, too
+  int sites = 0;  // of the world, too
 };
 
 /// What the joints do to a model, by trying. Each hinge and slide moves through

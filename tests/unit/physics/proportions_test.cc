@@ -7,10 +7,11 @@ namespace mjforge::physics {
 namespace {
 
 using model::GeomType;
+using model::Part;
 using Strings = std::vector<std::string>;
 
-Solid Cube(double half, const Eigen::Vector3d& pos, double density = 1000) {
-  Solid solid;
+Part Cube(double half, const Eigen::Vector3d& pos, double density = 1000) {
+  Part solid;
   solid.name = "cube";
   solid.shape = {GeomType::kBox, Eigen::Vector3d::Constant(half), nullptr};
   solid.X_BG.p = pos;
@@ -19,28 +20,28 @@ Solid Cube(double half, const Eigen::Vector3d& pos, double density = 1000) {
 }
 
 /// Of these solids, with the inertia of a cube of 5 cm.
-Subject Of(std::vector<Solid> solids) {
-  Subject subject;
-  RigidBody& body = subject.bodies.emplace_back();
+model::Object Of(std::vector<Part> solids) {
+  model::Object object;
+  model::Body& body = object.bodies.emplace_back();
   body.name = "body";
-  body.solids = std::move(solids);
-  body.masses_known = true;
-  body.inertia = Eigen::Vector3d::Constant(1e-3);
-  for (const Solid& solid : body.solids) {
-    body.mass += solid.mass;
-    body.p_BCm += solid.mass * solid.X_BG.p;
-    subject.box.Add(model::BoundsOf(solid.shape, solid.X_BG));
+  body.parts = std::move(solids);
+  model::MassProperties& mass = body.mass_properties;
+  mass.I_Cm_F = 1e-3 * Eigen::Matrix3d::Identity();
+  for (const Part& solid : body.parts) {
+    mass.mass += solid.mass;
+    mass.p_FCm += solid.mass * solid.X_BG.p;
+    object.bounds.aabb.Add(model::BoundsOf(solid.shape, solid.X_BG));
   }
-  body.p_BCm /= body.mass;
-  subject.mass = body.mass;
-  return subject;
+  mass.p_FCm /= mass.mass;
+  object.mass_properties = mass;
+  return object;
 }
 
 /// The codes of findings, and the share that is counted twice.
-std::pair<Strings, double> Check(const Subject& subject, const model::Checks& checks = {}) {
+std::pair<Strings, double> Check(const model::Object& object, const model::Checks& checks = {}) {
   diag::Findings findings;
   Verdict verdict(checks, findings);
-  const double overlap = CheckProportions(subject, verdict);
+  const double overlap = CheckProportions(object, {}, verdict);
   Strings codes;
   for (const diag::Finding& finding : findings) codes.emplace_back(diag::CodeName(finding.code));
   return {codes, overlap};
@@ -54,12 +55,12 @@ TEST_CASE("a plain cube is as things are") {
 
 TEST_CASE("mass counted twice is found to a hundredth") {
   // Half of the second is in the first; the third is all in both.
-  const Subject subject =
+  const model::Object subject =
       Of({Cube(0.1, {0, 0, 0}), Cube(0.1, {0.1, 0, 0}, 500), Cube(0.02, {0.05, 0, 0}, 2000)});
   const double first = 8.0;
   const double second = 4.0;
   const double third = 8e-6 * 8 * 2000;
-  const Overlap overlap = FindOverlap(subject.bodies[0]);
+  const Overlap overlap = FindOverlap(subject.bodies[0].parts);
   CHECK(overlap.mass == Approx(second / 2 + third).margin(0.01 * (second + third)));
   CHECK(overlap.first == 0);
   CHECK(overlap.second == 1);
@@ -69,16 +70,17 @@ TEST_CASE("mass counted twice is found to a hundredth") {
 }
 
 TEST_CASE("solids that meet at a face share nothing") {
-  CHECK(FindOverlap(Of({Cube(0.1, {0, 0, 0}), Cube(0.1, {0.2, 0, 0})}).bodies[0]).mass == 0);
+  CHECK(FindOverlap(Of({Cube(0.1, {0, 0, 0}), Cube(0.1, {0.2, 0, 0})}).bodies[0].parts).mass == 0);
 }
 
 TEST_CASE("an inertia that no solid has is an error") {
-  Subject subject = Of({Cube(0.05, {0, 0, 0})});
-  subject.bodies[0].inertia = {1e-3, 1e-3, 2e-3};  // a flat plate: the two together, at most
+  model::Object subject = Of({Cube(0.05, {0, 0, 0})});
+  auto inertia = subject.bodies[0].mass_properties.I_Cm_F.diagonal();
+  inertia = Eigen::Vector3d(1e-3, 1e-3, 2e-3);  // a flat plate: the two together, at most
   CHECK(Check(subject).first.empty());
-  subject.bodies[0].inertia = {1e-3, 3e-3, 1e-3};
+  inertia = Eigen::Vector3d(1e-3, 3e-3, 1e-3);
   CHECK(Check(subject).first == Strings{"physics/inertia"});
-  subject.bodies[0].inertia = {1e-3, 0, 1e-3};
+  inertia = Eigen::Vector3d(1e-3, 0, 1e-3);
   CHECK(Check(subject).first == Strings{"physics/inertia"});
   model::Checks quiet;
   quiet.silenced = {{"physics/inertia", "a point mass"}};
@@ -88,18 +90,18 @@ TEST_CASE("an inertia that no solid has is an error") {
 TEST_CASE("densities, of a part where it is known, else of the body") {
   CHECK(Check(Of({Cube(0.05, {0, 0, 0}, 23'000)})).first ==
         Strings{"physics/bulk-density", "physics/density"});
-  Subject light = Of({Cube(0.05, {0, 0, 0}, 19), Cube(0.05, {0.1, 0, 0}, 1000)});
+  model::Object light = Of({Cube(0.05, {0, 0, 0}, 19), Cube(0.05, {0.1, 0, 0}, 1000)});
   CHECK(Check(light).first == Strings{"physics/density"});
-  light.bodies[0].masses_known = false;
+  for (Part& part : light.bodies[0].parts) part.mass = 0;
   CHECK(Check(light).first.empty());
 }
 
 TEST_CASE("thin and slender parts, each at its threshold") {
-  Solid sheet = Cube(0.05, {0, 0, 0});
+  Part sheet = Cube(0.05, {0, 0, 0});
   sheet.shape.size = {0.02, 0.02, 0.00049};
   sheet.mass = 1000 * model::Volume(sheet.shape);
   CHECK(Check(Of({sheet})).first == Strings{"physics/thin"});
-  Solid needle = sheet;
+  Part needle = sheet;
   needle.shape.size = {0.00051, 0.00051, 0.0515};
   needle.mass = 1000 * model::Volume(needle.shape);
   CHECK(Check(Of({needle})).first == Strings{"physics/slender"});
@@ -108,6 +110,39 @@ TEST_CASE("thin and slender parts, each at its threshold") {
   loose.thickness = 0.0005;
   CHECK(Check(Of({sheet}), loose).first.empty());
   CHECK(Check(Of({needle}), loose).first.empty());
+}
+
+TEST_CASE("what is seen is near what collides") {
+  Part decal = Cube(0.01, {0.1, 0, 0});
+  decal.role = model::Role::kVisual;
+  decal.mass = 0;
+  model::Object object = Of({Cube(0.05, {0, 0, 0}), decal});
+  CHECK(Check(object).first.empty());
+  object.bodies[0].parts[1].X_BG.p.x() = 0.06 + 0.0866;  // half of the cube's diagonal: 0.08660
+  CHECK(Check(object).first.empty());
+  object.bodies[0].parts[1].X_BG.p.x() = 0.06 + 0.0867;
+  CHECK(Check(object).first == Strings{"physics/far-visual"});
+}
+
+TEST_CASE("what collides is seen") {
+  Part hull = Cube(0.05, {0, 0, 0});
+  hull.role = model::Role::kCollision;
+  Part look = Cube(0.04, {0, 0, 0});
+  look.role = model::Role::kVisual;
+  look.mass = 0;
+  CHECK(Check(Of({hull, look})).first.empty());
+  CHECK(Check(Of({hull})).first == Strings{"physics/unseen"});
+  hull.as_is = true;  // of a file: seen, unless its group is hidden
+  CHECK(Check(Of({hull})).first.empty());
+  hull.attributes = {{.name = "group", .numbers = {3}, .text = {}}};
+  CHECK(Check(Of({hull})).first == Strings{"physics/unseen"});
+}
+
+TEST_CASE("a number beyond a limit has the digits to show it") {
+  CHECK(NumberBeyond(201, 100) == "201");
+  CHECK(NumberBeyond(100.04, 100) == "100.04");
+  CHECK(NumberBeyond(99.996, 100) == "99.996");
+  CHECK(NumberBeyond(1004, 1000) == "1004");
 }
 
 TEST_CASE("a part in the air is loose") {

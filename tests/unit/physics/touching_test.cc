@@ -7,8 +7,10 @@ namespace {
 
 using model::GeomType;
 
-Solid At(GeomType type, const Eigen::Vector3d& size, const Eigen::Vector3d& pos) {
-  Solid solid;
+using model::Part;
+
+Part At(GeomType type, const Eigen::Vector3d& size, const Eigen::Vector3d& pos) {
+  Part solid;
   solid.shape = {type, size, nullptr};
   solid.X_BG.p = pos;
   solid.mass = model::Volume(solid.shape);
@@ -21,12 +23,12 @@ TEST_CASE("solids touch up to the gap between their surfaces") {
   const auto solid = [&](GeomType type, const Eigen::Vector3d& size, double x) {
     return At(type, scale * size, {scale * x, 0, 0});
   };
-  const Solid ball = solid(GeomType::kSphere, {1, 0, 0}, 0);
-  const Solid others[] = {
+  const Part ball = solid(GeomType::kSphere, {1, 0, 0}, 0);
+  const Part others[] = {
       solid(GeomType::kSphere, {0.5, 0, 0}, 1.6), solid(GeomType::kBox, {0.5, 2, 3}, 1.6),
       solid(GeomType::kCylinder, {0.5, 1, 0}, 1.6), solid(GeomType::kCapsule, {0.5, 1, 0}, 1.6),
       solid(GeomType::kEllipsoid, {0.5, 2, 1}, 1.6)};
-  for (const Solid& other : others) {
+  for (const Part& other : others) {
     CAPTURE(model::GeomTypeName(other.shape.type));
     CHECK_FALSE(Touch(ball, other, 0.098 * scale));  // they are 0.1 apart
     CHECK(Touch(ball, other, 0.102 * scale));
@@ -40,26 +42,30 @@ TEST_CASE("a part inside another touches it") {
 }
 
 TEST_CASE("pieces are what holds together, the heaviest first") {
-  RigidBody body;
-  body.solids = {
+  const std::vector<Part> parts = {
       At(GeomType::kBox, {1, 1, 1}, {10, 0, 0}), At(GeomType::kBox, {2, 1, 1}, {0, 0, 0}),
       At(GeomType::kBox, {1, 1, 1}, {-3, 0, 0}), At(GeomType::kSphere, {0.1, 0, 0}, {-4.1, 0, 0})};
   const std::vector<std::vector<std::size_t>> expected = {{1, 2, 3}, {0}};
-  CHECK(Pieces(body, 0.001) == expected);
-  CHECK(Pieces(body, 7.1).size() == 1);
+  CHECK(Pieces(parts, 0.001) == expected);
+  CHECK(Pieces(parts, 7.1).size() == 1);
+}
+
+TEST_CASE("the nearest part outside a group, and how far it is") {
+  const std::vector<Part> parts = {At(GeomType::kBox, {1, 1, 1}, {0, 0, 0}),
+                                   At(GeomType::kSphere, {1, 0, 0}, {10, 0, 0}),
+                                   At(GeomType::kBox, {1, 1, 1}, {5, 0, 0})};
+  const Neighbour nearest = NearestOf(parts, {0, 1}, 0.001);
+  CHECK(nearest.part == 2);
+  CHECK(nearest.distance == Approx(3).epsilon(0.01));
 }
 
 TEST_CASE("a centre of mass between separate parts is inside their hull") {
-  RigidBody body;
-  body.solids = {At(GeomType::kSphere, {1, 0, 0}, {-5, 0, 0}),
-                 At(GeomType::kSphere, {1, 0, 0}, {5, 0, 0})};
-  CHECK(CenterOfMassIsInside(body));
-  body.p_BCm = {0, 0.99, 0};
-  CHECK(CenterOfMassIsInside(body));
-  body.p_BCm = {0, 1.05, 0};
-  CHECK_FALSE(CenterOfMassIsInside(body));
-  body.p_BCm = {6.1, 0, 0};
-  CHECK_FALSE(CenterOfMassIsInside(body));
+  const std::vector<Part> parts = {At(GeomType::kSphere, {1, 0, 0}, {-5, 0, 0}),
+                                   At(GeomType::kSphere, {1, 0, 0}, {5, 0, 0})};
+  CHECK(IsInsideHull(parts, {0, 0, 0}));
+  CHECK(IsInsideHull(parts, {0, 0.99, 0}));
+  CHECK_FALSE(IsInsideHull(parts, {0, 1.05, 0}));
+  CHECK_FALSE(IsInsideHull(parts, {6.1, 0, 0}));
 }
 
 }  // namespace

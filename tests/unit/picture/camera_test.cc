@@ -8,7 +8,7 @@ namespace {
 
 Shape Box(const Eigen::Vector3d& half_size, const Eigen::Vector3d& center) {
   Shape shape;
-  shape.size = half_size;
+  shape.solid.size = half_size;
   shape.p_WS = center;
   return shape;
 }
@@ -17,7 +17,7 @@ Shape Box(const Eigen::Vector3d& half_size, const Eigen::Vector3d& center) {
 Eigen::Vector4d Extremes(const Camera& camera, const Shape& box, int width, int height) {
   Eigen::Vector4d extremes(1e9, -1e9, 1e9, -1e9);
   for (int corner = 0; corner < 8; ++corner) {
-    Eigen::Vector3d p = box.size;
+    Eigen::Vector3d p = box.solid.size;
     for (int axis = 0; axis < 3; ++axis) {
       if ((corner >> axis & 1) != 0) p[axis] = -p[axis];
     }

@@ -1,5 +1,6 @@
 #include "mjforge/picture/support.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -8,10 +9,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-Shape Make(int type, const Vector3d& size) {
-  Shape shape;
-  shape.type = type;
-  shape.size = size;
+/// As mjvGeom has it: the half length is the third size.
+Shape Make(int type, const Eigen::Vector3f& size) {
+  mjvGeom geom = {};
+  geom.type = type;
+  std::ranges::copy(size, geom.size);
+  Shape shape = ShapeOf({}, geom);
   shape.p_WS = {1, 0, 0};
   shape.R_WS = Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitY()).toRotationMatrix();  // z to x
   return shape;
@@ -34,14 +37,13 @@ TEST_CASE("of a mesh its vertices count") {
   const float vertices[] = {0, 0, 0, 1, 2, 3};
   Shape shape = Make(mjGEOM_MESH, {9, 9, 9});
   shape.vertices = vertices;
-  shape.vertex_count = 2;
   CHECK(shape.Support(Vector3d::UnitX()) == Approx(4));
   CHECK(shape.Support(-Vector3d::UnitX()) == Approx(-1));
 }
 
 TEST_CASE("the horizontal radius is that of the farthest corner") {
   Shape box;
-  box.size = {3, 4, 1};
+  box.solid.size = {3, 4, 1};
   Shapes shapes;
   shapes.Add(box);
   CHECK(shapes.HorizontalRadius(Vector3d::Zero()) == Approx(5).epsilon(1e-5));

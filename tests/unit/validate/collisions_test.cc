@@ -66,7 +66,7 @@ TEST_CASE("bodies that do not touch are fine") {
   CHECK(Texts(Validated(TwoBalls(0.0201))).empty());
 }
 
-TEST_CASE("a touch without depth is a touch") {
+TEST_CASE("a touch without depth is none, unless the spec wants it") {
   // Sixteenths of a metre are exact, so the distance is 0 without rounding.
   model::Object object = TwoBalls(0.125);
   object.bodies[1].parts[0].shape.size.x() = 0.0625;
@@ -76,9 +76,29 @@ TEST_CASE("a touch without depth is a touch") {
     for (model::Part& part : body.parts) part.mass = part.density * model::Volume(part.shape);
   }
   hand_made::Weigh(object);
+  CHECK(Texts(Validated(object)).empty());
+  object.checks.self_collision = 0;
   CHECK(Texts(Validated(object)) ==
         Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch at the "
                 "joints' zero: geoms 'block_left_ball' and 'block_right_ball', 0 mm deep"});
+}
+
+TEST_CASE("a depth below a hundredth of a millimetre, or below what the spec says, is none") {
+  CHECK(Texts(Validated(TwoBalls(0.019992))).empty());
+  CHECK(Texts(Validated(TwoBalls(0.019988))).size() == 1);
+  model::Object object = TwoBalls(0.0188);
+  object.checks.self_collision = 0.00121;
+  CHECK(Texts(Validated(object)).empty());
+}
+
+TEST_CASE("what an attached file has itself is a warning") {
+  model::Object object = TwoBalls(0.0188);
+  object.bodies[1].attached = 1;
+  CHECK(Validated(object).findings.HasErrors());
+  object.bodies[2].attached = 1;
+  const Verdict verdict = Validated(object);
+  CHECK(verdict.ok);
+  CHECK(Texts(verdict).size() == 1);
 }
 
 TEST_CASE("a pair of bodies is reported once, by its deepest contact") {

@@ -63,32 +63,37 @@ TEST_CASE("a model is told as MuJoCo compiled it") {
   const Result result = LoadText(folder, kArm);
   REQUIRE(result.findings.empty());
   REQUIRE(result.model);
-  const CompiledModel& m = *result.model;
+  CHECK(result.model->geoms == 4);
+  CHECK(result.model->joints == 2);
+  CHECK(result.model->sites == 1);
+  CHECK(result.model->body_geoms == std::vector<int>{2, 1});
+  const model::Object& m = result.model->object;
   CHECK(m.name == "arm");
-  CHECK(m.geoms == 4);
-  CHECK(m.sites == 1);
   REQUIRE(m.bodies.size() == 2);
   CHECK(m.bodies[0].name == "base");
-  CHECK(m.bodies[0].parent == "world");
-  CHECK(m.bodies[0].geoms == 2);
+  CHECK(m.bodies[0].parent == -1);
+  REQUIRE(m.bodies[0].parts.size() == 2);
+  CHECK(m.bodies[0].parts[0].shape.size == Eigen::Vector3d(0.1, 0.2, 0.3));
+  CHECK(m.bodies[0].parts[0].role == model::Role::kCollision);
+  CHECK(m.bodies[0].parts[1].role == model::Role::kVisual);
   CHECK(m.bodies[1].name == "tip");
-  CHECK(m.bodies[1].parent == "base");
-  CHECK(m.bodies[1].mass == 1);
-  REQUIRE(m.joints.size() == 2);
-  CHECK(m.joints[0].type == "free");
-  CHECK(m.joints[1].name == "turn");
-  CHECK(m.joints[1].body == "tip");
-  CHECK(m.joints[1].type == "hinge");
-  CHECK(m.joints[1].limited);
-  CHECK(m.joints[1].range == Eigen::Vector2d(-1, 1));
-  CHECK(m.joints[1].axis == Eigen::Vector3d(0, 1, 0));
+  CHECK(m.bodies[1].parent == 0);
+  CHECK(m.bodies[1].mass_properties.mass == 1);
+  REQUIRE(m.bodies[0].joints.size() == 1);
+  CHECK(m.bodies[0].joints[0].type == "free");
+  REQUIRE(m.bodies[1].joints.size() == 1);
+  const model::Joint& turn = m.bodies[1].joints[0];
+  CHECK(turn.name == "turn");
+  CHECK(turn.type == "hinge");
+  CHECK(turn.range == Eigen::Vector2d(-1, 1));
+  CHECK(turn.axis == Eigen::Vector3d(0, 1, 0));
 }
 
 TEST_CASE("mass and bounds are of the whole model in the world") {
   const TemporaryFolder folder;
   const Result result = LoadText(folder, kArm);
   REQUIRE(result.model);
-  const CompiledModel& m = *result.model;
+  const model::Object& m = result.model->object;
   CHECK(m.mass_properties.mass == Approx(3));
   CHECK(m.mass_properties.p_FCm.isApprox(Eigen::Vector3d(1.0 / 3, 0, 1), 1e-12));
   // About the common centre: 2 kg at 1/3 m and 1 kg at 2/3 m along x, and a box
@@ -100,8 +105,8 @@ TEST_CASE("mass and bounds are of the whole model in the world") {
       straight * (0.01 / 4 + 0.16 / 3) + (1 - straight) * (2 * 0.01 / 5 + 0.16 + 0.75 * 0.4 * 0.1);
   CHECK(m.mass_properties.I_Cm_F(1, 1) ==
         Approx(2 * (1.0 / 9) + 4.0 / 9 + 2.0 / 3 * (0.01 + 0.09) + across));
-  CHECK(m.aabb.min.isApprox(Eigen::Vector3d(-0.1, -0.2, 0.5), 1e-12));
-  CHECK(m.aabb.max.isApprox(Eigen::Vector3d(1.1, 0.2, 1.5), 1e-12));
+  CHECK(m.bounds.aabb.min.isApprox(Eigen::Vector3d(-0.1, -0.2, 0.5), 1e-12));
+  CHECK(m.bounds.aabb.max.isApprox(Eigen::Vector3d(1.1, 0.2, 1.5), 1e-12));
 }
 
 TEST_CASE("bodies have their pose, mass and tensor in their own frame, elements their names") {
@@ -123,7 +128,7 @@ TEST_CASE("bodies have their pose, mass and tensor in their own frame, elements 
   <sensor><jointpos name="angle" joint="turn"/></sensor>
 </mujoco>)");
   REQUIRE(result.model);
-  const CompiledModel::Body& a = result.model->bodies[0];
+  const model::Body& a = result.model->object.bodies[0];
   CHECK(a.X_PB.p == Eigen::Vector3d(1, 2, 3));
   CHECK(a.X_PB.q.coeffs() == Eigen::Vector4d(1, 0, 0, 0));  // x y z w
   CHECK(a.mass_properties.mass == 2);
@@ -148,8 +153,8 @@ TEST_CASE("files beside the model are found") {
                                  "<mujoco><asset><mesh name=\"t\" file=\"assets/t.obj\"/></asset>"
                                  "<include file=\"more.xml\"/></mujoco>");
   REQUIRE(result.model);
-  CHECK(result.model->aabb.max.isApprox(Eigen::Vector3d(1, 1, 1), 1e-6));
-  CHECK(result.model->aabb.min.norm() < 1e-6);
+  CHECK(result.model->object.bounds.aabb.max.isApprox(Eigen::Vector3d(1, 1, 1), 1e-6));
+  CHECK(result.model->object.bounds.aabb.min.norm() < 1e-6);
 }
 
 TEST_CASE("a file that is not there or is a folder cannot be read") {

@@ -1,0 +1,112 @@
+#include <stdexcept>
+
+#include "mjforge/compiled/compiled.h"
+
+namespace mjforge::compiled {
+namespace {
+
+void AddMeshes(const mjModel& m, model::Object& object) {
+  for (int i = 0; i < m.nmesh; ++i) {
+    object.meshes.push_back(std::make_unique<model::MeshAsset>());
+    object.meshes.back()->name = m.names + m.name_meshadr[i];
+    object.meshes.back()->mesh = MeshOf(m, i);
+  }
+}
+
+void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
+  if (mass_W.mass <= 0) return;
+  sum = sum.mass > 0 ? model::Combine(sum, mass_W) : mass_W;
+}
+
+}  // namespace
+
+Data MakeData(const mjModel& m) {
+  Data data(mj_makeData(&m));
+  if (!data) throw std::runtime_error("there is not enough memory for this model");
+  return data;
+}
+
+std::string NameOf(const mjModel& m, mjtObj kind, int id) {
+  const char* name = mj_id2name(&m, kind, id);
+  if (name != nullptr && *name != 0) return name;
+  return std::string(mju_type2Str(kind)) + ' ' + std::to_string(id);
+}
+
+model::Body BodyOf(const mjModel& m, int id) {
+  model::Body body;
+  body.name = m.names + m.name_bodyadr[id];
+  body.parent = m.body_parentid[id] - 1;
+  body.X_PB = PoseAt(m.body_pos, m.body_quat, id);
+  body.explicit_inertial = true;
+  body.mass_properties.mass = m.body_mass[id];
+  body.mass_properties.p_FCm = VectorAt(m.body_ipos, id);
+  const Eigen::Matrix3d axes = QuaternionAt(m.body_iquat, id).toRotationMatrix();
+  body.mass_properties.I_Cm_F = axes * VectorAt(m.body_inertia, id).asDiagonal() * axes.transpose();
+  return body;
+}
+
+model::Joint JointOf(const mjModel& m, int id) {
+  model::Joint joint;
+  joint.name = m.names + m.name_jntadr[id];
+  joint.type = kJointTypes[static_cast<std::size_t>(m.jnt_type[id])];
+  joint.pos = VectorAt(m.jnt_pos, id);
+  joint.axis = VectorAt(m.jnt_axis, id);
+  if (m.jnt_limited[id] != 0) {
+    joint.range = Eigen::Vector2d(m.jnt_range[2 * id], m.jnt_range[2 * id + 1]);
+  }
+  return joint;
+}
+
+std::optional<model::Part> PartOf(const mjModel& m, int id) {
+  const std::optional<model::GeomType> type = GeomTypeOf(m.geom_type[id]);
+  if (!type) return std::nullopt;
+  model::Part part;
+  part.name = m.names + m.name_geomadr[id];
+  const bool collides = m.geom_contype[id] != 0 || m.geom_conaffinity[id] != 0;
+  part.role = collides ? model::Role::kCollision : model::Role::kVisual;
+  part.as_is = true;
+  part.shape.type = *type;
+  if (*type == model::GeomType::kMesh) part.mesh = m.geom_dataid[id];
+  for (int i = 0; i < model::SizeCount(*type); ++i) part.shape.size[i] = m.geom_size[3 * id + i];
+  part.X_BG = PoseAt(m.geom_pos, m.geom_quat, id);
+  return part;
+}
+
+model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless) {
+  model::Object object;
+  object.name = m.names;  // the model's name is the first
+  AddMeshes(m, object);
+  const auto say = [&](auto& element, mjtObj kind, int id) {
+    element.mark = mark;
+    if (nameless == Nameless::kNumbered) element.name = NameOf(m, kind, id);
+  };
+  std::vector<model::Pose> X_WB(static_cast<std::size_t>(m.nbody));
+  for (int id = 1; id < m.nbody; ++id) {
+    model::Body& body = object.bodies.emplace_back(BodyOf(m, id));
+    say(body, mjOBJ_BODY, id);
+    model::Pose& X = X_WB[static_cast<std::size_t>(id)];
+    X = X_WB[static_cast<std::size_t>(m.body_parentid[id])] * body.X_PB;
+    AddMass(model::InFrame(X, body.mass_properties), object.mass_properties);
+    const int first_joint = m.body_jntadr[id];
+    for (int i = first_joint; i < first_joint + m.body_jntnum[id]; ++i) {
+      say(body.joints.emplace_back(JointOf(m, i)), mjOBJ_JOINT, i);
+    }
+    const int first_geom = m.body_geomadr[id];
+    for (int i = first_geom; i < first_geom + m.body_geomnum[id]; ++i) {
+      std::optional<model::Part> part = PartOf(m, i);
+      if (!part) continue;
+      say(*part, mjOBJ_GEOM, i);
+      part->attributes = {{.name = "group", .numbers = {double(m.geom_group[i])}, .text = {}}};
+      if (part->mesh >= 0) {
+        part->shape.mesh = &object.meshes[static_cast<std::size_t>(part->mesh)]->mesh;
+      }
+      if (part->role != model::Role::kVisual) {
+        object.bounds.aabb.Add(model::BoundsOf(part->shape, X * part->X_BG));
+      }
+      body.parts.push_back(*std::move(part));
+    }
+  }
+  return object;
+}
+
+}  // namespace mjforge::compiled

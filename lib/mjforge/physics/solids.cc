@@ -1,0 +1,29 @@
+#include "mjforge/physics/solids.h"
+
+#include <algorithm>
+
+namespace mjforge::physics {
+
+Solids SolidsOf(const model::Body& body) {
+  const auto collides = [](const model::Part& part) { return part.role != model::Role::kVisual; };
+  Solids solids = {.parts = body.parts};
+  if (std::ranges::any_of(body.parts, collides)) {
+    std::erase_if(solids.parts, [&](const model::Part& part) { return !collides(part); });
+  }
+  double volume = 0;
+  for (const model::Part& part : solids.parts) {
+    solids.mass += part.mass;
+    volume += model::Volume(part.shape);
+  }
+  solids.masses_known = solids.mass > 0;
+  if (solids.masses_known) return solids;
+  solids.mass = body.mass_properties.mass;
+  // As if all were of one stuff.
+  for (model::Part& part : solids.parts) {
+    const double mass_volume = solids.mass * model::Volume(part.shape);
+    part.mass = volume > 0 ? mass_volume / volume : 0;
+  }
+  return solids;
+}
+
+}  // namespace mjforge::physics
