@@ -20,17 +20,17 @@ if(MJFORGE_PRECOMPILED)
   target_precompile_headers(mjforge_precompiled PRIVATE ${mjforge_precompiled_headers})
 endif()
 
-# The headers that all rooms share.
-function(mjforge_precompile_room target)
+# The headers of another target that has the same options.
+function(mjforge_precompile_from target owner)
   if(MJFORGE_PRECOMPILED)
-    target_precompile_headers(${target} REUSE_FROM mjforge_precompiled)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
     # GCC wants the same macros.
     target_compile_definitions(${target}
       PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   endif()
 endfunction()
 
-# Those and others.
+# Headers for the target itself: those above and others.
 function(mjforge_precompile target)
   if(MJFORGE_PRECOMPILED)
     target_precompile_headers(${target} PRIVATE ${mjforge_precompiled_headers} ${ARGN})

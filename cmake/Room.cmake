@@ -25,7 +25,7 @@ function(mjforge_room name)
     PUBLIC ${room_ROOMS} ${room_PUBLIC_LIBRARIES}
     PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_watched>)
 
-  mjforge_precompile_room(mjforge_${name})
+  mjforge_precompile_from(mjforge_${name} mjforge_precompiled)
   set_target_properties(mjforge_${name} PROPERTIES UNITY_BUILD ${MJFORGE_UNITY})
 
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
