@@ -58,7 +58,7 @@ TEST_CASE("the setting root.joints takes the place of the joints of the root") {
   const Loaded loaded = Load(yaml, {{"root.joints", "free"}, {"root.joints", "none"}});
   CHECK(loaded.Report().empty());
   REQUIRE(loaded.spec);
-  CHECK(loaded.spec->root_joints == RootJoints::kNone);
+  CHECK(loaded.spec->root_joints == mjforge::spec::RootJoints::kNone);
   CHECK(loaded.spec->joints.empty());
   CHECK(Load(yaml, {{"root.joints", "fee"}}).Report() ==
         Strings{"1:14 spec/bad-value: 'fee' is not one of free, none or a list of joints (did you "
