@@ -45,7 +45,7 @@ class Batch {
         watch_(watch),
         all_{request.first, request.count},
         range_(RangeOf(request.shard, all_, request.destination)),
-        record_(forge::BatchRecord(recipe, request.variant)) {
+        record_(forge::BatchRecord(recipe, OptionsOf(request))) {
     record_.on_invalid = OnInvalidText(request.on_invalid);
     summary_.count = range_.count;
   }

@@ -49,12 +49,6 @@ class Worker {
   }
 
  private:
-  static forge::Options OptionsOf(const Request& request) {
-    forge::Options options = request.variant;
-    options.resample = request.on_invalid == OnInvalid::kResample;
-    return options;
-  }
-
   void Make(std::uint64_t index, const Task& task, Slot& slot) {
     const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
                                         [&](const Condemned& c) { return c.index == index; });
@@ -101,21 +95,24 @@ class Worker {
           result.assets.emplace_back(asset.first, asset.second.string());
       }
     }
-    const std::size_t before = result.lines.size();
     if (!request_.destination.IsArchive()) {
       AppendRecord(result.lines, record);
       if (request_.destination.kind != Kind::kFolder) result.text = variant_.document.text;
       return true;
     }
-    const std::string stem = output::VariantStem(record.name, record.index);
+    bool written = true;
     if (variant_.ok()) {
+      const std::string stem = output::VariantStem(record.name, record.index);
       record.file = stem + ".xml";
+      // The record in an archive does not name it: two archives of the same variants are the same.
+      std::string line;
+      AppendRecord(line, record);
+      written = segment_.Add(record.file, variant_.document.text, findings) &&
+                segment_.Add(stem + ".json", line, findings);
       record.archive = archive_;
     }
     AppendRecord(result.lines, record);
-    return !variant_.ok() ||
-           (segment_.Add(stem + ".xml", variant_.document.text, findings) &&
-            segment_.Add(stem + ".json", std::string_view(result.lines).substr(before), findings));
+    return written;
   }
 
   void Tell(Result& result) {
@@ -167,6 +164,14 @@ class Worker {
 };
 
 }  // namespace
+
+forge::Options OptionsOf(const Request& request) {
+  forge::Options options = request.variant;
+  options.resample = request.on_invalid == OnInvalid::kResample;
+  if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
+    options.folder = request.destination.Folder();
+  return options;
+}
 
 Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
               const output::Overwrite& overwrite, bool watched) {

@@ -60,6 +60,9 @@ struct Recipe {
   /// ("tools/hammer"), or its file's name. Says nothing about this machine, so
   /// that the same spec gives the same bytes in every folder.
   std::string reference;
+  /// The spec's file where `reference` is only its name; empty: `reference` leads to it, or
+  /// nothing does.
+  std::filesystem::path file;
   /// Parameters set from outside, files first; each name once.
   std::vector<std::pair<std::string, std::string>> settings;
 };
@@ -105,6 +108,8 @@ struct Options {
   sample::Method sampler = sample::Method::kRandom;
   std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
   Validation validation = Validation::kLoad;
+  /// Of the manifest: records name the spec's file from here. Nothing: they do not.
+  std::optional<std::filesystem::path> folder;
 };
 inline constexpr int kMaxResamples = 100;
 
@@ -151,8 +156,8 @@ class Generator {
 };
 
 /// The recipe of a record: `spec`, or, if that is empty, the spec that it names, which is
-/// looked for here, in `folder` (the manifest's) and one folder up. Nothing, and findings,
-/// if it is gone or has changed since.
+/// looked for where the record says, here, in `folder` (the manifest's) and one folder up.
+/// Nothing, and findings, if it is gone or has changed since.
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);

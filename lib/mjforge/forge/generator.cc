@@ -10,6 +10,19 @@ bool HasCode(const diag::Findings& findings, diag::Code code) {
                      [&](const diag::Finding& finding) { return finding.code == code; });
 }
 
+// From one folder to a file, both whole. Empty if the way leads over the root: it would be
+// another one on every machine.
+std::string WayTo(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (error) return {};
+  // A folder that is not there yet may keep the slash it was given with.
+  const auto root = whole.has_filename() ? whole : whole.parent_path();
+  const auto below = root.relative_path();
+  if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
+  return file.lexically_relative(root).generic_string();
+}
+
 void Clear(Variant& variant) {
   variant.object.reset();
   variant.findings.clear();
@@ -30,6 +43,8 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   manifest::Record record;
   record.seed = options.seed;
   record.spec = recipe.reference;
+  if (options.folder && !recipe.file.empty())
+    record.spec_file = WayTo(recipe.file, *options.folder);
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
@@ -77,6 +92,7 @@ void Generator::Begin(std::uint64_t index, Variant& variant) {
   record.index = index;
   record.seed = common_.seed;
   record.spec = common_.spec;
+  record.spec_file = common_.spec_file;
   record.spec_sha256 = common_.spec_sha256;
   record.settings = common_.settings;
   record.sampler = common_.sampler;

@@ -28,6 +28,7 @@ struct Record {
   std::uint64_t seed = 0;
   std::uint64_t attempt = 0;
   std::string spec;
+  std::string spec_file;  // from the manifest's folder; empty: found by name, or not known
   std::string spec_sha256;
   std::vector<std::pair<std::string, std::string>> settings;
   std::string sampler;      // empty: random

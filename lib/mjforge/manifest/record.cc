@@ -176,6 +176,7 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   record.seed = reader.Whole("seed");
   record.attempt = reader.Whole("attempt");
   record.spec = reader.Text("spec");
+  record.spec_file = reader.OptionalText("spec_file");
   record.spec_sha256 = reader.Text("spec_sha256");
   record.archive = reader.OptionalText("archive");
   record.settings = reader.Settings();

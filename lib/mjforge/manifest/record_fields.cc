@@ -158,6 +158,12 @@ const std::array kFields = {
                 [](J& j, const R& r) { j.Whole(r.attempt); }},
     RecordField{"spec", kText, "The spec: its name in the catalogue, or its file's name.",
                 [](J& j, const R& r) { j.String(r.spec); }},
+    RecordField{
+        "spec_file", kText,
+        "The spec's file, relative to the manifest; left out if it is found by its name, or "
+        "has only the root folder in common with the manifest.",
+        [](J& j, const R& r) { j.String(r.spec_file); },
+        [](const R& r) { return r.spec_file.empty(); }},
     RecordField{"spec_sha256", kHash, "SHA-256 of the texts of all files the spec was read from.",
                 [](J& j, const R& r) { j.String(r.spec_sha256); }},
     RecordField{"set", R"("type": "object", "additionalProperties": {"type": "string"})",

@@ -119,6 +119,7 @@ std::vector<ShownVariant> Gathered::Choose() const {
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;
   std::sort(slow.begin(), slow.end(), IsSlower);
+  slow.resize(std::min<std::size_t>(slow.size(), std::min<std::uint64_t>(shown_, variants) / 4));
   add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
   // Some of them are among the slow; there are others to take their place.

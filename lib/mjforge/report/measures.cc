@@ -82,6 +82,13 @@ constexpr std::array kMeasures = {
             true},
 };
 
+// MeasureOf counts on it.
+static_assert([] {
+  for (std::size_t i = 0; i < kMeasures.size(); ++i)
+    if (static_cast<std::size_t>(kMeasures[i].id) != i) return false;
+  return kMeasures.back().id == MeasureId::kJointOvershoot;
+}());
+
 }  // namespace
 
 std::span<const Measure> Measures() { return kMeasures; }

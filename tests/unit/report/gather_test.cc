@@ -98,6 +98,24 @@ TEST_CASE_METHOD(GatherTest, "where all failed, failed ones are all that is show
   CHECK(few->Choose().size() == 10);
 }
 
+TEST_CASE("of those shown a quarter at most is there because it is slow") {
+  for (const auto& [count, slow] : {std::pair(50, 12), std::pair(1000, 50), std::pair(3, 0)}) {
+    Gathered gathered(200);
+    for (int i = 0; i < count; ++i) {
+      manifest::Record record = RecordOf(static_cast<std::uint64_t>(i));
+      record.physics.emplace();
+      record.physics->dropped = record.physics->at_rest = true;
+      record.physics->time = i;
+      gathered.Add(record);
+    }
+    const std::vector<ShownVariant> shown = gathered.Choose();
+    CHECK(shown.size() == static_cast<std::size_t>(std::min(count, 200)));
+    CHECK(std::count_if(shown.begin(), shown.end(), [](const ShownVariant& variant) {
+            return variant.reason == ShownVariant::Reason::kSlow;
+          }) == slow);
+  }
+}
+
 TEST_CASE_METHOD(GatherTest, "to show none is possible") {
   const auto gathered = Gather("manifest.jsonl", ManifestOf(100, 3), 0);
   CHECK(gathered->variants == 100);
