@@ -136,7 +136,7 @@ class Run {
     if (!done.place.empty())
       place =
           destination.kind == Kind::kFolder ? (destination.path / done.place).string() : done.place;
-    console_.Say(fmt::format("{}: {}, attempt {}", place, done.status, done.attempt));
+    console_.Say(fmt::format("{}: {}, attempt {}", place, NameOf(done.status), done.attempt));
   }
 
   void Say(const forge::Recipe& recipe, const batch::Request& request,

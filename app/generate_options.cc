@@ -72,9 +72,10 @@ std::vector<std::string> TargetNames() {
   return names;
 }
 
-std::vector<std::string> ValidationNames() {
-  const auto names = forge::ValidationNames();
-  return {names.begin(), names.end()};
+template <typename Enum>
+std::vector<std::string> WordsOf() {
+  const auto words = manifest::WordsOf(Enum());
+  return {words.begin(), words.end()};
 }
 
 std::vector<std::string> SamplerNames() {
@@ -125,9 +126,9 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
       ->option_text("TEXT");
   AddSpecOptions(command, options.spec);
   AddWord(command, "--target", options.target, TargetNames(), "For");
-  AddWord(command, "--validate", options.validate, ValidationNames(), "MuJoCo's verdict");
-  AddWord(command, "--on-invalid", options.on_invalid, {"fail", "skip", "resample"},
-          "Bad variants");
+  AddWord(command, "--validate", options.validate, WordsOf<forge::Validation>(),
+          "MuJoCo's verdict");
+  AddWord(command, "--on-invalid", options.on_invalid, WordsOf<forge::OnInvalid>(), "Bad variants");
   AddTimeLimit(command, options.time_limit);
   AddWord(command, "--sampler", options.sampler, SamplerNames(), "How draws are spread");
   AddWholeNumber(command, "--batch", options.batch, "Variants they are spread over", 1)
@@ -146,10 +147,8 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   request.variant.name = options.name;
   request.variant.sampler = *sample::FindMethod(options.sampler);
   request.variant.batch = options.batch == 0 ? options.count : options.batch;
-  request.on_invalid = options.on_invalid == "skip"       ? batch::OnInvalid::kSkip
-                       : options.on_invalid == "resample" ? batch::OnInvalid::kResample
-                                                          : batch::OnInvalid::kFail;
-  request.variant.validation = *forge::FindValidation(options.validate);
+  request.variant.on_invalid = *manifest::Find<forge::OnInvalid>(options.on_invalid);
+  request.variant.validation = *manifest::Find<forge::Validation>(options.validate);
   request.force = options.force;
   request.if_changed = options.if_changed;
   request.resume = options.resume;

@@ -36,7 +36,7 @@ class Worker {
         result.output_failed = true;
         break;
       }
-      digest.Add(variant_.findings, variant_.record.status == "skipped");
+      digest.Add(variant_.findings, variant_.record.status == Status::kSkipped);
       Tell(result);
     }
     usual_lines_ = std::max(usual_lines_, result.lines.size());
@@ -58,11 +58,6 @@ class Worker {
       slot.Begin(index);
       generator_.Make(index, variant_);
       slot.End();
-    }
-    manifest::Record& record = variant_.record;
-    if (request_.on_invalid == OnInvalid::kSkip) {
-      record.on_invalid = "skip";
-      if (record.status == "failed") record.status = "skipped";
     }
   }
 
@@ -118,7 +113,7 @@ class Worker {
   void Tell(Result& result) {
     const manifest::Record& record = variant_.record;
     ++result.done;
-    result.statuses += record.status[0];
+    result.statuses.push_back(record.status);
     if (watched_) {
       result.variants.push_back(
           {record.index, record.name, record.status, record.attempt, record.file});
@@ -167,7 +162,6 @@ class Worker {
 
 forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
-  options.resample = request.on_invalid == OnInvalid::kResample;
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
   return options;

@@ -75,8 +75,7 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   options.attempt = record.attempt;
   options.sampler = *sampler;
   options.batch = record.batch;
-  // The comment in a file does not say; what is written was loaded, unless it was not asked.
-  options.validation = FindValidation(record.validate).value_or(Validation::kLoad);
+  options.validation = record.validate;
   return options;
 }
 

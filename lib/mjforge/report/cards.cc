@@ -86,7 +86,7 @@ class CardMaker {
     const Record& record = shown.record;
     ctemplate::TemplateDictionary card("card");
     Set(card, "INDEX", fmt::format("{}", record.index));
-    Set(card, "STATUS", Clean(record.status));
+    Set(card, "STATUS", NameOf(record.status));
     if (shown.reason == ShownVariant::Reason::kSlow) Section(card, "SLOW");
     const auto measured = [&](MeasureId id) { return MeasureOf(id).of(record); };
     SetMeasure(card, "MASS", "MASS_NUMBER", measured(MeasureId::kMass), "kg");

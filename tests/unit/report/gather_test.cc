@@ -39,8 +39,8 @@ TEST_CASE_METHOD(GatherTest, "a batch is counted by status, code and measure") {
   CHECK(findings.empty());
   CHECK(gathered->variants == 100);
   CHECK(gathered->last_index == 99);
-  CHECK(gathered->statuses.at("ok") == 90);
-  CHECK(gathered->statuses.at("failed") == 10);
+  CHECK(gathered->statuses.ok == 90);
+  CHECK(gathered->statuses.failed == 10);
   REQUIRE(gathered->codes.size() == 1);
   const CodeTally& code = gathered->codes.at("mujoco/error");
   CHECK(code.variants == 10);
