@@ -111,10 +111,8 @@ std::optional<batch::Request> Converted(const GenerateOptions& options, std::str
   batch::Request request = RequestOf(static_cast<const ManyOptions&>(options));
   request.variant.target = *mjcf::FindTarget(options.target);
   request.variant.sampler = *sample::FindMethod(options.sampler);
-  request.variant.validation = *forge::FindValidation(options.validate);
-  request.on_invalid = options.on_invalid == "skip"       ? batch::OnInvalid::kSkip
-                       : options.on_invalid == "resample" ? batch::OnInvalid::kResample
-                                                          : batch::OnInvalid::kFail;
+  request.variant.validation = *manifest::Find<forge::Validation>(options.validate);
+  request.variant.on_invalid = *manifest::Find<forge::OnInvalid>(options.on_invalid);
   request.all_or_nothing = options.make.wanted();
   const auto destination = output::ParseDestination(options.output, options.per_archive, why_not);
   if (!destination) {
@@ -136,10 +134,10 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, TargetNames(), "For");
-  AddWord(command, "--validate", options.validate, Words(forge::ValidationNames()),
+  AddWord(command, "--validate", options.validate, Words(manifest::WordsOf(forge::Validation())),
           "MuJoCo's verdict");
-  AddWord(command, "--on-invalid", options.on_invalid, {"fail", "skip", "resample"},
-          "Bad variants");
+  AddWord(command, "--on-invalid", options.on_invalid,
+          Words(manifest::WordsOf(forge::OnInvalid())), "Bad variants");
   AddWord(command, "--sampler", options.sampler, Words(sample::MethodNames()),
           "How draws are spread");
   AddWholeNumber(command, "--batch", options.request.variant.batch, "Variants they are spread over",
@@ -298,7 +296,7 @@ class Run {
     if (!done.place.empty())
       place =
           destination.kind == Kind::kFolder ? (destination.path / done.place).string() : done.place;
-    console_.Say(fmt::format("{}: {}, attempt {}", place, done.status, done.attempt));
+    console_.Say(fmt::format("{}: {}, attempt {}", place, NameOf(done.status), done.attempt));
   }
 
   void Say(const forge::Recipe& recipe, const batch::Request& request,

@@ -7,13 +7,16 @@
 #include "json.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
+#include "mjforge/report/report.h"
 #include "table.h"
 
 namespace mjforge::app {
 namespace {
 
 using manifest::Record;
-using manifest::Statistics;
+using report::Gathered;
+using report::Numbers;
+using report::ParameterTally;
 
 // More values than this are too many for a line of a table.
 constexpr std::size_t kShownValues = 12;
@@ -27,113 +30,136 @@ bool IsSpecName(const std::string& what) {
   return false;
 }
 
-struct Batch {
-  Statistics statistics;
-  std::optional<Record> first;
-};
+const Numbers& NumbersOf(const Gathered& batch, report::MeasureId id) { return batch.Of(id).good; }
 
-std::optional<Batch> ReadBatch(const std::filesystem::path& file, diag::Sources& sources,
-                               diag::Findings& findings) {
-  using Outcome = manifest::RecordReader::Outcome;
-  auto lines = manifest::RecordReader::Open(file, sources, findings);
-  if (!lines) return std::nullopt;
-  Batch batch;
-  Record record;
-  Outcome outcome = lines->Next(record);
-  for (; outcome == Outcome::kRecord; outcome = lines->Next(record)) {
-    batch.statistics.Add(record);
-    if (!batch.first) batch.first = record;
+std::string StatusesText(const Gathered& batch) {
+  std::string text;
+  for (const manifest::Status status : manifest::kByName) {
+    if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(status));
   }
-  if (outcome == Outcome::kBadLine) return std::nullopt;
-  return batch;
+  return text.empty() ? "none" : text;
 }
 
-std::string Counts(const std::map<std::string, std::uint64_t>& counts) {
-  std::string text;
-  for (const auto& [what, count] : counts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
-  return text;
+// Of the variants that are ok.
+std::vector<std::pair<std::string, std::uint64_t>> ValuesOf(const ParameterTally& parameter) {
+  std::vector<std::pair<std::string, std::uint64_t>> values;
+  for (const auto& [value, counts] : parameter.Values()) {
+    if (counts.good() > 0) values.emplace_back(value, counts.good());
+  }
+  return values;
 }
 
 // "box 51 (51.0 %), cylinder 49 (49.0 %)"
-std::string ValuesText(const Statistics::Parameter& parameter) {
+std::string ValuesText(const ParameterTally& parameter) {
+  const auto values = ValuesOf(parameter);
   std::uint64_t total = 0;
-  for (const auto& [value, count] : parameter.values) total += count;
+  for (const auto& [value, count] : values) total += count;
   std::string text;
-  const std::size_t shown = std::min(parameter.values.size(), kShownValues);
+  const std::size_t shown = std::min(values.size(), kShownValues);
   for (std::size_t i = 0; i < shown; ++i) {
-    const auto& [value, count] = parameter.values[i];
+    const auto& [value, count] = values[i];
     text += fmt::format("{}{} {} ({:.1f} %)", i == 0 ? "" : ", ", value, count,
                         100 * static_cast<double>(count) / static_cast<double>(total));
   }
-  if (parameter.values.size() > shown)
-    text += fmt::format(", and {} more", parameter.values.size() - shown);
+  if (values.size() > shown) text += fmt::format(", and {} more", values.size() - shown);
   return text;
 }
 
-void AddRow(Table& table, const std::string& name, const Statistics::Numbers* numbers,
-            const std::string& values) {
+void AddRow(Table& table, const std::string& name, const Numbers& numbers,
+            const std::string& values = {}) {
   const auto text = [&](double value) { return fmt::format("{:.6g}", value); };
-  if (numbers == nullptr || numbers->count == 0) {
+  if (numbers.count == 0) {
     table.Add({name, "", "", "", "", values});
   } else {
-    table.Add({name, text(numbers->min), text(numbers->mean), text(numbers->max),
-               text(numbers->StandardDeviation()), values});
+    table.Add({name, text(numbers.min), text(numbers.mean), text(numbers.max),
+               text(numbers.StandardDeviation()), values});
   }
 }
 
-std::string Tables(const Batch& batch) {
-  const Statistics& statistics = batch.statistics;
+void AddMeasures(const Gathered& batch, Table& table) {
+  const Numbers& mass = NumbersOf(batch, report::MeasureId::kMass);
+  const Numbers& attempts = NumbersOf(batch, report::MeasureId::kAttempts);
+  if (mass.count > 0) AddRow(table, "(mass, kg)", mass);
+  if (attempts.max > 0) AddRow(table, "(attempt)", attempts);
+  for (const report::Measure& measure : report::Measures()) {
+    const Numbers& numbers = NumbersOf(batch, measure.id);
+    if (!measure.is_physics || numbers.count == 0) continue;
+    AddRow(table,
+           fmt::format("({}{}{})", measure.key, measure.unit.empty() ? "" : ", ", measure.unit),
+           numbers);
+  }
+}
+
+std::string Tables(const Gathered& batch) {
   std::string text;
   if (const std::optional<Record>& first = batch.first) {
     text += fmt::format("batch of {}, seed {}, target {}, validate {}{}{}\n", first->spec,
-                        first->seed, first->target, first->validate,
+                        first->seed, first->target, NameOf(first->validate),
                         first->sampler.empty() ? "" : ", sampler ", first->sampler);
   }
-  text += fmt::format("{} variants: {}\n", statistics.variants(),
-                      statistics.variants() == 0 ? "none" : Counts(statistics.statuses()));
+  text += fmt::format("{} variants: {}\n", batch.variants, StatusesText(batch));
   Table codes({"finding", "variants"});
-  for (const auto& [code, count] : statistics.codes()) codes.Add({code, fmt::format("{}", count)});
+  for (const auto& [code, tally] : batch.codes)
+    codes.Add({code, fmt::format("{}", tally.variants)});
   if (!codes.empty()) text += "\n" + codes.Render();
   Table table({"parameter", "min", "mean", "max", "std", "drawn"});
-  for (const Statistics::Parameter& parameter : statistics.Parameters()) {
+  for (const ParameterTally& parameter : batch.params.list()) {
     const std::string values = ValuesText(parameter);
-    if (parameter.numbers.empty()) AddRow(table, parameter.name, nullptr, values);
-    for (std::size_t i = 0; i < parameter.numbers.size(); ++i) {
+    const std::size_t count = parameter.numbers.size();
+    if (count == 0) AddRow(table, parameter.name, {}, values);
+    for (std::size_t i = 0; i < count; ++i) {
       const std::string name =
-          parameter.numbers.size() == 1 ? parameter.name : fmt::format("{}.{}", parameter.name, i);
-      AddRow(table, name, &parameter.numbers[i], values);
+          count == 1 ? parameter.name : fmt::format("{}.{}", parameter.name, i);
+      AddRow(table, name, parameter.numbers[i].good, values);
     }
   }
-  if (statistics.mass().count > 0) {
-    AddRow(table, "(mass, kg)", &statistics.mass(), "");
-    if (statistics.attempts().max > 0) AddRow(table, "(attempt)", &statistics.attempts(), "");
-  }
-  for (const auto& [name, unit, numbers] : statistics.physics())
-    AddRow(table, fmt::format("({}{}{})", name, unit.empty() ? "" : ", ", unit), &numbers, "");
+  AddMeasures(batch, table);
   return table.empty() ? text : text + "\n" + table.Render();
 }
 
-void Write(Json& json, const Statistics::Numbers& numbers) {
-  json.StartObject();
+void Write(Json& json, const Numbers& numbers) {
   json.Member("count", numbers.count);
   json.Member("min", numbers.min);
   json.Member("mean", numbers.mean);
   json.Member("max", numbers.max);
   json.Member("std", numbers.StandardDeviation());
-  json.EndObject();
 }
 
-template <typename Pairs>
-void WriteCounts(Json& json, std::string_view key, const Pairs& counts) {
+void Write(Json& json, std::string_view key, const Numbers& numbers) {
   json.Key(key);
   json.StartObject();
-  for (const auto& [what, count] : counts) json.Member(what, count);
+  Write(json, numbers);
   json.EndObject();
 }
 
-std::string AsJson(const Batch& batch) {
-  const Statistics& statistics = batch.statistics;
+void Write(Json& json, const ParameterTally& parameter) {
+  json.Member("name", parameter.name);
+  json.Each("numbers", parameter.numbers,
+            [&](const report::NumberTally& numbers) { Write(json, numbers.good); });
+  json.Key("values");
+  json.StartObject();
+  for (const auto& [value, count] : ValuesOf(parameter)) json.Member(value, count);
+  json.EndObject();
+  json.Member("more_values", parameter.more_texts);
+}
+
+void WriteCounts(Json& json, const Gathered& batch) {
+  json.Member("variants", batch.variants);
+  json.Key("status");
+  json.StartObject();
+  for (const manifest::Status status : manifest::kByName) {
+    if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
+      json.Member(NameOf(status), count);
+  }
+  json.EndObject();
+  json.Key("findings");
+  json.StartObject();
+  for (const auto& [code, tally] : batch.codes) json.Member(code, tally.variants);
+  json.EndObject();
+}
+
+std::string AsJson(const Gathered& batch) {
   Json json;
   json.StartObject();
   if (const std::optional<Record>& first = batch.first) {
@@ -141,35 +167,19 @@ std::string AsJson(const Batch& batch) {
     json.Member("spec_sha256", first->spec_sha256);
     json.Member("seed", first->seed);
     json.Member("target", first->target);
-    json.Member("validate", first->validate);
+    json.Member("validate", NameOf(first->validate));
     json.Member("sampler", first->sampler.empty() ? "random" : first->sampler);
   }
-  json.Member("variants", statistics.variants());
-  WriteCounts(json, "status", statistics.statuses());
-  WriteCounts(json, "findings", statistics.codes());
-  json.Key("parameters");
-  json.StartArray();
-  for (const Statistics::Parameter& parameter : statistics.Parameters()) {
-    json.StartObject();
-    json.Member("name", parameter.name);
-    json.Key("numbers");
-    json.StartArray();
-    for (const Statistics::Numbers& numbers : parameter.numbers) Write(json, numbers);
-    json.EndArray();
-    WriteCounts(json, "values", parameter.values);
-    json.Member("more_values", parameter.more_values);
-    json.EndObject();
-  }
-  json.EndArray();
-  json.Key("mass");
-  Write(json, statistics.mass());
-  json.Key("attempt");
-  Write(json, statistics.attempts());
+  WriteCounts(json, batch);
+  json.Each("parameters", batch.params.list(),
+            [&](const ParameterTally& parameter) { Write(json, parameter); });
+  Write(json, "mass", NumbersOf(batch, report::MeasureId::kMass));
+  Write(json, "attempt", NumbersOf(batch, report::MeasureId::kAttempts));
   json.Key("physics");
   json.StartObject();
-  for (const auto& [name, unit, numbers] : statistics.physics()) {
-    json.Key(name);
-    Write(json, numbers);
+  for (const report::Measure& measure : report::Measures()) {
+    const Numbers& numbers = NumbersOf(batch, measure.id);
+    if (measure.is_physics && numbers.count > 0) Write(json, measure.key, numbers);
   }
   json.EndObject();
   json.EndObject();
@@ -189,10 +199,11 @@ std::optional<std::filesystem::path> FindManifest(const std::string& what) {
 ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console) {
   diag::Sources sources;
   diag::Findings findings;
-  const std::optional<Batch> batch = ReadBatch(manifest, sources, findings);
+  std::uint64_t bad_lines = 0;
+  const std::optional<Gathered> batch = report::Gather(manifest, 0, sources, findings, bad_lines);
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
-  if (!batch) return status;
+  if (!batch || bad_lines > 0) return status;
   return Print(json ? AsJson(*batch) : Tables(*batch));
 }
 

@@ -208,6 +208,31 @@ TEST_CASE_METHOD(BatchTest, "inspect shows what a batch achieved") {
   CHECK(none.err.find("cannot read 'empty/manifest.jsonl'") != std::string::npos);
 }
 
+TEST_CASE_METHOD(UnluckyCrateTest, "inspect counts failed variants, and not their values") {
+  REQUIRE(Run({"generate", "crate.yaml", "-n", "40", "-q", "-o", "out/"}).status == 1);
+  const std::string text = Run({"inspect", "out/"}).out;
+  CHECK(text.find("\n40 variants: 1") != std::string::npos);
+  CHECK(text.find(" failed, ") != std::string::npos);
+  CHECK(text.find("\nmodel/bad-value  ") != std::string::npos);
+  CHECK(text.find("\nheight       0.") != std::string::npos);  // the least is above 0
+}
+
+TEST_CASE_METHOD(BatchTest, "inspect and report show the same whole numbers one by one") {
+  std::string list = "1";
+  for (int last = 2; last <= 25; ++last) {
+    list += ", " + std::to_string(last);
+    if (last < 24) continue;
+    folder().Write("c.yaml", "mjforge: 1\nname: c\nparams: {n: {cycle: [" + list +
+                                 "]}}\nparts: [{name: b, type: sphere, size: n}]\n");
+    REQUIRE(Run({"generate", "c.yaml", "-n", "25", "-q", "-o", "out/", "--force"}).status == 0);
+    const std::string text = Run({"inspect", "out/"}).out;
+    CHECK((text.find("and 12 more") != std::string::npos) == (last == 24));
+    REQUIRE(Run({"report", "out/", "-q"}).status == 0);
+    const std::string page = folder().Read("out/report.html");
+    CHECK((page.find("Histogram of 25 values from 1 to") == std::string::npos) == (last == 24));
+  }
+}
+
 TEST_CASE_METHOD(BatchTest, "samplers spread the draws over the batch") {
   for (const char* sampler : {"sobol", "latin", "grid"}) {
     const CommandResult result =

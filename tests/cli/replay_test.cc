@@ -41,6 +41,44 @@ TEST_CASE_METHOD(ReplayTest, "--root takes the free joint away or gives one, and
   CHECK(Run({"generate", "hammer", "--root", "ball", "-o", "-"}).status == 2);
 }
 
+TEST_CASE_METHOD(ReplayTest, "a record leads back to its spec, wherever it stands") {
+  folder().Write("specs/box.yaml", kText);
+  folder().Write("deep/er/box.yaml", kText);
+  const auto check = [&](const std::string& spec, const std::string& out,
+                         const std::string& manifest) {
+    INFO(spec << " " << out);
+    REQUIRE(Run({"generate", spec, "-q", "-n", "3", "-o", out, "--force"}).status == 0);
+    CHECK(folder().Read(manifest).find(folder().path().string()) == std::string::npos);
+    CHECK(Run({"replay", manifest + ":2"}).err == manifest + ":2: made again, same bytes\n");
+    const harness::TemporaryFolder elsewhere;
+    const harness::Command command{.program = harness::MjforgeProgram(),
+                                   .arguments = {"replay", (folder() / manifest).string() + ":1"},
+                                   .folder = elsewhere.path()};
+    CHECK(command.Run().status == 0);
+  };
+  check("specs/box.yaml", "a/", "a/manifest.jsonl");
+  check("specs/box.yaml", "b/c", "b/c/manifest.jsonl");
+  check((folder() / "specs/box.yaml").string(), (folder() / "d").string(), "d/manifest.jsonl");
+  check("deep/er/box.yaml", "x.tar", "x.manifest.jsonl");
+  check("deep/er/box.yaml", "deep/y_%d.tar.zst", "deep/y.manifest.jsonl");
+  CHECK(folder().Read("a/manifest.jsonl").find(R"("spec_file":"../specs/box.yaml")") !=
+        std::string::npos);
+  REQUIRE(Run({"generate", "specs/box.yaml", "hammer", "-q", "-o", "both"}).status == 0);
+  CHECK(Run({"replay", "both/crate/manifest.jsonl:0"}).status == 0);
+  CHECK(Run({"replay", "both/hammer/manifest.jsonl:0"}).status == 0);
+  CHECK(folder().Read("both/hammer/manifest.jsonl").find("spec_file") == std::string::npos);
+}
+
+TEST_CASE_METHOD(ReplayTest, "replay of a spec that is gone says how to name it") {
+  std::filesystem::rename(folder() / "crate.yaml", folder() / "old.yaml");
+  const auto result = Run({"replay", "out/manifest.jsonl:2"});
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot find the spec 'crate.yaml' [yaml/cannot-read]\n"
+        "  hint: name its file with --spec\n");
+  CHECK(Run({"replay", "out/manifest.jsonl:2", "--spec", "old.yaml"}).status == 0);
+}
+
 TEST_CASE_METHOD(ReplayTest, "replay shows the first line that differs") {
   folder().Write("out/crate_000001.xml", folder().Read("out/crate_000001.xml") + "<!-- -->\n");
   const auto result = Run({"replay", "out/manifest.jsonl:1"});

@@ -87,7 +87,9 @@ TEST_CASE_METHOD(ReportTest, "a report whose spec has changed shows what was dra
   CHECK_FALSE(Has(page, "class=\"asked\""));
   folder().Write("old.yaml", kText);
   CHECK(Run({"report", "out/", "-q", "--spec", "old.yaml"}).err.empty());
-  CHECK(Has(folder().Read("out/report.html"), "class=\"asked\""));
+  const std::string found = folder().Read("out/report.html");
+  CHECK(Has(found, "class=\"asked\""));
+  CHECK(Has(found, "<code>mjforge replay out/manifest.jsonl:11 --spec old.yaml</code>"));
 }
 
 TEST_CASE_METHOD(ReportTest, "a broken line is an error, and the page is made of the others") {

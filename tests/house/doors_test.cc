@@ -34,7 +34,7 @@ const std::array kRooms = {
     // expr: numbers in messages
     Room{"validate", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},
     Room{"physics", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},
-    Room{"manifest", {"diag", "expr", "sample", "model", "physics"}},
+    Room{"manifest", {"diag", "expr", "sample", "model", "mjcf", "physics"}},
     Room{"output", {"diag", "mjcf"}},
     Room{"forge",
          {"diag", "expr", "spec", "sample", "model", "mjcf", "attach", "validate", "physics",
@@ -80,7 +80,7 @@ const std::array kLibraries = {
     Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
-    Library{"rapidjson/", {"diag", "spec", "manifest", "report", "app"}},
+    Library{"rapidjson/", {"spec", "manifest", "report"}},
     Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"webp/", {"picture"}},

@@ -127,7 +127,7 @@ class ArchiveSink : public Sink {
   std::optional<Kept> ContinueFinished(diag::Findings& findings) {
     const auto is_there = [&](const manifest::Record& record) {
       std::error_code ignored;
-      return record.status != "ok" ||
+      return record.status != Status::kOk ||
              std::filesystem::exists(destination_.Folder() / record.archive, ignored);
     };
     const std::optional<Kept> kept = ReadKept(file_, std::numeric_limits<std::uint64_t>::max(),
@@ -136,7 +136,7 @@ class ArchiveSink : public Sink {
       Drop();  // made just now
       return std::nullopt;
     }
-    is_complete_ = kept->count() == range_.count;
+    is_complete_ = kept->done() == range_.count;
     return is_complete_ ? kept : Continue(findings);
   }
 
@@ -148,7 +148,7 @@ class ArchiveSink : public Sink {
       const std::optional<Kept> whole =
           ReadKept(manifest_->temporary(), manifest_->size(), range_, batch_, is_good, findings);
       if (!whole) return std::nullopt;
-      GoBackTo(range_.first + whole->count());
+      GoBackTo(range_.first + whole->done());
       // Again, for the counts at that place.
       kept = *ReadKept(manifest_->temporary(), position_.manifest_bytes, range_, batch_, is_good,
                        findings);

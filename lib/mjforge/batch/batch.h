@@ -18,18 +18,14 @@
 
 namespace mjforge::batch {
 
-enum class OnInvalid {
-  kFail,      // the variant is reported, the others are made
-  kSkip,      // the same, as a warning
-  kResample,  // drawn again, up to forge::kMaxResamples times; then as kFail
-};
+using manifest::OnInvalid;
+using manifest::Status;
 
 struct Request {
   std::uint64_t first = 0;
   std::uint64_t count = 1;  // from 1 up; first + count - 1 fits
   output::Shard shard;      // which part of those to make
-  forge::Options variant;   // but `resample`, which on_invalid says
-  OnInvalid on_invalid = OnInvalid::kFail;
+  forge::Options variant;   // except its folder, which the destination says
 
   output::Destination destination;
   bool force = false;       // replace files that mjforge did not make
@@ -54,15 +50,12 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
 struct Done {
   std::uint64_t index = 0;
   std::string name;
-  std::string status;
+  Status status = Status::kOk;
   std::uint64_t attempt = 0;
   std::string place;  // its file; empty: none
 };
 
-struct Summary {
-  std::uint64_t ok = 0;
-  std::uint64_t failed = 0;
-  std::uint64_t skipped = 0;
+struct Summary : manifest::StatusCounts {
   std::uint64_t kept = 0;   // of those, done by an earlier run
   std::uint64_t count = 0;  // asked for: the shard's
   bool interrupted = false;
@@ -75,8 +68,6 @@ struct Summary {
   /// with its includes, meshes, textures.
   std::set<std::string> inputs;
   std::string text;  // kStandardOutput: the object
-
-  std::uint64_t done() const { return ok + failed + skipped; }
 };
 inline constexpr std::size_t kMaxFindings = 50;
 

@@ -62,7 +62,7 @@ class FolderSink : public Sink {
   // What is on disk is trusted by its hash, so that a file that was lost or
   // changed since is made again.
   bool IsThere(const manifest::Record& record) const {
-    if (record.status != "ok") return true;
+    if (record.status != Status::kOk) return true;
     const auto bytes = output::ReadStart(folder_ / record.file, std::string::npos);
     return bytes && output::Sha256(*bytes) == record.sha256;
   }

@@ -150,7 +150,7 @@ class Joining {
   }
 
   bool IsThere(const manifest::Record& record) {
-    if (record.status != "ok") return true;
+    if (record.status != Status::kOk) return true;
     const std::string& name = record.archive.empty() ? record.file : record.archive;
     if (name == last_seen_) return true;
     std::error_code ignored;

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 
 namespace mjforge::batch {
@@ -55,12 +56,42 @@ class Decoder {
   std::string_view bytes_;
 };
 
+// The members of each struct.
+auto Members(diag::SourceMark& mark) { return std::tie(mark.file, mark.line, mark.column); }
+auto Members(diag::Note& note) { return std::tie(note.mark, note.message); }
+auto Members(diag::Finding& finding) {
+  return std::tie(finding.severity, finding.code, finding.mark, finding.message, finding.hint,
+                  finding.notes, finding.seed, finding.index);
+}
+auto Members(Digest::Entry& entry) {
+  return std::tie(entry.finding, entry.variants, entry.last_index);
+}
+auto Members(Done& done) {
+  return std::tie(done.index, done.name, done.status, done.attempt, done.place);
+}
+auto Members(SourceText& source) { return std::tie(source.number, source.name, source.text); }
+auto Members(Chunk& chunk) { return std::tie(chunk.first, chunk.count, chunk.archive); }
+auto Members(Condemned& condemned) {
+  return std::tie(condemned.index, condemned.too_slow, condemned.how);
+}
+auto Members(Task& task) { return std::tie(task.chunk, task.condemned); }
+auto Members(Result& result) {
+  return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,
+                  result.text, result.variants, result.assets, result.inputs, result.findings,
+                  result.more_findings, result.sources, result.output_failed,
+                  result.output_findings);
+}
+
 template <typename Coder, typename... Values>
 void CodeAll(Coder& coder, Values&... values);
 
 template <typename Coder, typename T>
 void Code(Coder& coder, T& value) {
-  coder.Code(value);
+  if constexpr (requires { Members(value); }) {
+    std::apply([&](auto&... members) { CodeAll(coder, members...); }, Members(value));
+  } else {
+    coder.Code(value);
+  }
 }
 
 template <typename Coder, typename T>
@@ -87,65 +118,12 @@ void Code(Coder& coder, std::pair<A, B>& pair) {
 }
 
 template <typename Coder>
-void Code(Coder& coder, diag::SourceMark& mark) {
-  CodeAll(coder, mark.file, mark.line, mark.column);
-}
-
-template <typename Coder>
-void Code(Coder& coder, diag::Note& note) {
-  CodeAll(coder, note.mark, note.message);
-}
-
-template <typename Coder>
-void Code(Coder& coder, diag::Finding& finding) {
-  CodeAll(coder, finding.severity, finding.code, finding.mark, finding.message, finding.hint,
-          finding.notes, finding.seed, finding.index);
-}
-
-template <typename Coder>
 void Code(Coder& coder, diag::Findings& findings) {
   std::vector<diag::Finding> list(findings.begin(), findings.end());
   Code(coder, list);
   if constexpr (Coder::kReads) {
     for (diag::Finding& finding : list) findings.Add(finding.code, {}, {}) = std::move(finding);
   }
-}
-
-template <typename Coder>
-void Code(Coder& coder, Digest::Entry& entry) {
-  CodeAll(coder, entry.finding, entry.variants, entry.last_index);
-}
-
-template <typename Coder>
-void Code(Coder& coder, Done& done) {
-  CodeAll(coder, done.index, done.name, done.status, done.attempt, done.place);
-}
-
-template <typename Coder>
-void Code(Coder& coder, SourceText& source) {
-  CodeAll(coder, source.number, source.name, source.text);
-}
-
-template <typename Coder>
-void Code(Coder& coder, Chunk& chunk) {
-  CodeAll(coder, chunk.first, chunk.count, chunk.archive);
-}
-
-template <typename Coder>
-void Code(Coder& coder, Condemned& condemned) {
-  CodeAll(coder, condemned.index, condemned.too_slow, condemned.how);
-}
-
-template <typename Coder>
-void Code(Coder& coder, Task& task) {
-  CodeAll(coder, task.chunk, task.condemned);
-}
-
-template <typename Coder>
-void Code(Coder& coder, Result& result) {
-  CodeAll(coder, result.chunk, result.done, result.statuses, result.lines, result.segment,
-          result.text, result.variants, result.assets, result.inputs, result.findings,
-          result.more_findings, result.sources, result.output_failed, result.output_findings);
 }
 
 template <typename Coder, typename... Values>

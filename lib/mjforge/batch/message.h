@@ -43,12 +43,12 @@ struct SourceText {
 
 struct Result {
   Chunk chunk;
-  std::uint64_t done = 0;      // variants; fewer than the chunk's if stopped or failed
-  std::string statuses;        // the first letter of each variant's status: o f s
-  std::string lines;           // of the manifest
-  std::string segment;         // of the archive
-  std::string text;            // of a single object
-  std::vector<Done> variants;  // if they are watched
+  std::uint64_t done = 0;  // variants; fewer than the chunk's if stopped or failed
+  std::vector<Status> statuses;
+  std::string lines;                                        // of the manifest
+  std::string segment;                                      // of the archive
+  std::string text;                                         // of a single object
+  std::vector<Done> variants;                               // if they are watched
   std::vector<std::pair<std::string, std::string>> assets;  // name, source; each once
   std::vector<std::string> inputs;  // that this worker had not told of before
   std::vector<Digest::Entry> findings;

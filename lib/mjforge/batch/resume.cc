@@ -1,9 +1,9 @@
-#include "mjforge/batch/resume.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
+
+#include "mjforge/batch/sink.h"
 
 namespace mjforge::batch {
 
@@ -22,13 +22,13 @@ std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_
   Kept kept;
   std::ifstream file(manifest, std::ios::binary);
   std::string line;
-  while (kept.count() < range.count && std::getline(file, line) && !file.eof()) {
+  while (kept.done() < range.count && std::getline(file, line) && !file.eof()) {
     if (kept.bytes + line.size() + 1 > bytes) break;
     std::string why_not;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) break;  // a crash of the machine may leave anything
     std::string difference = manifest::DifferenceOfBatch(*record, batch);
-    const std::uint64_t expected = range.first + kept.count();
+    const std::uint64_t expected = range.first + kept.done();
     if (difference.empty() && record->index != expected)
       difference = fmt::format("index is {}, not {}", record->index, expected);
     if (!difference.empty()) {
@@ -38,7 +38,7 @@ std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_
       return std::nullopt;
     }
     if (FailedByChance(*record) || !is_good(*record)) break;
-    ++(record->status == "ok" ? kept.ok : record->status == "failed" ? kept.failed : kept.skipped);
+    kept.Add(record->status);
     kept.bytes += line.size() + 1;
   }
   return kept;

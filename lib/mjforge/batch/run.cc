@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -7,7 +9,6 @@
 #include "mjforge/batch/pool.h"
 #include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
-#include "mjforge/batch/spread.h"
 #include "mjforge/batch/worker.h"
 
 namespace mjforge::batch {
@@ -23,16 +24,32 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-std::string_view OnInvalidText(OnInvalid on_invalid) {
-  switch (on_invalid) {
-    case OnInvalid::kFail:
-      return "";
-    case OnInvalid::kSkip:
-      return "skip";
-    case OnInvalid::kResample:
-      return "resample";
+// Warns where a sampler or an exact choice cannot cover the batch evenly: it begins in the middle
+// of a block, or a grid's points are not as many as its variants.
+void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Findings& findings) {
+  const forge::Options& options = request.variant;
+  const std::uint64_t size = options.batch;
+  const sample::Sampler sampler(*recipe.spec, options.sampler, options.seed, size);
+  if (!sampler.NeedsBatch() || size == 0) return;
+  if (request.first % size != 0 && request.first % size + request.count > size) {
+    findings.Warn(diag::Code::kBatchUneven, {},
+                  fmt::format("variants {} to {} lie in several blocks of {}: draws are spread "
+                              "evenly over each block, not over these variants",
+                              request.first, request.first + (request.count - 1), size),
+                  fmt::format("let --first be a multiple of {}", size));
   }
-  return "";
+  const std::uint64_t points = sampler.GridPoints();
+  if (points > size) {
+    findings.Warn(diag::Code::kBatchUneven, {},
+                  fmt::format("the grid has {}, of which {} variants are only the first",
+                              sampler.GridText(), size),
+                  "make more variants, or pin a parameter with --set");
+  } else if (points > 0 && points < size) {
+    findings.Warn(diag::Code::kBatchUneven, {},
+                  fmt::format("the grid has {}; the last {} of {} variants repeat some",
+                              sampler.GridText(), size - points, size),
+                  fmt::format("-n {} has each of them once", points));
+  }
 }
 
 class Batch {
@@ -45,8 +62,7 @@ class Batch {
         watch_(watch),
         all_{request.first, request.count},
         range_(RangeOf(request.shard, all_, request.destination)),
-        record_(forge::BatchRecord(recipe, request.variant)) {
-    record_.on_invalid = OnInvalidText(request.on_invalid);
+        record_(forge::BatchRecord(recipe, OptionsOf(request))) {
     summary_.count = range_.count;
   }
 
@@ -55,7 +71,8 @@ class Batch {
     diag::Findings output_findings;
     CheckSpread(recipe_, request_, output_findings);
     if (const std::optional<Kept> kept = sink->Open(output_findings)) {
-      Count(*kept);
+      static_cast<manifest::StatusCounts&>(summary_) = *kept;
+      summary_.kept = kept->done();
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -73,13 +90,6 @@ class Batch {
   }
 
  private:
-  void Count(const Kept& kept) {
-    summary_.ok = kept.ok;
-    summary_.failed = kept.failed;
-    summary_.skipped = kept.skipped;
-    summary_.kept = kept.count();
-  }
-
   bool IsStopped() const {
     return request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
   }
@@ -144,8 +154,7 @@ class Batch {
   }
 
   void Count(Result& result) {
-    for (const char status : result.statuses)
-      ++(status == 'o' ? summary_.ok : status == 'f' ? summary_.failed : summary_.skipped);
+    for (const Status status : result.statuses) summary_.Add(status);
     summary_.inputs.insert(result.inputs.begin(), result.inputs.end());
     const std::map<std::uint32_t, std::uint32_t> numbers = NumberSources(result);
     for (Digest::Entry& entry : result.findings) {

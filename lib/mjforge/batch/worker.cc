@@ -36,7 +36,7 @@ class Worker {
         result.output_failed = true;
         break;
       }
-      digest.Add(variant_.findings, variant_.record.status == "skipped");
+      digest.Add(variant_.findings, variant_.record.status == Status::kSkipped);
       Tell(result);
     }
     usual_lines_ = std::max(usual_lines_, result.lines.size());
@@ -49,12 +49,6 @@ class Worker {
   }
 
  private:
-  static forge::Options OptionsOf(const Request& request) {
-    forge::Options options = request.variant;
-    options.resample = request.on_invalid == OnInvalid::kResample;
-    return options;
-  }
-
   void Make(std::uint64_t index, const Task& task, Slot& slot) {
     const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
                                         [&](const Condemned& c) { return c.index == index; });
@@ -64,11 +58,6 @@ class Worker {
       slot.Begin(index);
       generator_.Make(index, variant_);
       slot.End();
-    }
-    manifest::Record& record = variant_.record;
-    if (request_.on_invalid == OnInvalid::kSkip) {
-      record.on_invalid = "skip";
-      if (record.status == "failed") record.status = "skipped";
     }
   }
 
@@ -104,27 +93,30 @@ class Worker {
           result.assets.emplace_back(asset.first, asset.second.string());
       }
     }
-    const std::size_t before = result.lines.size();
     if (!request_.destination.IsArchive()) {
       AppendRecord(result.lines, record);
       if (request_.destination.kind != Kind::kFolder) result.text = variant_.document.text;
       return true;
     }
-    const std::string stem = output::VariantStem(record.name, record.index);
+    bool written = true;
     if (variant_.ok()) {
+      const std::string stem = output::VariantStem(record.name, record.index);
       record.file = stem + ".xml";
+      // The record in an archive does not name it: two archives of the same variants are the same.
+      std::string line;
+      AppendRecord(line, record);
+      written = segment_.Add(record.file, variant_.document.text, findings) &&
+                segment_.Add(stem + ".json", line, findings);
       record.archive = archive_;
     }
     AppendRecord(result.lines, record);
-    return !variant_.ok() ||
-           (segment_.Add(stem + ".xml", variant_.document.text, findings) &&
-            segment_.Add(stem + ".json", std::string_view(result.lines).substr(before), findings));
+    return written;
   }
 
   void Tell(Result& result) {
     const manifest::Record& record = variant_.record;
     ++result.done;
-    result.statuses += record.status[0];
+    result.statuses.push_back(record.status);
     if (watched_) {
       result.variants.push_back(
           {record.index, record.name, record.status, record.attempt, record.file});
@@ -170,6 +162,13 @@ class Worker {
 };
 
 }  // namespace
+
+forge::Options OptionsOf(const Request& request) {
+  forge::Options options = request.variant;
+  if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
+    options.folder = request.destination.Folder();
+  return options;
+}
 
 Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
               const output::Overwrite& overwrite, bool watched) {

@@ -60,6 +60,9 @@ struct Recipe {
   /// ("tools/hammer"), or its file's name. Says nothing about this machine, so
   /// that the same spec gives the same bytes in every folder.
   std::string reference;
+  /// The spec's file where `reference` is only its name; empty: `reference` leads to it, or
+  /// nothing does.
+  std::filesystem::path file;
   /// Parameters set from outside, files first; each name once.
   std::vector<std::pair<std::string, std::string>> settings;
 };
@@ -79,37 +82,32 @@ bool CheckName(std::string_view text, diag::Findings& findings);
 
 /// One variant and all that is known of it.
 struct Variant {
-  manifest::Record record;              // status "ok" or "failed"
+  manifest::Record record;
   std::optional<model::Object> object;  // nothing if it could not be built
   mjcf::MjcfDocument document;          // means nothing without an object
   diag::Findings findings;
 
-  bool ok() const { return record.status == "ok"; }
+  bool ok() const { return record.status == manifest::Status::kOk; }
 };
 
-/// What is asked about each variant: nothing, whether MuJoCo loads it as it is
-/// meant, whether it also behaves.
-enum class Validation { kNone, kLoad, kPhysics };
-/// "none", "load", "physics".
-std::span<const std::string_view> ValidationNames();
-std::string_view NameOf(Validation validation);
-std::optional<Validation> FindValidation(std::string_view name);
+using manifest::OnInvalid;
+using manifest::Validation;
 
 struct Options {
   std::uint64_t seed = 0;
   mjcf::Target target = mjcf::Target::kMujoco;
   std::string name;           // checked by CheckName; empty: the spec's
   std::uint64_t attempt = 0;  // draws before this one are not tried
-  /// A variant that fails is drawn again, up to kMaxResamples times.
-  bool resample = false;
+  OnInvalid on_invalid = OnInvalid::kFail;
   sample::Method sampler = sample::Method::kRandom;
   std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
   Validation validation = Validation::kLoad;
+  /// Of the manifest: records name the spec's file from here. Nothing: they do not.
+  std::optional<std::filesystem::path> folder;
 };
 inline constexpr int kMaxResamples = 100;
 
-/// What the records of all variants have in common, but for what they say of
-/// failed ones; the rest is empty.
+/// What the records of all variants have in common; the rest is empty.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
 /// Makes the members of one family. Keeps what they share and the memory they
@@ -130,8 +128,8 @@ class Generator {
 
  private:
   enum class Outcome { kMade, kFailed, kHopeless };
-  void Begin(std::uint64_t index, Variant& variant);
-  Outcome Attempt(std::uint64_t attempt, Variant& variant);
+  void Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant);
+  Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   void Judge(Variant& variant);
   void End(Outcome outcome, Variant& variant);
   void NameSources();
@@ -143,16 +141,16 @@ class Generator {
   std::unique_ptr<physics::Laboratory> laboratory_;  // null: nothing is simulated
   const diag::Sources& sources_;
   diag::Sources record_sources_;  // names as records show them
-  manifest::Record common_;       // BatchRecord, and who validates
-  mjcf::Provenance provenance_;
+  manifest::Record common_;       // BatchRecord
+  mjcf::Provenance provenance_;   // what the variant's file says
   sample::Sampler sampler_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
 };
 
 /// The recipe of a record: `spec`, or, if that is empty, the spec that it names, which is
-/// looked for here, in `folder` (the manifest's) and one folder up. Nothing, and findings,
-/// if it is gone or has changed since.
+/// looked for where the record says, here, in `folder` (the manifest's) and one folder up.
+/// Nothing, and findings, if it is gone or has changed since.
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);

@@ -10,18 +10,17 @@ bool HasCode(const diag::Findings& findings, diag::Code code) {
                      [&](const diag::Finding& finding) { return finding.code == code; });
 }
 
-void Clear(Variant& variant) {
-  variant.object.reset();
-  variant.findings.clear();
-  manifest::Record& record = variant.record;
-  record.file.clear();
-  record.sha256.clear();
-  record.params.clear();
-  record.findings.clear();
-  record.mass_properties = {};
-  record.bounds = {};
-  record.physics.reset();
-  record.nbody = record.njnt = record.ngeom = 0;
+// From one folder to a file, both whole. Empty if the way leads over the root: it would be
+// another one on every machine.
+std::string WayTo(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (error) return {};
+  // A folder that is not there yet may keep the slash it was given with.
+  const auto root = whole.has_filename() ? whole : whole.parent_path();
+  const auto below = root.relative_path();
+  if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
+  return file.lexically_relative(root).generic_string();
 }
 
 }  // namespace
@@ -30,10 +29,13 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   manifest::Record record;
   record.seed = options.seed;
   record.spec = recipe.reference;
+  if (options.folder && !recipe.file.empty())
+    record.spec_file = WayTo(recipe.file, *options.folder);
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
-  record.validate = NameOf(options.validation);
+  record.validate = options.validation;
+  record.on_invalid = options.on_invalid;
   if (options.sampler != sample::Method::kRandom)
     record.sampler = sample::MethodName(options.sampler);
   if (sample::Sampler::NeedsBatch(*recipe.spec, options.sampler)) record.batch = options.batch;
@@ -53,15 +55,8 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
       assembler_(&attachments_) {
-  if (options.resample) common_.on_invalid = "resample";
+  provenance_ = common_;
   provenance_.version = Version();
-  provenance_.spec = common_.spec;
-  provenance_.spec_sha256 = common_.spec_sha256;
-  provenance_.settings = common_.settings;
-  provenance_.seed = common_.seed;
-  provenance_.target = common_.target;
-  provenance_.sampler = common_.sampler;
-  provenance_.batch = common_.batch;
 }
 
 // Of the sources there are by now.
@@ -72,45 +67,37 @@ void Generator::NameSources() {
   }
 }
 
-void Generator::Begin(std::uint64_t index, Variant& variant) {
-  manifest::Record& record = variant.record;
-  record.index = index;
-  record.seed = common_.seed;
-  record.spec = common_.spec;
-  record.spec_sha256 = common_.spec_sha256;
-  record.settings = common_.settings;
-  record.sampler = common_.sampler;
-  record.batch = common_.batch;
-  record.target = common_.target;
-  record.validate = common_.validate;
-  record.on_invalid = common_.on_invalid;
-  record.archive.clear();
-  record.name = options_.name.empty() ? recipe_.spec->name : ExpandName(options_.name, index);
-  provenance_.index = index;
-  provenance_.name = record.name == recipe_.spec->name ? std::string() : record.name;
+void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
+  variant.object.reset();
+  variant.findings.clear();
+  variant.record = common_;
+  variant.record.index = provenance_.index = index;
+  variant.record.attempt = attempt;
+  const std::string& name = recipe_.spec->name;
+  variant.record.name = options_.name.empty() ? name : ExpandName(options_.name, index);
+  provenance_.name = variant.record.name == name ? std::string() : variant.record.name;
 }
 
 void Generator::Make(std::uint64_t index, Variant& variant) {
-  Begin(index, variant);
-  Outcome outcome = Attempt(options_.attempt, variant);
-  for (int i = 0; i < kMaxResamples && options_.resample && outcome == Outcome::kFailed; ++i) {
-    outcome = Attempt(variant.record.attempt + 1, variant);
-  }
+  Outcome outcome = Attempt(index, options_.attempt, variant);
+  const int resamples = options_.on_invalid == OnInvalid::kResample ? kMaxResamples : 0;
+  for (int i = 0; i < resamples && outcome == Outcome::kFailed; ++i)
+    outcome = Attempt(index, variant.record.attempt + 1, variant);
   End(outcome, variant);
 }
 
 void Generator::Fail(std::uint64_t index, diag::Finding finding, Variant& variant) {
-  Begin(index, variant);
-  Clear(variant);
-  variant.record.attempt = options_.attempt;
+  Begin(index, options_.attempt, variant);
   variant.findings.Add(finding.code, {}, {}) = std::move(finding);
   End(Outcome::kFailed, variant);
 }
 
 void Generator::End(Outcome outcome, Variant& variant) {
   manifest::Record& record = variant.record;
-  record.status = outcome == Outcome::kMade ? "ok" : "failed";
-  if (outcome == Outcome::kMade) {
+  if (outcome != Outcome::kMade) {
+    const bool skips = options_.on_invalid == OnInvalid::kSkip;
+    record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
+  } else {
     record.file = output::PlaceInFolder(record.name, record.index);
     record.sha256 = output::Sha256(variant.document.text);
   }
@@ -121,14 +108,13 @@ void Generator::End(Outcome outcome, Variant& variant) {
   }
 }
 
-Generator::Outcome Generator::Attempt(std::uint64_t attempt, Variant& variant) {
-  Clear(variant);
+Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt,
+                                      Variant& variant) {
+  Begin(index, attempt, variant);
   manifest::Record& record = variant.record;
-  record.attempt = attempt;
   const spec::ObjectSpec& spec = *recipe_.spec;
-  std::optional<sample::Evaluator> values =
-      sample::Sample(spec, {options_.seed, record.index, attempt}, sample::kRootStream, {},
-                     variant.findings, &sampler_);
+  std::optional<sample::Evaluator> values = sample::Sample(
+      spec, {options_.seed, index, attempt}, sample::kRootStream, {}, variant.findings, &sampler_);
   if (!values) {
     // Where a thousand draws met no requirement, more of them will not either.
     return HasCode(variant.findings, diag::Code::kSampleRejected) ? Outcome::kHopeless

@@ -22,14 +22,19 @@ std::optional<std::string> NameWithin(const std::filesystem::path& file,
   return relative.replace_extension().generic_string();
 }
 
-std::string ReferenceOf(const spec::ObjectSpec& spec, const std::string& given,
-                        const std::vector<std::filesystem::path>& search_path) {
-  if (given == "-" || spec.files.empty()) return given;
-  const std::filesystem::path& file = spec.files.front();
+void SetReference(const std::string& given, const std::vector<std::filesystem::path>& search_path,
+                  Recipe& recipe) {
+  recipe.reference = given;
+  if (given == "-" || recipe.spec->files.empty()) return;
+  const std::filesystem::path& file = recipe.spec->files.front();
   for (const std::filesystem::path& folder : search_path) {
-    if (auto name = NameWithin(file, folder)) return *std::move(name);
+    if (auto name = NameWithin(file, folder)) {
+      recipe.reference = *std::move(name);
+      return;
+    }
   }
-  return file.filename().string();
+  recipe.reference = file.filename().string();
+  recipe.file = file;
 }
 
 void Set(Settings& settings, const std::string& name, const std::string& text) {
@@ -56,7 +61,7 @@ std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadO
   Recipe recipe;
   recipe.spec = spec::LoadSpec(reference, options, sources, findings);
   if (recipe.spec == nullptr) return std::nullopt;
-  recipe.reference = ReferenceOf(*recipe.spec, reference, options.search_path);
+  SetReference(reference, options.search_path, recipe);
   recipe.settings = SettingsOf(*recipe.spec);
   return recipe;
 }

@@ -7,15 +7,16 @@
 namespace mjforge::forge {
 namespace {
 
-// A record names a file without its folder, so it is looked for here, beside
+// The comment in a file names a spec without its folder, so it is looked for here, beside
 // the record and one folder up, where generate's default puts the record's.
-std::string FindSpec(const std::string& reference, const std::filesystem::path& folder) {
+std::string FindSpec(const manifest::Record& record, const std::filesystem::path& folder) {
   std::error_code ignored;
-  for (const std::filesystem::path& place : {std::filesystem::path(), folder, folder / ".."}) {
-    const std::filesystem::path file = place / reference;
+  for (const std::filesystem::path& file :
+       {folder / record.spec_file, std::filesystem::path(record.spec), folder / record.spec,
+        folder / ".." / record.spec}) {
     if (std::filesystem::is_regular_file(file, ignored)) return file.string();
   }
-  return reference;
+  return record.spec;
 }
 
 }  // namespace
@@ -33,8 +34,16 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
   for (const auto& [name, text] : record.settings) {
     options.settings.push_back({name, text, "the record's settings"});
   }
-  const std::string reference = spec.empty() ? FindSpec(record.spec, folder) : spec;
-  std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, findings);
+  const std::string reference = spec.empty() ? FindSpec(record, folder) : spec;
+  diag::Findings found;
+  std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, found);
+  for (const diag::Finding& finding : found) {
+    diag::Finding& told = findings.Add(finding.code, {}, {});
+    told = finding;
+    const bool is_gone = spec.empty() && !finding.mark;
+    if (is_gone && finding.code == diag::Code::kYamlCannotRead)
+      told.hint = "name its file with --spec";
+  }
   if (!recipe) return std::nullopt;
   if (recipe->spec->sha256 != record.spec_sha256) {
     findings.Add(diag::Code::kOutputDiffers, {},
@@ -66,8 +75,7 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   options.attempt = record.attempt;
   options.sampler = *sampler;
   options.batch = record.batch;
-  // The comment in a file does not say; what is written was loaded, unless it was not asked.
-  options.validation = FindValidation(record.validate).value_or(Validation::kLoad);
+  options.validation = record.validate;
   return options;
 }
 

@@ -68,22 +68,8 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   }
   Original original;
   original.file = file;
-  original.record.name = provenance->name;
-  original.record.index = provenance->index;
-  original.record.seed = provenance->seed;
-  original.record.spec = provenance->spec;
-  original.record.spec_sha256 = provenance->spec_sha256;
-  original.record.settings = provenance->settings;
-  original.record.target = provenance->target;
-  original.record.sampler = provenance->sampler;
-  original.record.batch = provenance->batch;
+  static_cast<mjcf::Provenance&>(original.record) = *provenance;
   return original;
-}
-
-std::string_view TakeLine(std::string_view& rest) {
-  const std::string_view line = rest.substr(0, rest.find('\n'));
-  rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-  return line;
 }
 
 // True if the object's file (or its hash, if the file is gone) is the variant's.
@@ -104,19 +90,15 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
           : output::ReadMember(original.archive, original.file.string(), findings);
   if (!present) return false;
   if (*present == variant.document.text) return true;
-  std::string_view rest = *present;
-  std::string_view expected = variant.document.text;
-  std::uint32_t number = 1;
-  for (; !rest.empty() || !expected.empty(); ++number) {
-    const std::string_view line = TakeLine(rest);
-    const std::string_view expected_line = TakeLine(expected);
-    if (line == expected_line) continue;
-    expected = expected_line;
-    break;
-  }
+  const std::string_view expected = variant.document.text;
+  const auto [at, same] = std::ranges::mismatch(*present, expected);
+  const auto number = static_cast<std::uint32_t>(1 + std::count(present->begin(), at, '\n'));
+  const auto start = static_cast<std::size_t>(same - expected.begin());
+  std::string_view line = expected.substr(start == 0 ? 0 : expected.rfind('\n', start - 1) + 1);
+  line = line.substr(0, line.find('\n'));
   const std::string message =
       fmt::format("line {} differs from the object made again: '{}'", number,
-                  expected.substr(std::min(expected.find_first_not_of(' '), expected.size())));
+                  line.substr(std::min(line.find_first_not_of(' '), line.size())));
   const diag::SourceMark mark{sources.Add(original.file.string(), *std::move(present)), number, 1};
   findings.Add(diag::Code::kOutputDiffers, mark, message);
   return false;
@@ -127,7 +109,7 @@ bool ReplayFailure(const Original& original, const Variant& variant, diag::Findi
   if (variant.ok()) {
     findings.Add(diag::Code::kOutputDiffers, {},
                  fmt::format("variant {} is recorded as {}, but can be made", original.record.index,
-                             original.record.status));
+                             NameOf(original.record.status)));
   }
   findings.Append(variant.findings);
   return false;
@@ -136,7 +118,7 @@ bool ReplayFailure(const Original& original, const Variant& variant, diag::Findi
 bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
                diag::Sources& sources, diag::Findings& findings) {
   Variant variant;
-  const bool failed = original.from_manifest && original.record.status != "ok";
+  const bool failed = original.from_manifest && original.record.status != manifest::Status::kOk;
   // A file that is there was found valid, or not asked about: MuJoCo's verdict
   // has no part in its bytes.
   if (!failed) options.validation = Validation::kNone;
@@ -149,7 +131,7 @@ bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
   // what was asked of them.
   if (!original.from_manifest) {
     for (const Validation validation : {Validation::kLoad, Validation::kPhysics}) {
-      options.resample = true;
+      options.on_invalid = OnInvalid::kResample;
       options.validation = validation;
       Variant resampled;
       Generator(recipe, sources, options).Make(original.record.index, resampled);

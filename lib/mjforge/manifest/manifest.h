@@ -5,33 +5,79 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mjforge/diag/json.h"
 #include "mjforge/manifest/reader.h"
+#include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/physics/physics.h"
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::manifest {
 
-/// One line of manifest.jsonl: what was made, from what, and what it weighs.
-struct Record {
-  std::string file;     // relative to the manifest, or in the archive; empty: none was written
-  std::string archive;  // relative to the manifest; empty: the file stands by itself
-  std::string name;
-  std::uint64_t index = 0;
-  std::uint64_t seed = 0;
+/// What became of a variant: "ok", "failed", "skipped". Failed and skipped ones have errors among
+/// their findings and no file.
+enum class Status { kOk, kFailed, kSkipped };
+/// What is asked about each variant: nothing, whether MuJoCo loads it as it is meant, whether it
+/// also behaves.
+enum class Validation { kNone, kLoad, kPhysics };
+enum class OnInvalid {
+  kFail,      // the variant is reported, the others are made
+  kSkip,      // the same, as a warning
+  kResample,  // drawn again, up to forge::kMaxResamples times; then as kFail
+};
+
+// Their words, in their order.
+inline constexpr std::string_view kStatuses[] = {"ok", "failed", "skipped"};
+inline constexpr std::string_view kValidations[] = {"none", "load", "physics"};
+inline constexpr std::string_view kOnInvalid[] = {"fail", "skip", "resample"};
+constexpr std::span<const std::string_view> WordsOf(Status) { return kStatuses; }
+constexpr std::span<const std::string_view> WordsOf(Validation) { return kValidations; }
+constexpr std::span<const std::string_view> WordsOf(OnInvalid) { return kOnInvalid; }
+
+inline constexpr Status kByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
+
+template <typename Enum>
+constexpr std::string_view NameOf(Enum value) {
+  return WordsOf(value)[static_cast<std::size_t>(value)];
+}
+/// Nothing if it is not one of the words.
+template <typename Enum>
+constexpr std::optional<Enum> Find(std::string_view word) {
+  for (std::size_t i = 0; i < WordsOf(Enum()).size(); ++i) {
+    if (WordsOf(Enum())[i] == word) return static_cast<Enum>(i);
+  }
+  return std::nullopt;
+}
+
+/// How many variants have each status.
+struct StatusCounts {
+  std::uint64_t ok = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t skipped = 0;
+
+  std::uint64_t Of(Status status) const {
+    return status == Status::kOk ? ok : status == Status::kFailed ? failed : skipped;
+  }
+  void Add(Status status) {
+    ++(status == Status::kOk ? ok : status == Status::kFailed ? failed : skipped);
+  }
+  std::uint64_t done() const { return ok + failed + skipped; }
+};
+
+/// One line of manifest.jsonl: what its variant's file says of how it was made (the name always),
+/// and what came of it.
+struct Record : mjcf::Provenance {
+  std::string file;       // relative to the manifest, or in the archive; empty: none was written
+  std::string archive;    // relative to the manifest; empty: the file stands by itself
+  std::string spec_file;  // from the manifest's folder; empty: found by name, or not known
   std::uint64_t attempt = 0;
-  std::string spec;
-  std::string spec_sha256;
-  std::vector<std::pair<std::string, std::string>> settings;
-  std::string sampler;      // empty: random
-  std::uint64_t batch = 0;  // the N of samplers and exact choices; 0: nothing depends on it
   std::vector<std::pair<std::string, sample::ParameterValue>> params;
   model::MassProperties mass_properties;
   model::Bounds bounds;
@@ -40,13 +86,12 @@ struct Record {
   int nbody = 0;
   int njnt = 0;
   int ngeom = 0;
-  std::string target;
-  std::string validate;                    // "load", "none", "physics"
+  Validation validate = Validation::kLoad;
   std::optional<physics::Result> physics;  // where it was asked for and could be measured
-  std::string on_invalid;                  // "skip", "resample"; empty: fail
-  std::string status;                      // "ok", "failed", "skipped"
-  std::vector<std::string> findings;       // JSON objects, as diag::RenderJson makes them
-  std::string sha256;                      // of the file's bytes; empty: none was written
+  OnInvalid on_invalid = OnInvalid::kFail;
+  Status status = Status::kOk;
+  std::vector<std::string> findings;  // JSON objects, as diag::RenderJson makes them
+  std::string sha256;                 // of the file's bytes; empty: none was written
 };
 
 /// Appends one JSON object and a line end.
@@ -55,84 +100,15 @@ void AppendRecord(std::string& out, const Record& record);
 /// What was measured, as a record's `physics` has it.
 std::string PhysicsJson(const physics::Result& result);
 
-/// Reads all back but com, inertia and counts; of the bounds the box. Nothing, and
-/// why, if the line is not a record. Of nbody it only says whether there was an object.
+/// Nothing, and why, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
-/// How `record` differs from one of the same batch, in words: "seed is 7, not
-/// 3". Empty: both come from one command, whatever their indices.
+/// How `record` differs from one of the same batch, in words: "seed is '7', not
+/// '3'". Empty: both come from one command, whatever their indices.
 std::string DifferenceOfBatch(const Record& record, const Record& other);
 
 /// schemas/manifest.schema.json.
 std::string ManifestSchema();
-
-/// What a batch achieved. Takes no more memory for more variants, unless a
-/// parameter has ever new texts: of those, the first kMaxValues count.
-class Statistics {
- public:
-  static constexpr std::size_t kMaxValues = 1000;
-
-  /// Of a number, or one component of a vector.
-  struct Numbers {
-    std::uint64_t count = 0;
-    double min = 0;
-    double max = 0;
-    double mean = 0;
-    double m2 = 0;  // sum of squared distances from the mean
-    /// Welford's update: exact enough for any count.
-    void Add(double value);
-    /// Of the whole population; 0 for one.
-    double StandardDeviation() const;
-  };
-  struct Parameter {
-    std::string name;
-    std::vector<Numbers> numbers;  // one; of a vector one a component
-    /// Of texts and booleans ("true"), and of whole numbers while they are few:
-    /// each value and how often it was drawn, numbers in order, texts by name.
-    std::vector<std::pair<std::string, std::uint64_t>> values;
-    bool more_values = false;  // there were more than kMaxValues
-  };
-
-  void Add(const Record& record);
-
-  std::uint64_t variants() const { return variants_; }
-  /// "ok", "failed", "skipped" -> how many.
-  const std::map<std::string, std::uint64_t>& statuses() const { return statuses_; }
-  /// Codes of findings -> variants that have them.
-  const std::map<std::string, std::uint64_t>& codes() const { return codes_; }
-  /// Of the variants that are ok, in the spec's order.
-  std::vector<Parameter> Parameters() const;
-  const Numbers& mass() const { return mass_; }
-  const Numbers& attempts() const { return attempts_; }
-  /// What was measured of those that are ok, named as in the record; none where nothing was.
-  struct Measured {
-    std::string_view name;
-    std::string_view unit;  // empty: a count or a share
-    Numbers numbers;
-  };
-  const std::vector<Measured>& physics() const { return physics_; }
-
- private:
-  struct Tally {
-    std::string name;
-    std::vector<Numbers> numbers;
-    std::map<std::string, std::uint64_t> texts;
-    std::map<double, std::uint64_t> whole;
-    bool all_whole = true;
-    bool more_values = false;
-  };
-  Tally& TallyOf(const std::string& name, std::size_t position);
-  void AddParameter(Tally& tally, const sample::ParameterValue& value);
-  void AddPhysics(const physics::Result& result);
-
-  std::uint64_t variants_ = 0;
-  std::map<std::string, std::uint64_t> statuses_;
-  std::map<std::string, std::uint64_t> codes_;
-  std::vector<Tally> tallies_;
-  Numbers mass_;
-  Numbers attempts_;
-  std::vector<Measured> physics_;
-};
 
 }  // namespace mjforge::manifest
 

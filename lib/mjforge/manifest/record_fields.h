@@ -1,62 +1,27 @@
 #ifndef MJFORGE_MANIFEST_RECORD_FIELDS_H_
 #define MJFORGE_MANIFEST_RECORD_FIELDS_H_
 
-// The one table of a record's fields: the writer and the schema follow it.
+// The one table of a record's fields: writer, reader, schema and comparison follow it.
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include <rapidjson/document.h>
 
 #include "mjforge/manifest/manifest.h"
 
 namespace mjforge::manifest {
 
-/// Appends JSON to a text, as it comes: a record is a fifth of what a variant costs, and half
-/// of that was a general writer's bookkeeping. Objects and lists must be ended in order.
-class JsonText {
- public:
-  explicit JsonText(std::string& out) : out_(out) {}
-
-  void StartObject() { Open('{'); }
-  void EndObject() { out_ += '}'; }
-  void StartArray() { Open('['); }
-  void EndArray() { out_ += ']'; }
-  void Key(std::string_view key) {
-    String(key);
-    out_ += ':';
-  }
-  void String(std::string_view text);
-  void Raw(std::string_view json) {
-    Separate();
-    out_ += json;
-  }
-  void Null() { Raw("null"); }
-  void Bool(bool flag) { Raw(flag ? "true" : "false"); }
-  void Whole(std::uint64_t number);
-  /// To the last bit; null if it is not finite, as JSON has no other word for it.
-  void Number(double number);
-
- private:
-  void Open(char bracket) {
-    Separate();
-    out_ += bracket;
-  }
-  // Values and members are what follows neither an opening nor a key.
-  void Separate() {
-    const char last = out_.empty() ? '\n' : out_.back();
-    if (last != '{' && last != '[' && last != ':' && last != '\n') out_ += ',';
-  }
-
-  std::string& out_;
-};
-
 struct RecordField {
-  std::string_view key;
-  std::string_view schema;  // members of the field's JSON Schema, on one line
+  const char* key;
+  std::string schema;  // members of the field's JSON Schema, on one line
   std::string_view doc;
-  void (*write)(JsonText&, const Record&);     // the value
-  bool (*is_absent)(const Record&) = nullptr;  // left out where this says so
+  void (*write)(diag::Json&, const Record&);  // the value
+  /// What the value must be, "a text"; empty: it is, and the record has it now.
+  std::string_view (*read)(const rapidjson::Value&, Record&);
+  bool (*is_absent)(const Record&) = nullptr;            // left out where this says so
+  bool (*same)(const Record&, const Record&) = nullptr;  // null: may differ within a batch
 };
 
 /// In the order of a line.

@@ -6,9 +6,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "mjforge/output/atomic_file.h"
@@ -24,24 +26,15 @@ bool IsSameFile(int descriptor, const std::filesystem::path& path) {
 }
 
 bool HaveSameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
-  struct stat status_a;
-  struct stat status_b;
-  if (::stat(a.c_str(), &status_a) != 0 || ::stat(b.c_str(), &status_b) != 0) return false;
-  if (!S_ISREG(status_b.st_mode) || status_a.st_size != status_b.st_size) return false;
-  std::FILE* file_a = std::fopen(a.c_str(), "rbe");
-  std::FILE* file_b = std::fopen(b.c_str(), "rbe");
-  bool same = file_a != nullptr && file_b != nullptr;
-  std::array<char, 64 * 1024> buffer_a;
-  std::array<char, 64 * 1024> buffer_b;
-  while (same) {
-    const std::size_t count_a = std::fread(buffer_a.data(), 1, buffer_a.size(), file_a);
-    const std::size_t count_b = std::fread(buffer_b.data(), 1, buffer_b.size(), file_b);
-    same = std::string_view(buffer_a.data(), count_a) == std::string_view(buffer_b.data(), count_b);
-    if (count_a == 0 || std::ferror(file_a) != 0 || std::ferror(file_b) != 0) break;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(b, error) ||
+      std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error)) {
+    return false;
   }
-  if (file_a != nullptr) std::fclose(file_a);
-  if (file_b != nullptr) std::fclose(file_b);
-  return same;
+  using Bytes = std::istreambuf_iterator<char>;
+  std::ifstream file_a(a, std::ios::binary);
+  std::ifstream file_b(b, std::ios::binary);
+  return file_a && file_b && std::equal(Bytes(file_a), Bytes(), Bytes(file_b), Bytes());
 }
 
 }  // namespace

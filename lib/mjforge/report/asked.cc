@@ -1,6 +1,6 @@
-#include "mjforge/report/asked.h"
-
 #include <algorithm>
+
+#include "mjforge/report/sections.h"
 
 namespace mjforge::report {
 namespace {

@@ -13,7 +13,7 @@ constexpr double kLeft = 120;
 constexpr double kRight = 300;
 constexpr double kRow = 22;
 constexpr double kBar = 14;
-constexpr std::size_t kMaxRows = 24;
+constexpr std::size_t kMaxRows = ParameterTally::kMaxWhole;
 // What fits to the left of the bars.
 constexpr std::size_t kLabelBytes = 17;
 
@@ -58,41 +58,47 @@ double Share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+std::string TextOf(const Row& row, std::uint64_t drawn, std::uint64_t asked) {
+  std::string text = fmt::format("{}: {} ({})", Clean(row.value, 80),
+                                 ShareText(row.drawn.all, drawn), Counted(row.drawn.all));
+  if (asked > 0) text += fmt::format(", asked for {}", ShareText(row.asked, asked));
+  return text;
+}
+
 }  // namespace
 
 void AddBars(Dictionary& parent, const BarChart& chart) {
   const std::vector<Row> rows = RowsOf(chart);
   const std::uint64_t drawn = Total(chart.drawn);
   const std::uint64_t asked = Total(chart.asked);
-  double most = 0;
+  double most = 1e-9;
   for (const Row& row : rows)
     most = std::max({most, Share(row.drawn.all, drawn), Share(row.asked, asked)});
-  const auto width = [&](double share) { return share / std::max(most, 1e-9) * (kRight - kLeft); };
+  const auto width = [&](std::uint64_t part, std::uint64_t whole) {
+    return Share(part, whole) / most * (kRight - kLeft);
+  };
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
   std::string description;
   double top = 4;
   for (const Row& row : rows) {
     Dictionary& shown = Section(dictionary, "ROW");
-    const std::string share = ShareText(row.drawn.all, drawn);
-    std::string whole =
-        fmt::format("{}: {} ({})", Clean(row.value, 80), share, Counted(row.drawn.all));
-    if (asked > 0) whole += fmt::format(", asked for {}", ShareText(row.asked, asked));
-    description += (description.empty() ? "" : "; ") + whole;
+    const std::string text = TextOf(row, drawn, asked);
+    description += (description.empty() ? "" : "; ") + text;
     Set(shown, "LABEL", Clean(row.value, kLabelBytes));
-    Set(shown, "WHOLE_LABEL", whole);
-    Set(shown, "NUMBER", share);
+    Set(shown, "WHOLE_LABEL", text);
+    Set(shown, "NUMBER", ShareText(row.drawn.all, drawn));
     Set(shown, "TOP", top);
     Set(shown, "MIDDLE", top + kBar / 2);
-    Set(shown, "WIDTH", width(Share(row.drawn.all, drawn)));
+    Set(shown, "WIDTH", width(row.drawn.all, drawn));
     if (row.drawn.bad > 0) {
       Dictionary& bad = Section(shown, "BAD");
       Set(bad, "TOP", top);
-      Set(bad, "WIDTH", width(Share(row.drawn.bad, drawn)));
+      Set(bad, "WIDTH", width(row.drawn.bad, drawn));
     }
     if (asked > 0) {
-      const double end = kLeft + width(Share(row.asked, asked));
       Set(Section(shown, "ASKED"), "PATH",
-          fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kLeft, top - 1.5, end, kBar + 3, kLeft));
+          fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kLeft, top - 1.5, kLeft + width(row.asked, asked),
+                      kBar + 3, kLeft));
     }
     top += kRow;
   }

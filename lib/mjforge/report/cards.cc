@@ -86,7 +86,7 @@ class CardMaker {
     const Record& record = shown.record;
     ctemplate::TemplateDictionary card("card");
     Set(card, "INDEX", fmt::format("{}", record.index));
-    Set(card, "STATUS", Clean(record.status));
+    Set(card, "STATUS", NameOf(record.status));
     if (shown.reason == ShownVariant::Reason::kSlow) Section(card, "SLOW");
     const auto measured = [&](MeasureId id) { return MeasureOf(id).of(record); };
     SetMeasure(card, "MASS", "MASS_NUMBER", measured(MeasureId::kMass), "kg");
@@ -95,7 +95,7 @@ class CardMaker {
     SetMeasure(card, "IGNORED", "REST_NUMBER", rest, "s");
     if (batch_.gathered.HasPhysics())
       ShowText(card, "REST", rest ? fmt::format("{} s", Shown(*rest)) : "not at rest");
-    Set(card, "REPLAY", ReplayCommand(request_.manifest, record.index));
+    Set(card, "REPLAY", ReplayCommand(request_, record.index));
     const Params params = Sorted(record.params);
     AddParams(card, params);
     AddFindings(card, record);
@@ -192,8 +192,10 @@ std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) 
 
 }  // namespace
 
-std::string ReplayCommand(const std::filesystem::path& manifest, std::uint64_t index) {
-  return "mjforge replay " + QuotedForShell(fmt::format("{}:{}", manifest.generic_string(), index));
+std::string ReplayCommand(const Request& request, std::uint64_t index) {
+  const std::string what = fmt::format("{}:{}", request.manifest.generic_string(), index);
+  const std::string spec = request.spec.empty() ? "" : " --spec " + QuotedForShell(request.spec);
+  return fmt::format("mjforge replay {}{}", QuotedForShell(what), spec);
 }
 
 Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,

@@ -27,7 +27,7 @@ Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, con
                 const Thumbnailer& thumbnailer, std::size_t room);
 
 /// What to type to make a variant again.
-std::string ReplayCommand(const std::filesystem::path& manifest, std::uint64_t index);
+std::string ReplayCommand(const Request& request, std::uint64_t index);
 
 }  // namespace mjforge::report
 

@@ -66,9 +66,9 @@ void Gathered::Add(const Record& record) {
   if (!first) first = record;
   ++variants;
   last_index = record.index;
-  ++statuses[record.status];
+  statuses.Add(record.status);
   if (other_batch.empty()) other_batch = manifest::DifferenceOfBatch(record, *first);
-  const bool is_bad = record.status != "ok";
+  const bool is_bad = record.status != manifest::Status::kOk;
   params.Add(record.params, is_bad);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     if (const std::optional<double> value = Measures()[i].of(record))
@@ -93,9 +93,9 @@ void Gathered::AddFindings(const Record& record) {
 }
 
 void Gathered::AddToShown(const Record& record) {
-  (record.status == "ok" ? good_ : failed_).Add(record);
+  (record.status == manifest::Status::kOk ? good_ : failed_).Add(record);
   const std::size_t most = shown_ / 4;
-  if (record.status != "ok" || most == 0 || !TimeToRest(record)) return;
+  if (record.status != manifest::Status::kOk || most == 0 || !TimeToRest(record)) return;
   if (slow_.size() == most) {
     if (!IsSlower(record, slow_.front())) return;
     std::pop_heap(slow_.begin(), slow_.end(), IsSlower);
@@ -119,6 +119,7 @@ std::vector<ShownVariant> Gathered::Choose() const {
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;
   std::sort(slow.begin(), slow.end(), IsSlower);
+  slow.resize(std::min<std::size_t>(slow.size(), std::min<std::uint64_t>(shown_, variants) / 4));
   add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
   // Some of them are among the slow; there are others to take their place.

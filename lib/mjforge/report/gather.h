@@ -69,7 +69,7 @@ class Gathered {
   std::optional<manifest::Record> first;
   std::uint64_t variants = 0;
   std::uint64_t last_index = 0;
-  std::map<std::string, std::uint64_t> statuses;  // "ok", "failed", "skipped"
+  manifest::StatusCounts statuses;
   std::map<std::string, CodeTally> codes;
   ParameterTallies params;
   std::vector<NumberTally> measures;  // as Measures()

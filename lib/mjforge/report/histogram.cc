@@ -15,6 +15,21 @@ int ExponentOf(double value) { return value == 0 ? kLeastExponent : std::ilogb(v
 
 }  // namespace
 
+void Numbers::Add(double value) {
+  min = count == 0 ? value : std::min(min, value);
+  max = count == 0 ? value : std::max(max, value);
+  ++count;
+  const auto n = static_cast<double>(count);
+  const double distance = value - mean;
+  // The largest numbers of both signs have no distance that is a number.
+  mean += std::isfinite(distance) ? distance / n : value / n - mean / n;
+  m2 += distance * (value - mean);
+}
+
+double Numbers::StandardDeviation() const {
+  return count == 0 ? 0 : std::sqrt(m2 / static_cast<double>(count));
+}
+
 void Histogram::Add(double value) {
   if (!std::isfinite(value)) return;
   const bool is_first = count() == 0;

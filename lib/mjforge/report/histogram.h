@@ -5,9 +5,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "mjforge/manifest/manifest.h"
-
 namespace mjforge::report {
+
+/// What numbers add up to. Exact enough for any count: the mean is Welford's.
+struct Numbers {
+  std::uint64_t count = 0;
+  double min = 0;
+  double max = 0;
+  double mean = 0;
+  double m2 = 0;  // sum of squared distances from the mean
+  void Add(double value);
+  /// Of the whole population; 0 for one.
+  double StandardDeviation() const;
+};
 
 /// Counts of numbers whose range nobody knows beforehand, in bounded memory. The
 /// cells are as wide as the smallest power of two that lets all numbers fit in
@@ -40,7 +50,7 @@ class Histogram {
   bool Fits() const;
   void Coarsen(int exponent);
 
-  manifest::Statistics::Numbers numbers_;
+  Numbers numbers_;
   int exponent_ = 0;                  // a cell is 2^exponent_ wide
   std::int64_t first_ = 0;            // the number of cells_[0]: it starts at first_ * 2^exponent_
   std::vector<std::uint64_t> cells_;  // from that of min() to that of max()

@@ -12,18 +12,14 @@ using Number = std::optional<double>;
 bool HasObject(const Record& record) { return record.nbody > 0; }
 
 // A number of what was measured, where that was asked for.
-Number Measured(const Record& record, double physics::Result::*member) {
+template <typename T>
+Number Measured(const Record& record, T physics::Result::*member) {
   return record.physics ? Number((*record.physics).*member) : std::nullopt;
 }
 
 // The same of an object that was dropped on a floor.
 Number Dropped(const Record& record, double physics::Result::*member) {
   return record.physics && record.physics->dropped ? Measured(record, member) : std::nullopt;
-}
-
-// Contacts and rows are of joints under their weight, too.
-Number Counted(const Record& record, int physics::Result::*member) {
-  return record.physics ? Number((*record.physics).*member) : std::nullopt;
 }
 
 // The worst of an object's joints; nothing if none was driven.
@@ -36,51 +32,62 @@ Number OfJoints(const Record& record, double physics::Result::Joint::*member, bo
 }
 
 constexpr std::array kMeasures = {
-    Measure{MeasureId::kMass, "Mass", "kg", "Of all bodies.",
+    Measure{MeasureId::kMass, "mass", "Mass", "kg", "Of all bodies.",
             [](const Record& r) {
               return HasObject(r) ? Number(r.mass_properties.mass) : std::nullopt;
             }},
-    Measure{MeasureId::kSize, "Size", "m",
+    Measure{MeasureId::kSize, "size", "Size", "m",
             "The largest side of the box around the parts that collide.", SizeOf},
-    Measure{MeasureId::kAttempts, "Draws rejected", "", "Before one was accepted.",
+    Measure{MeasureId::kAttempts, "attempt", "Draws rejected", "", "Before one was accepted.",
             [](const Record& r) { return Number(static_cast<double>(r.attempt)); }, false, true},
-    Measure{MeasureId::kTimeToRest, "Time to rest", "s", "Of those that came to rest, simulated.",
+    Measure{MeasureId::kTimeToRest, "time", "Time to rest", "s",
+            "Of those that came to rest, simulated.",
             [](const Record& r) {
               return r.physics && r.physics->at_rest ? Dropped(r, &physics::Result::time)
                                                      : std::nullopt;
             },
             true},
-    Measure{MeasureId::kDrift, "Drift", "m", "Of the centre of mass, along the floor.",
+    Measure{MeasureId::kDrift, "drift", "Drift", "m", "Of the centre of mass, along the floor.",
             [](const Record& r) { return Dropped(r, &physics::Result::drift); }, true},
-    Measure{MeasureId::kTilt, "Tilt", "rad", "Between upwards before and after: near pi/2 it fell.",
+    Measure{MeasureId::kTilt, "tilt", "Tilt", "rad",
+            "Between upwards before and after: near pi/2 it fell.",
             [](const Record& r) { return Dropped(r, &physics::Result::tilt); }, true},
-    Measure{MeasureId::kPenetration, "Penetration", "m", "The deepest contact on the way.",
+    Measure{MeasureId::kPenetration, "penetration", "Penetration", "m",
+            "The deepest contact on the way.",
             [](const Record& r) { return Dropped(r, &physics::Result::penetration); }, true},
-    Measure{MeasureId::kSink, "Depth at rest", "m", "The deepest contact at the end.",
+    Measure{MeasureId::kSink, "sink", "Depth at rest", "m", "The deepest contact at the end.",
             [](const Record& r) { return Dropped(r, &physics::Result::sink); }, true},
-    Measure{MeasureId::kEnergyGain, "Energy gain", "",
+    Measure{MeasureId::kEnergyGain, "energy_gain", "Energy gain", "",
             "Most above the energy at the start, as a share of mass * gravity * size.",
             [](const Record& r) { return Measured(r, &physics::Result::energy_gain); }, true},
-    Measure{MeasureId::kOverlap, "Overlap", "", "The share of the mass that is counted twice.",
+    Measure{MeasureId::kOverlap, "overlap", "Overlap", "",
+            "The share of the mass that is counted twice.",
             [](const Record& r) { return Measured(r, &physics::Result::overlap); }, true},
-    Measure{MeasureId::kContacts, "Contacts", "", "ncon: the most in one step.",
-            [](const Record& r) { return Counted(r, &physics::Result::ncon); }, true, true},
-    Measure{MeasureId::kConstraints, "Constraint rows", "", "nefc: the most in one step.",
-            [](const Record& r) { return Counted(r, &physics::Result::nefc); }, true, true},
-    Measure{MeasureId::kJointReach, "Reach of joints", "",
+    Measure{MeasureId::kContacts, "ncon", "Contacts", "", "ncon: the most in one step.",
+            [](const Record& r) { return Measured(r, &physics::Result::ncon); }, true, true},
+    Measure{MeasureId::kConstraints, "nefc", "Constraint rows", "", "nefc: the most in one step.",
+            [](const Record& r) { return Measured(r, &physics::Result::nefc); }, true, true},
+    Measure{MeasureId::kJointReach, "joints.reach", "Reach of joints", "",
             "The share of its range that the least mobile joint could be driven to.",
             [](const Record& r) { return OfJoints(r, &physics::Result::Joint::reach, true); },
             true},
     Measure{
-        MeasureId::kJointPenetration, "Depth between bodies", "m",
+        MeasureId::kJointPenetration, "joints.penetration", "Depth between bodies", "m",
         "The deepest that bodies got into each other as joints were driven.",
         [](const Record& r) { return OfJoints(r, &physics::Result::Joint::penetration, false); },
         true},
-    Measure{MeasureId::kJointOvershoot, "Overshoot of joints", "rad or m",
+    Measure{MeasureId::kJointOvershoot, "joints.overshoot", "Overshoot of joints", "rad or m",
             "The farthest that a joint was driven beyond its range.",
             [](const Record& r) { return OfJoints(r, &physics::Result::Joint::overshoot, false); },
             true},
 };
+
+// MeasureOf counts on it.
+static_assert([] {
+  for (std::size_t i = 0; i < kMeasures.size(); ++i)
+    if (static_cast<std::size_t>(kMeasures[i].id) != i) return false;
+  return kMeasures.back().id == MeasureId::kJointOvershoot;
+}());
 
 }  // namespace
 

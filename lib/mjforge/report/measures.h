@@ -30,6 +30,7 @@ enum class MeasureId {
 
 struct Measure {
   MeasureId id;
+  std::string_view key;  // as the record has it
   std::string_view title;
   std::string_view unit;
   std::string_view doc;

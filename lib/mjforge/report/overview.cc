@@ -1,14 +1,9 @@
 #include <fmt/format.h>
 
-#include <array>
-
 #include "mjforge/report/sections.h"
 
 namespace mjforge::report {
 namespace {
-
-// In the order of the bar; a manifest of another version may have more.
-constexpr std::array<std::string_view, 3> kStatuses = {"ok", "failed", "skipped"};
 
 // The bar's own units.
 constexpr double kBarWidth = 1000;
@@ -18,9 +13,10 @@ void AddStatuses(Dictionary& page, const Gathered& gathered) {
   Dictionary& statuses = Section(page, "STATUSES");
   std::string summary;
   double x = 0;
-  for (const std::string_view status : kStatuses) {
-    const auto found = gathered.statuses.find(std::string(status));
-    const std::uint64_t count = found == gathered.statuses.end() ? 0 : found->second;
+  using manifest::Status;
+  for (const Status which : {Status::kOk, Status::kFailed, Status::kSkipped}) {
+    const std::string_view status = NameOf(which);
+    const std::uint64_t count = gathered.statuses.Of(which);
     summary += fmt::format("{}{} {}", summary.empty() ? "" : ", ", Counted(count), status);
     Dictionary& tile = Section(statuses, "TILE");
     Set(tile, "STATUS", status);
@@ -55,8 +51,10 @@ void AddFacts(Dictionary& page, const Gathered& gathered) {
           gathered.variants == 1 ? fmt::format("{}", record.index)
                                  : fmt::format("{} to {}", record.index, gathered.last_index));
   AddFact(page, "Target", Clean(record.target));
-  AddFact(page, "Validated by", record.validate == "none" ? "nothing" : Clean(record.validate));
-  AddFact(page, "If invalid", Clean(record.on_invalid));
+  AddFact(page, "Validated by",
+          record.validate == manifest::Validation::kNone ? "nothing" : NameOf(record.validate));
+  if (record.on_invalid != manifest::OnInvalid::kFail)
+    AddFact(page, "If invalid", NameOf(record.on_invalid));
   AddFact(page, "Sampler", record.sampler.empty() ? "random" : Clean(record.sampler));
   for (const auto& [name, text] : record.settings)
     AddFact(page, "Set", Clean(fmt::format("{} = {}", name, text)));

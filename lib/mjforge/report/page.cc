@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "mjforge/output/output.h"
-#include "mjforge/report/asked.h"
 #include "mjforge/report/cards.h"
 #include "mjforge/report/report.h"
 #include "mjforge/report/sections.h"
@@ -90,9 +89,7 @@ std::string ShownText(const Cards& cards, const Gathered& gathered) {
       fmt::format("{} of {} {} shown", Counted(cards.shown()),
                   Counted(gathered.variants, "variant"), gathered.variants == 1 ? "is" : "are");
   std::vector<std::string> groups;
-  const auto good = gathered.statuses.find("ok");
-  const std::uint64_t bad =
-      gathered.variants - (good == gathered.statuses.end() ? 0 : good->second);
+  const std::uint64_t bad = gathered.variants - gathered.statuses.ok;
   if (bad > 0) {
     groups.push_back(fmt::format("{} of the {} that failed or were skipped", Counted(cards.failed),
                                  Counted(bad)));
@@ -113,8 +110,9 @@ std::string ShownText(const Cards& cards, const Gathered& gathered) {
 }
 
 void AddOptions(Dictionary& body, const Gathered& gathered) {
-  for (const auto& [status, count] : gathered.statuses)
-    ShowText(body, "STATUS_OPTION", Clean(status));
+  for (const auto status : manifest::kByName) {
+    if (gathered.statuses.Of(status) > 0) ShowText(body, "STATUS_OPTION", NameOf(status));
+  }
   for (const auto& [code, tally] : gathered.codes) ShowText(body, "CODE_OPTION", Clean(code, 120));
 }
 

@@ -15,6 +15,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/manifest/manifest.h"
+#include "mjforge/report/gather.h"
 
 namespace mjforge::report {
 

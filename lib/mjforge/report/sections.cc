@@ -177,9 +177,7 @@ void AddParameters(Dictionary& body, const Batch& batch) {
   if (drawn.empty()) return;
   Section(body, "PARAMETERS_LINK");
   Dictionary& section = Section(body, "PARAMETERS");
-  const auto& statuses = batch.gathered.statuses;
-  const auto good = statuses.find("ok");
-  if (good == statuses.end() || good->second < batch.gathered.variants) Section(section, "ANY_BAD");
+  if (batch.gathered.statuses.ok < batch.gathered.variants) Section(section, "ANY_BAD");
   if (batch.asked) Section(section, "ANY_ASKED");
   if (drawn.size() > kMaxParameters) {
     ShowText(

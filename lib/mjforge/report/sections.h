@@ -23,6 +23,11 @@ struct Batch {
   std::vector<std::string> notices;
 };
 
+/// What the spec asks for, by drawing its parameters afresh: right for every distribution,
+/// with ranges that depend on other parameters and with requirements. The indices are the
+/// batch's, spread evenly; the seeds are others. Draws that fail count for nothing.
+ParameterTallies Ask(const forge::Recipe& recipe, const Gathered& gathered);
+
 /// Title, statuses, facts and notices.
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
 

@@ -17,6 +17,7 @@ void Count(Counts& counts, bool is_bad) {
 
 void NumberTally::Add(double value, bool is_bad) {
   all.Add(value);
+  if (!is_bad) good.Add(value);
   if (is_bad) bad.Add(value);
   if (!(value > 0)) return;
   const double logarithm = std::log10(value);

@@ -18,6 +18,7 @@ namespace mjforge::report {
 struct NumberTally {
   void Add(double value, bool is_bad);
 
+  Numbers good;
   Histogram all;
   Histogram bad;
   // Decimal logarithms of the numbers above 0, for charts that want them.
@@ -28,13 +29,15 @@ struct NumberTally {
 struct Counts {
   std::uint64_t all = 0;
   std::uint64_t bad = 0;
+
+  std::uint64_t good() const { return all - bad; }
 };
 
 /// The values of one parameter.
 struct ParameterTally {
   /// Of more texts than these the first count.
   static constexpr std::size_t kMaxTexts = 1000;
-  /// Whole numbers are values of their own while they are this few.
+  /// Whole numbers are values of their own while they are this few: as many as a chart has bars.
   static constexpr std::size_t kMaxWhole = 24;
 
   void Add(const sample::ParameterValue& value, bool is_bad);

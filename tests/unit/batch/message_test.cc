@@ -20,10 +20,10 @@ TEST_CASE("a task arrives as it was sent") {
 TEST_CASE("a result arrives as it was sent, findings and all") {
   Result result;
   result.done = 5;
-  result.statuses = "oofso";
+  result.statuses = {Status::kOk, Status::kFailed, Status::kSkipped};
   result.lines = std::string("a\0b\n", 4);
   result.segment = std::string(100'000, 'x');
-  result.variants = {{3, "crate", "ok", 2, "crate_000003.xml"}};
+  result.variants = {{3, "crate", Status::kOk, 2, "crate_000003.xml"}};
   result.assets = {{"assets/a.png", "/a.png"}};
   result.inputs = {"knob.xml"};
   diag::Findings findings;

@@ -1,4 +1,4 @@
-#include "mjforge/batch/resume.h"
+#include "mjforge/batch/sink.h"
 
 #include <catch2/catch.hpp>
 
@@ -135,7 +135,7 @@ TEST_CASE("a variant whose worker died is tried again") {
   auto record = manifest::ReadRecord(
       std::string_view(manifest).substr(line, manifest.find('\n', line) - line), why_not);
   REQUIRE(record);
-  record->status = "failed";
+  record->status = Status::kFailed;
   record->nbody = 0;
   record->file.clear();
   record->sha256.clear();

@@ -59,7 +59,7 @@ TEST_CASE("findings do not depend on how many processes make a batch") {
 TEST_CASE("skipped variants are not errors") {
   CrateBatch test(kUnluckySpec);
   Request request = test.Of(40, "out");
-  request.on_invalid = OnInvalid::kSkip;
+  request.variant.on_invalid = OnInvalid::kSkip;
   const Summary summary = test.Make(request);
   CHECK(summary.failed == 0);
   CHECK(summary.skipped > 0);
@@ -70,11 +70,11 @@ TEST_CASE("skipped variants are not errors") {
 TEST_CASE("resampling gives every index a variant of its own, whatever else is made") {
   CrateBatch test(kUnluckySpec);
   Request request = test.Of(60, "all");
-  request.on_invalid = OnInvalid::kResample;
+  request.variant.on_invalid = OnInvalid::kResample;
   const Summary summary = test.Make(request);
   CHECK(summary.ok == 60);
   Request alone = test.Of(1, "one");
-  alone.on_invalid = OnInvalid::kResample;
+  alone.variant.on_invalid = OnInvalid::kResample;
   alone.first = 57;
   test.Make(alone);
   CHECK(test.folder.Read("one/crate_000057.xml") == test.folder.Read("all/crate_000057.xml"));
@@ -123,7 +123,7 @@ TEST_CASE("the manifest has a line for each variant, failed ones too") {
     INFO(why_not);
     REQUIRE(record);
     CHECK(record->index == index);
-    CHECK(record->file.empty() == (record->status == "failed"));
+    CHECK(record->file.empty() == (record->status == Status::kFailed));
     if (!record->file.empty()) {
       CHECK(output::Sha256(test.folder.Read("out/" + record->file)) == record->sha256);
     }

@@ -94,7 +94,7 @@ TEST_CASE("a variant that fails says why, with seed and index, and has no file")
   LoadedRecipe loaded(kUnluckySpec);
   const std::uint64_t index = FirstFailing(loaded, 1);
   const Variant variant = MakeOne(loaded, Seeded(1), index);
-  CHECK(variant.record.status == "failed");
+  CHECK(variant.record.status == manifest::Status::kFailed);
   CHECK(variant.record.file.empty());
   CHECK(variant.record.sha256.empty());
   CHECK(variant.record.nbody == 0);
@@ -110,7 +110,7 @@ TEST_CASE("a variant that fails says why, with seed and index, and has no file")
 TEST_CASE("resampling goes on with the next attempt, and replaying that attempt is the same") {
   LoadedRecipe loaded(kUnluckySpec);
   Options options = Seeded(1);
-  options.resample = true;
+  options.on_invalid = OnInvalid::kResample;
   const std::uint64_t index = FirstFailing(loaded, 1);
   const Variant resampled = MakeOne(loaded, options, index);
   REQUIRE(resampled.ok());
@@ -123,7 +123,7 @@ TEST_CASE("resampling goes on with the next attempt, and replaying that attempt 
 TEST_CASE("resampling changes no variant that was good") {
   LoadedRecipe loaded(kUnluckySpec);
   Options resample = Seeded(1);
-  resample.resample = true;
+  resample.on_invalid = OnInvalid::kResample;
   int good = 0;
   for (std::uint64_t index = 0; index < 20; ++index) {
     const Variant plain = MakeOne(loaded, Seeded(1), index);
@@ -139,9 +139,9 @@ TEST_CASE("resampling ends where every draw is bad") {
       "mjforge: 1\nname: crate\nparams: {height: -0.2 .. -0.1}\n"
       "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n");
   Options options = Seeded(1);
-  options.resample = true;
+  options.on_invalid = OnInvalid::kResample;
   const Variant variant = MakeOne(loaded, options, 0);
-  CHECK(variant.record.status == "failed");
+  CHECK(variant.record.status == manifest::Status::kFailed);
   CHECK(variant.record.attempt == kMaxResamples);
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("resampling keeps exact choices, and an item is the same in any order"
   LoadedRecipe loaded(text);
   Options options;
   options.seed = 3;
-  options.resample = true;
+  options.on_invalid = OnInvalid::kResample;
   options.sampler = sample::Method::kLatin;
   options.batch = 20;
   Generator forward(loaded.recipe, loaded.sources, options);

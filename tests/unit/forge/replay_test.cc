@@ -15,7 +15,6 @@ struct ReplayTest {
     batch::Request request;
     request.count = count;
     request.variant = options;
-    if (options.resample) request.on_invalid = batch::OnInvalid::kResample;
     request.variant.validation = Validation::kNone;
     request.destination = {.kind = output::Destination::Kind::kFolder,
                            .path = loaded.folder / "crate"};
@@ -47,7 +46,7 @@ TEST_CASE("a variant is made again from its record and from its file") {
 
 TEST_CASE("resampled variants are made again") {
   Options options;
-  options.resample = true;
+  options.on_invalid = OnInvalid::kResample;
   ReplayTest test(kUnluckySpec, options, 10);
   for (int index = 0; index < 10; ++index) {
     CHECK(test.Replay("crate/manifest.jsonl:" + std::to_string(index)));
@@ -138,7 +137,7 @@ TEST_CASE("a failed variant fails again with the same finding") {
   std::string_view rest = manifest;
   std::string why_not;
   auto record = manifest::ReadRecord(rest.substr(0, rest.find('\n')), why_not);
-  while (record && record->status == "ok") {
+  while (record && record->status == manifest::Status::kOk) {
     rest.remove_prefix(rest.find('\n') + 1);
     record = manifest::ReadRecord(rest.substr(0, rest.find('\n')), why_not);
   }

@@ -14,7 +14,6 @@ std::string LineOf(std::uint64_t index) {
   Record record;
   record.index = index;
   record.name = "mug";
-  record.status += "ok";
   record.nbody = 2;
   record.bounds.aabb.min = {-1, -2, -3};
   record.bounds.aabb.max = {1, 2, 0.1};
@@ -85,7 +84,7 @@ TEST_CASE_METHOD(ReaderTest, "the box of a record has two corners of three numbe
   line.replace(line.find("[-1,-2,-3]"), 10, "[-1,-2]");
   ReadAll(line);
   REQUIRE(findings.size() == 1);
-  CHECK(findings[0].message == "this line is not a record: 'aabb' has no corners");
+  CHECK(findings[0].message == "this line is not a record: 'aabb' is not a box");
 }
 
 TEST_CASE_METHOD(ReaderTest, "of very many bad lines the first have findings") {

@@ -32,8 +32,8 @@ Record WholeRecord() {
   record.njnt = 1;
   record.ngeom = 4;
   record.target = "mujoco";
-  record.validate = "load";
-  record.status = "ok";
+  record.validate = Validation::kLoad;
+  record.status = Status::kOk;
   record.findings = {R"({"severity":"warning"})"};
   record.sha256 = std::string(64, 'b');
   return record;
@@ -66,8 +66,8 @@ TEST_CASE("a variant that could not be built has nulls and no settings that were
   record.spec = "mug.yaml";
   record.spec_sha256 = "c";
   record.target = "mujoco";
-  record.validate = "none";
-  record.status = "failed";
+  record.validate = Validation::kNone;
+  record.status = Status::kFailed;
   CHECK(
       LineOf(record) ==
       R"({"file":null,"name":"mug","index":0,"seed":0,"attempt":0,"spec":"mug.yaml",)"
@@ -83,7 +83,7 @@ TEST_CASE("what only some batches have stands in its place") {
   record.archive = "mugs_00000.tar";
   record.sampler = "latin";
   record.batch = 100;
-  record.on_invalid = "skip";
+  record.on_invalid = OnInvalid::kSkip;
   const std::string line = LineOf(record);
   CHECK(line.find(R"("file":"mug_000003.xml","archive":"mugs_00000.tar","name")") != line.npos);
   CHECK(line.find(R"("sampler":"latin","batch":100,"params")") != line.npos);
@@ -106,19 +106,22 @@ TEST_CASE("records of another batch differ in what the command said") {
     return DifferenceOfBatch(other, record);
   };
   CHECK(difference([](Record& r) { r.index = 77; }).empty());
-  CHECK(difference([](Record& r) { r.status = "failed"; }).empty());
+  CHECK(difference([](Record& r) { r.status = Status::kFailed; }).empty());
   CHECK(difference([](Record& r) { r.seed = 3; }) == "seed is '3', not '18446744073709551615'");
-  CHECK(difference([](Record& r) { r.validate = "none"; }) == "validate is 'none', not 'load'");
-  CHECK(difference([](Record& r) { r.settings.clear(); }) == "the parameters set differ");
+  CHECK(difference([](Record& r) { r.validate = Validation::kNone; }) ==
+        "validate is 'none', not 'load'");
+  CHECK(difference([](Record& r) { r.settings.clear(); }) ==
+        R"(set is '{}', not '{"height":"8cm .. 12cm"}')");
+  CHECK(difference([](Record& r) { r.spec_file = "../mug.yaml"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.spec = "x"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.spec_sha256 = "x"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.sampler = "grid"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.batch = 2; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.target = "mjx"; }).empty());
-  CHECK_FALSE(difference([](Record& r) { r.on_invalid = "skip"; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.on_invalid = OnInvalid::kSkip; }).empty());
 }
 
-TEST_CASE("what replay needs is read back as it was") {
+TEST_CASE("a record is read back as it was") {
   const Record record = WholeRecord();
   std::string why_not;
   const std::optional<Record> read = ReadRecord(LineOf(record), why_not);
@@ -133,6 +136,10 @@ TEST_CASE("what replay needs is read back as it was") {
   CHECK(read->settings == record.settings);
   CHECK(read->params == record.params);
   CHECK(read->mass_properties.mass == record.mass_properties.mass);
+  CHECK(read->mass_properties.p_FCm == record.mass_properties.p_FCm);
+  CHECK(read->mass_properties.I_Cm_F == record.mass_properties.I_Cm_F);
+  CHECK(read->bounds.aabb.max == record.bounds.aabb.max);
+  CHECK(read->ngeom == record.ngeom);
   CHECK(read->findings == record.findings);
   CHECK(read->validate == record.validate);
   CHECK(read->target == record.target);
@@ -140,6 +147,7 @@ TEST_CASE("what replay needs is read back as it was") {
   CHECK(read->batch == 0);
   CHECK(read->status == record.status);
   CHECK(read->sha256 == record.sha256);
+  CHECK(LineOf(*read) == LineOf(record));
 }
 
 TEST_CASE("a line that is not a record says why") {
@@ -154,6 +162,9 @@ TEST_CASE("a line that is not a record says why") {
   CHECK(why("{}") == "it has no 'file'");
   CHECK(why(R"({"file": 3})") == "'file' is not a text");
   CHECK(why(R"({"file": "a", "name": "b", "index": -1})") == "'index' is not a whole number");
+  std::string line = LineOf(WholeRecord());
+  line.replace(line.find("\"ok\""), 4, "\"lost\"");
+  CHECK(why(line) == "'status' is not a word that is known here");
   // 10,000 brackets: the parser must not use the stack for them.
   CHECK(why(std::string(10'000, '[')) == "it is not a JSON object");
 }

@@ -1,4 +1,4 @@
-#include "mjforge/report/asked.h"
+#include "mjforge/report/sections.h"
 
 #include <catch2/catch.hpp>
 

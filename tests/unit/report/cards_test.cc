@@ -76,9 +76,12 @@ TEST_CASE("cards keep within their room, spread over the batch") {
 }
 
 TEST_CASE("a command is quoted for the shell where it needs it") {
-  CHECK(ReplayCommand("out/manifest.jsonl", 42) == "mjforge replay out/manifest.jsonl:42");
-  CHECK(ReplayCommand("my out/manifest.jsonl", 1) == "mjforge replay 'my out/manifest.jsonl:1'");
-  CHECK(ReplayCommand("it's/m.jsonl", 1) == "mjforge replay 'it'\\''s/m.jsonl:1'");
+  CHECK(ReplayCommand({"out/manifest.jsonl", ""}, 42) == "mjforge replay out/manifest.jsonl:42");
+  CHECK(ReplayCommand({"my out/manifest.jsonl", ""}, 1) ==
+        "mjforge replay 'my out/manifest.jsonl:1'");
+  CHECK(ReplayCommand({"it's/m.jsonl", ""}, 1) == "mjforge replay 'it'\\''s/m.jsonl:1'");
+  CHECK(ReplayCommand({"m.jsonl", "old x.yaml"}, 1) ==
+        "mjforge replay m.jsonl:1 --spec 'old x.yaml'");
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ TEST_CASE_METHOD(GatherTest, "a batch is counted by status, code and measure") {
   CHECK(findings.empty());
   CHECK(gathered->variants == 100);
   CHECK(gathered->last_index == 99);
-  CHECK(gathered->statuses.at("ok") == 90);
-  CHECK(gathered->statuses.at("failed") == 10);
+  CHECK(gathered->statuses.ok == 90);
+  CHECK(gathered->statuses.failed == 10);
   REQUIRE(gathered->codes.size() == 1);
   const CodeTally& code = gathered->codes.at("mujoco/error");
   CHECK(code.variants == 10);
@@ -96,6 +96,24 @@ TEST_CASE_METHOD(GatherTest, "where all failed, failed ones are all that is show
   const auto few = Gather("few.jsonl", ManifestOf(100, 50), 10);
   CHECK(Failed(few->Choose()) == 2);
   CHECK(few->Choose().size() == 10);
+}
+
+TEST_CASE("of those shown a quarter at most is there because it is slow") {
+  for (const auto& [count, slow] : {std::pair(50, 12), std::pair(1000, 50), std::pair(3, 0)}) {
+    Gathered gathered(200);
+    for (int i = 0; i < count; ++i) {
+      manifest::Record record = RecordOf(static_cast<std::uint64_t>(i));
+      record.physics.emplace();
+      record.physics->dropped = record.physics->at_rest = true;
+      record.physics->time = i;
+      gathered.Add(record);
+    }
+    const std::vector<ShownVariant> shown = gathered.Choose();
+    CHECK(shown.size() == static_cast<std::size_t>(std::min(count, 200)));
+    CHECK(std::count_if(shown.begin(), shown.end(), [](const ShownVariant& variant) {
+            return variant.reason == ShownVariant::Reason::kSlow;
+          }) == slow);
+  }
 }
 
 TEST_CASE_METHOD(GatherTest, "to show none is possible") {

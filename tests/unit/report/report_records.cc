@@ -9,8 +9,7 @@ manifest::Record RecordOf(std::uint64_t index, const std::string& status) {
   record.spec = "mug.yaml";
   record.spec_sha256 = std::string(64, 'a');
   record.target = "mujoco";
-  record.validate = "load";
-  record.status = status;
+  record.status = *manifest::Find<manifest::Status>(status);
   const double value = 0.1 + 0.01 * static_cast<double>(index % 10);
   record.params = {{"height", value}, {"shape", std::string(index % 3 == 0 ? "box" : "round")}};
   if (status != "ok") {

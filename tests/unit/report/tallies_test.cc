@@ -1,6 +1,7 @@
 #include "mjforge/report/tallies.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 namespace mjforge::report {
 namespace {
@@ -49,9 +50,21 @@ TEST_CASE("what is bad is counted apart, too") {
   CHECK(size->numbers[0].all.count() == 2);
   CHECK(size->numbers[0].bad.count() == 1);
   CHECK(size->numbers[0].bad.min() == 1.5);
+  CHECK(size->numbers[0].good.count == 1);
+  CHECK(size->numbers[0].good.max == 0.5);
   CHECK(size->numbers[0].log_all.count() == 2);
   CHECK(tallies.Find("shape")->Values().front().second.bad == 1);
   CHECK(tallies.Find("none") == nullptr);
+}
+
+TEST_CASE("numbers have a mean and a deviation") {
+  Numbers numbers;
+  for (const double number : {0.1, 0.2, 0.6}) numbers.Add(number);
+  CHECK(numbers.count == 3);
+  CHECK(numbers.min == 0.1);
+  CHECK(numbers.max == 0.6);
+  CHECK(numbers.mean == Approx(0.3));
+  CHECK(numbers.StandardDeviation() == Approx(std::sqrt((0.04 + 0.01 + 0.09) / 3)));
 }
 
 TEST_CASE("parameters are known by name where their place differs") {

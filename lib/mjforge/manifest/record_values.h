@@ -1,0 +1,147 @@
+#ifndef MJFORGE_MANIFEST_RECORD_VALUES_H_
+#define MJFORGE_MANIFEST_RECORD_VALUES_H_
+
+// The values of a record's fields, to JSON and back.
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include <rapidjson/document.h>
+
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::manifest {
+
+using diag::Json;
+/// What a value must be, "a text"; empty: it is.
+using Kind = std::string_view;
+
+template <typename T>
+using Members = std::vector<std::pair<std::string, T>>;
+
+template <typename T>
+void Put(Json& json, const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    json.Value(NameOf(value));
+  } else {
+    json.Value(value);
+  }
+}
+
+template <typename T>
+void Put(Json& json, const Members<T>& members) {
+  json.StartObject();
+  for (const auto& [name, value] : members) json.Member(name, value);
+  json.EndObject();
+}
+
+// In the order of MJCF's fullinertia.
+inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+inline void Put(Json& json, const Eigen::Matrix3d& inertia) {
+  json.StartArray();
+  for (const auto& [row, column] : kInertia) json.Value(inertia(row, column));
+  json.EndArray();
+}
+
+inline void Put(Json& json, const model::Box3& box) {
+  json.StartObject();
+  json.Member("min", box.min);
+  json.Member("max", box.max);
+  json.EndObject();
+}
+
+inline Kind Get(const rapidjson::Value& value, std::string& text) {
+  if (!value.IsString()) return "a text";
+  text.assign(value.GetString(), value.GetStringLength());
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, std::uint64_t& number) {
+  if (!value.IsUint64()) return "a whole number";
+  number = value.GetUint64();
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, int& number) {
+  if (!value.IsInt()) return "a whole number";
+  number = value.GetInt();
+  return {};
+}
+
+// What was not finite has no other word in JSON than null.
+inline Kind Get(const rapidjson::Value& value, double& number) {
+  if (!value.IsNumber() && !value.IsNull()) return "a number";
+  number = value.IsNull() ? std::nan("") : value.GetDouble();
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, bool& flag) {
+  if (!value.IsBool()) return "true or false";
+  flag = value.GetBool();
+  return {};
+}
+
+template <typename Enum>
+requires std::is_enum_v<Enum> Kind Get(const rapidjson::Value& value, Enum& word) {
+  const std::optional<Enum> found = value.IsString() ? Find<Enum>(value.GetString()) : std::nullopt;
+  if (!found) return "a word that is known here";
+  word = *found;
+  return {};
+}
+
+template <typename T>
+Kind Get(const rapidjson::Value& value, std::vector<T>& list) {
+  if (!value.IsArray()) return "a list";
+  for (const rapidjson::Value& item : value.GetArray()) {
+    if (const Kind kind = Get(item, list.emplace_back()); !kind.empty())
+      return "a list of its kind";
+  }
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
+  if (value.IsString()) return Get(value, parameter.emplace<std::string>());
+  if (value.IsBool()) return Get(value, parameter.emplace<bool>());
+  if (value.IsArray()) return Get(value, parameter.emplace<std::vector<double>>());
+  return Get(value, parameter.emplace<double>());
+}
+
+template <typename T>
+Kind Get(const rapidjson::Value& value, Members<T>& members) {
+  if (!value.IsObject()) return "an object";
+  for (const auto& [name, item] : value.GetObject()) {
+    auto& member = members.emplace_back(name.GetString(), T());
+    if (const Kind kind = Get(item, member.second); !kind.empty()) return "an object of its kind";
+  }
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, Eigen::Vector3d& point) {
+  std::vector<double> numbers;
+  if (!Get(value, numbers).empty() || numbers.size() != 3) return "a point";
+  point = Eigen::Map<const Eigen::Vector3d>(numbers.data());
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
+  std::vector<double> numbers;
+  if (!Get(value, numbers).empty() || numbers.size() != kInertia.size()) return "an inertia";
+  for (std::size_t i = 0; i < kInertia.size(); ++i) {
+    const auto& [row, column] = kInertia[i];
+    inertia(row, column) = inertia(column, row) = numbers[i];
+  }
+  return {};
+}
+
+inline Kind Get(const rapidjson::Value& value, model::Box3& box) {
+  const bool read = value.IsObject() && value.HasMember("min") && value.HasMember("max") &&
+                    Get(value["min"], box.min).empty() && Get(value["max"], box.max).empty();
+  return read ? "" : "a box";
+}
+
+}  // namespace mjforge::manifest
+
+#endif  // MJFORGE_MANIFEST_RECORD_VALUES_H_
