@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "json.h"
-#include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/report/report.h"
 #include "table.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mjforge/diag/json.h"
+#include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::app {

@@ -244,9 +244,9 @@ class ArchiveSink : public Sink {
   std::filesystem::path file_;
   std::filesystem::path journal_file_;
   output::MadeFolders folders_;
-  std::optional<output::PartFile> manifest_;
-  std::optional<output::PartFile> journal_;
-  std::optional<output::PartFile> archive_;
+  std::unique_ptr<output::PartFile> manifest_;
+  std::unique_ptr<output::PartFile> journal_;
+  std::unique_ptr<output::PartFile> archive_;
   Position position_;
   bool ours_ = false;         // an older batch was here, whose archives may be replaced
   bool is_complete_ = false;  // by an earlier run

@@ -100,7 +100,7 @@ class FolderSink : public Sink {
   std::filesystem::path folder_;
   std::filesystem::path file_;
   output::MadeFolders folders_;  // goes after the part file
-  std::optional<output::PartFile> part_;
+  std::unique_ptr<output::PartFile> part_;
   bool replaces_ = false;  // an older batch, whose assets may differ
 };
 

@@ -49,7 +49,7 @@ class Joining {
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
     if (!count || !MayReplaceManifest(file_, false, findings_)) return std::nullopt;
-    std::optional<output::PartFile> part = output::PartFile::Open(file_, findings_);
+    std::unique_ptr<output::PartFile> part = output::PartFile::Open(file_, findings_);
     if (!part || !part->Truncate(0, findings_)) return std::nullopt;
     for (std::uint64_t i = 0; i < *count; ++i) {
       if (!Append(destination_.Manifest({i, *count}), *part)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace mjforge::batch {
 namespace {
@@ -102,9 +103,12 @@ class Worker {
     if (variant_.ok()) {
       const std::string stem = output::VariantStem(record.name, record.index);
       record.file = stem + ".xml";
-      // The record in an archive does not name it: two archives of the same variants are the same.
+      // The record in an archive says nothing of places: two archives of the same variants are the
+      // same.
       std::string line;
+      const std::string spec_file = std::exchange(record.spec_file, {});
       AppendRecord(line, record);
+      record.spec_file = spec_file;
       written = segment_.Add(record.file, variant_.document.text, findings) &&
                 segment_.Add(stem + ".json", line, findings);
       record.archive = archive_;

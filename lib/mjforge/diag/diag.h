@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mjforge/diag/codes.h"
+#include "mjforge/diag/json.h"
 
 namespace mjforge::diag {
 

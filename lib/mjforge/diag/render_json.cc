@@ -1,5 +1,4 @@
 #include "mjforge/diag/diag.h"
-#include "mjforge/diag/json.h"
 #include "mjforge/diag/utf8.h"
 
 namespace mjforge::diag {

@@ -1,5 +1,3 @@
-#include "mjforge/manifest/reader.h"
-
 #include <fmt/format.h>
 
 #include <cerrno>

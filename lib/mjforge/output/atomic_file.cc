@@ -46,18 +46,6 @@ void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings
 AtomicFile::AtomicFile(std::filesystem::path file, std::string temporary, int descriptor)
     : file_(std::move(file)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
 
-AtomicFile::AtomicFile(AtomicFile&& other) noexcept
-    : file_(std::move(other.file_)),
-      temporary_(std::exchange(other.temporary_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(temporary_, other.temporary_);
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
 AtomicFile::~AtomicFile() { Drop(); }
 
 void AtomicFile::Drop() {
@@ -66,16 +54,17 @@ void AtomicFile::Drop() {
   temporary_.clear();
 }
 
-std::optional<AtomicFile> AtomicFile::Create(const std::filesystem::path& file,
-                                             diag::Findings& findings) {
+std::unique_ptr<AtomicFile> AtomicFile::Create(const std::filesystem::path& file,
+                                               diag::Findings& findings) {
   for (int attempt = 0; attempt < kTriedNames; ++attempt) {
     std::string temporary = TemporaryName(file, attempt);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return AtomicFile(file, std::move(temporary), descriptor);
+    if (descriptor >= 0)
+      return std::unique_ptr<AtomicFile>(new AtomicFile(file, std::move(temporary), descriptor));
     if (errno != EEXIST) break;
   }
   AddCannotWrite(file, errno, findings);
-  return std::nullopt;
+  return nullptr;
 }
 
 bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::path& file,

@@ -2,6 +2,7 @@
 #define MJFORGE_OUTPUT_ATOMIC_FILE_H_
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,11 +15,11 @@ namespace mjforge::output {
 /// Commit() gives it its own. Dropped without Commit(), it leaves nothing.
 class AtomicFile {
  public:
-  static std::optional<AtomicFile> Create(const std::filesystem::path& file,
-                                          diag::Findings& findings);
+  static std::unique_ptr<AtomicFile> Create(const std::filesystem::path& file,
+                                            diag::Findings& findings);
 
-  AtomicFile(AtomicFile&& other) noexcept;
-  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
   bool Append(std::string_view bytes, diag::Findings& findings);

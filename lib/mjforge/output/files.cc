@@ -45,7 +45,7 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::siz
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings) {
   if (if_changed && ReadStart(file, bytes.size() + 1) == bytes) return true;
-  std::optional<AtomicFile> target = AtomicFile::Create(file, findings);
+  const std::unique_ptr<AtomicFile> target = AtomicFile::Create(file, findings);
   return target && target->Append(bytes, findings) && target->Commit(findings);
 }
 

@@ -46,20 +46,6 @@ PartFile::PartFile(std::filesystem::path file, std::filesystem::path temporary, 
       descriptor_(descriptor),
       size_(size) {}
 
-PartFile::PartFile(PartFile&& other) noexcept
-    : file_(std::move(other.file_)),
-      temporary_(std::move(other.temporary_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      size_(other.size_) {}
-
-PartFile& PartFile::operator=(PartFile&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(temporary_, other.temporary_);
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(size_, other.size_);
-  return *this;
-}
-
 PartFile::~PartFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
@@ -73,22 +59,22 @@ bool PartFile::Exists(const std::filesystem::path& file) {
   return std::filesystem::exists(NameOf(file), ignored);
 }
 
-std::optional<PartFile> PartFile::Open(const std::filesystem::path& file,
-                                       diag::Findings& findings) {
+std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
+                                         diag::Findings& findings) {
   const std::filesystem::path temporary = NameOf(file);
   while (true) {
     const int descriptor =
         ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor < 0) {
       AddCannotWrite(file, errno, findings);
-      return std::nullopt;
+      return nullptr;
     }
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor);
       findings.Add(diag::Code::kOutputCannotWrite, {},
                    fmt::format("cannot write '{}': another mjforge is writing it", file.string()),
                    "wait for it, or choose another place");
-      return std::nullopt;
+      return nullptr;
     }
     // Who had it may have given it its name in between: then this is another file.
     if (!IsSameFile(descriptor, temporary)) {
@@ -96,7 +82,8 @@ std::optional<PartFile> PartFile::Open(const std::filesystem::path& file,
       continue;
     }
     const ::off_t size = ::lseek(descriptor, 0, SEEK_END);
-    return PartFile(file, temporary, descriptor, static_cast<std::uint64_t>(size));
+    return std::unique_ptr<PartFile>(
+        new PartFile(file, temporary, descriptor, static_cast<std::uint64_t>(size)));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <string_view>
 
 #include "mjforge/diag/diag.h"
@@ -17,14 +17,15 @@ class PartFile {
  public:
   /// Takes what an earlier process left, or an empty file. Nothing and a finding
   /// if that fails or another process has it.
-  static std::optional<PartFile> Open(const std::filesystem::path& file, diag::Findings& findings);
+  static std::unique_ptr<PartFile> Open(const std::filesystem::path& file,
+                                        diag::Findings& findings);
   /// What `file` is called while it is under construction.
   static std::filesystem::path NameOf(const std::filesystem::path& file);
   /// Whether an earlier process left something.
   static bool Exists(const std::filesystem::path& file);
 
-  PartFile(PartFile&& other) noexcept;
-  PartFile& operator=(PartFile&& other) noexcept;
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
   ~PartFile();
 
   std::uint64_t size() const { return size_; }

@@ -1,5 +1,3 @@
-#include "mjforge/manifest/reader.h"
-
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
