@@ -21,7 +21,7 @@ namespace {
 using Kind = output::Destination::Kind;
 using Clock = std::chrono::steady_clock;
 
-// What `generate` is told.
+// The options of `generate`.
 struct GenerateOptions : ManyOptions {
   std::string output;
   std::uint64_t per_archive = 10'000;
@@ -65,7 +65,7 @@ std::string Misplaced(const GenerateOptions& options, const batch::Request& requ
     return fmt::format("-o {} takes one spec, {} are given", options.output, options.specs.size());
   if (is_one && request.resume) return fmt::format("-o {} has nothing to resume", options.output);
   if (is_one && !request.shard.IsWhole())
-    return fmt::format("-o {} is one variant, which has no shards", options.output);
+    return fmt::format("-o {} writes one variant, which has no shards", options.output);
   if (kind == Kind::kArchive && !request.shard.IsWhole()) {
     return fmt::format(
         "--shard: '{}' is one archive; shards fill a folder or a series, such as '{}'",
@@ -78,8 +78,8 @@ std::string MisplacedMake(const GenerateOptions& options, const batch::Request& 
   const MakeOptions& make = options.make;
   if (!make.wanted()) return {};
   if (options.specs.size() > 1) return "-MD takes one spec";
-  if (request.resume) return "-MD and --resume: what kept variants were made from is not known";
-  if (!request.shard.IsWhole()) return "-MD and --shard: a shard is no target of its own";
+  if (request.resume) return "-MD and --resume: the inputs of kept variants are not known";
+  if (!request.shard.IsWhole()) return "-MD and --shard: a shard is not a target by itself";
   if (request.destination.kind == Kind::kStandardOutput &&
       (make.file.empty() || make.targets.empty())) {
     return "-MD with -o - needs -MF and -MT";
@@ -101,8 +101,7 @@ void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--shard", options.shard, "Part I (from 0) of the N parts of the batch")
       ->option_text("I/N");
   command.add_flag("--resume", options.request.resume, "Continue what an earlier run left");
-  command.add_flag("--if-changed", options.request.if_changed,
-                   "Leave files alone that stay the same");
+  command.add_flag("--if-changed", options.request.if_changed, "Leave unchanged files alone");
   command.add_flag("--force", options.request.force, "Overwrite files that mjforge did not make");
 }
 
@@ -136,24 +135,24 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   AddWord(command, "--target", options.target, TargetNames(), "For");
   AddWord(command, "--validate", options.validate, Words(manifest::WordsOf(forge::Validation())),
           "MuJoCo's verdict");
-  AddWord(command, "--on-invalid", options.on_invalid,
-          Words(manifest::WordsOf(forge::OnInvalid())), "Bad variants");
+  AddWord(command, "--on-invalid", options.on_invalid, Words(manifest::WordsOf(forge::OnInvalid())),
+          "Invalid variants");
   AddWord(command, "--sampler", options.sampler, Words(sample::MethodNames()),
           "How draws are spread");
-  AddWholeNumber(command, "--batch", options.request.variant.batch, "Variants they are spread over",
-                 1)
+  AddWholeNumber(command, "--batch", options.request.variant.batch,
+                 "Variants the draws are spread over", 1)
       ->option_text("N [-n]");
   AddMakeOptions(command, options.make);
-  command.add_flag("-v,--verbose", options.verbose, "Say a line about each variant");
+  command.add_flag("-v,--verbose", options.verbose, "Print a line per variant");
 }
 
-// The options as a batch takes them, except a folder's name that the spec says; nothing, and
+// The options as a batch takes them, except a folder's name that comes from the spec; nothing, and
 // why, if they contradict each other.
 std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
   std::optional<batch::Request> request = Converted(options, why_not);
   if (!request) return std::nullopt;
   if (request->count - 1 > std::numeric_limits<std::uint64_t>::max() - request->first) {
-    why_not = "--first and -n lead beyond the largest index";
+    why_not = "--first and -n go beyond the largest index";
   } else if (request->variant.batch > sample::kMaxBatch) {
     why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
   } else {
@@ -202,9 +201,9 @@ const std::atomic<bool>& CatchInterrupts() {
 }
 
 // The run of one `generate`.
-class Run {
+class Generation {
  public:
-  Run(const GenerateOptions& options, batch::Request request, Console& console)
+  Generation(const GenerateOptions& options, batch::Request request, Console& console)
       : options_(options), request_(std::move(request)), console_(console) {
     request_.stop = &CatchInterrupts();
   }
@@ -335,7 +334,7 @@ Action AddGenerate(CLI::App& command) {
     std::string why_not;
     std::optional<batch::Request> request = RequestOf(*options, why_not);
     if (!request) return WrongUsage(why_not, "generate");
-    return Run(*options, *std::move(request), console)();
+    return Generation(*options, *std::move(request), console)();
   };
 }
 

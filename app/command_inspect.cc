@@ -100,7 +100,7 @@ Action AddInspect(CLI::App& command) {
       command
           .add_option("--contains", options->contains, "Say whether a point (m) is inside a part")
           ->option_text("X,Y,Z");
-  command.add_flag("--sweep", options->sweep, "Move the joints; show what gets into what")
+  command.add_flag("--sweep", options->sweep, "Move the joints; show which bodies collide")
       ->option_text(" ")
       ->excludes(contains);
   command.add_flag("--json", options->json, "One JSON object");

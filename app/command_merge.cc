@@ -30,7 +30,7 @@ ExitStatus Merge(const std::string& place, Console& console) {
 
 Action AddMerge(CLI::App& command) {
   auto output = std::make_shared<std::string>();
-  command.add_option("OUT", *output, "Where the shards went, as generate's -o says it")
+  command.add_option("OUT", *output, "Where the shards went: the value of generate's -o")
       ->required()
       ->option_text(" ");
   return [output](Console& console) { return Merge(*output, console); };

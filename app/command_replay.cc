@@ -13,7 +13,7 @@ ExitStatus Replay(const forge::ReplayRequest& request, Console& console) {
   const bool same = forge::Replay(request, console.sources, console.findings);
   const ExitStatus status = console.Tell();
   if (!same) return Worse(status, ExitStatus::kFindings);
-  console.Say(fmt::format("{}: made again, same bytes", request.what));
+  console.Say(fmt::format("{}: regenerated, same bytes", request.what));
   return status;
 }
 
@@ -24,7 +24,7 @@ Action AddReplay(CLI::App& command) {
   command.add_option("WHAT", request->what, "MANIFEST:INDEX or a generated FILE.xml")
       ->required()
       ->option_text(" ");
-  command.add_option("--spec", request->spec, "The spec, if it moved since")->option_text("SPEC");
+  command.add_option("--spec", request->spec, "The spec, if it has moved")->option_text("SPEC");
   return [request](Console& console) { return Replay(*request, console); };
 }
 

@@ -159,10 +159,10 @@ Action AddReport(CLI::App& command) {
   command.add_option("WHAT", options->what, "The folder, archive or manifest of a batch")
       ->required()
       ->option_text(" ");
-  command.add_option("-o,--output", options->output, "The page, or -; else beside the manifest")
+  command.add_option("-o,--output", options->output, "The page, or - [beside the manifest]")
       ->option_text("FILE.html");
   AddWholeNumber(command, "--thumbnails", options->thumbnails, "Variants to show, at most");
-  command.add_option("--spec", options->spec, "The spec, if it moved since")->option_text("SPEC");
+  command.add_option("--spec", options->spec, "The spec, if it has moved")->option_text("SPEC");
   command.add_flag("--force", options->force, "Overwrite a file that is not a report");
   return [options](Console& console) {
     if (options->thumbnails > kMostThumbnails)

@@ -9,7 +9,7 @@ namespace mjforge::app {
 
 Action AddSchema(CLI::App& command) {
   auto which = std::make_shared<std::string>("object");
-  command.add_option("WHICH", *which, "object (of a spec, the default) or manifest")
+  command.add_option("WHICH", *which, "object (for specs, the default) or manifest")
       ->option_text(" ");
   return [which](Console&) {
     if (*which == "object") return Print(spec::JsonSchema());

@@ -67,12 +67,12 @@ int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
 }
 
 std::string HowItEnded(int status) {
-  if (WIFSIGNALED(status)) return fmt::format("signal {} ended it", WTERMSIG(status));
+  if (WIFSIGNALED(status)) return fmt::format("signal {} killed it", WTERMSIG(status));
   if (WEXITSTATUS(status) == kCannotRun) return "it cannot be run";
   return fmt::format("exit status {}", WEXITSTATUS(status));
 }
 
-// A fresh folder among the temporary ones, gone with all that is in it when it ends.
+// A new temporary folder; the destructor removes it with everything in it.
 class TemporaryFolder {
  public:
   // Nothing, and a finding, if it cannot be made.
@@ -108,7 +108,7 @@ TemporaryFolder::~TemporaryFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
-// MuJoCo's own viewer, by the name it has in Debian, else in MuJoCo's own archives. Nothing,
+// MuJoCo's own viewer, by its name in Debian, else by its name in MuJoCo's own archives. Nothing,
 // and a finding, if PATH has neither or there is no display.
 std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
   for (const std::string_view program : {"mujoco-simulate", "simulate"}) {
@@ -128,7 +128,7 @@ std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
 }
 
 // Shows a file, with `folder` as its working folder, and waits until the viewer ends. SIGINT,
-// SIGTERM and SIGHUP go on to it, the second one as SIGKILL.
+// SIGTERM and SIGHUP are passed on to it, the second one as SIGKILL.
 ExitStatus RunViewer(const std::filesystem::path& viewer, const std::filesystem::path& file,
                      const std::filesystem::path& folder, diag::Findings& findings) {
   const sigset_t watched = WatchedSignals();

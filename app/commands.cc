@@ -50,10 +50,10 @@ constexpr Command kCommands[] = {
     {"merge", "Join the manifests of all shards of a batch", AddMerge,
      "  mjforge merge out/\n"
      "  mjforge merge 'hammers_%05d.tar.zst'"},
-    {"replay", "Make a variant again and compare the bytes", AddReplay,
+    {"replay", "Regenerate a variant and compare the bytes", AddReplay,
      "  mjforge replay out/manifest.jsonl:42\n"
      "  mjforge replay out/hammer_000042.xml --spec old/hammer.yaml"},
-    {"catalogue", "List the specs that have a name", AddCatalogue,
+    {"catalogue", "List the specs that can be used by name", AddCatalogue,
      "  mjforge catalogue\n"
      "  MJFORGE_PATH=~/my-specs mjforge catalogue --json"},
     {"schema", "Print a JSON Schema", AddSchema,

@@ -38,8 +38,8 @@ struct ReportOptions {
   bool quiet = false;
 };
 
-/// What a command has read and found, and where it says so. Results go to standard output,
-/// words to standard error.
+/// What a command has read and found, and where it reports it. Results go to standard output,
+/// messages to standard error.
 class Console {
  public:
   explicit Console(const ReportOptions& options);
@@ -47,7 +47,7 @@ class Console {
   diag::Sources sources;
   diag::Findings findings;  // not shown yet
 
-  /// Shows `findings` and forgets them; the status that they ask for.
+  /// Shows `findings` and clears them; returns the exit status that they call for.
   ExitStatus Tell();
   /// Findings in file order, the first 50; `more` were left out before.
   void Show(diag::Findings found, const diag::Sources& places, std::uint64_t more = 0) const;

@@ -8,7 +8,7 @@
 
 namespace mjforge::app {
 
-/// The variant's object is there; the sweep if it was asked for.
+/// The variant must have an object; `sweep` is only there if it was requested.
 std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,

@@ -168,7 +168,8 @@ std::string SweepText(const std::optional<validate::Sweep>& sweep) {
                contact.geom1, contact.body2, contact.geom2,
                fmt::format("{:.3g}", 1000 * contact.depth)});
   }
-  std::string text = "\n" + (table.empty() ? "no inside contacts\n" : table.Render()) + "\n";
+  std::string text =
+      "\n" + (table.empty() ? "no contacts between bodies\n" : table.Render()) + "\n";
   for (const std::string& joint : sweep->held) {
     text += fmt::format("held     {}, a slide without a range\n", joint);
   }

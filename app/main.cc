@@ -47,7 +47,7 @@ ExitStatus Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mjforge::app;
-  // A closed pipe and a file-size limit become failed writes instead of ends.
+  // A closed pipe or a file-size limit makes the write fail instead of ending the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {

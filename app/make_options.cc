@@ -37,12 +37,12 @@ std::string NameForMake(const std::filesystem::path& file, bool absolute) {
 }  // namespace
 
 void AddMakeOptions(CLI::App& command, MakeOptions& options) {
-  command.add_flag("--MD", options.dependencies, "Write a rule for Make: what OUT is made from");
+  command.add_flag("--MD", options.dependencies, "Write a Make rule: what OUT is made from");
   command.add_option("--MF", options.file, "The rule's file [OUT with .d]")->option_text("FILE");
   command.add_option("--MT", options.targets, "The rule's target [OUT]")
       ->option_text("TARGET")
       ->allow_extra_args(false);
-  command.add_flag("--MP", options.phony, "An empty rule for each file, as it may go");
+  command.add_flag("--MP", options.phony, "Add an empty rule for each file");
 }
 
 std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words) {

@@ -31,10 +31,10 @@ void AddMakeOptions(CLI::App& command, MakeOptions& options);
 /// The words of a command line with those options as the parser takes them:
 /// "-MF", "x.d" and "-MFx.d" become "--MF", "x.d" and "--MF=x.d".
 std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words);
-/// The other way round, in a help text.
+/// The reverse, in a help text.
 std::string WithShortMakeOptions(std::string text);
 
-/// Writes the rule. Files below the current folder are named from there, or all
+/// Writes the rule. Files below the current folder get relative paths, or all get absolute ones if
 /// `absolute`. False and a finding if it cannot be written.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
                        const std::set<std::string>& files, bool absolute, diag::Findings& findings);

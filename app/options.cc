@@ -121,7 +121,7 @@ void AddManyOptions(CLI::App& command, ManyOptions& options) {
     request.time_limit = std::chrono::duration<double>(s);
   };
   AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0",
-            "CPU time for a variant, s; by the clock 10 S + 5")
+            "CPU time per variant, s; wall time 10 S + 5")
       ->option_text(fmt::format("S [{:g}]", request.time_limit.count()));
 }
 
@@ -151,9 +151,9 @@ std::optional<std::uint64_t> ParseWhole(std::string_view text) {
 }
 
 void AddReportOptions(CLI::App& command, ReportOptions& options) {
-  AddWord(command, "--findings", options.findings, {"text", "json"}, "Form of errors");
+  AddWord(command, "--findings", options.findings, {"text", "json"}, "Format of errors");
   AddWord(command, "--color", options.color, {"auto", "always", "never"}, "Color of errors");
-  command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
+  command.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,

@@ -30,12 +30,13 @@ struct SpecOptions {
   bool given() const { return seed != 0 || !settings.empty() || !parameter_files.empty(); }
 };
 void AddSpecOptions(CLI::App& command, SpecOptions& options);
-/// The spec named so; nothing, and findings, if it has errors.
+/// Loads the spec of that name; nothing, and findings, if it has errors.
 std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
                                         Console& console);
 
-/// Whether what a command line names is an MJCF file and not a spec: by its name, of standard
-/// input ("-") by its first character. That can be read as often as wanted from then on.
+/// Whether a command-line argument names an MJCF file and not a spec: judged by its name, or for
+/// standard input ("-") by its first character. Standard input can then be read any number of
+/// times.
 bool IsMjcf(const std::string& what);
 
 /// One variant of a spec, or a file.
@@ -53,7 +54,7 @@ struct ManyOptions {
   batch::Request request;  // seed and batch: see RequestOf
 };
 void AddManyOptions(CLI::App& command, ManyOptions& options);
-/// With the seed, and draws spread over the variants unless they are over more.
+/// The request with its seed, and with draws spread over its variants unless --batch was given.
 batch::Request RequestOf(const ManyOptions& options);
 
 /// --set NAME=VALUE
@@ -68,7 +69,7 @@ std::optional<std::uint64_t> ParseWhole(std::string_view text);
 /// An option that takes a decimal number from `least` to 2^64 - 1.
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least = 0);
-/// An option that takes a number from `least` to `most`, which are `what`.
+/// An option that takes a number from `least` to `most`; `what` describes it in errors.
 CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
                        const std::function<void(double)>& assign, double least, double most,
                        const std::string& what, const std::string& doc);

@@ -11,7 +11,7 @@
 namespace mjforge::app {
 
 /// The lines below each variant of a contact sheet: its index, and the parameters in which these
-/// variants are seen to differ most: words first, then sizes. Drawn ones, or any where the spec
+/// variants visibly differ most: words first, then sizes. Only drawn parameters, or any if the spec
 /// draws none.
 std::vector<std::vector<std::string>> Captions(std::span<const manifest::Record> records,
                                                const spec::ObjectSpec& spec);

@@ -132,11 +132,11 @@ void AddCamera(CLI::App& command, picture::View& view) {
         command, name, [&value](double number) { value = number; }, least, most, what, doc);
   };
   add("--azimuth", view.azimuth, -360, 360, "an angle from -360 to 360 degrees",
-      "Where the camera looks, about z, degrees");
+      "Camera's direction about z, degrees");
   add("--elevation", view.elevation, -90, 90, "an angle from -90 to 90 degrees",
-      "The same, upwards; -90 is from above");
+      "Camera's tilt, degrees; -90 is from above");
   add("--distance", view.distance, 1e-9, 1e9, "a distance above 0 in metres",
-      "From the camera to the middle, m [as fits]");
+      "Camera's distance from the middle, m [as fits]");
 }
 
 }  // namespace
@@ -149,11 +149,11 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
       ->option_text("OUT");
   AddWord(command, "--layer", options.layer, Words(picture::LayerNames()), "Show");
-  command.add_option("--joint", options.joints, "Where a joint stands (hinge=45deg)")
+  command.add_option("--joint", options.joints, "Set a joint's position (hinge=45deg)")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
   AddCamera(command, options.picture.view);
-  command.add_option("--size", options.size, "Pixels [640; of each of several, moving 320]")
+  command.add_option("--size", options.size, "Pixels [640; several or --sweep: 320 each]")
       ->option_text("WxH");
   command
       .add_option("--background", options.background,

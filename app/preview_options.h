@@ -11,7 +11,7 @@
 
 namespace mjforge::app {
 
-/// What `preview` is told.
+/// The options of `preview`.
 struct PreviewOptions {
   std::string what;  // a spec or a file
   std::uint64_t count = 1;
@@ -25,7 +25,7 @@ struct PreviewOptions {
   bool force = false;
   SpecOptions spec;
 
-  // What Understand makes of it.
+  // Filled in by Understand.
   bool is_file = false;
   picture::Options picture;                           // `view` is told
   std::vector<std::pair<std::string, double>> poses;  // of joints, rad, m

@@ -7,10 +7,10 @@
 
 namespace mjforge::app {
 
-/// One line on the terminal that shows how far a batch is; on no other output.
+/// One line that shows how far a batch is; only on a terminal.
 class ProgressBar {
  public:
-  /// Not `enabled`, or standard error is no terminal: shows nothing.
+  /// Shows nothing unless `enabled` and standard error is a terminal.
   explicit ProgressBar(bool enabled);
   /// Takes the line away.
   ~ProgressBar() { Clear(); }

@@ -12,14 +12,14 @@
 
 namespace mjforge::app {
 
-/// Small pictures of the objects of a batch, WebP: of their files, and of the failed ones,
-/// which have none, as the spec makes them again.
+/// Small WebP pictures of the objects of a batch: drawn from their files, or, for failed ones,
+/// which have none, from the objects that the spec gives again.
 class Thumbnails {
  public:
   /// `spec`: if not the one that the records name. The sources must outlive it.
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
-  /// Nothing if its file is gone, or MuJoCo or the spec give nothing to draw.
+  /// Nothing if its file is gone, or if MuJoCo or the spec gives nothing to draw.
   std::optional<std::string> Draw(const manifest::Record& record);
 
   /// Why there are no pictures at all, if so.
@@ -29,9 +29,9 @@ class Thumbnails {
   bool Open();
   std::unique_ptr<picture::Subject> Load(const manifest::Record& record);
   std::unique_ptr<picture::Subject> LoadFromArchive(const manifest::Record& record);
-  /// The recipe of the first record that it is asked of, as all of a batch have one.
+  /// The recipe of the first record that it is called with: all records of a batch share it.
   const forge::Recipe* RecipeOf(const manifest::Record& record);
-  /// Of the object made again, if there is one. `sha256`: only if it is this one; empty: any.
+  /// The regenerated object, if there is one. `sha256`: only if its file has this hash; empty: any.
   std::unique_ptr<picture::Subject> MakeAgain(const manifest::Record& record,
                                               const std::string& sha256);
 

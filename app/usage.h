@@ -15,7 +15,7 @@ namespace mjforge::app {
 /// "mjforge: error: MESSAGE" and where help is; kUsage.
 ExitStatus WrongUsage(std::string_view message, std::string_view command);
 
-/// Help and version asked for, and everything that was not understood.
+/// Prints the help or version that was requested, or explains what was not understood.
 ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
                              std::string_view first_word);
 

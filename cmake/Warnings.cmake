@@ -4,12 +4,17 @@ target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
 # GCC 12 sees overlaps in every `"text" + std::string` (its bug 105651), and ends of arrays where
 # std::string comes from a precompiled header. AddressSanitizer sees the real ones.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(mjforge_options INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+  target_compile_options(mjforge_options INTERFACE -Wno-restrict -Wno-array-bounds
+    -Wno-stringop-overflow -Wno-stringop-overread)
+endif()
+# A file that is compiled with others is not the main one, in which this is allowed.
+if(MJFORGE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(mjforge_options INTERFACE -Wno-subobject-linkage)
 endif()
 
 # The rooms and the program alone are watched: tests compile to the same objects in every
 # configuration, and the compiler's cache has them.
-option(MJFORGE_SANITIZE "Find wrong uses of memory and undefined behaviour; count which lines run" OFF)
+option(MJFORGE_SANITIZE "Find memory errors and undefined behaviour; count the lines run" OFF)
 add_library(mjforge_watched INTERFACE)
 if(MJFORGE_SANITIZE)
   set(watchers -fsanitize=address,undefined --coverage)

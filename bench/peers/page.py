@@ -37,7 +37,7 @@ def as_markdown(head, rows):
 
 
 def write(section, text):
-    """Replaces what stands between the section's markers."""
+    """Replaces the text between the section's markers."""
     page = PAGE.read_text(encoding="utf-8")
     begin, end = f"<!-- {section}: begin -->\n", f"<!-- {section}: end -->\n"
     before, _, rest = page.partition(begin)

@@ -4,7 +4,7 @@
     docs/pictures/make.py MJFORGE
 
 writes, beside itself, NAME.png for every bundled spec, materials.png, hero.png for the README, and
-catalogue.json, which says of which specs these are; and ../catalogue.md. A test compares the hashes in catalogue.json
+catalogue.json, which says which specs they show; and ../catalogue.md. A test compares the hashes in catalogue.json
 with the specs. `./dev pictures` builds the program and runs this.
 """
 
@@ -20,7 +20,7 @@ SEED = 7
 VARIANTS = 8
 TILE = "184x184"
 
-# Where joints stand, so that what moves is seen. Within the range of every variant.
+# Joint positions that show what moves, within the range of every variant.
 JOINTS = {
     "articulated/door_with_lever": {"hinge": "25deg"},
     "articulated/drawer_cabinet": {"slide_1": "0.15"},
@@ -53,15 +53,15 @@ MATERIALS = """
 
 `import: materials` gives a spec [these materials](../specs/materials.yaml), each with its density, friction and look.
 
-![{count} equal blocks, each of another material of the library: woods, metals, plastics, glass, stone and more](pictures/materials.png)
+![{count} equal blocks, each of a different material of the library: woods, metals, plastics, glass, stone and more](pictures/materials.png)
 """
 
 INTRODUCTION = """# The bundled specs
 
-<!-- Made by `./dev pictures`: edits get lost. -->
+<!-- Made by `./dev pictures`: edits are lost. -->
 
-Each is drawn with seed {seed}, indices 0 to {last}; joints that are told of stand open. Any parameter can be set: `mjforge
-generate NAME --set parameter=value`, or `params:` where a spec of your own takes one in by `spec:`. Values that are
+Each is drawn with seed {seed}, indices 0 to {last}; the joints named below a picture are open. Any parameter can be set: `mjforge
+generate NAME --set parameter=value`, or `params:` where your own spec includes one with `spec:`. Values that are
 computed from others are at the end of each table.
 
 """

@@ -284,7 +284,7 @@ TEST_CASE_METHOD(CrateTest, "inspect --sweep of an object whose joints move noth
   CHECK(
       result.out.ends_with("radius   0.141421 m about the z axis\n"
                            "\n"
-                           "no inside contacts\n"
+                           "no contacts between bodies\n"
                            "\n"
                            "swept    -0.1 -0.1 -0.15 to 0.1 0.1 0.15 m\n"));
   CHECK(Run(With(kPinned, {"--sweep", "--json"}))

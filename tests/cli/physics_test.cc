@@ -177,7 +177,7 @@ TEST_CASE_METHOD(PhysicsTest, "thresholds of a file are those of checks, and nee
   CHECK(Run({"validate", "m.xml", "--set", "checks.tilt=1deg"}).status == 2);
   const auto parameter = Run({"validate", "m.xml", "--physics", "--set", "size=1"});
   CHECK(parameter.status == 1);
-  CHECK(parameter.err.find("'size' is no threshold of a check") != std::string::npos);
+  CHECK(parameter.err.find("'size' is not a threshold of a check") != std::string::npos);
 }
 
 TEST_CASE_METHOD(PhysicsTest, "every bundled spec behaves") {

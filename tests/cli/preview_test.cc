@@ -247,7 +247,7 @@ TEST_CASE_METHOD(PreviewTest, "without a renderer there is a finding and no pict
   const auto result = Run({"preview", "chest.xml"}, {}, {{"MUJOCO_GL", "off"}});
   CHECK(result.status == 1);
   CHECK(result.err ==
-        "mjforge: error: cannot draw: MUJOCO_GL=off turns it off [picture/no-renderer]\n"
+        "mjforge: error: cannot draw: MUJOCO_GL=off turns drawing off [picture/no-renderer]\n"
         "  hint: install libegl1 with a driver (libgl1-mesa-dri), or libosmesa6\n");
   CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
 }

@@ -15,7 +15,7 @@ class ReplayTest : public CrateTest {
 TEST_CASE_METHOD(ReplayTest, "replay makes the same bytes again") {
   const auto record = Run({"replay", "out/manifest.jsonl:2"});
   CHECK(record.status == 0);
-  CHECK(record.err == "out/manifest.jsonl:2: made again, same bytes\n");
+  CHECK(record.err == "out/manifest.jsonl:2: regenerated, same bytes\n");
   CHECK(Run({"replay", "out/crate_000001.xml"}).status == 0);
 }
 
@@ -49,7 +49,7 @@ TEST_CASE_METHOD(ReplayTest, "a record leads back to its spec, wherever it stand
     INFO(spec << " " << out);
     REQUIRE(Run({"generate", spec, "-q", "-n", "3", "-o", out, "--force"}).status == 0);
     CHECK(folder().Read(manifest).find(folder().path().string()) == std::string::npos);
-    CHECK(Run({"replay", manifest + ":2"}).err == manifest + ":2: made again, same bytes\n");
+    CHECK(Run({"replay", manifest + ":2"}).err == manifest + ":2: regenerated, same bytes\n");
     const harness::TemporaryFolder elsewhere;
     const harness::Command command{.program = harness::MjforgeProgram(),
                                    .arguments = {"replay", (folder() / manifest).string() + ":1"},
@@ -75,7 +75,7 @@ TEST_CASE_METHOD(ReplayTest, "replay of a spec that is gone says how to name it"
   CHECK(result.status == 3);
   CHECK(result.err ==
         "mjforge: error: cannot find the spec 'crate.yaml' [yaml/cannot-read]\n"
-        "  hint: name its file with --spec\n");
+        "  hint: pass its file with --spec\n");
   CHECK(Run({"replay", "out/manifest.jsonl:2", "--spec", "old.yaml"}).status == 0);
 }
 
@@ -97,7 +97,7 @@ TEST_CASE_METHOD(ReplayTest, "replay of what it cannot understand is a finding")
   const auto no_record = Run({"replay", "out/manifest.jsonl:9"});
   CHECK(no_record.status == 1);
   CHECK(no_record.err ==
-        "mjforge: error: 'out/manifest.jsonl' has no record of index 9 "
+        "mjforge: error: 'out/manifest.jsonl' has no record with index 9 "
         "[output/bad-manifest]\n");
   CHECK(Run({"replay", "crate.yaml"}).status == 1);
   CHECK(Run({"replay", "none.xml"}).status == 3);

@@ -73,7 +73,7 @@ TEST_CASE_METHOD(ReportTest, "a report without the files has no pictures and a w
   CHECK(result.err ==
         "mjforge: warning: 2 of 12 variants shown have no picture: the files are gone or cannot "
         "be drawn [report/no-picture]\n"
-        "  hint: run the command that made the batch again with --resume\n");
+        "  hint: repeat the command that made the batch, with --resume\n");
   CHECK(Has(folder().Read("out/report.html"), "2 of 12 variants shown have no picture"));
 }
 

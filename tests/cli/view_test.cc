@@ -75,7 +75,7 @@ TEST_CASE_METHOD(ViewTest, "a viewer that fails is a finding") {
         "mjforge: error: MuJoCo's viewer 'mujoco-simulate' failed: exit status 3 "
         "[picture/no-viewer]\n");
   Viewer("kill -SEGV $$\n");
-  CHECK(View({"crate.yaml"}).err.find("failed: signal 11 ended it") != std::string::npos);
+  CHECK(View({"crate.yaml"}).err.find("failed: signal 11 killed it") != std::string::npos);
   CHECK(Clean());
 }
 

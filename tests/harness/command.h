@@ -14,7 +14,7 @@
 namespace mjforge::harness {
 
 struct CommandResult {
-  int status = 0;          // exit status; 128 + signal if a signal ended it, as a shell says it
+  int status = 0;          // exit status; 128 + signal if a signal killed it, as a shell says it
   std::string out;         // standard output
   std::string err;         // standard error
   bool timed_out = false;  // it was killed, with all processes it started

@@ -74,7 +74,7 @@ std::vector<fs::path> YamlFiles(const fs::path& folder) {
   return files;
 }
 
-const fs::path kRoot = harness::SourceFolder();
+const fs::path kRoot = mjforge::harness::SourceFolder();
 
 }  // namespace
 

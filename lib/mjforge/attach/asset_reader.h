@@ -11,20 +11,20 @@
 
 namespace mjforge::attach {
 
-/// The assets of an attachment: those it asks for, each once. Takes them.
+/// Reads the assets that an attachment asks for, each once, and adds them to what it takes.
 class AssetReader {
  public:
   AssetReader(const CompiledFile& file, const MeshReader& meshes, Taken& taken,
               model::Attachment& out)
       : file_(file), meshes_(meshes), taken_(taken), out_(out) {}
 
-  /// The number in Attachment::materials of a compiled material; -1 for -1.
+  /// The index of a compiled material in Attachment::materials; -1 for -1.
   int Material(int id);
   /// Its name there; empty for -1.
   std::string MaterialName(int id);
-  /// The number in Attachment::meshes.
+  /// The index of a compiled mesh in Attachment::meshes.
   int Mesh(int id);
-  /// The pose of the frame that MuJoCo gives a mesh, in that of its asset.
+  /// The pose of the frame that MuJoCo gives a mesh, in the frame of its asset.
   const model::Pose& FrameOf(int mesh) const { return meshes_.FrameOf(mesh); }
 
  private:

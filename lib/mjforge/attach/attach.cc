@@ -56,7 +56,7 @@ std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
   if (m.nbody < 2) {
     AddError(findings, Code::kAttachNoBody, file.root().mark,
              fmt::format("'{}' has no body", file.file().string()),
-             "what stands in its worldbody cannot be attached; put it into a body");
+             "elements directly in its worldbody cannot be attached; put them into a body");
     return std::nullopt;
   }
   if (body.empty()) return 1;
@@ -72,7 +72,7 @@ std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
     hint = "the file's compiler setting fusestatic merges it with its parent";
   }
   if (hint.empty() && views.empty())
-    hint = "its bodies have no names; without `body:` the first is taken";
+    hint = "its bodies have no names; without `body:` the first is used";
   AddError(findings, Code::kAttachNoBody, {},
            fmt::format("'{}' has no body '{}'", file.file().string(), body), std::move(hint));
   return std::nullopt;
@@ -80,10 +80,10 @@ std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
 
 void WarnOfWhole(const CompiledFile& file, diag::Findings& findings) {
   const auto warn = [&](const XmlElement& element, std::string_view what) {
-    AddWarning(findings, Code::kAttachNotCarried, element.mark,
-               fmt::format("the {} of '{}' is not carried over", what, file.file().string()),
-               "it would hold for the whole model; say it under `mjcf:` of the spec if that is "
-               "meant");
+    AddWarning(
+        findings, Code::kAttachNotCarried, element.mark,
+        fmt::format("the {} of '{}' is not carried over", what, file.file().string()),
+        "it would apply to the whole model; if you want that, write it under `mjcf:` in the spec");
   };
   std::set<std::string> seen;
   for (const XmlElement& section : file.root().children) {

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_ATTACH_ATTACH_H_
 #define MJFORGE_ATTACH_ATTACH_H_
 
-// An MJCF file -> the bodies, assets and sections that attaching one of its
-// bodies brings. MuJoCo says every number, the XML says what there is and where.
+// An MJCF file -> the bodies, assets and sections that attaching one of its bodies brings. All
+// numbers come from MuJoCo; the XML says which elements there are and where.
 
 #include <filesystem>
 #include <memory>

@@ -12,8 +12,8 @@
 
 namespace mjforge::attach {
 
-/// Adds attributes of one kind of element, each with its row of the field table;
-/// those with a default only where they differ from it.
+/// Adds attributes of one kind of element, each with its row of the field table. An attribute with
+/// a default is added only if it differs from it.
 class Attributes {
  public:
   Attributes(const spec::ElementInfo& info, std::vector<model::Attribute>& out)
@@ -42,7 +42,7 @@ class Attributes {
   std::vector<model::Attribute>& out_;
 };
 
-/// Numbers apart by blanks; none if a word is not a number.
+/// Numbers separated by spaces; none if a word is not a number.
 std::vector<double> ParseNumbers(std::string_view text);
 
 }  // namespace mjforge::attach

@@ -71,7 +71,7 @@ bool CompiledFile::Load(diag::Findings& findings) {
   engine::Loaded loaded = engine_->LoadText(flat_.text);
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},
-               fmt::format("MuJoCo warns of '{}': {}", file_.string(),
+               fmt::format("MuJoCo warns about '{}': {}", file_.string(),
                            engine::OneLine(InWordsOfFile(warning))));
   }
   if (!loaded.model) {

@@ -40,7 +40,7 @@ class CompiledFile {
   CompiledFile() = default;
   bool Load(diag::Findings& findings);
   void AddRefusal(const std::string& error, diag::Findings& findings) const;
-  /// MuJoCo's words, with files and elements as the file has them.
+  /// A message of MuJoCo, with files and elements named as in the file.
   std::string InWordsOfFile(std::string text) const;
   void MapElements();
   void MapBodies(const XmlElement& parent);
@@ -56,7 +56,7 @@ class CompiledFile {
   std::vector<const XmlElement*> composites_;
 };
 
-/// "geom", "body", ... as MJCF says it.
+/// MJCF's word for the kind: "geom", "body", ...
 std::string KindName(mjtObj kind);
 
 }  // namespace mjforge::attach

@@ -7,7 +7,7 @@
 
 namespace mjforge::attach {
 
-/// MuJoCo loads NaN and infinity in many places in silence; each is an error.
+/// In many places MuJoCo silently loads NaN and infinity; here each is an error.
 void CheckFinite(const model::Attachment& attachment, const std::filesystem::path& file,
                  diag::Findings& findings);
 

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kSections = {"contact", "equality", "tendon", "actuator", "sensor"};
-constexpr std::array kInBodies = {"body", "joint", "freejoint", "geom", "site", "camera", "light"};
+constexpr std::array kSectionTags = {"contact", "equality", "tendon", "actuator", "sensor"};
+constexpr std::array kBodyTags = {"body", "joint", "freejoint", "geom", "site", "camera", "light"};
 constexpr std::array kFileAttributes = {"file",     "fileright", "fileleft", "fileup",
                                         "filedown", "filefront", "fileback"};
 
@@ -67,7 +67,7 @@ class Namer {
 
   void NameBodies(XmlElement& parent) {
     for (XmlElement& child : parent.children) {
-      if (std::ranges::find(kInBodies, child.tag) == kInBodies.end()) continue;
+      if (std::ranges::find(kBodyTags, child.tag) == kBodyTags.end()) continue;
       Name(child);
       if (child.tag == "body") NameBodies(child);
     }
@@ -139,7 +139,7 @@ void NameElements(XmlElement& root) {
   Namer namer(root);
   for (XmlElement& section : root.children) {
     if (section.tag == "worldbody") namer.NameBodies(section);
-    if (std::ranges::find(kSections, section.tag) == kSections.end()) continue;
+    if (std::ranges::find(kSectionTags, section.tag) == kSectionTags.end()) continue;
     for (XmlElement& element : section.children) namer.Name(element);
   }
 }

@@ -10,7 +10,7 @@
 
 namespace mjforge::attach {
 
-/// A tree as one text for MuJoCo, with one element's start a line.
+/// A tree as one text for MuJoCo, with at most one element starting per line.
 struct FlatText {
   std::string text;
   std::vector<const XmlElement*> lines;  // of line 1, 2, ...
@@ -20,19 +20,19 @@ struct FlatText {
 };
 FlatText Flatten(const XmlElement& root);
 
-/// Gives elements without a name one that no other has, so that they can be
-/// found among what MuJoCo compiled.
+/// Gives each element without a name a unique one, so that it can be found among what MuJoCo
+/// compiled.
 void NameElements(XmlElement& root);
 
 /// Files as the tree named them, by their absolute paths.
 using FileNames = std::map<std::string, std::string>;
-/// Makes file names absolute by MuJoCo's rules (meshdir, texturedir, strippath)
-/// and takes those settings out. Adds a finding for each file that is not there.
+/// Makes file names absolute by MuJoCo's rules (meshdir, texturedir, strippath) and removes those
+/// settings. Adds a finding for each missing file.
 FileNames ResolveFiles(XmlElement& root, const std::filesystem::path& folder,
                        diag::Findings& findings);
 
-/// A name for everything that MuJoCo calls by its file: the name without
-/// folders and ending.
+/// The name that MuJoCo gives to something named after its file: the file name without folders and
+/// extension.
 std::string FileStem(const std::string& file);
 
 }  // namespace mjforge::attach

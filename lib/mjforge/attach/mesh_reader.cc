@@ -98,8 +98,8 @@ void MeshReader::FindFrames(diag::Findings& findings) {
   const engine::Loaded loaded = file_.engine().LoadText(Flatten(probe).text);
   if (!loaded.model) {
     AddError(findings, diag::Code::kMujocoError, {},
-             fmt::format("MuJoCo refused the meshes of '{}' alone: {}", file_.file().string(),
-                         engine::ParseRefusal(loaded.error).reason));
+             fmt::format("MuJoCo refused the meshes of '{}' on their own: {}",
+                         file_.file().string(), engine::ParseRefusal(loaded.error).reason));
     return;
   }
   int geom = 0;

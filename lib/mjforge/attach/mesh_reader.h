@@ -14,10 +14,10 @@ namespace mjforge::attach {
 /// geoms with it; this finds that frame, to undo it.
 class MeshReader {
  public:
-  /// Adds a finding if MuJoCo refuses what it did not refuse before.
+  /// Adds a finding if MuJoCo refuses the meshes on their own.
   MeshReader(const CompiledFile& file, diag::Findings& findings);
 
-  /// X_AM of a compiled mesh: the pose of MuJoCo's frame in that of the asset.
+  /// X_AM of a compiled mesh: the pose of MuJoCo's frame M in the asset's frame A.
   const model::Pose& FrameOf(int mesh) const { return frames_.at(mesh); }
   /// The asset, without a name.
   model::MeshAsset Read(int mesh) const;

@@ -54,8 +54,8 @@ void SectionReader::Warn(mjtObj kind, int id, Reference outside) {
   if (file_.ElementOf(kind, id) == nullptr) {
     if (!warned_composites_.insert(place).second) return;
     AddWarning(findings_, diag::Code::kAttachNotCarried, place,
-               fmt::format("not all that a composite of '{}' makes is carried over: {}s reach out "
-                           "of the attached body",
+               fmt::format("a composite of '{}' is only partly carried over: {}s refer to things "
+                           "outside the attached body",
                            file_.file().string(), KindName(kind)),
                "attach the body that holds the whole composite");
     return;

@@ -30,15 +30,15 @@ class SectionReader {
 
   const mjModel& model() const { return file_.model(); }
 
-  /// Adds the element, named and placed, if all it refers to is taken. If only a
-  /// part of it is, a warning says that it stays behind. The pointer is good
-  /// until the next call.
+  /// Adds the element, with name and mark, if everything it refers to is taken. If only part of
+  /// that is taken, a warning says that the element is left out. The pointer is valid until the
+  /// next call.
   model::Element* Add(std::string_view section, std::string_view tag, mjtObj kind, int id,
                       const std::vector<Reference>& references);
   /// Its attributes.
   static Attributes Of(std::string_view section, model::Element& element);
 
-  /// The made name of what is taken.
+  /// The name given to something that is taken.
   std::string NameOf(Reference reference) const;
 
   /// Sections in the order of spec::Sections(), without empty ones.

@@ -12,25 +12,25 @@
 
 namespace mjforge::attach {
 
-/// What one attachment takes of a file: a body with all below it and, once
-/// added, assets and elements of sections; and the names all that gets.
+/// What one attachment takes from a file: a body with everything below it and, once added, assets
+/// and elements of sections; and the names they are given.
 class Taken {
  public:
-  /// Reports names that are made equal.
+  /// Reports names that become equal when they are made valid.
   Taken(const CompiledFile& file, int root, diag::Findings& findings);
 
   bool Has(mjtObj kind, int id) const { return names_.contains({kind, id}); }
-  /// The made name; empty for an element of a section without one.
+  /// The name it is given; empty for an element of a section without one.
   const std::string& Name(mjtObj kind, int id) const { return names_.at({kind, id}); }
   /// Ids of the bodies, parents before children.
   const std::vector<int>& bodies() const { return bodies_; }
-  /// The number of a body among them.
+  /// The index of a body in bodies().
   int Position(int body) const { return positions_.at(body); }
 
-  /// Takes something more.
+  /// Takes one more thing.
   void Add(mjtObj kind, int id);
 
-  /// Something reaches out of the attachment and so stays behind.
+  /// Leaves out something that refers to things outside the attachment.
   void LeaveBehind(mjtObj kind, int id);
   bool IsLeftBehind(mjtObj kind, int id) const { return left_behind_.contains({kind, id}); }
 
@@ -57,7 +57,7 @@ class Taken {
   std::set<Id> left_behind_;
 };
 
-/// The name with every character that names cannot have replaced.
+/// The name, with all characters replaced that names cannot have.
 std::string MakeName(std::string_view name);
 
 }  // namespace mjforge::attach

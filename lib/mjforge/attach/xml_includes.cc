@@ -132,7 +132,7 @@ class TreeReader {
     const std::string name = node.attribute("file").value();
     if (name.empty()) return Bad(place, "has an include without a file");
     if (!node.first_child().empty()) {
-      return Bad(place, fmt::format("has an include of '{}' that holds elements", name));
+      return Bad(place, fmt::format("has an include of '{}' that contains elements", name));
     }
     const fs::path file = main_.parent_path() / name;
     if (!IsNew(file, name, place)) return false;
@@ -141,7 +141,7 @@ class TreeReader {
     if (!text) {
       return Bad(place, fmt::format("includes '{}', which cannot be read: {}", name, why_not),
                  open_.size() > 1
-                     ? fmt::format("files are looked for in the folder of '{}'", main_.string())
+                     ? fmt::format("files are searched for in the folder of '{}'", main_.string())
                      : "");
     }
     read_[Key(file)] = place;
@@ -153,7 +153,7 @@ class TreeReader {
     pugi::xml_document document;
     Parse(source, document);
     if (document.document_element().first_child().empty()) {
-      return Bad(place, fmt::format("includes '{}', which holds no elements", name));
+      return Bad(place, fmt::format("includes '{}', which contains no elements", name));
     }
     open_.push_back(file);
     const Lines lines(source, sources_.Text(source));
@@ -166,12 +166,12 @@ class TreeReader {
     const std::string key = Key(file);
     for (const fs::path& open : open_) {
       if (Key(open) != key) continue;
-      return Bad(place, fmt::format("includes '{}', which is open already: a cycle", name));
+      return Bad(place, fmt::format("includes '{}', which is already open: a cycle", name));
     }
     const auto found = read_.find(key);
     if (found == read_.end()) return true;
     return Bad(place, fmt::format("includes '{}' a second time", name),
-               "MuJoCo takes each file once; give the copy another name",
+               "MuJoCo includes each file only once; give the copy another name",
                {found->second, "first here"});
   }
 

@@ -12,13 +12,13 @@
 
 namespace mjforge::attach {
 
-/// An element of an MJCF file, wherever it stands: includes are expanded.
+/// An element of an MJCF file or of a file that it includes.
 struct XmlElement {
   std::string tag;
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
   diag::SourceMark mark;
-  /// A name for MuJoCo alone, of an element without one.
+  /// A name given to an element without one, seen only by MuJoCo.
   std::string made_name;
 
   /// An attribute's text; null if it has none.
@@ -34,12 +34,12 @@ struct XmlElement {
 /// Elements nested deeper than this are refused; MuJoCo 2.2's XML reader stops at 100.
 inline constexpr int kMostDepth = 1000;
 
-/// Reads the file with all it includes into `sources`; nothing after an error.
-/// Findings have no place of their own (it is the spec's), only notes.
+/// Reads the file with everything it includes into `sources`; nothing after an error. Findings have
+/// only notes; their place, in the spec, is set later.
 std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sources& sources,
                                   diag::Findings& findings);
 
-/// A finding whose place is still to be said, with a note at `place`.
+/// A finding whose own place is set later, with a note at `place`.
 diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
                         std::string message, std::string hint = {});
 diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,

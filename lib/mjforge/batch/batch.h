@@ -1,9 +1,8 @@
 #ifndef MJFORGE_BATCH_BATCH_H_
 #define MJFORGE_BATCH_BATCH_H_
 
-// Many variants: made by worker processes, put in index order, gone on with
-// after a crash, split over machines and joined again. The bytes of all files
-// depend on none of it.
+// Many variants: made by worker processes, put in index order, resumed after a crash, split over
+// machines and joined again. None of this changes the bytes of any file.
 
 #include <atomic>
 #include <chrono>
@@ -29,19 +28,19 @@ struct Request {
 
   output::Destination destination;
   bool force = false;       // replace files that mjforge did not make
-  bool if_changed = false;  // leave files alone that would get the same bytes
+  bool if_changed = false;  // leave files that would get the same bytes alone
   bool resume = false;      // go on with what an earlier run left
   /// A manifest or archive gets its name only if no variant failed, as Make expects of a target.
   bool all_or_nothing = false;
 
   std::uint64_t jobs = 0;  // worker processes; 0: as many as there are cores
-  /// CPU time. A variant that takes more fails, and its worker is killed; so does one that
-  /// takes more than WallLimit by the clock, because it hangs.
+  /// CPU time. A variant that takes more fails, and its worker is killed; so does one that takes
+  /// more than WallLimit of wall time, because it hangs.
   std::chrono::duration<double> time_limit = std::chrono::seconds(30);
   const std::atomic<bool>* stop = nullptr;  // set by a signal: finish what is begun, and end
 };
 
-/// Ample, so that a busy machine fails no good variant.
+/// Generous, so that a busy machine does not fail a good variant.
 constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> time_limit) {
   return 10 * time_limit + std::chrono::seconds(5);
 }
@@ -57,14 +56,14 @@ struct Done {
 
 struct Summary : manifest::StatusCounts {
   std::uint64_t kept = 0;   // of those, done by an earlier run
-  std::uint64_t count = 0;  // asked for: the shard's
+  std::uint64_t count = 0;  // to be made: the shard's
   bool interrupted = false;
   bool output_failed = false;
   /// Of all variants. What is found at one place in many variants is here once,
   /// with a note of how many; at most kMaxFindings.
   diag::Findings findings;
   std::uint64_t more_findings = 0;  // places that did not fit
-  /// Files that the variants made in this run depend on beside the spec's: attached MJCF
+  /// Files that the variants made in this run depend on in addition to the spec's: attached MJCF
   /// with its includes, meshes, textures.
   std::set<std::string> inputs;
   std::string text;  // kStandardOutput: the object
@@ -90,9 +89,9 @@ struct Range {
 };
 Range RangeOf(const output::Shard& shard, const Range& all, const output::Destination& destination);
 
-/// Joins the manifests of all shards beside or in `destination` into one, if
-/// they are of one batch and none is missing. How many variants it has; nothing,
-/// and findings, if that cannot be done.
+/// Joins the manifests of all shards beside or in `destination` into one, if they belong to one
+/// batch and none is missing. Returns the number of variants; nothing, and findings, if that cannot
+/// be done.
 std::optional<std::uint64_t> Merge(const output::Destination& destination, diag::Sources& sources,
                                    diag::Findings& findings);
 

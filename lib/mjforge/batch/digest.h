@@ -12,9 +12,9 @@
 
 namespace mjforge::batch {
 
-/// The findings of many variants in little room: the first of each kind and
-/// place, and how many variants had it. Values differ from variant to variant
-/// and so do messages; the mistake to mend is one.
+/// The findings of many variants in little room: the first of each kind and place, and how many
+/// variants had it. Values differ from variant to variant, and so do messages, but there is one
+/// mistake to mend.
 class Digest {
  public:
   struct Entry {
@@ -27,7 +27,7 @@ class Digest {
 
   /// The findings of one variant.
   void Add(const diag::Findings& findings, bool as_warnings);
-  /// What another digest has of later variants.
+  /// Another digest's entry about later variants.
   void Add(Entry entry);
   void AddNotShown(std::uint64_t count) { not_shown_ += count; }
 
@@ -37,8 +37,8 @@ class Digest {
   std::uint64_t not_shown() const { return not_shown_; }
 
  private:
-  // The place, that of the first note (an attached file's findings all stand at
-  // one place of the spec), and without a place the message.
+  // The place, the first note's place (all findings of an attached file have the same place in the
+  // spec), and, without a place, the message.
   using Key = std::tuple<diag::Code, diag::SourceMark, diag::SourceMark, std::string>;
 
   std::size_t limit_;

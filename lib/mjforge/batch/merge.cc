@@ -11,7 +11,7 @@ namespace mjforge::batch {
 namespace {
 
 // Lines are collected up to this size before they are written.
-constexpr std::size_t kBufferBytes = 1 << 20;
+constexpr std::size_t kWriteBytes = 1 << 20;
 
 std::optional<std::uint64_t> TakeNumber(std::string_view& text) {
   std::uint64_t number = 0;
@@ -79,15 +79,15 @@ class Joining {
       return std::nullopt;
     }
     if (found.empty()) {
-      AddMissing(fmt::format("there is no manifest of a shard of '{}'", file_.string()),
-                 "a shard's manifest has its name when the shard is done");
+      AddMissing(fmt::format("no shard of '{}' has a manifest", file_.string()),
+                 "a shard's manifest gets its name when the shard is done");
       return std::nullopt;
     }
     if (found.size() > 1) {
       findings_.Add(diag::Code::kBatchDiffers, {},
-                    fmt::format("there are shards of {} and of {} beside '{}'",
+                    fmt::format("there are batches of {} and of {} shards next to '{}'",
                                 found.begin()->first, found.rbegin()->first, file_.string()),
-                    "remove the manifests of the batch that is not wanted");
+                    "remove the manifests of the batch that you do not want");
       return std::nullopt;
     }
     const auto& [count, indices] = *found.begin();
@@ -117,7 +117,7 @@ class Joining {
       if (!Check(record, shard, reader->number())) return false;
       lines += reader->text();
       lines += '\n';
-      if (lines.size() < kBufferBytes) continue;
+      if (lines.size() < kWriteBytes) continue;
       if (!part.Append(lines, findings_)) return false;
       lines.clear();
     }
@@ -130,17 +130,17 @@ class Joining {
     const std::string difference = manifest::DifferenceOfBatch(record, *first_);
     if (!difference.empty()) {
       findings_.Add(diag::Code::kBatchDiffers, {},
-                    fmt::format("line {} of '{}' is of another batch: {}", number, shard.string(),
-                                difference),
+                    fmt::format("line {} of '{}' belongs to another batch: {}", number,
+                                shard.string(), difference),
                     "make all shards with the same spec and options");
       return false;
     }
     const std::uint64_t expected = first_->index + records_;
     if (record.index != expected) {
-      AddMissing(fmt::format("line {} of '{}' has index {}; {} should come there", number,
-                             shard.string(), record.index, expected),
-                 record.index < expected ? "a variant is there twice: were all shards made with "
-                                           "the same -n, --first and --per-archive?"
+      AddMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
+                             record.index, expected),
+                 record.index < expected ? "a variant appears twice: were all shards made with the "
+                                           "same -n, --first and --per-archive?"
                                          : "variants are missing: were all shards made with the "
                                            "same -n, --first and --per-archive?");
       return false;
@@ -157,7 +157,7 @@ class Joining {
     const std::filesystem::path file = destination_.Folder() / name;
     if (!std::filesystem::exists(file, ignored)) {
       AddMissing(
-          fmt::format("'{}', which holds variant {}, is not there", file.string(), record.index),
+          fmt::format("'{}', which holds variant {}, is missing", file.string(), record.index),
           "run its shard again with --resume");
       return false;
     }

@@ -47,7 +47,7 @@ class Decoder {
 
  private:
   std::string_view Take(std::size_t count) {
-    if (count > bytes_.size()) throw std::logic_error("a message of a worker is cut short");
+    if (count > bytes_.size()) throw std::logic_error("a message from a worker is cut short");
     const std::string_view taken = bytes_.substr(0, count);
     bytes_.remove_prefix(count);
     return taken;

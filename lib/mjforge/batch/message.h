@@ -17,7 +17,7 @@ namespace mjforge::batch {
 struct Chunk {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
-  std::uint64_t archive = 0;  // the number of the one they go to
+  std::uint64_t archive = 0;  // the number of the archive they go to
 
   std::uint64_t end() const { return first + count; }
 };
@@ -50,7 +50,7 @@ struct Result {
   std::string text;                                         // of a single object
   std::vector<Done> variants;                               // if they are watched
   std::vector<std::pair<std::string, std::string>> assets;  // name, source; each once
-  std::vector<std::string> inputs;  // that this worker had not told of before
+  std::vector<std::string> inputs;                          // that this worker has not sent before
   std::vector<Digest::Entry> findings;
   std::uint64_t more_findings = 0;
   std::vector<SourceText> sources;
@@ -60,7 +60,7 @@ struct Result {
 
 std::string Encode(const Task& task);
 std::string Encode(const Result& result);
-// Of what Encode made. What is cut short or has a wrong length is a bug, and throws.
+// Decode what Encode made. Bytes that are cut short or have a wrong length are a bug, and throw.
 Task DecodeTask(std::string_view bytes);
 Result DecodeResult(std::string_view bytes);
 

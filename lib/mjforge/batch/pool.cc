@@ -285,7 +285,7 @@ void Pool::Replace(Worker& worker) {
   if (at_work) {
     first.condemned.push_back({worker.slot->index(), !worker.too_slow.empty(), how});
   } else if (++fruitless_deaths_ > kMaxFruitlessDeaths) {
-    throw std::runtime_error(fmt::format("workers cannot work: the last one {}", how));
+    throw std::runtime_error(fmt::format("workers cannot run: the last one {}", how));
   }
   // They come before what waits: results are wanted in order.
   waiting_.insert(waiting_.begin(), std::make_move_iterator(tasks.begin()),
@@ -306,7 +306,7 @@ void Pool::KillSlowWorkers() {
     } else if (cpu - worker->seen_cpu > time_limit_) {
       worker->too_slow = fmt::format("took more than {:g} s of CPU time", time_limit_.count());
     } else if (now - worker->seen_at > patience) {
-      worker->too_slow = fmt::format("took more than {:g} s by the clock", patience.count());
+      worker->too_slow = fmt::format("took more than {:g} s of wall time", patience.count());
     }
     if (!worker->too_slow.empty()) ::kill(worker->process, SIGKILL);
   }

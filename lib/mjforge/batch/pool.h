@@ -40,9 +40,9 @@ class Slot {
 /// Does tasks, in the worker.
 using Work = std::function<Result(const Task&, Slot&)>;
 
-/// Worker processes. One that a signal ends, or that takes more than the limit
-/// for one variant (CPU time; WallLimit by the clock), is replaced; its tasks go to others, with
-/// the variant it worked on condemned. Workers end with this process, however it ends.
+/// Worker processes. One that a signal ends, or that takes more than the limit for one variant (CPU
+/// time; WallLimit of wall time), is replaced; its tasks go to others, with the variant it worked
+/// on condemned. Workers end with this process, however it ends.
 class Pool {
  public:
   /// `make_work` is called in each worker when it starts.
@@ -52,14 +52,14 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Whether a task would be started soon.
+  /// Whether a submitted task would start soon.
   bool HasRoom() const;
   void Submit(Task task);
-  /// The next result there is, in any order; nothing if none comes within a tenth
-  /// of a second. Throws std::runtime_error if workers cannot be started, or end
-  /// again and again before they begin a variant.
+  /// The next available result, in any order; nothing if none comes within a tenth of a second.
+  /// Throws std::runtime_error if workers cannot be started, or end again and again before they
+  /// begin a variant.
   std::optional<Result> Wait();
-  /// Workers end after the variant they are at, and tasks not begun are dropped.
+  /// Workers end after their current variant; tasks that have not begun are dropped.
   void AskToStop();
   /// Whether results are still to come.
   bool IsBusy() const;

@@ -33,8 +33,8 @@ std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_
       difference = fmt::format("index is {}, not {}", record->index, expected);
     if (!difference.empty()) {
       findings.Add(diag::Code::kBatchDiffers, {},
-                   fmt::format("'{}' is of another batch: {}", manifest.string(), difference),
-                   "give the options of that batch, or start anew without --resume");
+                   fmt::format("'{}' belongs to another batch: {}", manifest.string(), difference),
+                   "use the options of that batch, or start over without --resume");
       return std::nullopt;
     }
     if (FailedByChance(*record) || !is_good(*record)) break;

@@ -25,7 +25,7 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 // Warns where a sampler or an exact choice cannot cover the batch evenly: it begins in the middle
-// of a block, or a grid's points are not as many as its variants.
+// of a block, or a grid has more or fewer points than variants.
 void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Findings& findings) {
   const forge::Options& options = request.variant;
   const std::uint64_t size = options.batch;
@@ -36,19 +36,19 @@ void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Find
                   fmt::format("variants {} to {} lie in several blocks of {}: draws are spread "
                               "evenly over each block, not over these variants",
                               request.first, request.first + (request.count - 1), size),
-                  fmt::format("let --first be a multiple of {}", size));
+                  fmt::format("make --first a multiple of {}", size));
   }
   const std::uint64_t points = sampler.GridPoints();
   if (points > size) {
     findings.Warn(diag::Code::kBatchUneven, {},
-                  fmt::format("the grid has {}, of which {} variants are only the first",
+                  fmt::format("the grid has {}; {} variants cover only the first of them",
                               sampler.GridText(), size),
                   "make more variants, or pin a parameter with --set");
   } else if (points > 0 && points < size) {
     findings.Warn(diag::Code::kBatchUneven, {},
-                  fmt::format("the grid has {}; the last {} of {} variants repeat some",
+                  fmt::format("the grid has {}; the last {} of {} variants repeat some of them",
                               sampler.GridText(), size - points, size),
-                  fmt::format("-n {} has each of them once", points));
+                  fmt::format("-n {} makes each of them once", points));
   }
 }
 
@@ -199,7 +199,7 @@ class Batch {
       sink.Drop();
       return;
     }
-    // What is broken stays as it is, to be gone on with.
+    // What is broken stays as it is, to be resumed.
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (is_broken || is_withheld) return;
     if (!sink.Finish(output_findings)) summary_.output_failed = true;

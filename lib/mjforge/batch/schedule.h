@@ -9,15 +9,15 @@
 
 namespace mjforge::batch {
 
-/// Variants of one segment of an archive. Fixed, because a compressed archive's
-/// bytes depend on where its segments end.
+/// Variants in one segment of an archive. Fixed, because a compressed archive's bytes depend on
+/// where its segments end.
 inline constexpr std::uint64_t kSegmentVariants = 64;
 
 /// Cuts a range of indices into chunks, in order.
 class Schedule {
  public:
-  /// `all` is the whole batch, of which archives are counted; `todo` what is left to
-  /// do of it. Of a folder, chunks are small enough that all jobs have work.
+  /// `all` is the whole batch, from which archives are counted; `todo` is what is left to do. For a
+  /// folder, chunks are small enough that all jobs have work.
   Schedule(const Range& all, const Range& todo, const output::Destination& destination,
            std::uint64_t jobs);
 

@@ -17,10 +17,10 @@ struct Kept : manifest::StatusCounts {
   std::uint64_t bytes = 0;  // of the manifest
 };
 
-/// Reads the records of `manifest` from the start, at most `range`.count and `bytes`
-/// bytes of them, while `is_good` says so and each follows the one before from
-/// `range`.first on. Nothing, and a finding, if there is a record of another batch than
-/// `batch` or the file cannot be read.
+/// Reads the records of `manifest` from the start, at most `range`.count of them and at most
+/// `bytes` bytes, while `is_good` accepts them and their indices count up from `range`.first.
+/// Nothing, and a finding, if a record belongs to another batch than `batch` or the file cannot be
+/// read.
 std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_t bytes,
                              const Range& range, const manifest::Record& batch,
                              const std::function<bool(const manifest::Record&)>& is_good,
@@ -35,14 +35,14 @@ class Sink {
  public:
   virtual ~Sink() = default;
 
-  /// Makes ready; what an earlier run left and need not be made again. Nothing,
-  /// and a finding, if it cannot be written to.
+  /// Gets ready; returns what an earlier run left that need not be made again. Nothing, and a
+  /// finding, if it cannot be written to.
   virtual std::optional<Kept> Open(diag::Findings&) { return Kept(); }
-  /// How workers write beside it; good after Open.
+  /// How workers that write files themselves may overwrite; valid after Open.
   virtual output::Overwrite overwrite() const { return {}; }
-  /// Of a result that it cannot use it clears what would be counted.
+  /// From a result that it cannot use, it clears what would be counted.
   virtual bool Take(Result& result, diag::Findings& findings) = 0;
-  /// All is there: gives it its name.
+  /// Everything is there: gives the output its final name.
   virtual bool Finish(diag::Findings&) { return true; }
   /// Nothing could be made: removes what Open made.
   virtual void Drop() {}
@@ -59,12 +59,11 @@ struct SinkOptions {
 /// The sink of the request's destination. `text` takes the object for standard output.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
 
-// One a kind of destination.
+// One per kind of destination.
 std::unique_ptr<Sink> MakeFolderSink(const SinkOptions& options);
 std::unique_ptr<Sink> MakeArchiveSink(const SinkOptions& options);
 
-/// Whether the manifest at `file` is one of ours, or none. Else a finding unless
-/// `force`.
+/// Whether there is no file at `file`, it is a manifest of ours, or `force`. Else a finding.
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -69,8 +69,8 @@ class Worker {
     const bool resumes =
         request_.destination.kind == Kind::kFolder || request_.destination.IsArchive();
     finding.hint = condemned.too_slow
-                       ? "give it more with --time-limit, or look at it with inspect --index"
-                   : resumes ? "no other variant is touched by it; --resume tries this one again"
+                       ? "raise --time-limit, or look at the variant with inspect --index"
+                   : resumes ? "no other variant is affected; --resume tries this one again"
                              : "look at it with inspect --index";
     return finding;
   }

@@ -9,9 +9,9 @@ namespace mjforge::batch {
 /// How the request's variants are made.
 forge::Options OptionsOf(const Request& request);
 
-/// What a worker does with a task: makes its variants and, into a folder, writes
-/// them. Call it in the worker: MuJoCo is there from then on. `watched`: results
-/// say each variant's place. The references must outlive it.
+/// What a worker does with a task: makes its variants and, into a folder, writes them. Call it in
+/// the worker, because it initializes MuJoCo. `watched`: results say each variant's place. The
+/// references must outlive it.
 Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
               const output::Overwrite& overwrite, bool watched);
 

@@ -1,7 +1,7 @@
 #ifndef MJFORGE_COMPILED_COMPILED_H_
 #define MJFORGE_COMPILED_COMPILED_H_
 
-// What MuJoCo compiled, in the words of the model.
+// What MuJoCo compiled, as types of `model`.
 
 #include <array>
 #include <memory>
@@ -23,7 +23,7 @@ using Data = std::unique_ptr<mjData, DeleteData>;
 /// Throws std::exception if there is not enough memory.
 Data MakeData(const mjModel& m);
 
-/// "lid", or "geom 3" for what has no name.
+/// "lid", or "geom 3" if it has no name.
 std::string NameOf(const mjModel& m, mjtObj kind, int id);
 
 /// MJCF's words for mjtJoint, in its order.
@@ -33,17 +33,17 @@ inline constexpr std::array<std::string_view, 4> kJointTypes = {"free", "ball", 
 inline constexpr std::array<int, 6> kGeomTypes = {mjGEOM_SPHERE,   mjGEOM_CAPSULE, mjGEOM_ELLIPSOID,
                                                   mjGEOM_CYLINDER, mjGEOM_BOX,     mjGEOM_MESH};
 
-/// The number `id` of a list of triples.
+/// Triple number `id` of a list.
 Eigen::Vector3d VectorAt(const mjtNum* array, int id);
-/// The number `id` of a list of quaternions.
+/// Quaternion number `id` of a list.
 Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id);
-/// The number `id` of a list of positions and one of quaternions.
+/// Pose number `id`, from a list of positions and a list of quaternions.
 model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id);
 
 /// Nothing for planes and height fields, which belong to scenes.
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom);
 
-/// Whether a geom belongs to a body but the world and its bits let it collide.
+/// Whether a geom belongs to a body other than the world and its bits let it collide.
 bool CollidesInBody(const mjModel& m, int geom);
 
 /// X_WG of a geom, as mj_kinematics left it.
@@ -56,8 +56,8 @@ model::TriangleMesh MeshOf(const mjModel& m, int mesh);
 /// The exact box around a geom at a pose. Empty for planes and height fields.
 model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 
-/// The box around all that can collide where mj_kinematics left it, in the world frame; with a
-/// `root` other than the world (0), of the bodies on that one alone.
+/// The box around all geoms that can collide, posed by mj_kinematics, in the world frame; with a
+/// `root` other than the world (0), only of that body and the bodies below it.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 
 /// Where a joint can stand, as qpos has it, rad or m: its range, or a full turn about the zero of

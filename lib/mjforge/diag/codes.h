@@ -6,9 +6,8 @@
 
 namespace mjforge::diag {
 
-/// Every kind of finding there is, grouped by what was being done; the first part
-/// of its name says that, too. docs/errors.md has a chapter for each and tests/golden
-/// a case; tests compare them.
+/// Every kind of finding, grouped by what was being done, which the first part of its name also
+/// says. docs/errors.md has a chapter for each and tests/golden a case; tests compare them.
 enum class Code {
   // Reading a file as YAML.
   kYamlCannotRead,

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_DIAG_DIAG_H_
 #define MJFORGE_DIAG_DIAG_H_
 
-// Findings: what is wrong, where the user can mend it, what was probably meant.
-// Stages add findings to a list and go on; nothing here prints or exits.
+// Findings: what is wrong, where the user can fix it, what was probably meant. Stages add findings
+// to a list and continue; nothing here prints or exits.
 
 #include <compare>
 #include <cstdint>
@@ -31,8 +31,8 @@ struct SourceMark {
 /// The texts read in a run: marks point into them, findings quote them.
 class Sources {
  public:
-  /// `name` is shown to the user as it stands. Returns the number for marks. Of a
-  /// file that is too long to be kept, `text` may be a piece from line `first_line` on.
+  /// `name` is shown to the user unchanged. Returns the number for marks. If a file is too long to
+  /// keep, `text` may be only a piece of it that begins at line `first_line`.
   std::uint32_t Add(std::string name, std::string text, std::uint32_t first_line = 1);
 
   const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }
@@ -70,7 +70,7 @@ struct Finding {
 
 class Findings {
  public:
-  /// The reference is good until the next Add.
+  /// The reference is valid until the next Add.
   Finding& Add(Code code, SourceMark mark, std::string message, std::string hint = {});
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
   void Append(Findings other);
@@ -82,9 +82,9 @@ class Findings {
   auto end() const { return list_.end(); }
   const Finding& operator[](std::size_t i) const { return list_[i]; }
 
-  /// Stamps every finding that has none yet with the variant it is about.
+  /// Sets the seed and index of every finding that has none yet.
   void SetVariant(std::uint64_t seed, std::uint64_t index);
-  /// By file, line, column; findings of one place keep their order.
+  /// Sorts by file, line and column; findings at the same place keep their order.
   void Sort();
   /// Drops repeats (same code, place and message), keeping the first.
   void Unique();
@@ -94,21 +94,21 @@ class Findings {
   std::vector<Finding> list_;
 };
 
-/// `file:line:col: error: message [code]`, the line, a caret, hint and notes,
-/// each line ended. With color, ANSI sequences.
+/// `file:line:col: error: message [code]`, the line, a caret, hint and notes; every line ends with
+/// a newline. With color, ANSI sequences.
 std::string RenderText(const Finding& finding, const Sources& sources, bool color);
 
 /// One JSON object without a line end: severity code file line column message
 /// hint seed index notes[].
 std::string RenderJson(const Finding& finding, const Sources& sources);
 
-/// Text of unknown origin, made fit to be shown on one line. Control characters, invalid
-/// bytes and the marks that turn the direction of writing are spelled out ("\x1b"): a spec
-/// must not be able to steer a terminal or a page.
+/// Makes text of unknown origin safe to show on one line. Control characters, invalid bytes and the
+/// marks that turn the direction of writing are spelled out ("\x1b"): a spec must not be able to
+/// steer a terminal or a page.
 std::string SafeText(std::string_view text);
 
-/// The candidate nearest to `word` by edit distance (insert, delete, replace,
-/// swap of neighbours), if it is near enough to be a slip; ties go to the first.
+/// The candidate nearest to `word` by edit distance (insert, delete, replace, swap of neighbours),
+/// if it is near enough to be a typing error; ties go to the first.
 std::optional<std::string_view> ClosestWord(std::string_view word,
                                             std::span<const std::string_view> candidates);
 

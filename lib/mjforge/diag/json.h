@@ -11,9 +11,9 @@
 
 namespace mjforge::diag {
 
-/// Appends JSON to a text, as it comes: a record is a fifth of what a variant costs, and half of
-/// that was a general writer's bookkeeping. Objects and lists must be ended in order, texts be
-/// valid UTF-8.
+/// Appends JSON to a text without checking its structure: writing a record took a fifth of a
+/// variant's time, and half of that was a general writer's bookkeeping. Objects and lists must be
+/// ended in order, texts be valid UTF-8.
 class Json {
  public:
   /// How a finite number is spelled: expr::AppendNumber or expr::AppendExactNumber.
@@ -73,7 +73,7 @@ class Json {
     Separate();
     text_ += bracket;
   }
-  // Values and members are what follows neither an opening nor a key.
+  // A comma precedes every value and member except after an opening bracket or a key.
   void Separate() {
     const char last = text_.empty() ? '\n' : text_.back();
     if (last != '{' && last != '[' && last != ':' && last != '\n') text_ += ',';

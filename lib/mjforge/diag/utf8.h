@@ -1,7 +1,7 @@
 #ifndef MJFORGE_DIAG_UTF8_H_
 #define MJFORGE_DIAG_UTF8_H_
 
-// Private to the room: text of unknown origin, made fit to be shown.
+// Private to the room: makes text of unknown origin safe to show.
 
 #include <cstddef>
 #include <string>
@@ -13,7 +13,7 @@ namespace mjforge::diag {
 struct Utf8Char {
   char32_t value = 0;
   std::size_t length = 1;  // in bytes
-  bool valid = false;      // false: one byte that is no UTF-8
+  bool valid = false;      // false: one byte that is not UTF-8
 };
 
 /// `text` must not be empty.

@@ -90,10 +90,10 @@ std::unique_ptr<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
     const auto& [name, file] = assets[i];
     const std::string in_memory = NameInMemory(name);
     if (vfs_->nfile >= mjMAXVFS || in_memory.size() >= mjMAXVFSNAME) {
-      return problem(i, false,
-                     fmt::format("'{}' does not fit into MuJoCo's {} files of at most {} "
-                                 "letters",
-                                 name, mjMAXVFS - 2, mjMAXVFSNAME - 1));
+      return problem(
+          i, false,
+          fmt::format("'{}' exceeds MuJoCo's limit of {} files with names of at most {} characters",
+                      name, mjMAXVFS - 2, mjMAXVFSNAME - 1));
     }
     const std::string* bytes = ReadOnce(file);
     if (bytes == nullptr || bytes->empty()) {

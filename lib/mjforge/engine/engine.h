@@ -1,7 +1,7 @@
 #ifndef MJFORGE_ENGINE_ENGINE_H_
 #define MJFORGE_ENGINE_ENGINE_H_
 
-// MuJoCo's loader without its habits: it neither exits, prints, nor writes a log.
+// MuJoCo's loader without side effects: it does not exit, print, or write a log.
 
 #include <cstdlib>
 #include <filesystem>
@@ -24,7 +24,7 @@ struct DeleteModel {
 };
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 
-/// What came of a load: a model or an error, and warnings in both cases.
+/// The result of a load: a model or an error, and warnings in both cases.
 struct Loaded {
   Model model;
   std::string error;
@@ -41,8 +41,8 @@ class Engine {
 
   Engine();
 
-  /// Puts the files into memory under their names in the text, reading each
-  /// once. Returns why it cannot, with the number of the asset, or nothing.
+  /// Puts the files into memory under the names that the text uses, reading each once. If it
+  /// cannot, returns the reason and the index of the asset; otherwise nothing.
   struct AssetProblem {
     std::size_t asset = 0;
     bool unreadable = false;
@@ -52,9 +52,9 @@ class Engine {
 
   /// Loads a text that may refer to the assets.
   Loaded LoadText(const std::string& text);
-  /// As if the text were a file in that folder: what it refers to is on the disk.
+  /// As if the text were a file in that folder: reads the files it refers to from the disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
-  /// Loads a file, or standard input, and what it refers to from the disk.
+  /// Loads a file or standard input, and the files it refers to from the disk.
   Loaded LoadFile(const std::filesystem::path& file);
 
  private:
@@ -65,8 +65,8 @@ class Engine {
   struct Free {
     void operator()(mjVFS* vfs) const { std::free(vfs); }
   };
-  // Filled by hand: the memory of its files is ours, its 2 MB are touched only
-  // where used, and mj_deleteFileVFS (2.2.2) never ends for any file but the last.
+  // Filled by hand: the memory of its files is ours, its 2 MB are touched only where used, and
+  // mj_deleteFileVFS (2.2.2) never returns for any file except the last.
   std::unique_ptr<mjVFS, Free> vfs_;
   std::map<std::filesystem::path, std::string> files_;
 };

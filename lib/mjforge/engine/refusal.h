@@ -10,7 +10,7 @@ namespace mjforge::engine {
 
 struct Refusal {
   std::string reason;  // one line, without MuJoCo's "Error: " and final stop
-  int line = 0;        // of the XML; 0: not said
+  int line = 0;        // of the XML; 0: unknown
 };
 Refusal ParseRefusal(std::string_view message);
 

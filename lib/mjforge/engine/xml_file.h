@@ -25,11 +25,11 @@ struct XmlFault {
   std::string hint;
 };
 std::optional<XmlFault> WhyNotXml(std::string_view text);
-/// The same of a text whose root element must be <mujoco>.
+/// The same for a text whose root element must be <mujoco>.
 std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes = nullptr);
 
-/// A command line's name of standard input, and its file, which is read from its start on if
-/// it is one that can be.
+/// The name of standard input on a command line, and its file. A file that is redirected there is
+/// read from its start.
 inline constexpr const char* kStandardInput = "-";
 inline constexpr const char* kStandardInputFile = "/dev/stdin";
 

@@ -24,7 +24,7 @@ std::string Shown(const Word& word) {
 std::string OperatorHint(const Word& before, const Word& word, const Names& names) {
   if (word.kind == Word::Kind::kName && IsUnit(word.text) && names.Find(word.text) == nullptr) {
     if (before.kind == Word::Kind::kNumber && before.unit.empty()) {
-      return fmt::format("a unit follows its number without a blank: {}{}", before.text, word.text);
+      return fmt::format("a unit follows its number without a space: {}{}", before.text, word.text);
     }
     return fmt::format("only numbers carry units: multiply by 1{}", word.text);
   }
@@ -64,8 +64,8 @@ Error MissingValue(std::span<const Word> words, std::size_t at) {
                    : Syntax(word, "the expression ends where a value is expected");
   }
   if (word.IsName("not")) {
-    return Syntax(word, "'not' binds looser than what is before it",
-                  "put it into parentheses: (not ...)");
+    return Syntax(word, "'not' binds more loosely than what precedes it",
+                  "put it in parentheses: (not ...)");
   }
   const Word* before = at > 0 ? &words[at - 1] : nullptr;
   const bool adjacent = before && before->offset + before->text.size() == word.offset;
@@ -90,16 +90,16 @@ Error Unexpected(std::span<const Word> words, std::size_t at, const Names& names
   if (word.text == "&") return Syntax(word, "'&' is not an operator", "write && or 'and'");
   if (word.text == "|") return Syntax(word, "'|' is not an operator", "write || or 'or'");
   if (word.text == "..") {
-    return Syntax(word, "a range is no part of an expression",
-                  "draw it as a parameter of its own and use that parameter's name");
+    return Syntax(word, "a range cannot be part of an expression",
+                  "draw it as a separate parameter and use that parameter's name");
   }
   if (word.text == ",") {
     const bool decimal = before.kind == Word::Kind::kNumber && before.unit.empty() &&
                          words[at + 1].kind == Word::Kind::kNumber;
-    return Syntax(word, "',' only separates the arguments of a function",
-                  decimal
-                      ? fmt::format("decimals have a point: {}.{}", before.text, words[at + 1].text)
-                      : std::string());
+    return Syntax(
+        word, "',' only separates the arguments of a function",
+        decimal ? fmt::format("write decimals with a point: {}.{}", before.text, words[at + 1].text)
+                : std::string());
   }
   if (word.text == ":") return Syntax(word, "':' has no '?' before it");
   return Syntax(word, fmt::format("'{}' has no '(' before it", word.text));
@@ -111,9 +111,9 @@ Error UnknownName(const Word& word, const Names& names, bool beside_text) {
                   fmt::format("write {}", UsageOf(word.text)));
   }
   std::string hint = ClosestName(word.text, names);
-  if (beside_text && hint.empty()) hint = fmt::format("a text is quoted: '{}'", word.text);
+  if (beside_text && hint.empty()) hint = fmt::format("put text in quotes: '{}'", word.text);
   if (hint.empty() && IsUnit(word.text)) {
-    hint = fmt::format("a unit follows its number without a blank: 1{}", word.text);
+    hint = fmt::format("a unit follows its number without a space: 1{}", word.text);
   }
   return {Code::kExprUnknownName, word.offset, fmt::format("unknown name '{}'", word.text),
           std::move(hint)};
@@ -162,7 +162,7 @@ Error WrongComponent(const Word& word, const Names::Variable& variable,
   }
   std::string message =
       component.empty()
-          ? fmt::format("'{}' is a vector of {} numbers; an expression computes with one", name,
+          ? fmt::format("'{}' is a vector of {} numbers; an expression needs a single number", name,
                         variable.components)
           : fmt::format("'{}' is a vector of {} numbers; it has no component '{}'", name,
                         variable.components, component);

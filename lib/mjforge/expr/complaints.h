@@ -1,7 +1,7 @@
 #ifndef MJFORGE_EXPR_COMPLAINTS_H_
 #define MJFORGE_EXPR_COMPLAINTS_H_
 
-// Private to the room: what is said about words that do not fit.
+// Private to the room: the messages about words that do not fit.
 
 #include <cstddef>
 #include <span>
@@ -13,22 +13,22 @@
 namespace mjforge::expr {
 
 inline constexpr std::string_view kSplitHint =
-    "give a part of it a name: a parameter may be an expression";
+    "move a part of it into a parameter: a parameter may be an expression";
 
 /// A word where an operand should be.
 Error MissingValue(std::span<const Word> words, std::size_t at);
 /// A word that cannot follow what came before it.
 Error Unexpected(std::span<const Word> words, std::size_t at, const Names& names);
-/// A name that means nothing, or a function's without its parentheses.
-/// `beside_text`: it is compared with a text.
+/// An undefined name, or a function's name without parentheses. `beside_text`: it is compared with
+/// a text.
 Error UnknownName(const Word& word, const Names& names, bool beside_text);
-/// A name with parentheses that is no function.
+/// A name with parentheses that is not a function.
 Error NotAFunction(const Word& word, const Names& names);
 Error UnknownUnit(const Word& word, const Names& names);
 /// A component a variable does not have (`component` empty: a vector used whole).
 Error WrongComponent(const Word& word, const Names::Variable& variable, std::string_view component);
 
-/// A text anywhere but beside == or !=.
+/// A text that is not an operand of == or !=.
 Error MisusedText(const Word& word);
 /// A text compared with a number or a boolean.
 Error TextAgainst(const Word& word);

@@ -35,15 +35,17 @@ std::optional<double> ParseNumber(std::string_view text);
 /// Whether it is a letter, then letters, digits and underscores, all of ASCII.
 bool IsName(std::string_view text);
 bool IsNameCharacter(char c);
+/// 0 to 9, in every locale.
+constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// The words of a text: what stands between blanks and line ends.
+/// The words of a text, separated by spaces or line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 
 enum class Type { kNumber, kBoolean, kText };
 std::string_view TypeName(Type type);  // "number", "boolean", "text"
 
-/// The number that stands for a text among an expression's variables: 52 bits
-/// of the text's XXH64, so that equal texts, and for practice only they, are equal.
+/// The number that represents a text among an expression's variables: 52 bits of the text's XXH64.
+/// Equal texts have equal numbers; different texts in practice never do.
 double TextKey(std::string_view text);
 
 /// The names an expression may use, and the slot of each in the array of
@@ -64,7 +66,7 @@ class Names {
   /// Ends a name's scope (a loop's variable).
   void Forget(std::string_view name);
   const Variable* Find(std::string_view name) const;
-  /// Those in scope, sorted by name.
+  /// The variables in scope, sorted by name.
   std::vector<const Variable*> variables() const;
   int slot_count() const { return slot_count_; }
 
@@ -80,8 +82,8 @@ struct Error {
   std::string hint;
 };
 
-/// One compiled expression. Evaluating it uses memory of its own, so one
-/// Expression must not be evaluated by two threads at the same time.
+/// One compiled expression. Evaluating it writes to memory that it owns, so two threads must not
+/// evaluate the same Expression at the same time.
 class Expression {
  public:
   struct Input {
@@ -136,7 +138,7 @@ struct Function {
 };
 std::span<const Function> Functions();
 
-/// Units a number may carry ("mm", "deg"), with what one of them is in SI.
+/// Units a number may carry ("mm", "deg"), each with its value in SI units.
 struct Unit {
   std::string_view name;
   std::string_view doc;

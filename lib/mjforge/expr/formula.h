@@ -1,7 +1,7 @@
 #ifndef MJFORGE_EXPR_FORMULA_H_
 #define MJFORGE_EXPR_FORMULA_H_
 
-// Private to the room: an expression put into words for muParser.
+// Private to the room: an expression translated for muParser.
 
 #include <string>
 #include <string_view>
@@ -12,10 +12,9 @@
 
 namespace mjforge::expr {
 
-/// `text` names nothing but inputs (i0, i1, ...), constants (c0, ...) and
-/// functions (f0, ...), so that nothing in it depends on muParser's own idea of
-/// names, numbers or the locale. Its operators are muParser's with the same
-/// precedence; `%` is Remainder().
+/// The only names in `text` are inputs (i0, i1, ...), constants (c0, ...) and functions (f0, ...),
+/// so nothing in it depends on how muParser reads names and numbers, or on the locale. Its
+/// operators are muParser's with the same precedence; `%` is Remainder().
 struct Formula {
   std::string text;
   Type type = Type::kNumber;
@@ -26,7 +25,7 @@ struct Formula {
   void Write(std::string_view words) { text += words; }
   void WriteConstant(double value);
   void WriteInput(std::string_view name, int slot, Type input_type);
-  /// Up to and with the opening parenthesis.
+  /// Up to and including the opening parenthesis.
   void WriteCall(const Callee& callee);
 
   /// True if it is just a constant or an input.

@@ -22,11 +22,11 @@ struct Callee {
   }
 };
 
-/// Besides the functions of the language also the unary operators, under the
-/// names "-" and "!"; null if there is none of that name.
+/// Also finds the unary operators, under the names "-" and "!"; null if there is no function of
+/// that name.
 const Callee* FindCallee(std::string_view name);
 
-/// The value of `pi`, `true`, `false`; null if `name` is no constant.
+/// The value of `pi`, `true`, `false`; null if `name` is not a constant.
 struct Constant {
   std::string_view name;
   double value;

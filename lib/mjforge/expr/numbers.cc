@@ -161,8 +161,6 @@ bool AppendShortDecimal(std::string& out, double value) {
   return true;
 }
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-
 // The length of the decimal number without sign at the start of `text`, 0 if none.
 std::size_t DecimalLength(std::string_view text) {
   const auto digits = [text](std::size_t i) {

@@ -16,7 +16,6 @@ constexpr std::array<std::string_view, 24> kSigns = {"..", "<=", ">=", "==", "!=
                                                      "-",  "*",  "/",  "^",  "%",  "(",  ")",  ",",
                                                      "?",  ":",  "<",  ">",  "!",  "=",  "&",  "|"};
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 bool IsHexDigit(char c) { return IsDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -138,7 +137,7 @@ class Splitter {
     Skip([](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
     const std::string_view character = Since(begin);
     std::string hint;
-    if (character == "$") hint = "inside an expression a name stands alone, without ${}";
+    if (character == "$") hint = "inside an expression write only the name, without ${}";
     if (character == "[" || character == "{") hint = "an expression gives one value, not a list";
     if (character == "×" || character == "·") hint = "write * to multiply";
     if (character == "÷") hint = "write / to divide";

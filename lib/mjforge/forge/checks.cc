@@ -14,7 +14,7 @@ std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settin
   for (const spec::Setting& setting : settings) {
     if (setting.name.starts_with("checks.")) continue;
     findings.Add(diag::Code::kSpecUnknownParameter, {},
-                 "'" + setting.name + "' is no threshold of a check",
+                 "'" + setting.name + "' is not a threshold of a check",
                  "a file has no parameters to set, only thresholds: checks.NAME");
   }
   if (findings.HasErrors()) return std::nullopt;

@@ -77,7 +77,7 @@ std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settin
 
 /// The object's name for a variant: `text` with every ${index} replaced.
 std::string ExpandName(std::string_view text, std::uint64_t index);
-/// Whether names made from `text` are names: [A-Za-z][A-Za-z0-9_]*. Else a finding.
+/// Whether names made from `text` are valid: [A-Za-z][A-Za-z0-9_]*. Else a finding.
 bool CheckName(std::string_view text, diag::Findings& findings);
 
 /// One variant and all that is known of it.
@@ -110,8 +110,8 @@ inline constexpr int kMaxResamples = 100;
 /// What the records of all variants have in common; the rest is empty.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
-/// Makes the members of one family. Keeps what they share and the memory they
-/// need; takes no more of it however many it makes.
+/// Makes the members of one family. Keeps what they share and the memory they need, which does not
+/// grow with their number.
 class Generator {
  public:
   /// The recipe and its sources must outlive the generator. Attached XML files
@@ -121,7 +121,7 @@ class Generator {
   /// Replaces the content of `variant`. A pure function of the index.
   void Make(std::uint64_t index, Variant& variant);
 
-  /// Instead of making it: a failed variant with this finding.
+  /// Instead of making it, describes a failed variant with this finding.
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
   const Recipe& recipe() const { return recipe_; }
@@ -137,7 +137,7 @@ class Generator {
 
   const Recipe& recipe_;
   Options options_;
-  std::unique_ptr<validate::Loader> loader_;         // null: MuJoCo is not asked
+  std::unique_ptr<validate::Loader> loader_;         // null: MuJoCo does not load it
   std::unique_ptr<physics::Laboratory> laboratory_;  // null: nothing is simulated
   const diag::Sources& sources_;
   diag::Sources record_sources_;  // names as records show them
@@ -154,20 +154,19 @@ class Generator {
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);
-/// How to make a record's variant again; nothing, and a finding about `what`, if it was made
-/// for a target or with a sampler that is not known.
+/// How to regenerate a record's variant; nothing, and a finding about `what`, if it was made for an
+/// unknown target or with an unknown sampler.
 std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
                                        diag::Findings& findings);
 
-/// What to make again and compare.
+/// What to regenerate and compare.
 struct ReplayRequest {
   std::string what;  // "out/manifest.jsonl:42" or "out/hammer_000042.xml"
   std::string spec;  // if not the one that the record names
 };
 
-/// Makes a variant again from its record or from the comment in its file and
-/// compares the bytes. Findings say what differs, or why the variant fails now
-/// as it did then; true if there are no errors.
+/// Regenerates a variant from its record or from the comment in its file and compares the bytes.
+/// Findings say what differs, or why the variant fails, now as before; true if there are no errors.
 bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings& findings);
 
 }  // namespace mjforge::forge

@@ -26,7 +26,7 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
                                          diag::Sources& sources, diag::Findings& findings) {
   if (spec.empty() && record.spec == "-") {
     findings.Add(diag::Code::kSpecNotFound, {}, "the spec was read from standard input",
-                 "name its file with --spec");
+                 "pass its file with --spec");
     return std::nullopt;
   }
   spec::LoadOptions options;
@@ -42,14 +42,14 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
     told = finding;
     const bool is_gone = spec.empty() && !finding.mark;
     if (is_gone && finding.code == diag::Code::kYamlCannotRead)
-      told.hint = "name its file with --spec";
+      told.hint = "pass its file with --spec";
   }
   if (!recipe) return std::nullopt;
   if (recipe->spec->sha256 != record.spec_sha256) {
     findings.Add(diag::Code::kOutputDiffers, {},
                  fmt::format("spec '{}' has changed since: its hash is {}, the record says {}",
                              recipe->spec->file, recipe->spec->sha256, record.spec_sha256),
-                 "name the spec of that time with --spec");
+                 "pass the original spec with --spec");
     return std::nullopt;
   }
   recipe->reference = record.spec;
@@ -59,8 +59,9 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
 std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
                                        diag::Findings& findings) {
   const auto unknown = [&](std::string_view kind, std::string_view name) {
-    findings.Add(diag::Code::kOutputBadManifest, {},
-                 fmt::format("'{}' was made {} '{}', which is not known here", what, kind, name));
+    findings.Add(
+        diag::Code::kOutputBadManifest, {},
+        fmt::format("'{}' was made {} '{}', which this version does not know", what, kind, name));
     return std::nullopt;
   };
   const std::optional<mjcf::Target> target = mjcf::FindTarget(record.target);

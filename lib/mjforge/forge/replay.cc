@@ -52,7 +52,7 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
     return original;
   }
   if (outcome == Outcome::kEnd)
-    AddBadManifest(findings, fmt::format("'{}' has no record of index {}", file.string(), index));
+    AddBadManifest(findings, fmt::format("'{}' has no record with index {}", file.string(), index));
   return std::nullopt;
 }
 
@@ -62,8 +62,8 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   const std::optional<mjcf::Provenance> provenance = mjcf::ReadProvenance(*text);
   if (!provenance) {
     AddBadManifest(findings,
-                   fmt::format("'{}' does not open with mjforge's comment", file.string()),
-                   "only a file that mjforge wrote says how to make it again");
+                   fmt::format("'{}' does not start with mjforge's comment", file.string()),
+                   "only files that mjforge wrote can be replayed");
     return std::nullopt;
   }
   Original original;
@@ -80,7 +80,7 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
   if (original.from_manifest && !std::filesystem::exists(holder, ignored)) {
     if (original.record.sha256 == variant.record.sha256) return true;
     findings.Add(diag::Code::kOutputDiffers, {},
-                 fmt::format("made again, '{}' has the hash {}; the record says {}",
+                 fmt::format("the regenerated '{}' has the hash {}; the record says {}",
                              original.record.file, variant.record.sha256, original.record.sha256));
     return false;
   }
@@ -97,7 +97,7 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
   std::string_view line = expected.substr(start == 0 ? 0 : expected.rfind('\n', start - 1) + 1);
   line = line.substr(0, line.find('\n'));
   const std::string message =
-      fmt::format("line {} differs from the object made again: '{}'", number,
+      fmt::format("line {} differs from the regenerated object: '{}'", number,
                   line.substr(std::min(line.find_first_not_of(' '), line.size())));
   const diag::SourceMark mark{sources.Add(original.file.string(), *std::move(present)), number, 1};
   findings.Add(diag::Code::kOutputDiffers, mark, message);

@@ -1,7 +1,7 @@
 #ifndef MJFORGE_MANIFEST_MANIFEST_H_
 #define MJFORGE_MANIFEST_MANIFEST_H_
 
-// What is known of each variant of a batch, a line of JSON each.
+// What is known of each variant of a batch, one line of JSON per variant.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +25,8 @@ namespace mjforge::manifest {
 /// What became of a variant: "ok", "failed", "skipped". Failed and skipped ones have errors among
 /// their findings and no file.
 enum class Status { kOk, kFailed, kSkipped };
-/// What is asked about each variant: nothing, whether MuJoCo loads it as it is meant, whether it
-/// also behaves.
+/// What is checked of each variant: nothing, whether MuJoCo loads it as meant, or whether it also
+/// behaves.
 enum class Validation { kNone, kLoad, kPhysics };
 enum class OnInvalid {
   kFail,      // the variant is reported, the others are made
@@ -76,7 +76,7 @@ struct StatusCounts {
 /// and what came of it.
 struct Record : mjcf::Provenance {
   std::string file;       // relative to the manifest, or in the archive; empty: none was written
-  std::string archive;    // relative to the manifest; empty: the file stands by itself
+  std::string archive;    // relative to the manifest; empty: the file is not in an archive
   std::string spec_file;  // from the manifest's folder; empty: found by name, or not known
   std::uint64_t attempt = 0;
   std::vector<std::pair<std::string, sample::ParameterValue>> params;
@@ -104,19 +104,18 @@ std::string PhysicsJson(const physics::Result& result);
 /// Nothing, and why, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
-/// The records of a manifest, one after the other: it may have a hundred million,
-/// and takes no more memory for them.
+/// Reads the records of a manifest one after the other, in constant memory: there may be a hundred
+/// million.
 class RecordReader {
  public:
-  /// Nothing, and a finding, if the file cannot be read. Sources and findings must
-  /// outlive the reader: a line that is no record is a finding at its place.
+  /// Nothing, and a finding, if the file cannot be read. Sources and findings must outlive the
+  /// reader: a line that is not a record is a finding at its place.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings);
 
   enum class Outcome { kRecord, kBadLine, kEnd };
-  /// Replaces `record` by that of the next line. After a bad line, of which only a
-  /// finding is left, it may go on with the one that follows; of more than
-  /// kMaxBadLines the others are only counted.
+  /// Replaces `record` with the one on the next line. A bad line is only a finding; the next call
+  /// continues with the line after it. Beyond kMaxBadLines, bad lines are only counted.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
   std::uint64_t bad_lines() const { return bad_lines_; }
@@ -124,7 +123,7 @@ class RecordReader {
   /// The last line: its number, from 1 up, and its text without the end.
   std::uint32_t number() const { return number_; }
   const std::string& text() const { return text_; }
-  /// Whether that line has no end, as one that was being written.
+  /// Whether that line has no line end, because it was still being written.
   bool torn() const { return lines_.eof(); }
   /// The place of that line, for further findings about it.
   diag::SourceMark Mark() const;

@@ -68,7 +68,7 @@ std::string ManifestSchema() {
       "{{\n"
       "  \"$schema\": \"http://json-schema.org/draft-07/schema#\",\n"
       "  \"title\": \"mjforge manifest record\",\n"
-      "  \"description\": \"One line of manifest.jsonl: one variant, in index order.\",\n"
+      "  \"description\": \"One line of manifest.jsonl: one variant. Lines are in index order.\",\n"
       "  \"type\": \"object\",\n"
       "  \"additionalProperties\": false,\n"
       "  \"required\": [{}],\n"

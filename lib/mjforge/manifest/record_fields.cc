@@ -150,7 +150,7 @@ RecordField Physics() {
       fmt::format(R"("type": "object", "properties": {{{}, "joints": {{"type": "array", )"
                   R"("items": {{"type": "object", "properties": {{{}}}}}}}}})",
                   SchemaOf(kResult), SchemaOf(kJoint)),
-      "What was measured of it, in SI units; left out where that was not asked for.",
+      "Measurements of its behaviour, in SI units; left out if none were made.",
       [](Json& json, const Record& record) { PutResult(json, *record.physics); },
       [](const Value& value, Record& record) { return GetResult(value, record.physics.emplace()); },
       [](const Record& record) { return !record.physics; }};
@@ -197,7 +197,7 @@ const std::array kFields = {
         "The spec's file, relative to the manifest; left out if it is found by its name, or "
         "has only the root folder in common with the manifest."),
     Field<&Record::spec_sha256, Scope::kBatch>(
-        "spec_sha256", kHash, "SHA-256 of the texts of all files the spec was read from."),
+        "spec_sha256", kHash, "SHA-256 of the text of all files that the spec was read from."),
     Optional<&Record::settings, Scope::kBatch>(
         "set", R"("type": "object", "additionalProperties": {"type": "string"})",
         "Parameters that were set in place of the spec's own values, as YAML."),
@@ -213,7 +213,7 @@ const std::array kFields = {
         R"("string", "array"], "items": {"type": "number"}})",
         "The value of each parameter."),
     OfObject<&Record::mass_properties, &MassProperties::mass>(
-        "mass", kNumber, "kg; null, here and below, if no object was made."),
+        "mass", kNumber, "Mass, kg; null, here and below, if no object was made."),
     OfObject<&Record::mass_properties, &MassProperties::p_FCm>(
         "com",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 3, )"
@@ -241,15 +241,16 @@ const std::array kFields = {
                              "Bodies in the file as MuJoCo counts them, the world included."),
     OfObject<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
     OfObject<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
-    Field<&Record::target, Scope::kBatch>("target", kText, "Who the file is written for."),
+    Field<&Record::target, Scope::kBatch>("target", kText,
+                                          "The host that the file is written for."),
     Field<&Record::validate, Scope::kBatch>(
         "validate", R"("enum": ["load", "none", "physics"])",
-        "What was asked about it: load, whether MuJoCo loads the file as it is meant; "
-        "physics, whether it also behaves."),
+        "How the variant was checked: load, whether MuJoCo loads the file as intended; physics, "
+        "whether the object also behaves."),
     Physics(),
     Optional<&Record::on_invalid, Scope::kBatch>(
         "on_invalid", R"("enum": ["skip", "resample"])",
-        "What was to be done if it is invalid; left out where it fails."),
+        "What happens to an invalid variant; left out if it fails."),
     Field<&Record::status>(
         "status", R"("enum": ["ok", "failed", "skipped"])",
         "Failed and skipped variants have errors among their findings and no file."),

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_MJCF_ADAPT_H_
 #define MJFORGE_MJCF_ADAPT_H_
 
-// The steps of fitting an object to its target. Each looks at the columns of
-// the target's row that it is about and does nothing where they ask for nothing.
+// The steps of fitting an object to its target. Each reads its own columns of the target's row and
+// does nothing if they require nothing.
 
 #include <span>
 #include <string>

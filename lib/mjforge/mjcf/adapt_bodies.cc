@@ -59,10 +59,11 @@ void DropFreeJoint(model::Body& root, const TargetRules& rules, diag::Findings& 
   if (!free->attributes.empty()) {
     std::vector<std::string_view> lost;
     for (const model::Attribute& attribute : free->attributes) lost.push_back(attribute.name);
-    findings.Warn(Code::kTargetDropped, free->mark,
-                  fmt::format("{} adds the free joint itself: what joint '{}' says is dropped ({})",
-                              rules.name, free->name, Listed(lost)),
-                  "say it where the object is read (joints=...)");
+    findings.Warn(
+        Code::kTargetDropped, free->mark,
+        fmt::format("{} adds the free joint itself: the attributes of joint '{}' are dropped ({})",
+                    rules.name, free->name, Listed(lost)),
+        "set them where the object is loaded (joints=...)");
   }
   root.joints.erase(free);
 }

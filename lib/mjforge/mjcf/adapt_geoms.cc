@@ -90,16 +90,17 @@ void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings&
   if (!groups.names.empty()) {
     findings.Warn(
         Code::kTargetDropped, groups.first,
-        fmt::format("{} tells collision geoms ({}) from visual ones ({}) by the group: "
-                    "'group' of {} is overridden",
+        fmt::format("{} tells collision geoms ({}) from visual ones ({}) by their group: 'group' "
+                    "of {} is overridden",
                     rules.name, rules.collision_group, rules.visual_group, Listed(groups.names)),
-        "say which it is with 'role'");
+        "set 'role' to 'collision' or 'visual' instead");
   }
   if (!margins.names.empty()) {
-    findings.Warn(Code::kTargetDropped, margins.first,
-                  fmt::format("{} has no margins where meshes collide: 'margin' and 'gap' of {} "
-                              "are dropped",
-                              rules.name, Listed(margins.names)));
+    findings.Warn(
+        Code::kTargetDropped, margins.first,
+        fmt::format(
+            "{} does not support margins when meshes collide: 'margin' and 'gap' of {} are dropped",
+            rules.name, Listed(margins.names)));
   }
   if (!rules.same_look) return;
   for (model::Body& body : object.bodies) SplitRoles(body.parts);

@@ -20,22 +20,22 @@ class NameCheck {
              diag::SourceMark mark) {
     if (!rules_.prefix && name.starts_with(own_)) {
       findings_.Add(Code::kModelBadName, mark,
-                    fmt::format("{} '{}' begins with the object's name: {} puts '{}' before names "
-                                "that do not have it yet",
+                    fmt::format("{} '{}' begins with the object's name: {} adds the prefix '{}' "
+                                "only to names that lack it",
                                 word, name, rules_.name, own_),
                     "rename it, or the object (--name)");
     }
     for (const HostName& host : rules_.host_names) {
       if (host.kind != kind || host.name != name) continue;
       findings_.Add(Code::kModelDuplicateName, mark,
-                    fmt::format("{} '{}' has the name of a {} that {} needs for itself", word, name,
+                    fmt::format("{} '{}' has the name of a {} that {} adds itself", word, name,
                                 kind, rules_.name),
                     "rename it");
     }
     if (kind == "geom" && !rules_.region_prefix.empty() && name.starts_with(rules_.region_prefix)) {
       findings_.Add(Code::kModelBadName, mark,
-                    fmt::format("{} '{}' would be a region: {} takes every geom for one whose name "
-                                "begins with '{}'",
+                    fmt::format("{} '{}' would become a region: {} treats every geom as one if its "
+                                "name begins with '{}'",
                                 word, name, rules_.name, rules_.region_prefix),
                     "rename it");
     }
@@ -58,7 +58,7 @@ class NameCheck {
         const auto base = name.substr(0, name.size() - rules_.twin_suffix.size());
         if (!colliding.contains(base)) continue;
         findings_.Add(Code::kModelDuplicateName, part.mark,
-                      fmt::format("part '{}' is beside '{}', of which {} makes a geom of that name",
+                      fmt::format("part '{}' has the name of the visual copy of '{}' that {} makes",
                                   name, base, rules_.name),
                       "rename it");
       }

@@ -48,7 +48,7 @@ void DropSections(model::Object& object, const TargetRules& rules, diag::Finding
                                                names.size() == 1 ? "" : "s", section.info->name,
                                                names.size() == 1 ? "is" : "are", Listed(names));
     findings.Warn(Code::kTargetDropped, section.elements.front().mark,
-                  fmt::format("{} takes nothing but the body and its assets: {}", rules.name, what),
+                  fmt::format("{} reads only the body and its assets: {}", rules.name, what),
                   "add it where the object is put into a task");
   }
   object.sections.clear();
@@ -133,7 +133,7 @@ class Sieve {
       if (lost == nullptr) return false;
       findings_.Warn(
           Code::kTargetDropped, element.mark,
-          fmt::format("{} is dropped with '{}', to which it refers", Called(element), lost->text));
+          fmt::format("{} is dropped with '{}', which it refers to", Called(element), lost->text));
       return true;
     });
   }
@@ -164,7 +164,7 @@ void DropPictureSides(model::Texture& texture, const TargetRules& rules, diag::F
   const auto is_side = [](const model::TextureFile& file) { return file.attribute != "file"; };
   if (std::ranges::none_of(texture.files, is_side)) return;
   findings.Warn(Code::kTargetDropped, texture.mark,
-                fmt::format("{} finds the picture of a texture only under 'file': the sides of "
+                fmt::format("{} reads the picture of a texture only from 'file': the sides of "
                             "texture '{}' are dropped",
                             rules.name, texture.name));
   std::erase_if(texture.files, is_side);

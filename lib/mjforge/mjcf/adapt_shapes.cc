@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/mjcf/adapt.h"
+#include "mjforge/mjcf/element_writer.h"
 #include "mjforge/mjcf/mjcf.h"
 
 namespace mjforge::mjcf {
@@ -25,8 +26,6 @@ using model::TriangleMesh;
 // surface, some of them on the axes: the mesh has the same extents along those
 // and is nowhere outside; at the middle of a side it is 2 % of the radius inside.
 constexpr int kSides = 16;
-
-double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
 TriangleMesh Prism(const Eigen::Vector3d& size) {
   std::array<double, 2 * kSides> polygon;
@@ -256,7 +255,8 @@ void AdaptShapes(model::Object& object, const TargetRules& rules, diag::Findings
       Code::kTargetDropped, replacement.first,
       fmt::format("{} does not collide cylinders and ellipsoids with boxes and meshes: {}",
                   rules.name, what),
-      "mass and look stay those of the true shapes; capsules and spheres need no stand-in");
+      "mass and look still come from the original shapes; capsules and spheres need no "
+      "replacement");
 }
 
 }  // namespace mjforge::mjcf

@@ -12,10 +12,6 @@
 namespace mjforge::mjcf {
 namespace {
 
-/// Rotating and adding leaves noise where zeros belong; below a femtometre (or
-/// that part of a turn) nothing is meant.
-double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
-
 /// Levels of indentation: bodies deep in a chain would be mostly blanks.
 constexpr std::size_t kDeepest = 24;
 

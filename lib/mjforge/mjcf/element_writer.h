@@ -1,10 +1,11 @@
 #ifndef MJFORGE_MJCF_ELEMENT_WRITER_H_
 #define MJFORGE_MJCF_ELEMENT_WRITER_H_
 
-// Streams XML elements into a string: one element a line, two spaces a level, up
-// to a depth. By hand because writing is the hot path of a batch (a DOM costs
-// twice as much).
+// Streams XML elements into a string: one element per line, indented by two spaces per level up to
+// a maximum depth. Written by hand because writing is the hot path of a batch (a DOM costs twice as
+// much).
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,12 +18,16 @@
 
 namespace mjforge::mjcf {
 
+/// Rotating and adding leaves noise where zeros belong; below a femtometre (or
+/// that part of a turn) nothing is meant.
+inline double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
+
 class ElementWriter {
  public:
-  /// Appends to the document's text and origins, which must be empty or whole lines.
+  /// Appends to the document's text and origins; the text must be empty or end with a whole line.
   explicit ElementWriter(MjcfDocument& document);
 
-  /// A line as it stands.
+  /// A line, written unchanged.
   void Line(std::string_view text);
 
   /// Starts `<tag`; attributes follow, then Close() or Content().
@@ -35,7 +40,7 @@ class ElementWriter {
   void Text(std::string_view name, std::string_view value);
   /// A name made of two pieces.
   void Text(std::string_view name, std::string_view value, std::string_view suffix);
-  /// Attributes as they stand: ` group="3"`.
+  /// Attributes, written unchanged: ` group="3"`.
   void Raw(std::string_view attributes) { text_ += attributes; }
   void Number(std::string_view name, double value);
   void Numbers(std::string_view name, std::span<const double> values);
@@ -44,14 +49,14 @@ class ElementWriter {
   void Pose(const model::Pose& pose);
   void Attribute(const model::Attribute& attribute);
 
-  /// Where the text is now, and repeating what was written since: a visual
-  /// geom has the shape of its collision twin.
+  /// The current end of the text, and a way to repeat what was written between two positions: a
+  /// visual geom has the shape of its collision twin.
   std::size_t position() const { return text_.size(); }
   void Repeat(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
 
  private:
   void Indent();
-  /// An attribute up to and with the opening quote.
+  /// An attribute up to and including the opening quote.
   void Begin(std::string_view name);
   void Finish(std::string_view end);
   void Escaped(std::string_view value);

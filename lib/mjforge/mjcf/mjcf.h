@@ -18,7 +18,7 @@
 
 namespace mjforge::mjcf {
 
-/// What the opening comment says: enough to make the file again.
+/// The content of the opening comment: enough to regenerate the file.
 struct Provenance {
   std::string version;
   std::string spec;  // as given on the command line
@@ -42,13 +42,13 @@ struct LineOrigin {
 struct MjcfDocument {
   std::string text;
   std::vector<LineOrigin> origins;  // by line
-  /// Byte where a <size> element may be put in; npos where MuJoCo must see the
-  /// text as it is (a scene has contacts).
+  /// Byte where a <size> element may be inserted; npos if MuJoCo must get the text unchanged (a
+  /// scene has contacts).
   std::size_t size_position = 0;
-  /// Byte where an element of the world may be put in, right before the root body; npos where
-  /// the file has a floor of its own.
+  /// Byte where an element of the world may be inserted, right before the root body; npos if the
+  /// file has its own floor.
   std::size_t world_position = 0;
-  /// The host gives the root body a free joint, so that the file has none.
+  /// The host gives the root body a free joint, so the file has none.
   bool host_frees = false;
   double lift = 0;  // m, added to the height of the root body
   /// Files the text refers to: name in the text, file to copy.
@@ -58,16 +58,15 @@ struct MjcfDocument {
   diag::SourceMark Origin(int line) const;
 };
 
-/// A visual geom is named as its part, with this after it.
+/// The name of a visual geom is its part's name with this suffix.
 inline constexpr std::string_view kVisualSuffix = "_vis";
 
 /// Object::bodies in the order of the text, which is MuJoCo's: depth first.
 std::vector<int> DepthFirst(const model::Object& object);
 
-/// Changes the object into what its target reads: see TargetRules. What the
-/// target has no place for is dropped with a warning; what would break there is
-/// an error. Comes before WriteMjcf, so that a comparison of the object with
-/// what MuJoCo compiles still holds.
+/// Adapts the object to its target: see TargetRules. What the target does not support is dropped
+/// with a warning; what would break there is an error. Must be called before WriteMjcf, so that the
+/// object can still be compared with what MuJoCo compiles.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
 /// Replaces the content of `document`, reusing its memory.

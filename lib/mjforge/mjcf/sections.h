@@ -11,7 +11,7 @@
 
 namespace mjforge::mjcf {
 
-/// How a target has its geoms written.
+/// How geoms are written for a target.
 struct GeomGroups {
   // The groups they are shown and filtered by, as attributes.
   std::string_view collision;
@@ -20,25 +20,25 @@ struct GeomGroups {
 };
 const GeomGroups& GroupsOf(Target target);
 
-/// Textures, materials and meshes, without the element around them; adds the
-/// files they name to the document's.
+/// Textures, materials and meshes, without the element around them; adds the files they name to the
+/// document's assets.
 void WriteAssets(const model::Object& object, ElementWriter& writer, MjcfDocument& document);
 
 /// The tree of bodies. `lift`, m, is added to the height of root bodies.
 void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
                  ElementWriter& writer);
 
-/// An element with its attributes and all in it.
+/// An element with its attributes and everything in it.
 void WriteElement(const model::Element& element, ElementWriter& writer);
 /// Settings of the whole model (option, size, visual, statistic, custom).
 void WriteSettings(const model::Object& object, ElementWriter& writer);
-/// What refers to bodies (contact, equality, tendon, actuator, sensor).
+/// Sections that refer to bodies (contact, equality, tendon, actuator, sensor).
 void WriteSections(const model::Object& object, ElementWriter& writer);
 
 /// How far a scene lifts the object so that it rests on the floor at z = 0, m.
 double LiftOntoFloor(const model::Object& object);
-/// Room for the contacts and constraints of a large object, if MuJoCo's own sizes
-/// might not do.
+/// Room for the contacts and constraints of a large object, if MuJoCo's default sizes might not be
+/// enough.
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);
 void WriteSceneAssets(ElementWriter& writer);
 /// Floor, light and camera.

@@ -37,7 +37,9 @@ constexpr Refusal kMjxRefusals[] = {
 };
 
 constexpr TargetRules kTargets[] = {
-    {.target = Target::kMujoco, .name = "mujoco", .doc = "complete and flat, simulates by itself"},
+    {.target = Target::kMujoco,
+     .name = "mujoco",
+     .doc = "complete and flat; can be simulated on its own"},
     {.target = Target::kScene,
      .name = "scene",
      .doc = "the same with floor, light and camera; the object rests on the floor",
@@ -77,7 +79,7 @@ constexpr TargetRules kTargets[] = {
      .picture_sides = false},
     {.target = Target::kMjx,
      .name = "mjx",
-     .doc = "for MuJoCo XLA: only shapes that collide there with all others",
+     .doc = "for MuJoCo XLA: only shapes that collide with all others there",
      .round_shapes = false,
      .margins = false,
      .refusals = kMjxRefusals},

@@ -10,27 +10,26 @@
 namespace mjforge::mjcf {
 
 enum class Target {
-  kMujoco,     // complete, flat, simulates by itself
+  kMujoco,     // complete and flat; can be simulated on its own
   kScene,      // the same with floor, light and camera; the object rests on the floor
   kRobosuite,  // its MujocoXMLObject
   kRobocasa,   // its MJCFObject
-  kMjx,        // MuJoCo XLA, with nothing in it that cannot collide there
+  kMjx,        // MuJoCo XLA, only with shapes that can collide there
 };
 
-/// A name that the host gives to something of its own.
+/// A name that the host gives to something that it adds.
 struct HostName {
   std::string_view kind;  // body, joint, site
   std::string_view name;
 };
 
-/// An element, or an attribute of one, that the host does not take. Empty words
-/// stand for any.
+/// An element, or an attribute of one, that the host does not accept. Empty words match any.
 struct Refusal {
   std::string_view section;
   std::string_view element = {};
   std::string_view attribute = {};
   std::string_view word = {};  // the attribute's text
-  bool whole = true;           // the element is dropped; else the attribute
+  bool whole = true;           // the element is dropped, otherwise only the attribute
 };
 
 /// One row of the table of targets.
@@ -51,16 +50,16 @@ struct TargetRules {
 
   // What the file has around the object.
   bool scene = false;          // floor, light and camera
-  bool always_assets = false;  // <asset>, even without any in it
+  bool always_assets = false;  // <asset>, even if it is empty
   bool outer_body = false;     // an unnamed body around the root, with sites at the bounds
   bool region_box = false;     // a geom `reg_bbox` around the object
 
-  // What the host adds, so that the file has not.
+  // What the host adds, so the file leaves it out.
   bool prefix = true;                   // `NAME_` before every name
   std::string_view root = {};           // name of the root body; empty: the object's
   bool free_joint = true;               // the root's
   std::string_view twin_suffix = {};    // the host makes geoms NAME + this
-  std::string_view region_prefix = {};  // geoms named so mean something to the host
+  std::string_view region_prefix = {};  // geoms with this prefix mean something to the host
   std::span<const HostName> host_names = {};
 
   // What is dropped, with a warning.
@@ -68,7 +67,7 @@ struct TargetRules {
   bool picture_sides = true;  // textures made of several files
   std::span<const Refusal> refusals = {};
 
-  /// Whether anything of an object may have to change.
+  /// Whether objects may have to change for this target.
   bool adapts() const { return target != Target::kMujoco && target != Target::kScene; }
 };
 

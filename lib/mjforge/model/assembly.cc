@@ -37,7 +37,7 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::
   object_.name = options.name.empty() ? spec.name : options.name;
   if (!IsName(object_.name)) {
     findings_.Add(Code::kModelBadName, {},
-                  fmt::format("object name {} is not a name", Quoted(object_.name)),
+                  fmt::format("object name {} is not a valid name", Quoted(object_.name)),
                   std::string(kNameRule));
   }
   Body& root = object_.bodies.emplace_back();
@@ -71,7 +71,7 @@ std::optional<std::string> Assembly::ReadName(Scope& scope, const spec::Entry& e
   if (findings_.size() != before) return std::nullopt;
   if (IsName(name)) return name;
   findings_.Add(Code::kModelBadName, entry.name.mark,
-                fmt::format("{} name {} is not a name", entry.element->name, Quoted(name)),
+                fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(name)),
                 std::string(kNameRule));
   return std::nullopt;
 }

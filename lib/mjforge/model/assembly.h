@@ -64,7 +64,7 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
-  /// The values of the spec that an entry brings, its parameters overridden.
+  /// The values of the spec that an entry brings, with the entry's parameters set.
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
   void ReadTotalSize(Scope& scope);
@@ -75,13 +75,13 @@ class Assembly {
   void AddBodies(Scope& scope);
   void AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSet& fields,
                sample::StreamId bodies);
-  /// What the entry holds goes into the body `index`, the last one so far.
+  /// Adds the content of the entry to the body `index`, the last one so far.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader, const FieldSet& fields,
             const std::string& name, std::size_t index, sample::StreamId path);
   void PlaceBody(Scope& scope, FieldReader& reader, const FieldSet& fields, const Bounds& bounds,
                  Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields, diag::SourceMark mark);
-  /// Gives NAME.top and the like their values.
+  /// Sets the values of NAME.top and the other properties of a body.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                      std::size_t index);
 
@@ -105,14 +105,15 @@ class Assembly {
 
   // finish.cc
   void Finish(const Scope& scope);
-  /// Sums up the parts of a body, unless it is known from elsewhere.
+  /// Sums up the mass of a body's parts, unless an attached file states it.
   void SetMass(std::size_t index);
   void ScaleMass(double factor, std::size_t first_part, std::size_t first_body);
-  /// Of the bodies from `first` on, all below it, in its frame at the joints' zero.
+  /// Of the body `first` and all bodies below it (all that follow), in the frame of `first`, with
+  /// all joints at zero.
   Bounds BoundsFrom(std::size_t first) const;
   MassProperties MassFrom(std::size_t first) const;
-  /// A body with joints, or the root, that has no mass takes half of that of the first body
-  /// that is fixed to it.
+  /// A body with joints, or the root, that has no mass takes half the mass of the first body fixed
+  /// to it.
   void ShareMass();
   void CheckMass();
 
@@ -133,15 +134,15 @@ class Assembly {
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
                 sample::StreamId joints);
-  /// The names of a spec's own joints, which attaching it takes away.
+  /// Notes the names of a spec's root joints, which attaching it removes.
   void TakeAwayJoints(Scope& scope);
 
   // materials.cc
   /// The material's state, evaluated; null after a finding.
   const MaterialState* UseMaterial(Scope& scope, FieldReader& reader, const spec::Field& field);
   void EvaluateMaterial(Scope& scope, const spec::Material& material, MaterialState& state);
-  /// The index of an equal material of that own name, which must outlive the assembly,
-  /// or of this one, added.
+  /// The index of an equal material with that own name; otherwise adds this one and returns its
+  /// index. `own_name` must outlive the assembly.
   int ShareMaterial(const std::string& own_name, Material material);
 
   /// The entry's own name, checked; nothing after a finding.
@@ -150,7 +151,7 @@ class Assembly {
   Body& body() { return object_.bodies[at_]; }
   Body& BodyAt(int index) { return object_.bodies[static_cast<std::size_t>(index)]; }
 
-  // For what ends with the assembly and comes in many small pieces.
+  // Memory for many small pieces that live as long as the assembly.
   std::array<std::byte, 2048> first_scratch_;
   std::pmr::monotonic_buffer_resource scratch_{first_scratch_.data(), first_scratch_.size()};
 
@@ -168,12 +169,12 @@ class Assembly {
   std::map<std::pair<std::filesystem::path, std::string>, const Attachment*> attached_;
 };
 
-/// Reads an element's own attributes into `out`, then takes its material's and the
-/// defaults' where it has none of that name; false after a finding.
+/// Reads an element's own attributes into `out`, then adds those of its material and of the
+/// defaults that it lacks; false after a finding.
 bool ReadAttributes(FieldReader& reader, const FieldSet& fields, std::vector<Attribute>& out,
                     std::span<const Attribute> of_material = {});
 
-/// The extents of the parts from `first` on, those that collide if any does.
+/// The extents of the parts from `first` on; only of those that collide, if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
 
 bool HasErrorsSince(const diag::Findings& findings, std::size_t first);

@@ -21,17 +21,17 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// The meshes and textures of one object, equal ones shared.
+/// The meshes and textures of one object; equal ones are shared.
 class Assets {
  public:
-  /// `scratch` is for what ends with this.
+  /// `scratch` is memory that must outlive this.
   Assets(Assembler& assembler, Object& object, diag::Findings& findings,
          std::pmr::memory_resource& scratch)
       : assembler_(assembler), object_(object), findings_(findings), textures_(&scratch) {}
 
   /// Sets the part's mesh and shape from polygon, height and scale.
   bool ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part);
-  /// The same from file and scale; `folder` is where files resolve.
+  /// The same from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const FieldSet& fields, const std::filesystem::path& folder,
                 Part& part);
   /// The solid's mass properties at density 1, in its own frame; nothing for a
@@ -40,9 +40,10 @@ class Assets {
   /// Adds a material's texture. Returns its index, or nothing after a finding.
   std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
                                 const std::string& name);
-  /// The index of an equal texture of that own name, or of this one, added.
+  /// The index of an equal texture with that own name; otherwise adds this one and returns its
+  /// index.
   int ShareTexture(const std::string& own_name, Texture texture);
-  /// The same of a mesh that an attached file brings, renamed to `name`.
+  /// The same for a mesh that an attached file brings, renamed to `name`.
   int ShareMesh(const MeshAsset& mesh, const std::string& name);
   /// The name of the file's copy: its own, or with _2, _3, ... where that is taken.
   std::string OutputName(const std::filesystem::path& file);
@@ -52,7 +53,7 @@ class Assets {
     std::filesystem::path file;
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();
     bool is_solid = true;
-    std::optional<MassProperties> unit_mass = {};  // once asked for
+    std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
   void AddPrism(TriangleMesh mesh, Part& part);

@@ -70,7 +70,8 @@ void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& 
   // Findings come once an object, however often the file is in it.
   const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
   if (is_new && attachments_ == nullptr) {
-    reader.Report(Code::kAttachNoBody, field, "cannot be read: nothing reads MJCF files here");
+    reader.Report(Code::kAttachNoBody, field,
+                  "cannot be read: reading MJCF files is not enabled here");
   } else if (is_new) {
     found->second = attachments_->Attach(path, *body_name, asked->value.mark, findings_);
   }

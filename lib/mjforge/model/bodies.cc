@@ -142,9 +142,9 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields
   }
   diag::Finding& finding =
       findings_.Add(Code::kSpecBadParent, field->value.mark,
-                    fmt::format("{}: no body {} before it", reader.Owner(), Quoted(*name)),
+                    fmt::format("{}: no earlier body {}", reader.Owner(), Quoted(*name)),
                     diag::DidYouMean(*name, names));
-  finding.notes.push_back({mark, "parents come before children; this one is here"});
+  finding.notes.push_back({mark, "parents come before children; this one is defined here"});
   return scope.body;
 }
 

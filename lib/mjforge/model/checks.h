@@ -1,7 +1,7 @@
 #ifndef MJFORGE_MODEL_CHECKS_H_
 #define MJFORGE_MODEL_CHECKS_H_
 
-// What an object must do and be, beyond being loaded: `checks:` of its spec.
+// What an object must do and be, besides loading in MuJoCo: `checks:` of its spec.
 
 #include <limits>
 #include <string>
@@ -37,7 +37,7 @@ struct Checks {
   double thickness = 0.001;                    // m, of a part
   double aspect = 100;                         // longest to shortest side of a part
   double gap = 0.0005;                         // m, between parts that hold together
-  /// Codes of findings that are not to be made, and why.
+  /// Codes of findings to leave out, and why.
   std::vector<std::pair<std::string, std::string>> silenced;
 
   bool operator==(const Checks&) const = default;

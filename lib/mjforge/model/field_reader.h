@@ -9,17 +9,17 @@
 
 namespace mjforge::model {
 
-/// Evaluates the fields of one element and checks them against the field table.
-/// What returns nothing has been reported.
+/// Evaluates the fields of one element and checks them against the field table. If a function
+/// returns nothing, it has added a finding.
 class FieldReader {
  public:
-  /// `path` is the stream of the element; a field's is its child by the key.
+  /// `path` is the stream of the element; a field's stream is its child named by the key.
   FieldReader(sample::Evaluator& values, diag::Findings& findings, std::string_view element,
               std::string_view name, sample::StreamId path)
       : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
 
-  /// Of a child of the element, the `position`-th of its tag: it has streams of its own,
-  /// but findings name the element.
+  /// A reader for a child of the element, the `position`-th with its tag: the child has its own
+  /// streams, but findings name the element.
   FieldReader ForChild(std::string_view tag, std::size_t position) const {
     FieldReader child = *this;
     child.path_ = sample::Child(sample::Child(path_, tag), position);
@@ -28,7 +28,7 @@ class FieldReader {
 
   std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
-  /// As Numbers, where exactly N are wanted.
+  /// As Numbers, for a field that must have exactly N numbers.
   template <int N>
   std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
     sample::Numbers numbers;

@@ -11,9 +11,9 @@
 
 namespace mjforge::model {
 
-/// The fields of one entry by key, and the defaults for those it leaves out. A
-/// default that says the same thing in another way (mass and density; pos,
-/// orientations and fromto) counts as left out, too.
+/// The fields of one entry by key, and the defaults for those it leaves out. A default is ignored
+/// if the entry says the same thing in another way (mass and density; pos, orientations and
+/// fromto).
 class FieldSet {
  public:
   using Attributes = boost::container::small_vector<const spec::Field*, 8>;
@@ -22,13 +22,13 @@ class FieldSet {
 
   /// The entry's own field.
   const spec::Field* Own(spec::Key id) const { return At(own_fields_, own_[Position(id)]); }
-  /// The default, where it counts.
+  /// The default, if it is not ignored.
   const spec::Field* Default(spec::Key id) const {
     return At(default_fields_, defaults_[Position(id)]);
   }
   const spec::Field* operator[](spec::Key id) const { return Own(id) ? Own(id) : Default(id); }
 
-  /// Fields that are written as they are.
+  /// Fields that are written unchanged.
   const Attributes& own_attributes() const { return own_attributes_; }
   const Attributes& default_attributes() const { return default_attributes_; }
 

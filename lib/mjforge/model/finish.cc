@@ -155,7 +155,7 @@ void Assembly::CheckMass() {
     } else {
       findings_.Add(Code::kModelNoMass, body.mark,
                     fmt::format("body '{}' can move but has no mass", body.name),
-                    "give a part of it a mass, or take its joints away");
+                    "give one of its parts a mass, or remove its joints");
     }
   }
 }
@@ -167,7 +167,7 @@ void Assembly::Finish(const Scope& scope) {
                                   : !spec.bodies.empty() ? spec.bodies.front().head.mark
                                                          : diag::SourceMark();
     findings_.Add(Code::kModelNoParts, mark, "no part is left",
-                  "the 'if' or 'for' of every part leaves it out");
+                  "every part is left out by its 'if' or 'for'");
     return;
   }
   CheckUniqueNames(object_, findings_);

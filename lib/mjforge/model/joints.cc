@@ -79,7 +79,7 @@ void Assembly::AddRootJoints(Scope& scope) {
     if (joint.type != "free") continue;
     findings_.Add(Code::kModelBadValue, joint.mark,
                   fmt::format("free joint '{}' is not the only joint of its body", joint.name),
-                  "a free joint lets everything move already");
+                  "a free joint already allows every motion");
     return;
   }
 }
@@ -119,7 +119,7 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& 
   bool good = ReadType(reader, fields, joint);
   if (good && joint.type == "free" && at_ != 0) {
     reader.ReportElement(Code::kModelBadValue, entry.mark, "is free, but its body is not the root",
-                         "MuJoCo lets only bodies of the world move freely");
+                         "MuJoCo allows a free joint only on a body whose parent is the world");
     return;
   }
   if (const spec::Field* field = fields[Key::kPos]) {

@@ -79,7 +79,7 @@ bool Assets::ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part) 
     reader.ReportElement(
         Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
         why_not.find("convex") == std::string::npos ? std::string()
-                                                    : "make it of several convex prisms");
+                                                    : "build it from several convex prisms");
     return false;
   }
   AddPrism(std::move(*mesh), part);
@@ -119,7 +119,7 @@ bool Assets::ReadMesh(FieldReader& reader, const FieldSet& fields,
   if (!content.exists) {
     findings_.Add(Code::kModelFileNotFound, field->value.mark,
                   fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
-                  "files are looked for from the folder of the spec");
+                  "file names are relative to the folder of the spec");
     return false;
   }
   if (!content.mesh) {
@@ -131,7 +131,7 @@ bool Assets::ReadMesh(FieldReader& reader, const FieldSet& fields,
     findings_.Add(
         Code::kModelBadMesh, field->value.mark,
         fmt::format("mesh {} is not a closed surface: {}", Quoted(*name), *content.why_not_solid),
-        "mend the file, or give the part `role: visual`");
+        "repair the file, or give the part `role: visual`");
     return false;
   }
   AddFile(file, *scale, content, part);

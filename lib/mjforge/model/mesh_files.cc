@@ -73,7 +73,7 @@ std::optional<std::string> ReadContent(const std::filesystem::path& file, std::s
     return std::nullopt;
   }
   if (size > kMaxFileSize) {
-    why_not = fmt::format("file of {} MB, the limit is {} MB", size >> 20, kMaxFileSize >> 20);
+    why_not = fmt::format("the file has {} MB; the limit is {} MB", size >> 20, kMaxFileSize >> 20);
     return std::nullopt;
   }
   std::ifstream stream(file, std::ios::binary);
@@ -166,7 +166,7 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
     const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, "stl");
     if (scene == nullptr) {
       // Assimp's own words speak of a made-up file name.
-      why_not = "not an STL file, neither text nor binary";
+      why_not = "neither a text nor a binary STL file";
       return std::nullopt;
     }
     MeshBuilder builder;

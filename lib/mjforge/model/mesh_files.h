@@ -1,7 +1,7 @@
 #ifndef MJFORGE_MODEL_MESH_FILES_H_
 #define MJFORGE_MODEL_MESH_FILES_H_
 
-// Mesh files as they stand, unscaled.
+// The content of mesh files, unscaled.
 
 #include <filesystem>
 #include <optional>
@@ -14,8 +14,8 @@ namespace mjforge::model {
 
 struct MeshFile {
   TriangleMesh mesh;
-  /// MuJoCo 2.2 reads the same surface from the file: it takes no text STL and,
-  /// of an OBJ, only the first shape, with faces of three or four corners.
+  /// MuJoCo 2.2 reads the same surface from the file: it does not read text STL, and of an OBJ it
+  /// reads only the first shape, with faces of three or four corners.
   bool fit_for_mujoco = true;
 };
 

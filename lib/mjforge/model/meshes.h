@@ -20,10 +20,10 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// The prism over a convex polygon (x, y pairs, either direction, no three
-/// neighbours on a line needed), centred on z = 0 with full height `height` > 0.
-/// On failure returns nothing and says why ("polygon is not convex at corner 3",
-/// "polygon needs at least 3 corners", "polygon has no area").
+/// The prism over a convex polygon (x, y pairs, in either direction; neighbouring corners may lie
+/// on one line), centred on z = 0 with full height `height` > 0. On failure returns nothing and
+/// says why ("polygon is not convex at corner 3", "polygon needs at least 3 corners", "polygon has
+/// no area").
 std::optional<TriangleMesh> MakePrism(std::span<const double> polygon, double height,
                                       std::string& why_not);
 

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_MODEL_MODEL_H_
 #define MJFORGE_MODEL_MODEL_H_
 
-// ObjectSpec + drawn values -> Object: bodies, parts, poses and masses, numbers
-// only, everything checked that MuJoCo would not notice or not explain.
+// ObjectSpec + drawn values -> Object: bodies, parts, poses and masses, as numbers only. Checks
+// everything that MuJoCo would not notice or would not explain.
 
 #include <filesystem>
 #include <map>
@@ -37,7 +37,7 @@ class Assembler {
   /// an `mjcf:` body is an error.
   explicit Assembler(AttachmentSource* attachments = nullptr) : attachments_(attachments) {}
 
-  /// Nothing when there was an error; then findings say what.
+  /// Nothing after an error, which is in the findings.
   std::optional<Object> Assemble(sample::Evaluator& values, const Options& options,
                                  diag::Findings& findings);
 
@@ -55,7 +55,7 @@ class Assembler {
     bool exists = false;
     bool is_png = false;
   };
-  /// What a picture's file is, looked at once at most.
+  /// What kind of file a picture is; each file is looked at only once.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);
 
   AttachmentSource* attachments() const { return attachments_; }

@@ -16,8 +16,8 @@ inline constexpr std::string_view kNameRule =
 /// 'text' on one line: control characters as \n or \x07, cut when very long.
 std::string Quoted(std::string_view text);
 
-/// Reports names that occur twice among the elements of one kind, those of the
-/// parts' visual twins (NAME_vis) included.
+/// Reports names that occur twice among the elements of one kind, including the parts' visual twins
+/// (NAME_vis).
 void CheckUniqueNames(const Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::model

@@ -28,7 +28,7 @@ namespace mjforge::model {
 /// Objects with more parts than this are refused.
 inline constexpr int kMaxParts = 100'000;
 
-using spec::Applies;  // rooms to the right know no specs
+using spec::Applies;  // for rooms to the right, which do not know specs
 
 /// One MJCF attribute that mjforge carries without interpreting it: its numbers
 /// or, if there are none, its text.
@@ -57,18 +57,18 @@ struct Section {
   std::vector<Element> elements;
 };
 
-/// A mesh asset. Inline vertices (a prism), or a file that is copied beside the output.
+/// A mesh asset. Inline vertices (a prism), or a file that is copied into the output.
 struct MeshAsset {
   std::string name;
   TriangleMesh mesh;           // scaled
   std::filesystem::path file;  // empty: inline, as vertices and triangles
-  /// The surface is the convex hull of the vertices (a prism's): MuJoCo makes
-  /// the triangles of those itself.
+  /// The surface is the convex hull of the vertices, as for a prism: MuJoCo makes the triangles
+  /// itself.
   bool is_hull = false;
   std::string output_file;  // its name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  /// Of an attached file's mesh: what else its element says (refpos, refquat,
-  /// inline vertices); `mesh` is what all of it comes to.
+  /// For the mesh of an attached file: the other attributes of its element (refpos, refquat, inline
+  /// vertices); `mesh` is the result with all of them applied.
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -104,8 +104,8 @@ struct Part {
   Shape shape;
   int mesh = -1;  // in Object::meshes
   Pose X_BG;
-  /// kg; 0 for a visual part. MJCF says it as the density where that was given
-  /// (`density` > 0), so that MuJoCo computes it from the same number.
+  /// kg; 0 for a visual part. MJCF states the density instead if that was given (`density` > 0), so
+  /// that MuJoCo computes the mass from the same number.
   double mass = 0;
   double density = 0;
   int material = -1;  // in Object::materials
@@ -172,14 +172,14 @@ struct Object {
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // shared where equal
   std::vector<Section> sections;                   // in the order of spec::Sections()
   Bounds bounds;
-  MassProperties mass_properties;  // in the root frame, at the joints' zero
+  MassProperties mass_properties;  // in the root frame, with all joints at zero
   Checks checks;
 };
 
-/// X_RootB of every body at the joints' zero; the root's is the identity.
+/// X_RootB of every body with all joints at zero; the root's is the identity.
 std::vector<Pose> BodyPoses(const Object& object);
 
-/// How many geoms MJCF has for the body's parts: a part that is both is two.
+/// How many geoms MJCF has for the body's parts: a part that is both collision and visual has two.
 std::size_t GeomCount(const Body& body);
 
 /// The elements of a section, none if the object has none.

@@ -8,10 +8,10 @@
 
 namespace mjforge::model {
 
-/// pos and whichever orientation there is; nothing after a finding.
+/// The pose from pos and whichever orientation is given; nothing after a finding.
 std::optional<Pose> ReadPose(FieldReader& reader, const FieldSet& fields);
 
-/// The pose and half length that `fromto` stands for.
+/// The pose and half length that `fromto` gives.
 struct Span {
   Pose pose;
   double half_length = 0;

@@ -31,7 +31,7 @@ void References::Add(Place place, std::string_view kind, std::string full_name, 
 }
 
 void References::TakeAway(std::string joint, std::string origin) {
-  gone_["joint"].emplace(std::move(joint), fmt::format("attaching {} takes it away", origin));
+  gone_["joint"].emplace(std::move(joint), fmt::format("attaching {} removes it", origin));
 }
 
 // Of the kinds that something refers to.
@@ -104,10 +104,10 @@ bool References::TakeOutOne(const Reference& reference) {
   const auto found = std::ranges::find(object_.sections, section, &Section::info);
   const Element& element = found->elements[position];
   gone_[std::string(section->name)].emplace(element.name,
-                                            fmt::format("it is left out since {}", gone->second));
+                                            fmt::format("it is left out because {}", gone->second));
   diag::Finding& finding =
       findings_.Add(Code::kAttachNotCarried, reference.mark,
-                    fmt::format("{} '{}' is left out: its {} '{}' is gone, {}", element.tag,
+                    fmt::format("{} '{}' is left out: its {} '{}' is gone: {}", element.tag,
                                 element.name, reference.kind, reference.shown, gone->second));
   finding.severity = diag::Severity::kWarning;
   return true;

@@ -13,28 +13,29 @@
 
 namespace mjforge::model {
 
-/// The kind of element that an attribute of `element` names: its own, or for
-/// `@objtype` the one that the attribute objtype says.
+/// The kind of element that an attribute of `element` refers to; for `@objtype`, the kind that the
+/// attribute objtype gives.
 std::string_view KindOf(const Attribute& attribute, const Element& element);
 
-/// The names that elements of sections refer to, checked when all are there.
+/// The names that elements of sections refer to, checked once all elements exist.
 class References {
  public:
   References(Object& object, diag::Findings& findings) : object_(object), findings_(findings) {}
 
-  /// An element: its section and its number in it.
+  /// An element: its section and its index there.
   struct Place {
     const spec::SectionInfo* section = nullptr;
     std::size_t position = 0;
   };
-  /// The element at `place` says `attribute` of `owner`: an element of that kind.
+  /// The element at `place` refers to an element of that kind. `owner` names the attribute and its
+  /// element in messages.
   void Add(Place place, std::string_view kind, std::string full_name, std::string shown,
            std::string owner, diag::SourceMark mark);
-  /// A joint that attaching took away, of what was attached as `origin`.
+  /// A joint that attaching removed; `origin` names the spec or file it came from.
   void TakeAway(std::string joint, std::string origin);
 
-  /// Takes out elements that refer to what was taken away, with a warning each;
-  /// reports names that no element has.
+  /// Removes elements that refer to something removed, with a warning for each; reports names that
+  /// no element has.
   void Check();
 
  private:

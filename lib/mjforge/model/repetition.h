@@ -7,18 +7,18 @@
 
 namespace mjforge::model {
 
-/// Walks the instances of entries: `for` as an odometer, the first variable
-/// outermost, and `if` anew for each.
+/// Walks the instances of entries: `for` as an odometer, the first variable outermost; `if` is
+/// evaluated for each instance.
 class Repetition {
  public:
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
 
-  /// The number of instances, conditions aside; nothing, and a finding, if it is
-  /// no number or too large beside the `existing` elements.
+  /// The number of instances, ignoring conditions; nothing, and a finding, if it is not a number or
+  /// too large together with the `existing` elements.
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
-  /// Calls `visit` for each instance that exists, with the variables set. Stops
-  /// at the first instance with a finding, since the others fail alike.
+  /// Calls `visit` for each instance that exists, with the variables set. Stops at the first
+  /// instance with a finding, since the others would fail in the same way.
   template <typename Visit>
   void ForEach(const spec::Entry& entry, sample::Evaluator& values, const Visit& visit) {
     Walk(entry, 0, values, std::cref(visit));  // a reference needs no memory of its own
@@ -27,7 +27,7 @@ class Repetition {
  private:
   /// The count of a loop, or -1 after a finding.
   long CountOf(const spec::Loop& loop, sample::Evaluator& values);
-  /// Instances of the loops from `depth` on, conditions aside; -1 after a finding.
+  /// Instances of the loops from `depth` on, ignoring conditions; -1 after a finding.
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);
   bool Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,

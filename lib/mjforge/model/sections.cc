@@ -54,7 +54,7 @@ void Assembly::AddSections(Scope& scope) {
     if (section.info->is_element && !IsOutermost(scope)) {
       diag::Finding& finding = findings_.Add(
           Code::kAttachNotCarried, section.entries.front().mark,
-          fmt::format("'{}' of spec '{}' is left out: it would hold for the whole object",
+          fmt::format("'{}' of spec '{}' is left out: it would apply to the whole object",
                       section.info->name, spec.name),
           "write it in the outermost spec");
       finding.severity = diag::Severity::kWarning;

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_MODEL_SHAPES_H_
 #define MJFORGE_MODEL_SHAPES_H_
 
-// Solid shapes with MuJoCo's sizes, and what can be said of them exactly. To add
-// one: CONTRIBUTING.md, "To add a part type".
+// Solid shapes with MuJoCo's sizes, and what can be computed of them exactly. To add one:
+// CONTRIBUTING.md, "To add a part type".
 
 #include <limits>
 #include <span>

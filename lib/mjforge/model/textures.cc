@@ -43,7 +43,7 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
   if (!content.exists) {
     findings_.Add(Code::kModelFileNotFound, field.value.mark,
                   fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
-                  "files are looked for from the folder of the file that names them");
+                  "file names are relative to the folder of the file that uses them");
     return false;
   }
   if (!content.is_png) {

@@ -11,13 +11,13 @@
 
 namespace mjforge::output {
 
-/// How archives are written. Their bytes depend on names and contents alone: no
-/// times, no owners, and the order is that of adding.
+/// How archives are written. Their bytes depend on names and contents alone: there are no times and
+/// no owners, and members are in the order in which they were added.
 enum class ArchiveFormat { kTar, kTarZstd };
 
-/// Some members of an archive, one after the other. An archive is its segments
-/// and ArchiveEnd(), one after the other; compressed, each is a frame of its own,
-/// so that several processes can work on one archive.
+/// Some members of an archive, one after the other. An archive is its segments and ArchiveEnd(),
+/// one after the other; if compressed, each is a separate frame, so that several processes can work
+/// on one archive.
 class Segment {
  public:
   explicit Segment(ArchiveFormat format);
@@ -28,7 +28,7 @@ class Segment {
   /// A regular file, mode 0644. A finding if its name is too long for ustar: 100
   /// bytes, with folders 255.
   bool Add(const std::string& name, std::string_view bytes, diag::Findings& findings);
-  /// Gives the bytes out and starts anew. Without members: nothing.
+  /// Returns the bytes and starts anew. Empty without members.
   std::string Take();
 
  private:
@@ -36,7 +36,7 @@ class Segment {
   std::unique_ptr<State> state_;
 };
 
-/// What ends an archive.
+/// The bytes that end an archive.
 std::string ArchiveEnd(ArchiveFormat format);
 
 /// The bytes of the member `name` of an archive, compressed or not; nothing and a

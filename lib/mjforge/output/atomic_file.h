@@ -11,8 +11,8 @@
 
 namespace mjforge::output {
 
-/// A file under construction: it has a hidden name in the same folder until
-/// Commit() gives it its own. Dropped without Commit(), it leaves nothing.
+/// A file under construction: it has a hidden name in the same folder until Commit() gives it its
+/// final one. Without Commit() nothing is left of it.
 class AtomicFile {
  public:
   static std::unique_ptr<AtomicFile> Create(const std::filesystem::path& file,
@@ -34,11 +34,11 @@ class AtomicFile {
   int descriptor_ = -1;    // -1: closed
 };
 
-/// The name of the file under construction that a hidden name is of: "x.xml" for
-/// ".x.xml.tmp123-0". Nothing for all other names.
+/// The final name of a file under construction: "x.xml" for ".x.xml.tmp123-0". Nothing for all
+/// other names.
 std::optional<std::string> UnderConstruction(std::string_view hidden);
 
-/// Adds "cannot write 'FILE': WORDS" with the words of an errno.
+/// Adds "cannot write 'FILE': WORDS" with the system's words for `error`, an errno.
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
 
 /// Writes all bytes to an open file; false, and that finding about `file`, if it

@@ -29,25 +29,25 @@ struct Destination {
   std::uint64_t per_archive = 0;  // variants in each archive of a series
 
   bool IsArchive() const { return kind == Kind::kArchive || kind == Kind::kArchives; }
-  /// The file of archive `number` of a series, counted from 0; of a single one its own.
+  /// The file of archive `number` of a series, counted from 0; for a single archive, its file.
   std::filesystem::path Archive(std::uint64_t number) const;
-  /// Of a folder DIR/manifest.jsonl, of archives STEM.manifest.jsonl beside them;
-  /// of a shard with "-00003-of-00008" before the ending.
+  /// For a folder DIR/manifest.jsonl, for archives STEM.manifest.jsonl beside them; for a shard
+  /// with "-00003-of-00008" before the ending.
   std::filesystem::path Manifest(const Shard& shard) const;
   /// The folder that holds the manifest.
   std::filesystem::path Folder() const;
 };
 
-/// What `-o text` says: "-", FILE.xml, FILE.tar, FILE.tar.zst, either with one
-/// %d or %05d in its name, else a folder. Nothing, and why, if it says nothing.
+/// The destination that `-o text` names: "-", FILE.xml, FILE.tar or FILE.tar.zst (a series with one
+/// %d or %05d in its name), else a folder. Nothing, and why, if the text is not valid.
 std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
                                             std::string& why_not);
 
-/// The name of variant `index`, "hammer_000042": with .xml its file's.
+/// The name of variant `index`, "hammer_000042"; with .xml, the name of its file.
 std::string VariantStem(std::string_view name, std::uint64_t index);
 
-/// Files of one folder are at most this many: further ones go to folders of their
-/// own, so that the place of a file depends on its index alone.
+/// A folder holds at most this many files; further files go to subfolders, so that a file's place
+/// depends on its index alone.
 inline constexpr std::uint64_t kFilesPerFolder = 10'000;
 /// "hammer_000042.xml", "0020000/hammer_023456.xml".
 std::string PlaceInFolder(std::string_view name, std::uint64_t index);

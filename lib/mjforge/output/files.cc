@@ -67,7 +67,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},
                  fmt::format("'{}' is a pipe or a device, not a file", file.string()),
-                 "'-o -' writes to standard output");
+                 "use '-o -' to write to standard output");
     return false;
   }
   if (force) return true;

@@ -18,10 +18,10 @@ bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path&
     if (!present) return false;
     if (*present == *bytes) return true;
     if (!replace) {
-      findings.Add(
-          diag::Code::kOutputExists, {},
-          fmt::format("'{}' exists with other content than '{}'", target.string(), source.string()),
-          "choose another place, or overwrite it with --force");
+      findings.Add(diag::Code::kOutputExists, {},
+                   fmt::format("'{}' exists, and its content differs from '{}'", target.string(),
+                               source.string()),
+                   "choose another place, or overwrite it with --force");
       return false;
     }
   }

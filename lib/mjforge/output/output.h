@@ -28,8 +28,8 @@ std::string Sha256(std::string_view bytes);
 /// What may happen to files that are there already.
 struct Overwrite {
   bool force = false;       // replace files that mjforge did not make
-  bool assets = false;      // replace assets with other content, as they are an older batch's
-  bool if_changed = false;  // leave a file alone, time and all, that has the same bytes
+  bool assets = false;      // replace assets with other content: they are from an older batch
+  bool if_changed = false;  // leave a file that has the same bytes untouched, with its time
 };
 
 /// Writes beside the file and renames. On failure nothing is left and a finding
@@ -46,7 +46,7 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Fin
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::size_t limit);
 
 /// Whether `file` may get other bytes: it is not there, `is_ours` says so of its first bytes, or
-/// `force`. A pipe or a device may not in any case. False, and a finding, if it may not.
+/// `force`. A pipe or a device never may. False, and a finding, if it may not.
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
@@ -57,7 +57,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
 /// Adds "'FILE' exists and was not made by mjforge".
 void AddForeign(const std::filesystem::path& file, diag::Findings& findings);
 
-/// Folders made for a batch; those still empty vanish with it.
+/// Folders made for a batch; the destructor removes those still empty.
 class MadeFolders {
  public:
   MadeFolders() = default;
@@ -79,9 +79,9 @@ class ObjectFolder {
   ObjectFolder(std::filesystem::path folder, const Overwrite& overwrite)
       : folder_(std::move(folder)), overwrite_(overwrite) {}
 
-  /// Writes one object's file (its name may have folders in it, which are made)
-  /// and, before it, its assets beside it, each once. What is there and was not
-  /// made by mjforge is only replaced as `overwrite` says.
+  /// Writes one object's file (its name may have folders in it, which are made) and, before it, its
+  /// assets beside it, each once. Existing files that mjforge did not make are replaced only as
+  /// `overwrite` says.
   bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings);
 
  private:
@@ -95,14 +95,14 @@ class ObjectFolder {
   std::set<std::filesystem::path> assets_;  // done
 };
 
-/// Removes what a process that was killed left half-written in a folder and those below it:
-/// hidden files of the objects whose index `is_ours` takes, and of assets if `assets`.
+/// Removes what a killed process left half-written in a folder and its subfolders: hidden files of
+/// objects whose index `is_ours` accepts, and those of assets if `assets`.
 void RemoveHalfWritten(const std::filesystem::path& folder,
                        const std::function<bool(std::uint64_t)>& is_ours, bool assets);
 
-/// "TARGETS: FILES" for Make, as compilers write it for -MF: spaces, # and $ of
-/// files escaped, a line each. Targets stand as they are given. With `phony`
-/// each file is a target of its own, so that Make goes on when it is gone.
+/// "TARGETS: FILES" for Make, as compilers write it for -MF: one file per line, with spaces, # and
+/// $ escaped. Targets are written as given. With `phony` each file is also a target, so that Make
+/// continues when it is gone.
 std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
                      bool phony);
 /// A target's name as a rule needs it.

@@ -10,9 +10,9 @@
 
 namespace mjforge::output {
 
-/// A long file under construction. Until Commit() it is called ".NAME.part" in
-/// the same folder; it stays there if the process ends, so that a later one can
-/// go on with it. Only one process at a time has it.
+/// A long file under construction. Until Commit() it is called ".NAME.part" in the same folder; it
+/// stays there if the process ends, so that a later process can continue it. Only one process at a
+/// time can have it open.
 class PartFile {
  public:
   /// Takes what an earlier process left, or an empty file. Nothing and a finding
@@ -33,8 +33,8 @@ class PartFile {
   bool Append(std::string_view bytes, diag::Findings& findings);
   /// Keeps the first `size` bytes; there must be that many.
   bool Truncate(std::uint64_t size, diag::Findings& findings);
-  /// Gives it its name. With `if_changed` a file there with the same bytes is
-  /// left as it is, and this one removed.
+  /// Gives it its final name. With `if_changed`, an existing file with the same bytes is left
+  /// untouched and this one is removed.
   bool Commit(bool if_changed, diag::Findings& findings);
   /// Removes it.
   void Drop();

@@ -10,7 +10,7 @@ namespace {
 
 using diag::Code;
 
-constexpr const char* kHarderContacts = "harder contacts: a smaller solref, solimp nearer to 1";
+constexpr const char* kHarderContacts = "use harder contacts: a smaller solref, solimp closer to 1";
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
@@ -50,9 +50,9 @@ bool Behaviour::CanStep() {
   if (timestep >= kShortest && timestep <= kLongest && steps <= kMostSteps) return true;
   verdict_.Error(
       Code::kPhysicsUnstable, mark_,
-      fmt::format("'{}' cannot be tried: {:g} s in steps of {:g} s", object_.name,
+      fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s", object_.name,
                   verdict_.checks().settle_time, timestep),
-      fmt::format("a timestep of {:g} to {:g} s, and a settle_time of at most {:g} steps",
+      fmt::format("use a timestep of {:g} to {:g} s and a settle_time of at most {:g} steps",
                   kShortest, kLongest, kMostSteps));
   return false;
 }
@@ -72,8 +72,8 @@ void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
   for (const std::string& warning : trouble.warnings) {
     verdict_.Error(Code::kPhysicsUnstable, mark_,
                    fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
-                   trouble.blown_up ? "a smaller timestep, softer contacts, or larger masses and "
-                                      "inertias beside its forces"
+                   trouble.blown_up ? "use a smaller timestep, softer contacts, or larger masses "
+                                      "and inertias for its forces"
                                     : "");
   }
   if (trouble.blown_up) return;
@@ -84,20 +84,20 @@ void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
                                "more than {:g}",
                                object_.name, NumberBeyond(result.energy_gain, checks.energy_gain),
                                checks.energy_gain),
-                   "parts that push each other apart, springs, or actuators");
+                   "look for parts that push each other apart, springs, or actuators");
   }
   if (!result.at_rest && result.dropped && result.ncon == 0) {
     verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
-                     fmt::format("'{}' touches nothing in {:g} s, and ends at {:.3g} m/s",
+                     fmt::format("'{}' touches nothing for {:g} s and ends at {:.3g} m/s",
                                  object_.name, result.time, result.speed),
-                     "gravity, or the contact bits (contype, conaffinity)");
+                     "check gravity and the contact bits (contype, conaffinity)");
   } else if (!result.at_rest && result.dropped) {
     verdict_.Warning(
         Code::kPhysicsNotAtRest, mark_,
         fmt::format("'{}' still moves after {:g} s: body '{}' at {:.3g} m/s, {:.3g} mm "
                     "from where it began",
                     object_.name, result.time, trouble.fastest, result.speed, 1000 * trouble.way),
-        "a joint without damping, something round, or a longer `settle_time`");
+        "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
   }
   if (result.penetration > checks.penetration) {
     verdict_.Error(Code::kPhysicsPenetrates, mark_,
@@ -124,14 +124,14 @@ void Behaviour::ReportPose(const Result& result) {
         fmt::format("'{}' topples: it leans over by {} deg, more than {:.3g} deg", object_.name,
                     NumberBeyond(kDegrees * result.tilt, kDegrees * checks.tilt),
                     kDegrees * checks.tilt),
-        "a wider foot, or a lower centre of mass");
+        "give it a wider foot or a lower centre of mass");
   }
   if (result.drift > checks.drift) {
     verdict_.Error(
         Code::kPhysicsDrifts, mark_,
         fmt::format("'{}' moves {} mm along the floor, more than {:g} mm", object_.name,
                     NumberBeyond(1000 * result.drift, 1000 * checks.drift), 1000 * checks.drift),
-        "a level foot, or more friction");
+        "give it a level foot or more friction");
   }
 }
 
@@ -141,7 +141,7 @@ void Behaviour::ReportJoint(const Driven& driven) {
   const diag::SourceMark mark = MarkOf(joint.name);
   if (driven.blown_up) {
     verdict_.Error(Code::kPhysicsUnstable, mark,
-                   fmt::format("MuJoCo finds no numbers as joint '{}' is driven", joint.name));
+                   fmt::format("the simulation diverges as joint '{}' is driven", joint.name));
     return;
   }
   if (driven.outside > checks.joint_overshoot * driven.range) {
@@ -149,36 +149,37 @@ void Behaviour::ReportJoint(const Driven& driven) {
                    fmt::format("joint '{}' begins {} outside its range of {}", joint.name,
                                Distance(m_, driven.joint, driven.outside),
                                Distance(m_, driven.joint, driven.range)),
-                   "a range with the zero in it, or a pose (`ref`) that is in the range");
+                   "use a range that contains zero, or a pose (`ref`) within the range");
   } else if (joint.overshoot > checks.joint_overshoot * driven.range) {
     verdict_.Error(Code::kPhysicsJointOvershoots, mark,
                    fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
                                Distance(m_, driven.joint, joint.overshoot),
                                Distance(m_, driven.joint, driven.range)),
-                   "a harder limit: a smaller solreflimit, solimplimit nearer to 1");
+                   "use a harder limit: a smaller solreflimit, solimplimit closer to 1");
   }
   if (joint.penetration > checks.joint_penetration) {
-    verdict_.Error(Code::kPhysicsJointCollides, mark,
-                   fmt::format("driving joint '{}', bodies '{}' and '{}' get {:.3g} mm into each "
-                               "other, at {}",
-                               joint.name, driven.body1, driven.body2, 1000 * joint.penetration,
-                               Distance(m_, driven.joint, driven.where)),
-                   "a shorter range, more room, or `contact: exclude`");
+    verdict_.Error(
+        Code::kPhysicsJointCollides, mark,
+        fmt::format(
+            "driving joint '{}' pushes bodies '{}' and '{}' {:.3g} mm into each other, at {}",
+            joint.name, driven.body1, driven.body2, 1000 * joint.penetration,
+            Distance(m_, driven.joint, driven.where)),
+        "use a shorter range, make room, or add `contact: exclude`");
   }
   if (joint.reach < checks.joint_reach) {
-    verdict_.Error(
-        Code::kPhysicsJointBlocked, mark,
-        fmt::format("joint '{}' reaches only {:.3g} % of its range of {}{}", joint.name,
-                    100 * joint.reach, Distance(m_, driven.joint, driven.range),
-                    driven.body1.empty()
-                        ? std::string()
-                        : fmt::format(": '{}' and '{}' collide", driven.body1, driven.body2)),
-        driven.body1.empty() ? "something it is coupled to, an equality or a tendon, holds it"
-                             : "a shorter range, more room, or `contact: exclude`");
+    verdict_.Error(Code::kPhysicsJointBlocked, mark,
+                   fmt::format("joint '{}' reaches only {:.3g} % of its range of {}{}", joint.name,
+                               100 * joint.reach, Distance(m_, driven.joint, driven.range),
+                               driven.body1.empty() ? std::string()
+                                                    : fmt::format(": '{}' and '{}' collide",
+                                                                  driven.body1, driven.body2)),
+                   driven.body1.empty()
+                       ? "it is held back by something that an equality or a tendon couples it to"
+                       : "use a shorter range, make room, or add `contact: exclude`");
   }
   if (joint.return_error > checks.joint_return * driven.range) {
     verdict_.Error(Code::kPhysicsJointNotBack, mark,
-                   fmt::format("joint '{}' does not come back: it ends {} from where it began",
+                   fmt::format("joint '{}' does not come back: it ends {} from where it started",
                                joint.name, Distance(m_, driven.joint, joint.return_error)));
   }
 }

@@ -21,7 +21,7 @@ class Behaviour {
             Verdict& verdict)
       : m_(m), workspace_(workspace), object_(object), mark_(mark), verdict_(verdict) {}
 
-  /// Fills in all of it but the overlap. May throw std::exception.
+  /// Fills in everything except the overlap. May throw std::exception.
   void Check(Result& result);
 
  private:

@@ -10,7 +10,7 @@
 
 namespace mjforge::physics {
 
-/// What came of driving one joint.
+/// The outcome of driving one joint.
 struct Driven {
   int joint = 0;
   double range = 0;  // rad or m, from end to end
@@ -23,15 +23,13 @@ struct Driven {
   bool blown_up = false;
 };
 
-/// Drives each hinge, slide and ball joint from its zero to both ends of its
-/// range and back: an unlimited hinge through a full turn, a ball about each of
-/// its axes. An unlimited slide has no ends and is left out. A force makes the
-/// joint follow smooth moves of half a second; it knows the inertia that it has
-/// to move, and nothing of what stands in its way. Free bodies are held, other
-/// joints stay where they are unless something couples them to this one, and
-/// there is no gravity, no friction, spring or actuator in joints, no floor.
-/// Changes the model for that while it works, and puts it back. `d` is its data.
-/// May throw std::exception.
+/// Drives each hinge, slide and ball joint from its zero to both ends of its range and back: an
+/// unlimited hinge through a full turn, a ball about each of its axes. An unlimited slide has no
+/// ends and is left out. A force makes the joint follow smooth moves of half a second; it accounts
+/// for the inertia that it has to move, but not for obstacles. Free bodies are held, other joints
+/// stay where they are unless something couples them to this one, and there is no gravity, no
+/// floor, and no friction, spring or actuator in joints. Changes the model meanwhile and restores
+/// it. `d` is its data. May throw std::exception.
 std::vector<Driven> DriveJoints(mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

@@ -5,11 +5,12 @@
 
 namespace mjforge::physics {
 
-/// From how high things are dropped, m: more than the margins within which MuJoCo pushes already.
+/// The height from which things are dropped, m: more than the margins within which MuJoCo already
+/// pushes.
 double DropHeight(const mjModel& m);
 
-/// Makes a geom of the world the floor: level, with MuJoCo's own contact parameters whatever
-/// the file's defaults say, and below all that can collide by DropHeight().
+/// Makes a geom of the world the floor: level, with MuJoCo's own contact parameters whatever the
+/// file's defaults say, and DropHeight() below everything that can collide.
 void LevelFloor(mjModel& m, int geom);
 
 }  // namespace mjforge::physics

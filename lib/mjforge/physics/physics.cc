@@ -179,7 +179,7 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
     const std::string floor = FloorName(*loaded.model);
     loaded = state_->engine.LoadTextIn(folder, WithFloor(file, floor));
     if (!loaded.model)
-      return refused(" with a floor", loaded, "a plane of its own would be taken instead");
+      return refused(" with a floor", loaded, "a plane in the file would be used instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
   }
   return state_->Examine(std::move(loaded.model), object, start, checks, findings);

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_PHYSICS_PHYSICS_H_
 #define MJFORGE_PHYSICS_PHYSICS_H_
 
-// Whether an object behaves: it is dropped on a floor, its joints are driven,
-// and its numbers are held against what things are made of. In MuJoCo 2.2.
+// Checks whether an object behaves: drops it on a floor, drives its joints, and compares its
+// numbers with those of real things. Uses MuJoCo 2.2.
 
 #include <filesystem>
 #include <memory>
@@ -27,8 +27,8 @@ struct Result {
     double return_error = 0;  // distance from where it began, rad or m
     bool operator==(const Joint&) const = default;
   };
-  /// The drop: from 2 mm above the floor, until it rests or the time is over. An
-  /// object that is fixed to the world only hangs there under its weight.
+  /// The drop: from 2 mm above the floor, until it rests or the time is up. An object that is fixed
+  /// to the world only hangs there under its weight.
   bool dropped = false;
   bool at_rest = false;
   double time = 0;         // simulated, s
@@ -45,8 +45,7 @@ struct Result {
   bool operator==(const Result&) const = default;
 };
 
-/// Where things are tried. Keeps MuJoCo's memory from one object to the next;
-/// make one per process.
+/// Runs the simulations. Keeps MuJoCo's memory from one object to the next; make one per process.
 class Laboratory {
  public:
   Laboratory();
@@ -54,14 +53,13 @@ class Laboratory {
   Laboratory(const Laboratory&) = delete;
   Laboratory& operator=(const Laboratory&) = delete;
 
-  /// A document made from `object`, valid for MuJoCo. What is not as
-  /// object.checks has it is a finding at its place in the spec. Nothing if
-  /// MuJoCo gives up, which is a finding.
+  /// A document made from `object`, valid for MuJoCo. What violates object.checks is a finding at
+  /// its place in the spec. If MuJoCo gives up, that is a finding and there is no result.
   std::optional<Result> Examine(const mjcf::MjcfDocument& document, const model::Object& object,
                                 diag::Findings& findings);
 
-  /// Any MJCF file that MuJoCo loads; findings point at its start. Where it has
-  /// no plane of its own and something in it is free, it gets a floor.
+  /// Any MJCF file that MuJoCo loads; findings point at its start. A model without a plane, in
+  /// which something is free, gets a floor.
   std::optional<Result> Examine(const std::filesystem::path& file, const model::Checks& checks,
                                 diag::Sources& sources, diag::Findings& findings);
 

@@ -114,11 +114,12 @@ class Proportions {
     for (const model::Part& solid : solids.parts) {
       const Eigen::Vector2d sides = SidesOf(solid.shape);
       if (sides.x() < checks.thickness) {
-        verdict_.Warning(Code::kPhysicsThin, solid.mark,
-                         fmt::format("part '{}' is {} mm thin, less than {:g} mm", solid.name,
-                                     NumberBeyond(1000 * sides.x(), 1000 * checks.thickness),
-                                     1000 * checks.thickness),
-                         "contacts push through thin parts; give it more, or `role: visual`");
+        verdict_.Warning(
+            Code::kPhysicsThin, solid.mark,
+            fmt::format("part '{}' is {} mm thin, less than {:g} mm", solid.name,
+                        NumberBeyond(1000 * sides.x(), 1000 * checks.thickness),
+                        1000 * checks.thickness),
+            "contacts push through thin parts; make it thicker, or set `role: visual`");
       }
       if (sides.y() > checks.aspect * sides.x()) {
         verdict_.Warning(
@@ -163,9 +164,9 @@ class Proportions {
       return;
     verdict_.Error(Code::kPhysicsInertia, body.mark,
                    fmt::format("body '{}' has principal inertias {:.4g}, {:.4g} and {:.4g} kg m^2, "
-                               "which no solid has",
+                               "which no solid can have",
                                body.name, inertia.x(), inertia.y(), inertia.z()),
-                   "each is above 0, and no more than the other two together");
+                   "each must be above 0 and at most the sum of the other two");
   }
 
   void CheckCenter(const model::Body& body, const Solids& solids) {

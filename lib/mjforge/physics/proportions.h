@@ -6,9 +6,9 @@
 
 namespace mjforge::physics {
 
-/// Holds what an object is made of against what things are made of: densities,
-/// sizes, inertias, parts that overlap or hang in the air. Returns the share of
-/// the mass that is counted twice. `mark` is for what is of no single body.
+/// Compares an object with real things: densities, sizes, inertias, parts that overlap or hang in
+/// the air. Returns the share of the mass that is counted twice. `mark` is for what is of no single
+/// body.
 double CheckProportions(const model::Object& object, diag::SourceMark mark, Verdict& verdict);
 
 }  // namespace mjforge::physics

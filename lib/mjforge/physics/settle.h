@@ -11,20 +11,19 @@
 
 namespace mjforge::physics {
 
-/// What a drop ended in beside numbers.
+/// What went wrong in a drop.
 struct Trouble {
-  bool blown_up = false;  // numbers that are none, or too large
+  bool blown_up = false;  // numbers became NaN or too large
   std::vector<std::string> warnings;
   std::string fastest;  // the body that is fastest at the end
   double way = 0;       // of its centre of mass from the start, m
 };
 
-/// Puts what is free above the floor by DropHeight(), if the model has a level
-/// plane and one free body and nothing else to lie on, and simulates from there with
-/// the model's own options: until it rests, or checks.settle_time is over. `d` is
-/// the model's data at its initial state; it is left as the drop left it, the model
-/// as it was. Fills in all of `result` but overlap and joints. May throw
-/// std::exception.
+/// If the model has a level plane, one free body and nothing else to lie on, puts that body
+/// DropHeight() above the floor. Simulates from there with the model's own options until it rests
+/// or checks.settle_time is over. `d` is the model's data at its initial state; afterwards it holds
+/// the end of the drop, and the model is unchanged. Fills in all of `result` except overlap and
+/// joints. May throw std::exception.
 Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result);
 
 }  // namespace mjforge::physics

@@ -13,8 +13,8 @@ namespace mjforge::physics {
 /// of a family have the same sizes, and making it costs as much as 50 steps.
 class Workspace {
  public:
-  /// Data for the model at its initial state, good until the next call. Throws
-  /// std::exception if there is not enough memory.
+  /// Data for the model at its initial state, valid until the next call. Throws std::exception if
+  /// there is not enough memory.
   mjData& For(const mjModel& m);
 
  private:
@@ -22,12 +22,12 @@ class Workspace {
   std::vector<std::byte> sizes_;  // of the model it was made for
 };
 
-/// Did contacts or constraint rows find no room in the last steps?
+/// Whether contacts or constraint rows ran out of room in the last steps.
 bool IsCrowded(const mjData& d);
-/// Makes more room for both; false if that would be too much. The data must be made anew.
+/// Makes more room for both; false if that would be too much. The data must then be made anew.
 bool MakeRoom(mjModel& m);
 
-/// MuJoCo found numbers that are none, or too large, and began anew.
+/// Whether MuJoCo found numbers that are NaN or too large and reset the data.
 bool HasBlownUp(const mjData& d);
 /// MuJoCo's words for what went wrong since the data was reset.
 std::vector<std::string> WarningsOf(const mjData& d);

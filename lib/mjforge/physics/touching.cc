@@ -13,7 +13,7 @@ namespace {
 // libccd's tolerances are absolute, for shapes of size 1.
 constexpr double kTolerance = 1e-4;
 constexpr unsigned long kMostIterations = 200;
-constexpr double kRounding = 1e-3;  // of the size, where a point is asked for
+constexpr double kHullTolerance = 1e-3;  // of the size, where a point is asked for
 
 /// The convex hull of solids and of all within a distance of it, in units of
 /// `scale` about `origin`.
@@ -139,7 +139,7 @@ bool IsInsideHull(const std::vector<model::Part>& parts, const Eigen::Vector3d& 
   for (const model::Part& part : parts) box.Add(BoxOf(part));
   const double size = (box.max - box.min).norm() / 2;
   const Hull hull = {.solids = parts,
-                     .around = kRounding * size,
+                     .around = kHullTolerance * size,
                      .origin = (box.min + box.max) / 2,
                      .scale = size};
   const Eigen::Vector3d point = (p_B - hull.origin) / hull.scale;

@@ -7,8 +7,8 @@
 
 namespace mjforge::physics {
 
-/// Are two solids of a body no farther apart than `gap`, m? Meshes count as
-/// their convex hulls. To about a thousandth of the solids' size.
+/// Whether two solids of a body are at most `gap` (m) apart, to about a thousandth of their size.
+/// Meshes count as their convex hulls.
 bool Touch(const model::Part& a, const model::Part& b, double gap);
 
 /// Groups of parts that hold together, as numbers in `parts`; the heaviest group first.

@@ -11,7 +11,7 @@ namespace mjforge::physics {
 /// A number that is beyond a limit, with as many digits, at least three, as it takes to see that.
 std::string NumberBeyond(double value, double limit);
 
-/// Takes findings, but for those whose code is silenced.
+/// Takes findings, except those whose code is silenced.
 class Verdict {
  public:
   Verdict(const model::Checks& checks, diag::Findings& findings)

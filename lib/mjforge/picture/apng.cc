@@ -61,7 +61,7 @@ void AppendControl(std::string& out, const Image& image, int delay, std::uint32_
 }  // namespace
 
 std::string EncodeApng(std::span<const Image> frames, int delay, const Texts& texts) {
-  if (frames.empty()) throw std::invalid_argument("an animation of nothing");
+  if (frames.empty()) throw std::invalid_argument("an animation without frames");
   std::string out;
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {

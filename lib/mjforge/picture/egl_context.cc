@@ -123,7 +123,7 @@ std::unique_ptr<GlContext> OpenEgl(std::string& why_not) {
   }
   auto context = std::make_unique<EglContext>(egl);
   if (!context->Start()) {
-    why_not = "EGL: no driver gives an OpenGL context";
+    why_not = "EGL: no driver provides an OpenGL context";
     return nullptr;
   }
   MakeVisible(kLibrary);

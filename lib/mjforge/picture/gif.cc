@@ -11,7 +11,7 @@ namespace mjforge::picture {
 namespace {
 
 constexpr std::size_t kMostColors = 255;  // the last one stands for "nothing"
-constexpr int kNothing = 255;
+constexpr int kTransparent = 255;
 constexpr int kVisible = 128;  // of 255: GIF knows no half-transparent pixels
 
 extern "C" int AppendGif(GifFileType* gif, const GifByteType* bytes, int count) {
@@ -72,7 +72,7 @@ void PutFrame(Writer& writer, const Image& image, const Palette& palette, int de
   GraphicsControlBlock control = {};
   control.DisposalMode = DISPOSE_BACKGROUND;
   control.DelayTime = delay / 10;
-  control.TransparentColor = kNothing;
+  control.TransparentColor = kTransparent;
   std::array<GifByteType, 4> block = {};
   EGifGCBToExtension(&control, block.data());
   writer.Check(EGifPutExtension(*writer, GRAPHICS_EXT_FUNC_CODE, 4, block.data()));
@@ -81,7 +81,7 @@ void PutFrame(Writer& writer, const Image& image, const Palette& palette, int de
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* pixel = image.rgba.data() + static_cast<std::size_t>(y) * line.size() * 4;
     for (GifPixelType& number : line) {
-      number = pixel[3] < kVisible ? kNothing : palette.Nearest(pixel);
+      number = pixel[3] < kVisible ? kTransparent : palette.Nearest(pixel);
       pixel += 4;
     }
     writer.Check(EGifPutLine(*writer, line.data(), image.width));
@@ -91,7 +91,7 @@ void PutFrame(Writer& writer, const Image& image, const Palette& palette, int de
 }  // namespace
 
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts) {
-  if (frames.empty()) throw std::invalid_argument("an animation of nothing");
+  if (frames.empty()) throw std::invalid_argument("an animation without frames");
   std::string bytes;
   const Palette palette(frames, kMostColors);
   const auto map = MapOf(palette);

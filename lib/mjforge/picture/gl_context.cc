@@ -45,7 +45,7 @@ std::unique_ptr<GlContext> OpenGlContext(std::string& why_not) {
   if (word == "egl") return OpenEgl(why_not);
   if (word == "osmesa") return OpenOsmesa(why_not);
   if (MeansNone(word)) {
-    why_not = fmt::format("MUJOCO_GL={} turns it off", word);
+    why_not = fmt::format("MUJOCO_GL={} turns drawing off", word);
     return nullptr;
   }
   if (!word.empty()) {

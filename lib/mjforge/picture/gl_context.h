@@ -26,8 +26,8 @@ class GlContext {
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 
-/// While it lives a leak checker does not count what is allocated: drivers keep
-/// some hundred bytes for ever. Means nothing without one.
+/// While it lives, a leak checker does not count what is allocated: drivers keep a few hundred
+/// bytes forever. Has no effect without a leak checker.
 class DriversOwn {
  public:
   DriversOwn();
@@ -37,7 +37,7 @@ class DriversOwn {
   DriversOwn& operator=(const DriversOwn&) = delete;
 };
 
-/// As MUJOCO_GL says, else the first that works. Nothing, and why.
+/// The one that MUJOCO_GL names, else the first that works. Nothing, and why, if none works.
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
 
 /// The address of a function in a library that is open; null if it has none.

@@ -60,7 +60,7 @@ std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not) {
   std::unique_ptr<OsmesaContext> context;
   if (raw != nullptr) context = std::make_unique<OsmesaContext>(raw, destroy);
   if (!context || !context->Start(make_current)) {
-    why_not = "OSMesa: it gives no OpenGL context";
+    why_not = "OSMesa: it provides no OpenGL context";
     return nullptr;
   }
   MakeVisible(found);

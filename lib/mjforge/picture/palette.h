@@ -10,8 +10,8 @@
 
 namespace mjforge::picture {
 
-/// At most `most` colors for all pixels of some images, and which of them is
-/// nearest to a pixel's. Alpha does not count.
+/// At most `most` colors for all pixels of some images, and which of them is nearest to a pixel's
+/// color. Alpha is ignored.
 class Palette {
  public:
   Palette(std::span<const Image> images, std::size_t most);

@@ -25,15 +25,15 @@
 
 namespace mjforge::picture {
 
-/// Rows from the top, four bytes a pixel: red, green, blue, and alpha that the
-/// colors are not multiplied by.
+/// Rows from the top, four bytes per pixel: red, green, blue, and alpha; colors are not
+/// premultiplied.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-/// What of a model is shown.
+/// What is shown of a model.
 enum class Layer {
   kVisual,     // what a viewer shows at its defaults: groups 0 to 2
   kCollision,  // the geoms that can collide, each in a color of its own
@@ -61,8 +61,8 @@ void PutOn(const Background& background, Image& image);
 inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
-/// Where the camera is, in the words of MuJoCo's mjvCamera. What is not given is as usual: seen
-/// from the front, right and above, as near as what is shown fits.
+/// Where the camera is, in the terms of MuJoCo's mjvCamera. The defaults: from the front, right and
+/// above, as close as everything shown still fits.
 struct View {
   std::optional<double> azimuth;    // deg, of the direction it looks in; 0: x, 90: y
   std::optional<double> elevation;  // deg, of the same; -90: down, 90: up
@@ -77,7 +77,7 @@ struct Options {
   View view = {};
 };
 
-/// A joint of a subject and where it stands; rad for hinges, m for slides.
+/// A joint of a subject and its position; rad for hinges, m for slides.
 struct Joint {
   enum class Type { kFree, kBall, kSlide, kHinge };
   std::string name;
@@ -87,7 +87,7 @@ struct Joint {
   double value = 0;  // of hinges and slides
 };
 
-/// Where some joints stand: the joint's number, and rad or m.
+/// Positions of some joints: the joint's number, and rad or m.
 using Pose = std::vector<std::pair<int, double>>;
 
 /// A model in a pose.
@@ -98,16 +98,16 @@ class Subject {
   ~Subject();
 
   std::vector<Joint> joints() const;
-  /// The joint's number; a name's prefix ("hammer_") may be left out where one
-  /// joint alone fits. Nothing, and a finding, if there is none.
+  /// The joint's number; a name's prefix ("hammer_") may be left out if only one joint fits.
+  /// Nothing, and a finding, if there is none.
   std::optional<int> FindJoint(std::string_view name, diag::Findings& findings) const;
   /// Moves a hinge (rad) or slide (m). A finding if it is neither, or the value
   /// is outside its range.
   bool SetJoint(int joint, double value, diag::Findings& findings);
 
-  /// Moves each hinge and slide, one after the other, or only `joint`, from its value
-  /// to the ends of its range and back; hinges without limits once round. Nothing,
-  /// and a finding, if none can move so.
+  /// Moves each hinge and slide, one after the other, or only `joint`, from its value to the ends
+  /// of its range and back; hinges without limits turn once around. Nothing, and a finding, if none
+  /// can move this way.
   std::vector<Pose> Sweep(std::optional<int> joint, diag::Findings& findings) const;
 
   State& state() { return *state_; }
@@ -123,8 +123,8 @@ class Loader {
 
   Loader();
   ~Loader();
-  /// A text, and the files it refers to by these names. Nothing, and why, if
-  /// MuJoCo refuses it; a warning of MuJoCo's is no reason.
+  /// A text, and the files it refers to by these names. Nothing, and why, if MuJoCo refuses it;
+  /// MuJoCo's warnings are ignored.
   std::unique_ptr<Subject> LoadText(const std::string& mjcf, const Assets& assets,
                                     std::string& why_not);
   std::unique_ptr<Subject> LoadFile(const std::filesystem::path& file, std::string& why_not);
@@ -134,10 +134,10 @@ class Loader {
   std::unique_ptr<State> state_;
 };
 
-/// Draws without a display: through EGL, else OSMesa, as they are found when it
-/// runs. The environment's MUJOCO_GL chooses one ("egl", "osmesa") or none
-/// ("disable", "off"). One at a time in a process, and always through the same:
-/// MuJoCo looks for OpenGL's functions once.
+/// Draws without a display: through EGL, else OSMesa, whichever is found at run time. The
+/// environment's MUJOCO_GL chooses one ("egl", "osmesa") or none ("disable", "off"). Only one at a
+/// time in a process, and always through the same library: MuJoCo looks for OpenGL's functions
+/// once.
 class Renderer {
  public:
   /// Nothing, and a finding, if neither works.
@@ -147,11 +147,11 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Seen as the options' view says, on a floor, unless the model has planes of its own. A warning
-  /// if what is shown is not what was asked for, as there is none; nothing, and a finding, if there
-  /// is nothing to show at all. The same subject and options give the same bytes.
+  /// if the layer is empty and something else is shown; nothing, and a finding, if there is nothing
+  /// to show at all. The same subject and options give the same bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
-  /// The same of each pose, all from one place that suits them all.
+  /// The same for each pose, all seen from one place that suits them all.
   std::optional<std::vector<Image>> DrawMotion(Subject& subject, std::span<const Pose> poses,
                                                const Options& options, diag::Findings& findings);
 
@@ -174,14 +174,14 @@ struct Tile {
 /// Tiles of one size in rows, as square as their number allows.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
-/// Key and value of what a file says of itself.
+/// Keys and values of the texts in a picture's file.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 std::string EncodePng(const Image& image, const Texts& texts);
-/// Endless animations; each frame is seen for `delay` ms.
+/// Endless animations; each frame is shown for `delay` ms.
 std::string EncodeApng(std::span<const Image> frames, int delay, const Texts& texts);
-/// In 255 colors, a pixel either seen or not.
+/// In 255 colors; a pixel is either opaque or transparent.
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
-/// With losses; quality from 0 to 100.
+/// Lossy; quality from 0 to 100.
 std::string EncodeWebp(const Image& image, int quality);
 
 }  // namespace mjforge::picture

@@ -21,14 +21,14 @@ extern "C" void FlushPng(png_structp) {}
 }
 
 // What libpng allocated, until the end.
-struct Writer {
-  Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, ThrowPng, nullptr)) {
+struct PngWriter {
+  PngWriter() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, ThrowPng, nullptr)) {
     if (png != nullptr) info = png_create_info_struct(png);
     if (info == nullptr) throw std::bad_alloc();
   }
-  ~Writer() { png_destroy_write_struct(&png, &info); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
 
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -41,7 +41,7 @@ bool IsOpaque(const Image& image) {
   return true;
 }
 
-void SetTexts(Writer& writer, const Texts& texts) {
+void SetTexts(PngWriter& writer, const Texts& texts) {
   std::vector<png_text> chunks;
   for (const auto& [key, value] : texts) {
     png_text& chunk = chunks.emplace_back();
@@ -59,7 +59,7 @@ void SetTexts(Writer& writer, const Texts& texts) {
 
 std::string EncodePng(const Image& image, const Texts& texts) {
   std::string bytes;
-  Writer writer;
+  PngWriter writer;
   png_set_write_fn(writer.png, &bytes, AppendPng, FlushPng);
   png_set_compression_level(writer.png, kCompression);
   const bool opaque = IsOpaque(image);

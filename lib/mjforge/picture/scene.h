@@ -20,13 +20,13 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Lists what the layer shows of the subject in its pose. A warning if that is
-  /// something else, as there is none; false, and a finding, if there is nothing.
+  /// Lists what the layer shows of the subject in its pose. A warning if the layer is empty and
+  /// something else is shown; false, and a finding, if there is nothing at all.
   bool Fill(Subject& subject, Layer layer, diag::Findings& findings);
 
-  /// What the picture must hold.
+  /// What the picture must contain.
   const Shapes& shapes() const { return shapes_; }
-  /// Whether there is a floor already, or what stands on one.
+  /// Whether the model has a floor or another geom fixed to the world.
   bool has_ground() const { return has_ground_; }
   /// Where the object is lowest, m.
   double floor_height() const { return floor_height_; }
@@ -43,16 +43,16 @@ class Scene {
   };
   const std::vector<Line>& legend() const { return legend_; }
 
-  /// Adds light, a backdrop, and a floor of the given height, or none if it has one.
+  /// Adds light, a backdrop, and a floor at the given height unless there is one already.
   void Light(const Camera& camera, double floor_height);
-  /// Makes the floor, and what is behind it, light or black, and returns how light it is in full
+  /// Makes the floor and what is behind it light or black, and returns its brightness in full
   /// light, 0..255.
   int SetFloor(bool light);
   void SetCamera(const mjvGLCamera& camera);
 
   mjvScene& mujoco() { return scene_; }
 
-  /// The picture must hold this, too.
+  /// The picture must contain this, too.
   void AddToFrame(const Shape& shape) { shapes_.Add(shape); }
   void AddLabel(const Eigen::Vector3d& p_W, std::string text) {
     labels_.push_back({p_W, std::move(text)});

@@ -3,11 +3,10 @@
 
 // From what MuJoCo draws to a picture without a background.
 //
-// Every picture is drawn twice, on a light and on a black floor. What differs is
-// how much of the floor is seen, in light or in shadow, and so is the alpha of
-// what stands on it (as in A. R. Smith, J. F. Blinn: Blue Screen Matting,
-// SIGGRAPH 1996, section 3, with two backing colors). The floor itself becomes
-// a shadow, black with an alpha, which is made soft.
+// Every picture is drawn twice, on a light and on a black floor. The difference shows how much of
+// the floor is seen, in light or in shadow, and so gives the alpha of what stands on it (as in A.
+// R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing colors).
+// The floor itself becomes a shadow, black with an alpha, which is made soft.
 
 #include <cstdint>
 #include <span>
@@ -20,7 +19,7 @@ namespace mjforge::picture {
 /// Samples along each side of a pixel.
 inline constexpr int kSamples = 2;
 
-/// What MuJoCo drew: rows from the bottom, 3 bytes a sample.
+/// What MuJoCo drew: rows from the bottom, 3 bytes per sample.
 struct Drawn {
   std::span<const std::uint8_t> on_light;  // floor
   std::span<const std::uint8_t> on_black;

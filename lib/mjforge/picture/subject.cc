@@ -74,14 +74,14 @@ std::optional<int> Subject::FindJoint(std::string_view name, diag::Findings& fin
   if (fitting.size() == 1) return fitting.front();
   if (fitting.size() > 1) {
     findings.Add(Code::kPictureUnknownJoint, {},
-                 fmt::format("'{}' may be joint '{}' or '{}'", name, NameOf(m, fitting[0]),
+                 fmt::format("'{}' could be joint '{}' or '{}'", name, NameOf(m, fitting[0]),
                              NameOf(m, fitting[1])),
-                 "give its whole name");
+                 "give its full name");
     return std::nullopt;
   }
   const std::vector<std::string_view> candidates = Candidates(m);
   std::string hint = diag::DidYouMean(name, candidates);
-  if (hint.empty() && candidates.empty()) hint = "the object has no hinge and no slide";
+  if (hint.empty() && candidates.empty()) hint = "the object has no hinge or slide";
   if (hint.empty()) hint = "'--layer joints' shows the joints' names";
   findings.Add(Code::kPictureUnknownJoint, {}, fmt::format("there is no joint '{}'", name),
                std::move(hint));
@@ -92,7 +92,7 @@ bool Subject::SetJoint(int joint, double value, diag::Findings& findings) {
   const mjModel& m = *state_->model;
   if (!HasOneNumber(m.jnt_type[joint])) {
     findings.Add(Code::kPictureBadJointValue, {},
-                 fmt::format("joint '{}' is {} and does not stand at one number", NameOf(m, joint),
+                 fmt::format("joint '{}' is {} and cannot be set by one number", NameOf(m, joint),
                              m.jnt_type[joint] == mjJNT_FREE ? "free" : "a ball"));
     return false;
   }

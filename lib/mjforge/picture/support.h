@@ -35,7 +35,7 @@ class Shapes {
   double Support(const Eigen::Vector3d& direction) const;
   Eigen::Vector3d Min() const;
   Eigen::Vector3d Max() const;
-  /// The largest distance from the vertical through a point; to 1e-5 of itself.
+  /// The largest distance from the vertical through a point, with a relative error of 1e-5.
   double HorizontalRadius(const Eigen::Vector3d& axis) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace mjforge::picture {
 
-/// MuJoCo's own font, so that no machine's fonts matter. Needs a current GlContext
-/// while it lives.
+/// MuJoCo's own font, so that pictures do not depend on a machine's fonts. Needs a current
+/// GlContext while it lives.
 class Font {
  public:
   Font();

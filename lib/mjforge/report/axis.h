@@ -8,11 +8,11 @@ namespace mjforge::report {
 
 enum class Scale { kLinear, kLogarithmic };
 
-/// A chart's axis: from values to places, with round numbers at its ticks.
+/// A chart's axis: maps values to places, with round numbers at its ticks.
 class Axis {
  public:
-  /// Values from lo to hi go to places from `start` to `end`. If lo and hi are the same,
-  /// there is some room about them; logarithmic ones are above 0.
+  /// Values from lo to hi go to places from `start` to `end`. If lo and hi are the same, the axis
+  /// leaves some room around them; on a logarithmic axis both are above 0.
   Axis(Scale scale, double lo, double hi, double start, double end);
 
   double lo() const { return lo_; }
@@ -39,11 +39,11 @@ class Axis {
   double end_;
 };
 
-/// Whether numbers from lo to hi want a logarithmic axis: they are all above 0 and
-/// most are much closer to lo than to hi.
+/// Whether numbers from lo to hi need a logarithmic axis: they are all above 0 and most are much
+/// closer to lo than to hi.
 bool WantsLogarithm(double lo, double hi, double median);
 
-/// A number for people: up to four digits that count, "0.25", "12000", "3.1e-07".
+/// A number for people: up to four significant digits, "0.25", "12000", "3.1e-07".
 std::string Shown(double value);
 
 }  // namespace mjforge::report

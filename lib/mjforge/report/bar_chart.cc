@@ -9,8 +9,8 @@ namespace mjforge::report {
 namespace {
 
 // As bars.html has them.
-constexpr double kLeft = 120;
-constexpr double kRight = 300;
+constexpr double kBarLeft = 120;
+constexpr double kBarRight = 300;
 constexpr double kRow = 22;
 constexpr double kBar = 14;
 constexpr std::size_t kMaxRows = ParameterTally::kMaxWhole;
@@ -61,7 +61,7 @@ double Share(std::uint64_t part, std::uint64_t whole) {
 std::string TextOf(const Row& row, std::uint64_t drawn, std::uint64_t asked) {
   std::string text = fmt::format("{}: {} ({})", Clean(row.value, 80),
                                  ShareText(row.drawn.all, drawn), Counted(row.drawn.all));
-  if (asked > 0) text += fmt::format(", asked for {}", ShareText(row.asked, asked));
+  if (asked > 0) text += fmt::format(", expected {}", ShareText(row.asked, asked));
   return text;
 }
 
@@ -75,7 +75,7 @@ void AddBars(Dictionary& parent, const BarChart& chart) {
   for (const Row& row : rows)
     most = std::max({most, Share(row.drawn.all, drawn), Share(row.asked, asked)});
   const auto width = [&](std::uint64_t part, std::uint64_t whole) {
-    return Share(part, whole) / most * (kRight - kLeft);
+    return Share(part, whole) / most * (kBarRight - kBarLeft);
   };
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
   std::string description;
@@ -97,8 +97,8 @@ void AddBars(Dictionary& parent, const BarChart& chart) {
     }
     if (asked > 0) {
       Set(Section(shown, "ASKED"), "PATH",
-          fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kLeft, top - 1.5, kLeft + width(row.asked, asked),
-                      kBar + 3, kLeft));
+          fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarLeft, top - 1.5,
+                      kBarLeft + width(row.asked, asked), kBar + 3, kBarLeft));
     }
     top += kRow;
   }

@@ -157,7 +157,8 @@ class CardMaker {
     const std::optional<PictureInfo> info = bytes ? ReadPictureInfo(*bytes) : std::nullopt;
     if (!info) {
       ShowText(card, "NO_PICTURE",
-               record.file.empty() ? "no picture: it has no file" : "no picture of its file");
+               record.file.empty() ? "no picture: it has no file"
+                                   : "no picture: its file cannot be shown");
       return record.file.empty();
     }
     std::string alt = fmt::format("Variant {}", record.index);

@@ -21,12 +21,12 @@ struct Cards {
   std::size_t shown() const { return failed + slow + sampled; }
 };
 
-/// As many of the chosen as fit into `room` bytes: the failed, the slow, then the others in an
-/// order in which any first few are spread over the batch.
+/// As many of the chosen as fit into `room` bytes: the failed, the slow, then the others, ordered
+/// so that the first few, however many, are spread over the batch.
 Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
                 const Thumbnailer& thumbnailer, std::size_t room);
 
-/// What to type to make a variant again.
+/// The command that regenerates a variant.
 std::string ReplayCommand(const Request& request, std::uint64_t index);
 
 }  // namespace mjforge::report

@@ -1,7 +1,7 @@
 #ifndef MJFORGE_REPORT_CHARTS_H_
 #define MJFORGE_REPORT_CHARTS_H_
 
-// The charts of a page: numbers -> places on an SVG of 360 units' width.
+// The charts of a page: numbers -> places on an SVG 360 units wide.
 
 #include <cstdint>
 #include <span>
@@ -27,8 +27,8 @@ struct HistogramChart {
   const NumberTally* asked = nullptr;  // null: not known
   bool whole = false;                  // all numbers are: a bin begins and ends between two
 };
-/// Bars for what was drawn, in them the bad ones, and a line for what was asked, scaled to
-/// as many.
+/// Bars for what was drawn, with the bad variants marked in them, and a line for what the spec asks
+/// for, scaled to the same total.
 void AddHistogram(Dictionary& parent, const HistogramChart& chart);
 
 struct BarChart {
@@ -37,7 +37,7 @@ struct BarChart {
   std::vector<std::pair<std::string, Counts>> drawn;
   std::vector<std::pair<std::string, Counts>> asked;  // empty: not known
 };
-/// A row for each value that was drawn or asked for; of very many the most frequent.
+/// A row for each value that was drawn or asked for; if there are very many, for the most frequent.
 void AddBars(Dictionary& parent, const BarChart& chart);
 
 /// Mass against size.

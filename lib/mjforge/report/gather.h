@@ -36,7 +36,7 @@ struct RecordedFinding {
   std::string message;
   std::string hint;
 };
-/// Those of a record; what is no finding is passed over.
+/// The findings of a record; entries that are not findings are skipped.
 std::vector<RecordedFinding> FindingsOf(const manifest::Record& record);
 
 struct CodeTally {
@@ -45,7 +45,7 @@ struct CodeTally {
   std::uint64_t index = 0;     // of that one
 };
 
-/// Variants that a page shows, why, and the whole of them.
+/// A variant that a page shows, why, and its whole record.
 struct ShownVariant {
   enum class Reason { kFailed, kSlow, kSample };
   Reason reason = Reason::kSample;
@@ -86,8 +86,8 @@ class Gathered {
   std::vector<manifest::Record> slow_;  // a heap, the quickest of them on top
 };
 
-/// Reads the whole manifest; nothing, and a finding, if it cannot be read. Lines that are no
-/// records are findings and passed over, but for one that is cut off in a manifest under
+/// Reads the whole manifest; nothing, and a finding, if it cannot be read. Lines that are not
+/// records are findings and are skipped, except one that is cut off in a manifest under
 /// construction. `bad_lines`: how many there were.
 std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_t shown,
                                diag::Sources& sources, diag::Findings& findings,

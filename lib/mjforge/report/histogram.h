@@ -19,15 +19,15 @@ struct Numbers {
   double StandardDeviation() const;
 };
 
-/// Counts of numbers whose range nobody knows beforehand, in bounded memory. The
-/// cells are as wide as the smallest power of two that lets all numbers fit in
-/// kCells of them, so that they depend on the numbers alone and not on their order:
-/// two neighbours become one when a number falls outside.
+/// Counts of numbers whose range is not known in advance, in bounded memory. The cells are as wide
+/// as the smallest power of two that lets all numbers fit in kCells of them, so that they depend on
+/// the numbers alone and not on their order: neighbours are merged in pairs when a number falls
+/// outside.
 class Histogram {
  public:
   static constexpr std::int64_t kCells = 8192;
 
-  /// Numbers that are not finite are passed over.
+  /// Numbers that are not finite are skipped.
   void Add(double value);
 
   std::uint64_t count() const { return numbers_.count; }
@@ -37,11 +37,10 @@ class Histogram {
   double mean() const { return numbers_.mean; }
   /// Of the whole population.
   double StandardDeviation() const { return numbers_.StandardDeviation(); }
-  /// The number that a share `q` of all is below, as exact as a cell is wide.
+  /// The number below which a share `q` of all numbers lies, to within the width of a cell.
   double Quantile(double q) const;
-  /// Counts in `bins` intervals of one width from lo to hi, lo < hi. What is in a
-  /// cell goes where the cell's middle is, and one on an end into the bin there; what is
-  /// outside is left out.
+  /// Counts in `bins` intervals of one width from lo to hi, lo < hi. A cell counts in the bin that
+  /// holds its middle; a middle at lo or hi counts in the bin there, and one outside is left out.
   std::vector<std::uint64_t> Bins(double lo, double hi, std::size_t bins) const;
 
  private:

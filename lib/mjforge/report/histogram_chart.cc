@@ -126,7 +126,7 @@ std::string Description(const HistogramChart& chart) {
   if (chart.drawn->bad.count() > 0)
     text += fmt::format("; {} of variants that failed", Counted(chart.drawn->bad.count()));
   if (chart.asked != nullptr && chart.asked->all.count() > 0) {
-    text += fmt::format(". Asked for: {} to {}, mean {}", Shown(chart.asked->all.min()),
+    text += fmt::format(". Expected: {} to {}, mean {}", Shown(chart.asked->all.min()),
                         Shown(chart.asked->all.max()), Shown(chart.asked->all.mean()));
   }
   return text;

@@ -32,7 +32,7 @@ Number OfJoints(const Record& record, double physics::Result::Joint::*member, bo
 }
 
 constexpr std::array kMeasures = {
-    Measure{MeasureId::kMass, "mass", "Mass", "kg", "Of all bodies.",
+    Measure{MeasureId::kMass, "mass", "Mass", "kg", "The total of all bodies.",
             [](const Record& r) {
               return HasObject(r) ? Number(r.mass_properties.mass) : std::nullopt;
             }},
@@ -41,24 +41,25 @@ constexpr std::array kMeasures = {
     Measure{MeasureId::kAttempts, "attempt", "Draws rejected", "", "Before one was accepted.",
             [](const Record& r) { return Number(static_cast<double>(r.attempt)); }, false, true},
     Measure{MeasureId::kTimeToRest, "time", "Time to rest", "s",
-            "Of those that came to rest, simulated.",
+            "Simulated time, for objects that came to rest.",
             [](const Record& r) {
               return r.physics && r.physics->at_rest ? Dropped(r, &physics::Result::time)
                                                      : std::nullopt;
             },
             true},
-    Measure{MeasureId::kDrift, "drift", "Drift", "m", "Of the centre of mass, along the floor.",
+    Measure{MeasureId::kDrift, "drift", "Drift", "m",
+            "How far the centre of mass moved along the floor.",
             [](const Record& r) { return Dropped(r, &physics::Result::drift); }, true},
     Measure{MeasureId::kTilt, "tilt", "Tilt", "rad",
-            "Between upwards before and after: near pi/2 it fell.",
+            "How far the object leans over at the end; near pi/2 it fell.",
             [](const Record& r) { return Dropped(r, &physics::Result::tilt); }, true},
     Measure{MeasureId::kPenetration, "penetration", "Penetration", "m",
-            "The deepest contact on the way.",
+            "The deepest contact during the drop.",
             [](const Record& r) { return Dropped(r, &physics::Result::penetration); }, true},
     Measure{MeasureId::kSink, "sink", "Depth at rest", "m", "The deepest contact at the end.",
             [](const Record& r) { return Dropped(r, &physics::Result::sink); }, true},
     Measure{MeasureId::kEnergyGain, "energy_gain", "Energy gain", "",
-            "Most above the energy at the start, as a share of mass * gravity * size.",
+            "The largest gain since the start, as a share of mass * gravity * size.",
             [](const Record& r) { return Measured(r, &physics::Result::energy_gain); }, true},
     Measure{MeasureId::kOverlap, "overlap", "Overlap", "",
             "The share of the mass that is counted twice.",
@@ -68,16 +69,16 @@ constexpr std::array kMeasures = {
     Measure{MeasureId::kConstraints, "nefc", "Constraint rows", "", "nefc: the most in one step.",
             [](const Record& r) { return Measured(r, &physics::Result::nefc); }, true, true},
     Measure{MeasureId::kJointReach, "joints.reach", "Reach of joints", "",
-            "The share of its range that the least mobile joint could be driven to.",
+            "The share of its range that the least mobile joint reached.",
             [](const Record& r) { return OfJoints(r, &physics::Result::Joint::reach, true); },
             true},
     Measure{
         MeasureId::kJointPenetration, "joints.penetration", "Depth between bodies", "m",
-        "The deepest that bodies got into each other as joints were driven.",
+        "How deep bodies got into each other as joints were driven.",
         [](const Record& r) { return OfJoints(r, &physics::Result::Joint::penetration, false); },
         true},
     Measure{MeasureId::kJointOvershoot, "joints.overshoot", "Overshoot of joints", "rad or m",
-            "The farthest that a joint was driven beyond its range.",
+            "How far a joint was driven beyond its range.",
             [](const Record& r) { return OfJoints(r, &physics::Result::Joint::overshoot, false); },
             true},
 };

@@ -49,11 +49,11 @@ void LoadSpec(const Request& request, Batch& batch, diag::Sources& sources,
   if (!batch.recipe) {
     const diag::Finding& first = why_not[0];
     const std::string message =
-        first.mark ? fmt::format("the spec cannot be read any more: {}", first.message)
+        first.mark ? fmt::format("the spec can no longer be read: {}", first.message)
                    : first.message;
     findings.Warn(first.code, {}, message, first.hint);
-    batch.notices.push_back(
-        fmt::format("What was asked for is not known: {}. Below is only what was drawn.", message));
+    batch.notices.push_back(fmt::format(
+        "The expected values are unknown: {}. Only what was drawn is shown below.", message));
     return;
   }
   batch.asked = Ask(*batch.recipe, batch.gathered);
@@ -66,11 +66,11 @@ void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,
   const Gathered& gathered = batch.gathered;
   if (request.manifest.extension() == ".part") {
     batch.notices.emplace_back(
-        "The batch is not done: its manifest is still under construction. Below is what it has so "
-        "far.");
+        "The batch is not done: its manifest is still under construction. This page shows what it "
+        "has so far.");
   }
   if (bad_lines > 0) {
-    batch.notices.push_back(fmt::format("{} of the manifest {} no record and {} left out.",
+    batch.notices.push_back(fmt::format("{} of the manifest {} invalid and {} left out.",
                                         Counted(bad_lines, "line"), bad_lines == 1 ? "is" : "are",
                                         bad_lines == 1 ? "is" : "are"));
   }
@@ -143,7 +143,7 @@ void AddMissingPictures(const Cards& cards, Batch& batch, diag::Findings& findin
                   Counted(cards.without_picture), Counted(cards.shown(), "variant"),
                   cards.without_picture == 1 ? "has" : "have");
   findings.Warn(diag::Code::kReportNoPicture, {}, message,
-                "run the command that made the batch again with --resume");
+                "repeat the command that made the batch, with --resume");
   batch.notices.push_back(message + ".");
 }
 

@@ -1,4 +1,5 @@
-// Sorting and filtering of the variants. Without it all of them are there, in the page's order.
+// Sorting and filtering of the variants. Without this script all of them are shown, in the page's
+// order.
 (function () {
   "use strict";
   const table = document.getElementById("variant-table");
@@ -25,7 +26,7 @@
     count.textContent = shown + " of " + rows.length;
   }
 
-  // Numbers by size, words by name; what a variant does not have comes last either way.
+  // Numbers by size, words by name; missing values come last either way.
   function compare(key, up) {
     return (a, b) => {
       const x = a.dataset[key];

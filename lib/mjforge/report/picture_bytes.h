@@ -7,7 +7,7 @@
 
 namespace mjforge::report {
 
-/// "aGk=", as RFC 4648 has it.
+/// "aGk=", as in RFC 4648.
 std::string Base64(std::string_view bytes);
 
 struct PictureInfo {
@@ -15,7 +15,7 @@ struct PictureInfo {
   unsigned width = 0;
   unsigned height = 0;
 };
-/// What the bytes of a PNG or WebP file say of themselves; nothing for other bytes.
+/// The type and size of a PNG or WebP file; nothing for other bytes.
 std::optional<PictureInfo> ReadPictureInfo(std::string_view bytes);
 
 }  // namespace mjforge::report

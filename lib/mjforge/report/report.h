@@ -20,7 +20,7 @@
 namespace mjforge::report {
 
 struct Request {
-  std::filesystem::path manifest;  // or one under construction, as it stands
+  std::filesystem::path manifest;  // or one under construction
   std::string spec;                // if not the one that the records name
   /// At most as many variants are shown, and fewer if the page would grow past kMaxBytes.
   std::size_t shown = 200;
@@ -40,10 +40,10 @@ struct Page {
   std::size_t without_picture = 0;  // of those shown, though they have a file
 };
 
-/// Reads the manifest once, in memory that does not depend on its length, and the shown
-/// variants' objects. What keeps it from saying something is a warning (and stands on the
-/// page); a line that is no record is an error, and the page is made of the others. Nothing,
-/// and a finding, if there is nothing to read.
+/// Reads the manifest once, in memory that does not depend on its length, and the shown variants'
+/// objects. What keeps the page from being complete is a warning, which is also on the page; a line
+/// that is not a record is an error, and the page is made from the others. Nothing, and a finding,
+/// if there is nothing to read.
 std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnailer,
                              diag::Sources& sources, diag::Findings& findings);
 

@@ -8,10 +8,10 @@ namespace mjforge::report {
 namespace {
 
 // As scatter.html has them.
-constexpr double kLeft = 46;
-constexpr double kRight = 350;
-constexpr double kTop = 18;
-constexpr double kBottom = 220;
+constexpr double kScatterLeft = 46;
+constexpr double kScatterRight = 350;
+constexpr double kScatterTop = 18;
+constexpr double kScatterBottom = 220;
 
 // Where one number is this many times the other, equal steps show only the large ones.
 constexpr double kWide = 20;
@@ -38,8 +38,8 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
     sizes.push_back(point.size);
     masses.push_back(point.mass);
   }
-  const Axis x = AxisOf(sizes, kLeft, kRight);
-  const Axis y = AxisOf(masses, kBottom, kTop);
+  const Axis x = AxisOf(sizes, kScatterLeft, kScatterRight);
+  const Axis y = AxisOf(masses, kScatterBottom, kScatterTop);
   std::string good;
   std::string bad;
   for (const Point& point : points) {

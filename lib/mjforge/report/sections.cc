@@ -101,9 +101,9 @@ class ParameterPanels {
     } else {
       AddBars(panel, {id_, Title(), values, asked});
       if (drawn_.more_texts) {
-        ShowText(
-            panel, "NOTE",
-            fmt::format("of the first {} different texts", Counted(ParameterTally::kMaxTexts)));
+        ShowText(panel, "NOTE",
+                 fmt::format("Only the first {} different texts are shown.",
+                             Counted(ParameterTally::kMaxTexts)));
       }
     }
   }
@@ -199,11 +199,11 @@ void AddMassAndSize(Dictionary& body, const Gathered& gathered) {
   Dictionary& section = Section(body, "MEASURES");
   const std::vector<Point> points = gathered.points.Take(kMaxPoints);
   std::string text = points.size() < all
-                         ? fmt::format("{} of {} are drawn, spread over the batch.",
+                         ? fmt::format("{} of {} are plotted, spread over the batch.",
                                        Counted(points.size()), Counted(all, "object"))
                          : fmt::format("{}.", Counted(all, "object"));
   if (std::any_of(points.begin(), points.end(), [](const Point& point) { return point.is_bad; }))
-    text += " Crosses failed.";
+    text += "  Crosses mark variants that failed.";
   Set(section, "TEXT", text);
   AddScatter(section, points, all);
   AddMeasures(section, gathered, false);
@@ -217,7 +217,7 @@ void AddPhysics(Dictionary& body, const Gathered& gathered) {
   const std::uint64_t dropped = gathered.Of(MeasureId::kDrift).all.count();
   std::string text =
       dropped == 0
-          ? std::string("These are fixed to the world, so none was dropped.")
+          ? std::string("These objects are fixed to the world, so none was dropped.")
           : fmt::format("{} dropped on a floor from 2 mm above it: {} came to rest.",
                         dropped == measured
                             ? fmt::format("Each of {} was", Counted(dropped))

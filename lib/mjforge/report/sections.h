@@ -23,9 +23,9 @@ struct Batch {
   std::vector<std::string> notices;
 };
 
-/// What the spec asks for, by drawing its parameters afresh: right for every distribution,
-/// with ranges that depend on other parameters and with requirements. The indices are the
-/// batch's, spread evenly; the seeds are others. Draws that fail count for nothing.
+/// What the spec asks for, found by drawing its parameters afresh. This is right for every
+/// distribution, for ranges that depend on other parameters, and for requirements. The indices are
+/// the batch's, spread evenly; the seeds are different. Draws that fail are not counted.
 ParameterTallies Ask(const forge::Recipe& recipe, const Gathered& gathered);
 
 /// Title, statuses, facts and notices.
@@ -39,7 +39,7 @@ void AddPhysics(Dictionary& body, const Gathered& gathered);
 
 /// The spec's parameter of that name; null without a recipe.
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
-/// Its unit, as a page shows it: not the unit 1, and nothing for null.
+/// Its unit, as a page shows it; empty for the unit 1 and for null.
 std::string UnitText(const spec::Parameter* parameter);
 
 }  // namespace mjforge::report

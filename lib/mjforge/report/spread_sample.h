@@ -8,8 +8,8 @@
 
 namespace mjforge::report {
 
-/// Some of many, evenly spread over them, though nobody knows beforehand how many
-/// there are: every 2^k-th is kept, and k grows with them.
+/// Some of many items, evenly spread over them, though their number is not known in advance: every
+/// 2^k-th is kept, and k grows with their number.
 template <typename Item>
 class SpreadSample {
  public:

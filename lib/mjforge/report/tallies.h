@@ -1,7 +1,7 @@
 #ifndef MJFORGE_REPORT_TALLIES_H_
 #define MJFORGE_REPORT_TALLIES_H_
 
-// How often what was drawn, of good variants and of those that failed.
+// How often each value was drawn, for good variants and for those that failed.
 
 #include <cstdint>
 #include <map>
@@ -35,7 +35,7 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// Of more texts than these the first count.
+  /// If there are more texts than this, only the first are counted.
   static constexpr std::size_t kMaxTexts = 1000;
   /// Whole numbers are values of their own while they are this few: as many as a chart has bars.
   static constexpr std::size_t kMaxWhole = 24;
@@ -47,7 +47,7 @@ struct ParameterTally {
 
   std::string name;
   std::uint64_t count = 0;
-  std::vector<NumberTally> numbers;  // one; of a vector one a component
+  std::vector<NumberTally> numbers;  // one; for a vector, one per component
   bool more_texts = false;           // there were more than kMaxTexts
 
  private:
@@ -64,7 +64,7 @@ class ParameterTallies {
  public:
   void Add(const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad);
   const std::vector<ParameterTally>& list() const { return list_; }
-  /// Nothing of that name: null.
+  /// Null if there is none of that name.
   const ParameterTally* Find(const std::string& name) const;
 
  private:

@@ -1,8 +1,8 @@
 #ifndef MJFORGE_REPORT_TEMPLATES_H_
 #define MJFORGE_REPORT_TEMPLATES_H_
 
-// The page's files, embedded, and how their holes are filled. Every value is escaped as
-// the place needs it, but for the few that a file marks with `:none`.
+// The page's files, embedded, and how their holes are filled. Every value is escaped as its place
+// needs, except the few that a file marks with `:none`.
 
 #include <cstdint>
 #include <cstring>  // that ctemplate's headers forget
@@ -23,7 +23,7 @@ std::string Expand(TemplateName name, const Dictionary& dictionary);
 /// The chart that a hole `{{>MARKER}}` of the parent's template shows.
 Dictionary& Include(Dictionary& parent, const char* marker, TemplateName name);
 
-/// A section that is shown, once more for each call.
+/// Shows a section, once per call.
 inline Dictionary& Section(Dictionary& parent, const char* name) {
   return *parent.AddSectionDictionary(name);
 }
@@ -40,7 +40,7 @@ std::string Clean(std::string_view text, std::size_t limit = 300);
 std::string Counted(std::uint64_t number);
 /// "1 variant", "2 variants".
 std::string Counted(std::uint64_t number, std::string_view noun);
-/// "12.5 %"; never 0 or 100 for what is not none or all.
+/// "12.5 %"; 0 and 100 only for none and all.
 std::string ShareText(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace mjforge::report

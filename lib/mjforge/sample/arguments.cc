@@ -13,8 +13,6 @@ using expr::NumberText;
 using spec::Distribution;
 using Message = std::optional<std::string>;
 
-// Above it, not every whole number has a double.
-constexpr double kMaxWhole = 0x1p53;
 // Far more than anything that is counted; keeps the search for the quantile short.
 constexpr double kMaxPoissonMean = 1e6;
 

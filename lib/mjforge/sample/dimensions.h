@@ -15,12 +15,12 @@ struct DrawnStream {
   StreamId stream = 0;
   int numbers = 1;           // uniforms taken: the dimensions it spans
   std::uint64_t levels = 0;  // different values of a discrete draw; 0: any number
-  /// Of two levels, the first one's share of (0, 1) where it is not a half.
+  /// With two levels: the first one's share of (0, 1), if it is not one half.
   std::optional<double> split;
 };
 
-/// Where the paths of a spec begin that nothing brings: its name, so that two families of
-/// one seed draw different numbers.
+/// Where the paths of an outermost spec begin: at its name, so that two families with the same seed
+/// draw different numbers.
 inline StreamId RootStream(const spec::ObjectSpec& spec) { return Child(kRootStream, spec.name); }
 
 /// Parameters in file order; within one, a draw before the draws in its arguments,

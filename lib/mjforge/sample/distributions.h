@@ -14,6 +14,9 @@
 
 namespace mjforge::sample {
 
+/// Above it, not every whole number has a double.
+inline constexpr double kMaxWhole = 0x1p53;
+
 /// Closed interval; infinite ends mean "no bound".
 struct Interval {
   double lo;
@@ -32,8 +35,8 @@ std::optional<std::string> CheckArguments(spec::Distribution distribution,
                                           std::span<const double> arguments,
                                           std::optional<Interval> limits);
 
-/// The value at u. Everything but choice and cycle. Truncation is exact: u is
-/// mapped into [F(lo), F(hi)], through the complement in the upper tail.
+/// The value at u, for every distribution except choice and cycle. Truncation is exact: u is mapped
+/// into [F(lo), F(hi)], through the complement in the upper tail.
 double Quantile(spec::Distribution distribution, std::span<const double> arguments,
                 std::optional<Interval> limits, double u);
 

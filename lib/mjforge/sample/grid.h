@@ -13,19 +13,19 @@
 
 namespace mjforge::sample {
 
-/// A full factorial: every combination of the levels of all dimensions, the first
-/// dimension varying slowest. Discrete dimensions have as many levels as values; the
-/// others share what `size` leaves as equally as they can, the first ones one more.
+/// A full factorial: every combination of the levels of all dimensions, the first dimension varying
+/// slowest. Discrete dimensions have as many levels as values; the others share what remains of
+/// `size` as equally as possible; the first ones may get one level more.
 class Grid {
  public:
   Grid(std::span<const DrawnStream> streams, std::uint64_t size);
 
-  /// Puts the stream's numbers of the point at `position` into `uniforms`: centres of
-  /// their cells. Positions past the last point begin anew. A stream that is not of
-  /// the grid leaves them as they are.
+  /// Puts the stream's numbers of the point at `position` into `uniforms`: centres of their cells.
+  /// Positions past the last point start over. For a stream outside the grid, `uniforms` stay
+  /// unchanged.
   void Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const;
 
-  /// The number of points; 2^64 - 1 stands for all that is more.
+  /// The number of points, at most 2^64 - 1.
   std::uint64_t points() const { return points_; }
   /// "4 x 5 x 5 = 100 points".
   std::string Text() const;

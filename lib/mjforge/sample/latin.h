@@ -8,10 +8,10 @@
 
 namespace mjforge::sample {
 
-/// Moves each of a stream's uniforms into the N-th of (0, 1) that is this item's in its
-/// block of `batch` items: a pseudorandom permutation of them for each number. Source:
-/// McKay, Beckman, Conover, "A comparison of three methods for selecting values of input
-/// variables", Technometrics 21, 1979 (Latin hypercube sampling).
+/// Divides (0, 1) into `batch` equal cells and moves each of a stream's uniforms into the cell of
+/// this item in its block of `batch` items. For each number a pseudorandom permutation gives the
+/// items their cells. Source: McKay, Beckman, Conover, "A comparison of three methods for selecting
+/// values of input variables", Technometrics 21, 1979 (Latin hypercube sampling).
 void PlaceLatin(const DrawKey& key, StreamId stream, std::uint64_t batch,
                 std::array<double, 4>& uniforms);
 

@@ -12,7 +12,7 @@
 
 namespace mjforge::sample {
 
-/// The last word of the counter: numbers for different purposes have nothing in common.
+/// The last word of the counter: numbers for different purposes are independent.
 enum class Purpose : std::uint64_t { kDraw, kLatin, kScramble, kExact };
 
 /// Philox4x64-10 with key (seed, 0) and counter (position, stream, attempt, purpose).

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "mjforge/sample/distributions.h"
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::sample {
@@ -12,7 +13,6 @@ constexpr int kMaxExactPower = 22;  // 10^22 is the largest power of ten that a 
 constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-constexpr double kMaxWhole = 0x1p53;
 // Bounds such as 0.03 - 0.02 are a hair off a power of ten; that is no reason for one more digit.
 constexpr double kLogTolerance = 1e-9;
 

@@ -37,10 +37,9 @@ using Numbers = boost::container::small_vector<double, 6>;
 /// A parameter's value: a number, a boolean, a text, or a vector.
 using ParameterValue = std::variant<double, bool, std::string, std::vector<double>>;
 
-/// Evaluates the values of one spec for one variant, in the scope of that
-/// spec's names. Errors are added to the findings and make the result useless;
-/// `failed()` says so. Without a sampler everything is drawn at random; one must
-/// outlive the evaluator.
+/// Evaluates the values of one spec for one variant, in the scope of that spec's names. Errors are
+/// added to the findings and make the result useless; then `failed()` is true. Without a sampler
+/// everything is drawn at random; a sampler must outlive the evaluator.
 class Evaluator {
  public:
   Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings,
@@ -63,7 +62,7 @@ class Evaluator {
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
 
   void SetVariable(int slot, double value) { variables_[static_cast<std::size_t>(slot)] = value; }
-  /// Sets what a name stands for that the assembly defines, at its first slot.
+  /// Sets the value of a name that the assembly defines; `slot` is the first slot of the name.
   void SetVariable(int slot, const ParameterValue& value);
   StreamId root() const { return root_; }
   const DrawKey& key() const { return key_; }

@@ -21,7 +21,7 @@ class Grid;
 class Sobol;
 
 enum class Method {
-  kRandom,  // every number for itself
+  kRandom,  // every number independently
   kSobol,   // the parameters' draws: a scrambled Sobol sequence
   kLatin,   // every draw: one item in each N-th of (0, 1)
   kGrid,    // the parameters' draws: all combinations of their levels
@@ -34,40 +34,39 @@ std::string_view MethodName(Method method);
 /// The largest size of a batch: a uniform number has this many values.
 inline constexpr std::uint64_t kMaxBatch = std::uint64_t{1} << 52;
 
-/// The uniform numbers of a batch of N items that begins at a multiple of N: item p of
-/// block b has index b * N + p. What a sampler gives is a function of the key, the
-/// stream and N alone. Sobol, latin and grid are for attempt 0: redraws are random, so
-/// rejecting one item moves no other. sobol and grid know the parameters of the spec
-/// itself; parameters of specs that it brings, and draws outside of `params:`, are
-/// random in them.
+/// The uniform numbers of a batch of N items that begins at a multiple of N: item p of block b has
+/// index b * N + p. What a sampler returns depends only on the key, the stream and N. Sobol, latin
+/// and grid apply to attempt 0 only: redraws are random, so rejecting one item does not change any
+/// other. Sobol and grid spread only the parameters of the spec itself; parameters of specs that it
+/// uses, and draws outside `params:`, are random.
 class Sampler {
  public:
-  /// `batch` is N, at most kMaxBatch; 0: not known, then what needs it is random.
-  /// `seed` is that of all keys. The spec may go.
+  /// `batch` is N, at most kMaxBatch; with 0 it is unknown, and what needs it is random. `seed` is
+  /// the seed of all keys. The spec need not outlive the sampler.
   Sampler(const spec::ObjectSpec& spec, Method method, std::uint64_t seed, std::uint64_t batch);
 
-  /// As the free Uniforms, spread by the method.
+  /// As the function sample::Uniforms, but spread by the method.
   std::array<double, 4> Uniforms(const DrawKey& key, StreamId stream) const {
     return is_random_ || key.attempt != 0 ? sample::Uniforms(key, stream) : Spread(key, stream);
   }
 
-  /// The option of a choice with `exact: true`: over a block, option i is taken as often
-  /// as the largest remainders of the weights say, in pseudorandom order. The same for
-  /// all attempts. Needs a batch; weights are >= 0 with a positive sum.
+  /// The option of a choice with `exact: true`: over a block, option i is taken as often as its
+  /// weight says (rounded by largest remainders), in pseudorandom order. The same for all attempts.
+  /// Needs a batch; weights are >= 0 with a positive sum.
   std::size_t ExactOption(std::span<const double> weights, const DrawKey& key,
                           StreamId stream) const;
 
   Method method() const { return method_; }
   std::uint64_t batch() const { return batch_; }
-  /// Whether items depend on the batch's size, so that making one again needs it: with
-  /// latin and grid, and where the spec or one that it brings has an exact choice.
+  /// Whether items depend on the batch's size, so that it is needed to regenerate one: with latin
+  /// and grid, and if the spec or one that it uses has an exact choice.
   static bool NeedsBatch(const spec::ObjectSpec& spec, Method method);
   bool NeedsBatch() const { return needs_batch_; }
 
-  /// Of method grid: "4 x 5 x 5 = 100 points". Empty for the others.
+  /// For method grid: "4 x 5 x 5 = 100 points". Empty for the others.
   std::string GridText() const;
-  /// Of method grid: the number of points, 2^64 - 1 for all that is more; 0 for the
-  /// others. More than the batch: it holds only the first ones. Fewer: they repeat.
+  /// For method grid: the number of points, at most 2^64 - 1; 0 for the others. A smaller batch has
+  /// only the first points; in a larger one they repeat.
   std::uint64_t GridPoints() const;
 
  private:

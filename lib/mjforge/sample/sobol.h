@@ -11,21 +11,20 @@
 
 namespace mjforge::sample {
 
-/// Sobol's sequence, scrambled by the seed, any point of it at once. Direction numbers
-/// are those of Boost.Random (Joe, Kuo, "Constructing Sobol sequences with better
-/// two-dimensional projections", SIAM J. Sci. Comput. 30, 2008). Nested uniform
-/// scrambling (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995)
-/// whose bits are hashes of the digits before them instead of being stored (Burley,
-/// "Practical hash-based Owen scrambling", JCGT 9, 2020). The point 0 is kept (Owen,
-/// "On dropping the first Sobol' point", 2020).
+/// Sobol's sequence, scrambled by the seed; any point can be computed directly. Direction numbers
+/// are those of Boost.Random (Joe, Kuo, "Constructing Sobol sequences with better two-dimensional
+/// projections", SIAM J. Sci. Comput. 30, 2008). Nested uniform scrambling (Owen, "Randomly
+/// permuted (t,m,s)-nets and (t,s)-sequences", 1995) whose bits are hashes of the digits before
+/// them instead of being stored (Burley, "Practical hash-based Owen scrambling", JCGT 9, 2020). The
+/// point 0 is kept (Owen, "On dropping the first Sobol' point", 2020).
 class Sobol {
  public:
-  /// Streams take dimensions in order. Those after the last one that there are
-  /// direction numbers for are left out.
+  /// Streams take dimensions in order. Streams beyond the last dimension with direction numbers are
+  /// left out.
   Sobol(std::span<const DrawnStream> streams, std::uint64_t seed);
 
-  /// Puts the stream's numbers of a point into `uniforms`, of the open interval
-  /// (0, 1). A stream without a dimension leaves them as they are.
+  /// Puts the stream's numbers of a point into `uniforms`, of the open interval (0, 1). For a
+  /// stream without a dimension, `uniforms` stay unchanged.
   void Place(std::uint64_t index, StreamId stream, std::array<double, 4>& uniforms) const;
 
  private:

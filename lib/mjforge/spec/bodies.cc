@@ -54,7 +54,8 @@ class BodyReader {
       }
       reading_.findings
           .Add(Code::kSpecConflict, pair.mark,
-               fmt::format("'{}' beside '{}': a body holds one of the two", pair.key, first->key))
+               fmt::format("'{}' together with '{}': a body has only one of the two", pair.key,
+                           first->key))
           .notes.push_back({first->mark, "first here"});
     }
     NeedsBeside(map, "params", "spec");
@@ -65,7 +66,7 @@ class BodyReader {
     const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
     if (found == map.pairs.end() || map.Find(other) != nullptr) return;
     reading_.findings.Add(Code::kSpecConflict, found->mark,
-                          fmt::format("'{}' needs '{}' beside it", key, other));
+                          fmt::format("'{}' needs '{}' in the same entry", key, other));
   }
 
   // NAME.top and the like, and NAME.param.
@@ -95,9 +96,9 @@ class BodyReader {
     if (joints.kind == YamlNode::Kind::kScalar) {
       if (joints.text == "none") return;
       reading_.findings.Add(Code::kSpecBadValue, joints.mark,
-                            fmt::format("'{}' is not one of none or a list of joints", joints.text),
+                            fmt::format("'{}' is neither 'none' nor a list of joints", joints.text),
                             joints.text == "free"
-                                ? "only the root body may move freely: `joints:` of the object"
+                                ? "only the root body may move freely: use `joints:` of the object"
                                 : "");
       return;
     }
@@ -129,11 +130,11 @@ class ParentChecker {
   void CheckName(std::string_view name, const std::vector<std::size_t>& entries) {
     const diag::SourceMark mark = bodies_[entries[0]].head.name.mark;
     if (name == reading_.spec.name) {
-      reading_.findings.Add(Code::kSpecDuplicateName, mark,
-                            fmt::format("body '{}' has the name of the object, which is that of "
-                                        "its root body",
-                                        name),
-                            "an object has one root; give the body a name of its own");
+      reading_.findings.Add(
+          Code::kSpecDuplicateName, mark,
+          fmt::format("body '{}' has the name of the object, which its root body already has",
+                      name),
+          "an object has one root; give the body another name");
     }
     const Entry* sure = nullptr;
     for (const std::size_t i : entries) {
@@ -203,7 +204,7 @@ class ParentChecker {
       if (at == i) {
         reading_.findings
             .Add(Code::kSpecBadParent, mark,
-                 fmt::format("bodies hang on each other in a circle: {}", circle))
+                 fmt::format("the parents of bodies form a circle: {}", circle))
             .notes.push_back({bodies_[parent].head.name.mark, "the other one"});
         return;
       }
@@ -213,7 +214,7 @@ class ParentChecker {
     }
     reading_.findings
         .Add(Code::kSpecBadParent, mark,
-             fmt::format("body '{}' comes after '{}', which hangs on it",
+             fmt::format("body '{}' comes after its child '{}'",
                          LiteralText(bodies_[parent].head.name).value_or("?"), name),
              "put parents before children")
         .notes.push_back({bodies_[parent].head.name.mark, "it is here"});

@@ -31,13 +31,13 @@ void RejectDraws(const std::vector<Field>& fields, Reading& reading) {
     if (!HasDraw(field.value)) continue;
     reading.findings.Add(
         Code::kSpecBadValue, field.mark,
-        fmt::format("'{}' is drawn, but a threshold is one value", field.info->key),
-        "draw it as a parameter, and name that here");
+        fmt::format("'{}' is drawn, but a threshold must be a fixed value", field.info->key),
+        "draw it as a parameter, and use that parameter's name here");
   }
 }
 
 void ReadSilence(const YamlNode& silence, Reading& reading) {
-  if (!IsMap(silence, "codes with reasons", reading)) return;
+  if (!IsMap(silence, "codes and reasons", reading)) return;
   std::vector<std::string_view> names;
   for (const diag::CodeInfo& info : diag::AllCodes()) {
     if (CanBeSilenced(info.code)) names.push_back(info.name);
@@ -48,14 +48,14 @@ void ReadSilence(const YamlNode& silence, Reading& reading) {
     if (found == codes.end() || !CanBeSilenced(found->code)) {
       const std::string hint = diag::DidYouMean(pair.key, names);
       reading.findings.Add(Code::kSpecUnknownKey, pair.mark,
-                           fmt::format("'{}' is no finding of a physical check", pair.key),
+                           fmt::format("'{}' is not a finding of a physical check", pair.key),
                            hint.empty() ? "docs/errors.md lists them: physics/..." : hint);
       continue;
     }
     std::string reason = reading.values.ReadPlainText("reason", pair.value);
     if (Trim(reason).empty() && pair.value.kind == YamlNode::Kind::kScalar) {
       reading.findings.Add(Code::kSpecBadValue, pair.value.mark,
-                           fmt::format("no reason why '{}' does not matter", pair.key));
+                           fmt::format("no reason is given why '{}' does not matter", pair.key));
     }
     reading.spec.checks.silenced.push_back({found->code, std::move(reason)});
   }

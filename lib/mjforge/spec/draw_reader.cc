@@ -103,7 +103,8 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
     if (!is_main) continue;
     if (main != nullptr) {
       findings_.Add(Code::kSpecConflict, pair.mark,
-                    fmt::format("'{}' beside '{}': a value is drawn one way", pair.key, main->key));
+                    fmt::format("'{}' together with '{}': a value is drawn in only one way",
+                                pair.key, main->key));
       return Harmless(node);
     }
     main = &pair;
@@ -123,7 +124,7 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
       return Harmless(node);
     }
     std::string hint = pair.key == kExact
-                           ? "'exact' belongs beside 'choice'"
+                           ? "'exact' is only allowed with 'choice'"
                            : diag::DidYouMean(pair.key, KnownKeys(extra_keys, distribution));
     if (hint.empty() && main == nullptr) hint = KnownDistributions();
     findings_.Add(Code::kSpecUnknownKey, pair.mark,
@@ -244,7 +245,7 @@ void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Dr
         (expected.slot == Slot::kNumbers && expected.max_count > expected.min_count);
     if (option.type == first.type && same_count) continue;
     findings_.Add(Code::kSpecWrongType, option.mark,
-                  fmt::format("the values to choose from differ in kind: {} and {}",
+                  fmt::format("the values to choose from are of different kinds: {} and {}",
                               first.components > 1 ? fmt::format("{} numbers", first.components)
                                                    : std::string(expr::TypeName(first.type)),
                               option.components > 1 ? fmt::format("{} numbers", option.components)

@@ -34,7 +34,7 @@ void CheckOneOf(const std::array<Key, n>& keys, const std::vector<Field>& fields
     if (first != nullptr) {
       reading.findings
           .Add(Code::kSpecConflict, field.mark,
-               fmt::format("'{}' beside '{}': {} is given one way", field.info->key,
+               fmt::format("'{}' together with '{}': {} is given in only one way", field.info->key,
                            first->info->key, what))
           .notes.push_back({first->mark, "first here"});
     } else {
@@ -76,7 +76,7 @@ void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading
 bool IsMap(const YamlNode& node, std::string_view what, Reading& reading) {
   if (node.kind == YamlNode::Kind::kMap) return true;
   reading.findings.Add(Code::kSpecWrongType, node.mark,
-                       fmt::format("expected a mapping of {}, got {}", what, KindName(node)));
+                       fmt::format("expected a mapping with {}, got {}", what, KindName(node)));
   return false;
 }
 
@@ -104,7 +104,8 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, R
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings) {
   if (expr::IsName(name)) return;
-  findings.Add(Code::kSpecBadName, mark, fmt::format("{} name '{}' is not a name", what, name),
+  findings.Add(Code::kSpecBadName, mark,
+               fmt::format("{} name '{}' is not a valid name", what, name),
                "a letter, then letters, digits and underscores");
 }
 

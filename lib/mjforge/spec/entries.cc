@@ -91,7 +91,7 @@ void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
     if (HasDraw(loop.count)) {
       reading_.findings.Add(Code::kSpecConflict, loop.count.mark,
                             "a loop's count cannot be drawn here",
-                            "draw it as a parameter and name that");
+                            "draw it as a parameter and use that parameter's name");
     }
     loop.slot = reading_.spec.names.Declare(pair.key, expr::Type::kNumber);
     entry.loops.push_back(std::move(loop));
@@ -125,9 +125,9 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
   for (const Key id : {Key::kParams, Key::kParts}) {
     const FieldInfo* info = &element == &PartElement() ? element.Find(id) : nullptr;
     if (info == nullptr || map.Find(info->key) == nullptr) continue;
-    reading_.findings.Add(
-        Code::kSpecConflict, MarkOf(map, info->key),
-        fmt::format("'{}' needs '{}' beside it", info->key, id == Key::kParams ? "spec" : "frame"));
+    reading_.findings.Add(Code::kSpecConflict, MarkOf(map, info->key),
+                          fmt::format("'{}' needs '{}' in the same entry", info->key,
+                                      id == Key::kParams ? "spec" : "frame"));
   }
   CheckMaterial(entry);
   if (&element == &PartElement()) CheckPart(entry, reading_);
@@ -145,7 +145,7 @@ void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& e
   if (drawn && map.Find("name") == nullptr) {
     reading_.findings.Add(Code::kSpecUnnamedDraw, map.mark,
                           "a frame whose pose is drawn needs a 'name'",
-                          "draws are keyed by names, so that moving an entry changes none");
+                          "draws are keyed by names, so moving an entry does not change them");
   }
   const YamlNode* parts = map.Find("parts");
   if (parts == nullptr) {
@@ -220,7 +220,7 @@ void EntryReader::CheckMaterial(const Entry& entry) {
   if (std::ranges::find(names, *name) != names.end()) return;
   std::string hint = diag::DidYouMean(*name, names);
   if (reading_.spec.names.Find(*name) != nullptr) {
-    hint = fmt::format("for the parameter's value write ${{{}}}", *name);
+    hint = fmt::format("to use the parameter's value, write ${{{}}}", *name);
   }
   reading_.findings.Add(Code::kSpecUnknownMaterial, field->value.mark,
                         fmt::format("no material '{}'", *name), std::move(hint));
@@ -245,7 +245,7 @@ void ReadJoints(const YamlNode& joints, Reading& reading) {
     }
     constexpr std::string_view kWords[] = {"free", "none"};
     reading.findings.Add(Code::kSpecBadValue, joints.mark,
-                         fmt::format("'{}' is not one of free, none or a list of joints", word),
+                         fmt::format("'{}' is neither 'free', 'none' nor a list of joints", word),
                          diag::DidYouMean(word, kWords));
     return;
   }

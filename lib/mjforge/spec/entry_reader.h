@@ -1,8 +1,8 @@
 #ifndef MJFORGE_SPEC_ENTRY_READER_H_
 #define MJFORGE_SPEC_ENTRY_READER_H_
 
-// What the entries of all lists have in common: `if`, `for`, a name, value
-// fields, and specs they bring.
+// What the entries of all lists have in common: `if`, `for`, a name, value fields, and other specs
+// they use.
 
 #include <initializer_list>
 #include <string_view>
@@ -24,11 +24,11 @@ class EntryReader {
   Entry Begin(const ElementInfo& element, const YamlNode& map);
   void EndLoops(const Entry& entry);
 
-  /// The entry's name, empty where it has none; `required`: then a finding says so.
+  /// Reads the entry's name, empty if it has none; if `required`, that is a finding.
   void ReadName(const YamlNode& map, bool required, Entry& entry);
-  /// `spec:` and `params:` beside it.
+  /// `spec:` and its `params:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
-  /// Reports those of the element's keys that are not allowed for what it is here.
+  /// Reports keys of the element that are not allowed for `what` (a frame, say).
   void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                   const ElementInfo& element, std::string_view what);
 

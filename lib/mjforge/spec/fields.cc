@@ -91,11 +91,11 @@ constexpr FieldInfo kObjectFields[] = {
     Row({"description", Key::kDescription}, Slot::kPlainText,
         "What the object is, for the catalogue."),
     Row({"import", Key::kImport}, Slot::kImports,
-        "YAML files whose `materials` and `defaults` may be used here; found like specs."),
+        "YAML files whose `materials` and `defaults` may be used here; they are found like specs."),
     Row({"params", Key::kParams}, Slot::kParameters,
         "Parameters, drawn once per variant and visible to every expression, in any order."),
     Row({"require", Key::kRequire}, Slot::kConditions,
-        "Conditions on the parameters; all are redrawn until every one holds."),
+        "Conditions on the parameters; all parameters are redrawn until every condition holds."),
     Row({"materials", Key::kMaterials}, Slot::kMaterials,
         "Named materials: how parts look and what they are made of."),
     Row({"defaults", Key::kDefaults}, Slot::kDefaults,
@@ -114,20 +114,20 @@ constexpr FieldInfo kObjectFields[] = {
     Number({"mass", Key::kMass}, "kg", Above(0), "",
            "Mass of the whole object; the parts are scaled to it."),
     Word({"placement", Key::kPlacement}, "center corner", "center",
-         "`corner`: positions of parts and of the root's bodies count from the lower corner of the "
-         "box of `total_size`, and place each by its own lower corner."),
+         "`corner`: positions of parts and of the root's bodies are measured from the lower corner "
+         "of the `total_size` box to the lower corner of each part or body."),
     Numbers({"total_size", Key::kTotalSize}, {3, 3}, "m", Above(0), "",
             "Half sizes of the declared bounding box, centred on the root body; used as the "
             "object's bounds in place of the computed ones."),
     Row({"checks", Key::kChecks}, Slot::kChecks,
-        "Thresholds of physical checks, and which of them do not matter."),
+        "Thresholds of the physical checks, and the findings to ignore."),
 };
 
 constexpr FieldInfo kParameterFields[] = {
     Row({"value", Key::kValue}, Slot::kAnything, "The value, in any form."),
     Row({"doc", Key::kDoc}, Slot::kPlainText, "What the parameter means."),
     Row({"unit", Key::kUnit}, Slot::kPlainText,
-        "Its unit, for people: the value itself is in SI units."),
+        "Its unit, for readers only: the value itself is in SI units."),
 };
 
 // Fields that several elements share.
@@ -138,21 +138,21 @@ constexpr FieldInfo kIf =
     Row({"if", Key::kIf}, Slot::kCondition, "The entry exists only where this condition holds.");
 constexpr FieldInfo kFor = Row({"for", Key::kFor}, Slot::kLoops,
                                "Repeats the entry: `{i: 8}` runs i from 0 to 7; several variables "
-                               "make all combinations, the last running fastest.");
+                               "give all combinations, the last varying fastest.");
 constexpr FieldInfo kPos =
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
 constexpr FieldInfo kQuat = Numbers(
     {"quat", Key::kQuat}, {4, 4}, "", kAnyNumber, "1 0 0 0",
     "Orientation as a quaternion w x y z (normalised for you), `random`, or `{about: axis}`.");
 constexpr FieldInfo kEuler = Numbers({"euler", Key::kEuler}, {3, 3}, "rad", kAnyNumber, "",
-                                     "Orientation as turns about the moving x, y and z axes.");
+                                     "Orientation as rotations about the moving x, y and z axes.");
 constexpr FieldInfo kAxisAngle = Numbers({"axisangle", Key::kAxisAngle}, {4, 4}, "", kAnyNumber, "",
                                          "Orientation as an axis x y z and an angle in rad.");
 constexpr FieldInfo kXyAxes = Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "", kAnyNumber, "",
                                       "Orientation as the directions of the x and y axes.");
 constexpr FieldInfo kZAxis =
     Numbers({"zaxis", Key::kZAxis}, {3, 3}, "", kAnyNumber, "",
-            "Orientation as the direction of the z axis, by the smallest turn.");
+            "Orientation as the direction of the z axis, reached by the smallest rotation.");
 constexpr FieldInfo kMaterialName = Row({"material", Key::kMaterial}, Slot::kText,
                                         "Name of a material of this spec or of an import.");
 constexpr FieldInfo kRgba =
@@ -251,19 +251,23 @@ constexpr FieldInfo kPartFields[] = {
     kSolref,
     kSolimp,
     kCondim,
-    Contact(Number("solmix", "", AtLeast(0), "1", "Weight when contact parameters are mixed.")),
+    Contact(Number("solmix", "", AtLeast(0), "1",
+                   "Weight of this geom when contact parameters are mixed.")),
     Contact(Integer("priority", kAnyNumber, "0",
                     "The geom of higher priority sets the contact parameters.")),
     Contact(Number("margin", "", AtLeast(0), "0", "Distance at which contacts appear, m.")),
-    Contact(Number("gap", "", AtLeast(0), "0", "Distance within margin that bears no force, m.")),
+    Contact(Number("gap", "", AtLeast(0), "0",
+                   "Part of the margin in which contacts exert no force, m.")),
     Contact(Integer("contype", Between(0, 2147483647), "1", "Collision bits of this geom.")),
-    Contact(Integer("conaffinity", Between(0, 2147483647), "1", "Collision bits it meets.")),
-    Contact(Word("fluidshape", "none ellipsoid", "none", "Fluid interaction model.")),
-    Contact(Numbers("fluidcoef", {1, 5}, "", AtLeast(0), "0.5 0.25 1.5 1 1", "Its coefficients.")),
+    Contact(Integer("conaffinity", Between(0, 2147483647), "1",
+                    "Collision bits that it collides with.")),
+    Contact(Word("fluidshape", "none ellipsoid", "none", "Model of interaction with a fluid.")),
+    Contact(Numbers("fluidcoef", {1, 5}, "", AtLeast(0), "0.5 0.25 1.5 1 1",
+                    "Coefficients of the fluid interaction model.")),
     kUser,
     Row({"spec", Key::kSpec}, Slot::kPlainText,
-        "Welds the parts of another spec in at this pose; a path or a bundled spec's name."),
-    Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for the spec welded in."),
+        "Another spec whose parts are welded in at this pose; a path or a bundled spec's name."),
+    Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for the welded spec."),
     Row({"frame", Key::kFrame}, Slot::kPose,
         "A rigid offset (pos and an orientation) for the `parts` of this entry."),
     Row({"parts", Key::kParts}, Slot::kParts, "The parts that a frame moves."),
@@ -276,7 +280,7 @@ constexpr FieldInfo kSiteFields[] = {
     kIf,
     kFor,
     Word({"type", Key::kType}, "sphere capsule ellipsoid cylinder box", "sphere",
-         "The shape it is drawn with."),
+         "The shape that it is drawn as."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "0.005", "Half sizes, as for parts."),
     kPos,
     kQuat,
@@ -286,7 +290,7 @@ constexpr FieldInfo kSiteFields[] = {
     kZAxis,
     kMaterialName,
     kRgba,
-    Integer("group", Between(0, 5), "0", "Group, for what viewers show."),
+    Integer("group", Between(0, 5), "0", "Group that viewers show or hide together."),
     kUser,
 };
 
@@ -294,24 +298,27 @@ constexpr FieldInfo kJointFields[] = {
     Required(kName),
     kIf,
     kFor,
-    Word({"type", Key::kType}, "free ball slide hinge", "hinge", "What it lets move."),
+    Word({"type", Key::kType}, "free ball slide hinge", "hinge", "The motion it allows."),
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position in the body."),
     Numbers({"axis", Key::kAxis}, {3, 3}, "", kAnyNumber, "0 0 1",
             "Axis of a hinge or slide in the body (normalised for you)."),
     Numbers({"range", Key::kRange}, {2, 2}, "rad or m", kAnyNumber, "",
-            "Limits; given limits hold unless `limited: false`."),
+            "Limits; they apply unless `limited: false`."),
     Row({"limited", Key::kLimited}, Slot::kBoolean, "true where `range` is given",
-        "Whether the range holds."),
-    Integer("group", Between(0, 5), "0", "Group, for what viewers show."),
+        "Whether the range applies."),
+    Integer("group", Between(0, 5), "0", "Group that viewers show or hide together."),
     Number("stiffness", "", AtLeast(0), "0", "Spring towards springref, N/m or Nm/rad."),
-    Number("damping", "", AtLeast(0), "0", "Force against the speed, Ns/m or Nms/rad."),
+    Number("damping", "", AtLeast(0), "0",
+           "Damping: force per speed, against the motion, Ns/m or Nms/rad."),
     Numbers("springdamper", {2, 2}, "", AtLeast(0), "0 0",
             "Time constant (s) and damping ratio, from which MuJoCo sets stiffness and damping."),
     Number("frictionloss", "", AtLeast(0), "0", "Dry friction, N or Nm."),
     Number("armature", "", AtLeast(0), "0", "Added inertia, kg or kg m^2."),
-    Number("ref", "rad or m", kAnyNumber, "0", "Value of the joint in the given pose."),
-    Number("springref", "rad or m", kAnyNumber, "0", "Where the spring rests."),
-    Number("margin", "rad or m", AtLeast(0), "0", "Distance from a limit at which it acts."),
+    Number("ref", "rad or m", kAnyNumber, "0",
+           "Value of the joint in the pose that the spec gives."),
+    Number("springref", "rad or m", kAnyNumber, "0", "Position at which the spring is at rest."),
+    Number("margin", "rad or m", AtLeast(0), "0",
+           "Distance from a limit at which the limit begins to act."),
     Numbers("solreflimit", {1, 2}, "", kAnyNumber, "0.02 1", "Solver parameters of the limits."),
     Numbers("solimplimit", {1, 5}, "", kAnyNumber, "0.9 0.95 0.001 0.5 2",
             "Solver parameters of the limits."),
@@ -327,14 +334,15 @@ constexpr FieldInfo kBodyFields[] = {
     kIf,
     kFor,
     Row({"parent", Key::kParent}, Slot::kText, "the root body",
-        "Name of the body it hangs on, one of an earlier entry: its own, or BODY_INNER for a body "
-        "inside what BODY brings."),
+        "Name of its parent, a body of an earlier entry: BODY, or BODY_INNER for a body inside the "
+        "spec or file of BODY."),
     Row({"parts", Key::kParts}, Slot::kParts, "The solid parts of the body."),
     Row({"spec", Key::kSpec}, Slot::kPlainText,
         "Another spec in place of parts, with all its bodies; a path or a bundled spec's name."),
     Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for that spec."),
     Row({"mjcf", Key::kMjcf}, Slot::kText,
-        "An MJCF file in place of parts, relative to the spec: one body of it and all below."),
+        "An MJCF file in place of parts, relative to the spec: one of its bodies and everything "
+        "below it."),
     Row({"body", Key::kBody}, Slot::kText, "the first", "Which body of the MJCF file."),
     kPos,
     kQuat,
@@ -344,17 +352,19 @@ constexpr FieldInfo kBodyFields[] = {
     kZAxis,
     Word({"joints", Key::kJoints}, "none", "none",
          "Its joints; without any it is fixed to its parent. Top-level joints that a spec or an "
-         "MJCF file brings are taken away.",
+         "MJCF file brings are removed.",
          Slot::kJoints),
     Row({"sites", Key::kSites}, Slot::kSites, "Sites of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
-           "Mass of the body with all that a spec or an MJCF file brings; scaled to it."),
+           "Mass of the body with everything that a spec or an MJCF file brings; the parts are "
+           "scaled to it."),
     kUser,
 };
 
 constexpr FieldInfo kContactFields[] = {
     Row({"exclude", Key::kExclude}, Slot::kExcludes,
-        "Pairs [BODY, BODY] of names that may touch; the object's own name is its root body."),
+        "Pairs [BODY, BODY] of bodies that may touch without colliding; the object's name means "
+        "its root body."),
 };
 
 constexpr FieldInfo kExcludeFields[] = {
@@ -362,7 +372,8 @@ constexpr FieldInfo kExcludeFields[] = {
     kIf,
     kFor,
     Required(Row("bodies", Slot::kBodyPair,
-                 "The two: a body's name, or BODY_INNER for a body inside what BODY brings.")),
+                 "The names of the two bodies: BODY, or BODY_INNER for a body inside the spec or "
+                 "file of BODY.")),
 };
 
 constexpr FieldInfo kDefaultsFields[] = {
@@ -376,40 +387,39 @@ constexpr FieldInfo kChecksFields[] = {
            "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
            "with every object, not only in physical checks."),
     Row("stable", Slot::kBoolean, "false",
-        "Whether a tilt of more than `tilt` is an error: whether it must stay as it is put down."),
-    Number("settle_time", "s", Above(0), "3", "How long it may take to come to rest."),
-    Number("rest_speed", "m/s", Above(0), "0.01", "What is slower than this is at rest."),
+        "Whether a tilt of more than `tilt` is an error, that is, whether the object must stay as "
+        "it was put down."),
+    Number("settle_time", "s", Above(0), "3", "How long the object may take to come to rest."),
+    Number("rest_speed", "m/s", Above(0), "0.01", "Below this speed the object is at rest."),
     Number("tilt", "rad", AtLeast(0), "15deg",
            "How far a stable object may lean over as it settles."),
     Number("drift", "m", AtLeast(0), "unlimited",
            "How far it may move along the floor as it settles."),
     Number("penetration", "m", AtLeast(0), "unlimited",
-           "How deep contacts may get as it lands: MuJoCo's are soft, and a heavy part that "
-           "topples onto the floor goes deep for a moment."),
+           "How deep contacts may get as it lands: MuJoCo's contacts are soft, and a heavy part "
+           "that topples onto the floor goes deep for a moment."),
     Number("sink", "m", AtLeast(0), "1mm", "How deep contacts may be when it has settled."),
     Number("energy_gain", "", AtLeast(0), "0.02",
-           "How much energy may come from nowhere, as a share of mass * gravity * size."),
+           "How much energy the object may gain, as a share of mass * gravity * size."),
     Number("joint_overshoot", "", AtLeast(0), "0.05",
-           "How far a joint may be driven beyond its range, as a share of it."),
-    Number("joint_reach", "", Between(0, 1), "0.9",
-           "How much of its range a joint must reach, as a share of it."),
+           "How far a joint may be driven beyond its range, as a share of the range."),
+    Number("joint_reach", "", Between(0, 1), "0.9", "Share of its range that a joint must reach."),
     Number("joint_penetration", "m", AtLeast(0), "1mm",
-           "How deep bodies of the object may get into each other as a joint is driven."),
+           "How deep bodies of the object may penetrate each other as a joint is driven."),
     Number("joint_return", "", AtLeast(0), "0.05",
            "How far from where it began a joint may end, as a share of its range."),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "20 22000",
             "Lowest and highest density of a part."),
     Numbers("bulk_density", {2, 2}, "kg/m^3", AtLeast(0), "1 22000",
             "Lowest and highest mass of the whole over the volume of its bounding box."),
-    Number(
-        "overlap", "", AtLeast(0), "0.05",
-        "How much of a body's mass may be counted twice because parts overlap, as a share of it."),
+    Number("overlap", "", AtLeast(0), "0.05",
+           "Share of a body's mass that may be counted twice because parts overlap."),
     Number("thickness", "m", AtLeast(0), "1mm", "Thinnest part."),
     Number("aspect", "", AtLeast(1), "100", "Longest side of a part over its shortest."),
     Number("gap", "m", AtLeast(0), "0.5mm",
-           "How far parts may be from each other and still be one piece."),
+           "How far apart parts may be and still count as one piece."),
     Row({"silence", Key::kSilence}, Slot::kSilence,
-        "Findings that are not to be made: `physics/CODE: reason`."),
+        "Findings to leave out, each with the reason: `physics/CODE: reason`."),
 };
 
 constexpr ElementInfo kObject = {"object", "The whole spec: one mapping.", kObjectFields};
@@ -418,7 +428,7 @@ constexpr ElementInfo kParameter = {
     "The long form of a parameter: a value (`value` or a distribution) with its meaning.",
     kParameterFields};
 constexpr ElementInfo kMaterial = {
-    "material", "How parts look, and the physics they take from what they are made of.",
+    "material", "How parts look, and the physical properties of what they are made of.",
     kMaterialFields};
 constexpr ElementInfo kTexture = {"texture", "A picture or a generated pattern.", kTextureFields};
 constexpr ElementInfo kPart = {
@@ -426,10 +436,11 @@ constexpr ElementInfo kPart = {
     kPartFields};
 constexpr ElementInfo kFrame = {"frame", "A rigid offset in the body's frame.", kFrameFields};
 constexpr ElementInfo kSite = {"site", "A named place on the body.", kSiteFields};
-constexpr ElementInfo kJoint = {"joint", "A degree of freedom of the body in its parent.",
+constexpr ElementInfo kJoint = {"joint", "A degree of freedom of the body relative to its parent.",
                                 kJointFields};
 constexpr ElementInfo kBody = {
-    "body", "A body of an object of several: parts, another spec, or an MJCF file.", kBodyFields};
+    "body", "One of several bodies of an object: parts, another spec, or an MJCF file.",
+    kBodyFields};
 constexpr ElementInfo kContact = {"contact", "Contacts between the bodies.", kContactFields};
 constexpr ElementInfo kExclude = {
     "exclude", "Two bodies that do not collide: the long form of [BODY, BODY].", kExcludeFields};
@@ -440,8 +451,9 @@ constexpr ElementInfo kDefaults = {
 
 constexpr ElementInfo kChecks = {
     "checks",
-    "What the object must do and be, beyond being loaded: thresholds of `--validate physics`. They "
-    "may be expressions of parameters. Those of a spec within another are not asked.",
+    "What the object must do and be, besides loading in MuJoCo: thresholds of `--validate "
+    "physics`. They may be expressions of parameters. Thresholds of a spec used inside another are "
+    "ignored.",
     kChecksFields};
 
 constexpr const ElementInfo* kElements[] = {
@@ -450,27 +462,27 @@ constexpr const ElementInfo* kElements[] = {
 
 constexpr DistributionInfo kDistributions[] = {
     {"uniform", Distribution::kUniform, 2, "{uniform: [lo, hi]}", "",
-     "Every value between lo and hi alike; `lo .. hi` for short."},
+     "Every value between lo and hi is equally likely; `lo .. hi` for short."},
     {"log_uniform", Distribution::kLogUniform, 2, "{log_uniform: [lo, hi]}", "",
      "The logarithm is uniform; 0 < lo <= hi."},
     {"triangular", Distribution::kTriangular, 3, "{triangular: [lo, mode, hi]}", "",
-     "Most often near the mode, linearly less towards lo and hi."},
+     "Most likely at the mode, linearly less likely towards lo and hi."},
     {"normal", Distribution::kNormal, 2, "{normal: [mean, std], clip: [lo, hi]}", "clip",
      "The normal distribution; with `clip` truncated exactly."},
     {"log_normal", Distribution::kLogNormal, 2, "{log_normal: [mu, sigma], clip: [lo, hi]}", "clip",
      "The logarithm is normal with mean mu and standard deviation sigma; clip as above."},
     {"beta", Distribution::kBeta, 2, "{beta: [a, b], range: [lo, hi]}", "range",
-     "The beta distribution on [lo, hi], 0 to 1 if not said."},
+     "The beta distribution on [lo, hi], or on [0, 1] without `range`."},
     {"exponential", Distribution::kExponential, 1, "{exponential: rate}", "clip",
      "Waiting times; the mean is 1 / rate. May have `clip`."},
     {"poisson", Distribution::kPoisson, 1, "{poisson: mean}", "clip", "Counts. May have `clip`."},
     {"integer", Distribution::kInteger, 2, "{integer: [lo, hi]}", "",
-     "Every whole number from lo to hi alike, both included."},
+     "Every whole number from lo to hi, both included, is equally likely."},
     {"bernoulli", Distribution::kBernoulli, 1, "{bernoulli: p}", "", "True with probability p."},
     {"choice", Distribution::kChoice, -1, "{choice: [a, b, ...], weights: [...], exact: true}",
      "weights",
-     "One of the values, which may be of any kind; alike, or by weights. With `exact: true` the "
-     "counts over a batch follow the weights.",
+     "One of the values, which may be of any kind; equally likely, or by weights. With `exact: "
+     "true` the counts over a batch follow the weights.",
      "exact"},
     {"cycle", Distribution::kCycle, -1, "{cycle: [a, b, ...]}", "",
      "The value at the variant's index modulo the list's length."},

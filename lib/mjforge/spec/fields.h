@@ -11,7 +11,7 @@
 
 namespace mjforge::spec {
 
-/// Keys that some stage interprets. kAttribute: written to the MJCF element as it is.
+/// Keys that some stage interprets. kAttribute: written to the MJCF element unchanged.
 enum class Key {
   kAttribute,
   // object
@@ -117,7 +117,7 @@ enum class Slot {
   kSilence,
   kAnything,
 };
-/// Whether one value stands in it, which may be drawn or computed.
+/// Whether it holds one value, which may be drawn or computed.
 constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kPoints; }
 
 /// Which of a part's two geoms an attribute is written to.
@@ -137,17 +137,17 @@ struct FieldInfo {
   bool above = false;                                       // value must be greater than `lower`
   bool required = false;
   Applies applies = Applies::kBoth;
-  /// What the text names: "joint", "body", "geom", ...; "@objtype": the kind that the
-  /// attribute objtype beside it says. Empty: nothing.
+  /// What the text refers to: "joint", "body", "geom", ...; "@objtype": the kind given by the
+  /// attribute objtype of the same element. Empty: nothing.
   std::string_view refers = {};
   std::string_view doc = {};  // one sentence
 };
 
 struct ElementInfo {
-  std::string_view name;  // "part", "site", ...; as messages say it
+  std::string_view name;  // "part", "site", ...; its name in messages
   std::string_view doc;
   std::span<const FieldInfo> fields;
-  std::span<const ElementInfo> children = {};  // elements it may hold, of a section's
+  std::span<const ElementInfo> children = {};  // of an element of a section: what it may contain
 
   const FieldInfo* Find(std::string_view key) const;
   const FieldInfo* Find(Key id) const;

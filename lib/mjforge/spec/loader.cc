@@ -57,7 +57,7 @@ class SpecLoader : public NestedLoader {
     if (!root) return nullptr;
     if (root->kind != YamlNode::Kind::kMap) {
       shared_.findings.Add(Code::kSpecWrongType, root->mark,
-                           fmt::format("a spec is a mapping of keys, got {}", KindName(*root)),
+                           fmt::format("a spec must be a mapping of keys, got {}", KindName(*root)),
                            "start with `mjforge: 1` and a `name:`");
       return nullptr;
     }
@@ -157,7 +157,7 @@ class SpecLoader : public NestedLoader {
     }
     if (spec.placement == Placement::kCorner && !spec.total_size) {
       reading.findings.Add(Code::kSpecMissingKey, root.mark,
-                           "'placement: corner' needs the box: 'total_size'");
+                           "'placement: corner' needs 'total_size'");
     }
   }
 
@@ -267,7 +267,7 @@ void ParseParameterFile(const fs::path& file, std::vector<NamedNode>& out, diag:
   if (!root) return;
   if (root->kind != YamlNode::Kind::kMap) {
     findings.Add(Code::kSpecWrongType, root->mark,
-                 fmt::format("expected a mapping of parameters, got {}", KindName(*root)));
+                 fmt::format("expected a mapping with parameters, got {}", KindName(*root)));
     return;
   }
   for (auto& pair : root->pairs) out.push_back({std::move(pair.key), std::move(pair.value)});

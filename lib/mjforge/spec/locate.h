@@ -1,7 +1,7 @@
 #ifndef MJFORGE_SPEC_LOCATE_H_
 #define MJFORGE_SPEC_LOCATE_H_
 
-// Where specs and imports are found, and their texts.
+// Finds specs and imports, and reads their texts.
 
 #include <filesystem>
 #include <optional>
@@ -18,8 +18,7 @@ std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);
 
-/// A hint for a reference that was not found: the nearest bundled name, or where
-/// the search went.
+/// A hint for a reference that was not found: the nearest bundled name, or how to list them all.
 std::string NotFoundHint(const std::string& reference,
                          std::span<const std::filesystem::path> search_path);
 

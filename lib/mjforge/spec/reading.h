@@ -39,21 +39,21 @@ void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading
 bool IsMap(const YamlNode& node, std::string_view what, Reading& reading);
 bool IsList(const YamlNode& node, std::string_view what, Reading& reading);
 
-/// The value fields of a mapping (structure is left out), with duplicates of
-/// meaning (two orientations, density and mass) reported.
+/// The value fields of a mapping, without structure. Reports fields that say the same thing twice
+/// (two orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading);
 
 /// The field of a key; null: it is not there.
 const Field* FindField(std::span<const Field> fields, Key id);
 
-/// A finding unless expr::IsName(name).
+/// Adds a finding unless expr::IsName(name).
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
 /// The text if it has no interpolation; nothing otherwise.
 std::optional<std::string_view> LiteralText(const Value& value);
 
-/// params: with the settings in place of parameters' own values.
+/// Reads params:, with settings in place of the parameters' own values.
 struct NamedNode {
   std::string name;
   YamlNode value;
@@ -70,25 +70,25 @@ void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading)
 void ReadSites(const YamlNode& sites, Reading& reading);
 void ReadJoints(const YamlNode& joints, Reading& reading);
 
-/// bodies: in order, since each may use what earlier ones are.
+/// Reads bodies: in order, since each may use properties of earlier ones.
 void ReadBodies(const YamlNode& bodies, Reading& reading);
 
 /// contact: and mjcf:, as sections of the spec.
 void ReadContact(const YamlNode& contact, Reading& reading);
 void ReadSections(const YamlNode& sections, Reading& reading);
 
-/// checks:, with those settings in place of its own values whose name is
-/// `checks.` and a key. `checks` may be null.
+/// Reads checks:, with settings named `checks.KEY` in place of its own values. `checks` may be
+/// null.
 inline constexpr std::string_view kChecksPrefix = "checks.";
-/// The name of the setting that stands in place of `joints:` of the whole.
+/// The name of the setting that replaces the object's `joints:`.
 inline constexpr std::string_view kRootJoints = "root.joints";
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading);
 
-/// What can be told of a part's fields from its literal type: which must be
-/// there, which mean nothing, how many sizes.
+/// Checks what a part's literal type tells about its fields: which are required, which have no
+/// meaning, how many sizes it takes.
 void CheckPart(const Entry& part, Reading& reading);
 
-/// Two entries that surely exist and have one name.
+/// Reports two entries that certainly exist and have the same name.
 void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading);
 
 }  // namespace mjforge::spec

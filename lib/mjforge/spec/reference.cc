@@ -61,7 +61,7 @@ std::string AttributeList(const ElementInfo& element) {
   for (const FieldInfo& field : element.fields) {
     out += fmt::format("{}`{}`", out.empty() ? "" : ", ", field.key);
     if (field.refers.starts_with('@')) {
-      out += fmt::format(" (what `{}` says)", field.refers.substr(1));
+      out += fmt::format("  (given by `{}`)", field.refers.substr(1));
     } else if (!field.refers.empty()) {
       out += fmt::format(" ({})", field.refers);
     }
@@ -72,7 +72,8 @@ std::string AttributeList(const ElementInfo& element) {
 std::string SectionTables() {
   std::string out =
       "## Sections of `mjcf:`\n\n"
-      "Attributes as in MuJoCo's XML reference. In brackets: the kind of element that is named.\n\n"
+      "Attributes as in MuJoCo's XML reference. Brackets show the kind of element that an "
+      "attribute refers to.\n\n"
       "| section | element | attributes |\n| --- | --- | --- |\n";
   for (const SectionInfo& section : Sections()) {
     for (const ElementInfo& element : section.elements) {
@@ -92,7 +93,7 @@ std::string SectionTables() {
 std::string FieldReference() {
   std::string out =
       "# Reference\n\n"
-      "Made from the program's field table; a test fails when this page is stale.\n\n";
+      "Generated from the program's field table; a test fails when this page is out of date.\n\n";
   for (const ElementInfo* element : AllElements()) out += ElementTable(*element);
   out += SectionTables();
 
@@ -112,7 +113,7 @@ std::string FieldReference() {
     out += fmt::format("| `{}` | {} |\n", function.usage, Cell(function.doc));
   }
   out +=
-      "\n## Units\n\nA unit stands directly behind a number: `15mm`, `90deg`.\n\n"
+      "\n## Units\n\nA unit directly follows its number: `15mm`, `90deg`.\n\n"
       "| unit | meaning |\n| --- | --- |\n";
   for (const expr::Unit& unit : expr::Units()) {
     out += fmt::format("| `{}` | {} |\n", unit.name, Cell(unit.doc));

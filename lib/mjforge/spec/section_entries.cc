@@ -17,11 +17,11 @@ struct Elsewhere {
   std::string_view hint;
 };
 constexpr Elsewhere kElsewhere[] = {
-    {"compiler", "a spec is in SI units and rad; nothing of it depends on compiler settings"},
+    {"compiler", "a spec uses SI units and rad; nothing in it depends on compiler settings"},
     {"default", "use `defaults:` of the spec"},
     {"asset", "assets come from `materials:` and the parts that use them"},
     {"worldbody", "use `parts:` and `bodies:`"},
-    {"keyframe", "its numbers count all joints of a host's world, so it belongs there"},
+    {"keyframe", "a keyframe covers all joints of the host's world, so it belongs there"},
     {"include", "use `import:` for YAML, or a body with `mjcf:`"},
 };
 
@@ -187,7 +187,7 @@ class SectionReader {
                 parent);
       if (item.Find("for") == nullptr && item.Find("if") == nullptr) continue;
       reading_.findings.Add(Code::kSpecConflict, item.mark,
-                            "'if' and 'for' have no meaning for an element within another",
+                            "'if' and 'for' have no meaning for an element inside another",
                             "repeat the outer element");
     }
   }
@@ -197,8 +197,8 @@ class SectionReader {
     std::erase_if(attributes.pairs, [this](const YamlNode::Pair& pair) {
       if (pair.key != "if" && pair.key != "for") return false;
       reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
-                            fmt::format("'{}' is no attribute of MJCF", pair.key),
-                            "it stands beside the element: `- {if: ..., joint: {...}}`");
+                            fmt::format("'{}' is not an MJCF attribute", pair.key),
+                            "write it next to the element: `- {if: ..., joint: {...}}`");
       return true;
     });
   }
@@ -220,14 +220,14 @@ class SectionReader {
       if (only != nullptr) {
         reading_.findings.Add(
             Code::kSpecConflict, pair.mark,
-            fmt::format("'{}' beside '{}': one element an entry", pair.key, only->key));
+            fmt::format("'{}' together with '{}': one element per entry", pair.key, only->key));
         return nullptr;
       }
       only = &pair;
     }
     if (only == nullptr) {
       reading_.findings.Add(Code::kSpecMissingKey, item.mark,
-                            fmt::format("no element of '{}' here", owner));
+                            fmt::format("an element of '{}' is missing here", owner));
     }
     return only;
   }
@@ -237,7 +237,7 @@ class SectionReader {
       if (!HasDraw(field.value)) continue;
       reading_.findings.Add(
           Code::kSpecUnnamedDraw, field.value.mark,
-          fmt::format("a draw in an element '{}' without a name", entry.element->name),
+          fmt::format("a draw in a '{}' element without a name", entry.element->name),
           "draws are keyed by names; give it a 'name'");
       return;
     }

@@ -10,12 +10,12 @@
 
 namespace mjforge::spec {
 
-/// One section of MJCF beside asset and worldbody, as `mjcf:` takes it.
+/// A section of MJCF that `mjcf:` accepts.
 struct SectionInfo {
   std::string_view name;  // "sensor"
-  /// The section is one element with attributes of its own (`option`), not a list.
+  /// The section is one element with its own attributes (`option`), not a list.
   bool is_element = false;
-  /// Those it may hold; of an element the first stands for itself.
+  /// The elements it may contain; if `is_element`, the first is the section itself.
   std::span<const ElementInfo> elements;
 
   const ElementInfo* Find(std::string_view element) const;
@@ -23,7 +23,7 @@ struct SectionInfo {
 /// In the order MJCF files have them. Source: mj_printSchema of MuJoCo 2.2.2.
 std::span<const SectionInfo> Sections();
 const SectionInfo* FindSection(std::string_view name);
-/// What a body may hold besides geoms, joints and sites: camera, light.
+/// What a body may contain besides geoms, joints and sites: camera, light.
 const ElementInfo* FindBodyChild(std::string_view name);
 
 }  // namespace mjforge::spec

@@ -56,7 +56,8 @@ struct Entry {
   const Field* Find(Key id) const;
 };
 
-/// What `NAME.top` and the like read of a body, in the order of their slots.
+/// The properties of a body that expressions read as `NAME.top` and so on, in the order of their
+/// slots.
 enum class BodyProperty { kTop, kBottom, kRadius, kHalfX, kHalfY, kHalfZ, kMass };
 /// "top", "bottom", ... in that order.
 std::span<const std::string_view> BodyPropertyNames();
@@ -72,7 +73,7 @@ struct BodyEntry {
   std::vector<int> parameter_slots;  // of NAME.param, as head.nested->parameters
 };
 
-/// One section of `mjcf:`, or of what `contact:` says.
+/// One section of `mjcf:`, or the one that `contact:` fills.
 struct Section {
   const SectionInfo* info = nullptr;
   std::vector<Entry> entries;  // of an element section: one
@@ -84,7 +85,7 @@ struct Parameter {
   Value value;
   std::string doc;
   std::string unit;
-  std::string source;  // the value as it stands in the YAML, on one line
+  std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
 };
 
@@ -103,7 +104,7 @@ struct Material {
   const Field* Find(Key id) const;
 };
 
-/// `checks:`, and what was set of it from outside.
+/// `checks:`, including the values set from outside.
 struct Checks {
   std::vector<Field> fields;
   struct Silence {

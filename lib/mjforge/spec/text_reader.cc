@@ -112,7 +112,7 @@ Value ValueReader::ReadWord(const Expected& expected, const YamlNode& node) {
   if (std::ranges::find(words, word) == words.end()) {
     std::string hint = diag::DidYouMean(word, words);
     if (names_.Find(word) != nullptr)
-      hint = fmt::format("for the parameter's value write ${{{}}}", word);
+      hint = fmt::format("to use the parameter's value, write ${{{}}}", word);
     findings_.Add(Code::kSpecBadValue, node.mark,
                   fmt::format("'{}' is not one of {}", word, fmt::join(words, ", ")),
                   std::move(hint));

@@ -26,8 +26,8 @@ std::optional<double> ConstantOf(const Value& value);
 /// What a parameter or a value is: "a number", "3 numbers", "text", "true or false".
 std::string KindText(expr::Type type, int components);
 
-/// Reads values in the scope of `names`. A value that is wrong adds a finding
-/// and comes back as something harmless, so that reading goes on.
+/// Reads values in the scope of `names`. A value that is wrong adds a finding and comes back as
+/// something harmless, so that reading continues.
 class ValueReader {
  public:
   ValueReader(const expr::Names& names, const diag::Sources& sources, diag::Findings& findings)
@@ -36,8 +36,8 @@ class ValueReader {
   /// The value of a field whose slot holds one (not structure).
   Value Read(const FieldInfo& field, const YamlNode& node);
 
-  /// A value of any kind, its type told from its look: parameters, options.
-  /// `extra_keys` may stand in a mapping beside the distribution.
+  /// A value of any kind, whose type follows from its form: parameters, options. A mapping may have
+  /// `extra_keys` besides the distribution.
   Value ReadAnything(const YamlNode& node, std::span<const std::string_view> extra_keys = {});
 
   Value ReadNumber(const YamlNode& node);
@@ -94,7 +94,7 @@ class ValueReader {
   bool has_exact_choice_ = false;
 };
 
-/// Where the two dots of `lo .. hi` are in a text; nothing if it is no range.
+/// Where the two dots of `lo .. hi` are in a text; nothing if it is not a range.
 std::optional<std::size_t> FindRange(std::string_view text);
 
 /// A plain `true` or `false`.

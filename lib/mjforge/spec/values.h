@@ -1,7 +1,7 @@
 #ifndef MJFORGE_SPEC_VALUES_H_
 #define MJFORGE_SPEC_VALUES_H_
 
-// What may stand in a slot of a spec, parsed and type-checked but not drawn.
+// The value of a slot of a spec, parsed and type-checked but not drawn.
 
 #include <memory>
 #include <string>

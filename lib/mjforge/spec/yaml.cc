@@ -57,7 +57,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) {
-      Fail(Code::kYamlAlias, mark, "alias stands inside its own anchor");
+      Fail(Code::kYamlAlias, mark, "alias is inside its own anchor");
     }
     alias_nodes_ += CountNodes(found->second, kMaxAliasNodes);
     if (alias_nodes_ > kMaxAliasNodes) {
@@ -176,7 +176,7 @@ class TreeBuilder : public YAML::EventHandler {
     const auto [first, is_new] = map.keys.emplace(key.text, key.mark);
     if (!is_new) {
       findings_
-          .Add(Code::kYamlDuplicateKey, key.mark, fmt::format("key '{}' stands twice", key.text))
+          .Add(Code::kYamlDuplicateKey, key.mark, fmt::format("key '{}' appears twice", key.text))
           .notes.push_back({first->second, "first here"});
     }
     map.has_key = true;
@@ -262,15 +262,16 @@ std::string Reworded(const std::string& message) {
     std::string_view ours;
   };
   static constexpr Wording kWordings[] = {
-      {"end of map not found", "this line fits none of the indentations above (are they even?)"},
+      {"end of map not found",
+       "this line matches none of the indentations above (are they consistent?)"},
       {"end of sequence not found",
-       "this line fits none of the indentations above (are they even?)"},
+       "this line matches none of the indentations above (are they consistent?)"},
       {"end of sequence flow not found", "'[' without ']', or a comma is missing"},
       {"end of map flow not found", "'{' without '}', or a comma is missing"},
-      {"illegal map value", "a colon where no key may stand (quote the text if it contains ': ')"},
+      {"illegal map value", "a colon where no key is allowed (quote the text if it contains ': ')"},
       {"illegal flow end", "a closing bracket that nothing opened"},
-      {"illegal block entry", "'-' where no list may stand (are there tabs? indent with blanks)"},
-      {"illegal map key", "a key where none may stand (is the indentation even?)"},
+      {"illegal block entry", "'-' where no list is allowed (are there tabs? indent with spaces)"},
+      {"illegal map key", "a key where none is allowed (is the indentation consistent?)"},
   };
   for (const Wording& wording : kWordings) {
     if (message.starts_with(wording.theirs)) return std::string(wording.ours);
@@ -311,7 +312,7 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
     TreeBuilder second(file, findings);
     if (parser.HandleNextDocument(second)) {
       findings.Add(Code::kYamlSyntax, SourceMark{file, 1, 1}, "file holds more than one document",
-                   "write one spec a file");
+                   "write one spec per file");
       return false;
     }
     return true;

@@ -1,10 +1,9 @@
 #ifndef MJFORGE_SPEC_YAML_H_
 #define MJFORGE_SPEC_YAML_H_
 
-// A YAML text as a tree in which every node knows its own place. Made from
-// yaml-cpp's events, not its nodes, because there an alias has its anchor's
-// mark, an empty value the next token's, duplicate keys pass and an anchor in
-// itself is a cycle.
+// A YAML text as a tree in which every node knows its own place. Made from yaml-cpp's events, not
+// its nodes: in those an alias has its anchor's mark, an empty value has the next token's mark,
+// duplicate keys are accepted, and an anchor inside itself is a cycle.
 
 #include <optional>
 #include <string>
@@ -37,7 +36,7 @@ struct YamlNode::Pair {
   YamlNode value;
 };
 
-/// Texts longer than this are refused: no spec of a hundred thousand parts comes near.
+/// Texts longer than this are refused; even a spec of a hundred thousand parts is far shorter.
 inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
 /// Parses the text of a source. Nothing, and one finding or more, if it is not

@@ -41,7 +41,7 @@ class SelfCollisions {
     }
     if (more == 0) return told > 0;
     findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
-                  fmt::format("{} more pairs of bodies touch at the joints' zero", more));
+                  fmt::format("{} more pairs of bodies touch with all joints at zero", more));
     return true;
   }
 
@@ -94,10 +94,10 @@ class SelfCollisions {
       std::swap(first_geom, second_geom);
     }
     std::string message =
-        fmt::format("bodies '{}' and '{}' touch at the joints' zero: geoms '{}' and '{}', {}",
+        fmt::format("bodies '{}' and '{}' touch with all joints at zero: geoms '{}' and '{}', {}",
                     first->name, second->name, m_.names + m_.name_geomadr[first_geom],
                     m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
-    if (related) message += "; MuJoCo lets parent and child collide as the parent is fixed";
+    if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
     std::string hint = fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
                                    AuthorsName(*first), AuthorsName(*second));
     constexpr auto kCode = diag::Code::kMujocoSelfCollision;

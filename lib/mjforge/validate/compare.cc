@@ -14,8 +14,6 @@
 namespace mjforge::validate {
 namespace {
 
-constexpr double kRelative = 1e-9;
-
 // mju_eig3 (2.2.2) stops at off-diagonal terms of 1e-12 kg m^2, or when the next
 // turn is below 1.4e-6 rad (cosine within 1e-12 of 1): principal moments are good
 // to the first, the axes only to the second.

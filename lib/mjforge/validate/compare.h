@@ -1,7 +1,7 @@
 #ifndef MJFORGE_VALIDATE_COMPARE_H_
 #define MJFORGE_VALIDATE_COMPARE_H_
 
-// What MuJoCo compiled against what we meant.
+// Compares what MuJoCo compiled with what we meant.
 //
 // A file holds 10 significant digits, so each number is off by at most 5e-11 of
 // itself; lengths are compared to 1e-9 of the object's scale (its largest
@@ -18,6 +18,8 @@
 
 namespace mjforge::validate {
 
+/// Numbers may differ by this share of themselves.
+inline constexpr double kRelative = 1e-9;
 /// What to do about a difference.
 inline constexpr const char* kMismatchHint =
     "the file does not say what was meant: please report this with the spec and the seed";
@@ -30,7 +32,7 @@ class Comparison {
   void Run(double lift);
 
  private:
-  /// An element that is compared: its names for messages are made only on need.
+  /// An element to compare; its names for messages are made only when needed.
   struct Subject {
     std::string_view kind;  // "geom"
     std::string_view name;

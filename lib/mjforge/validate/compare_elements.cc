@@ -11,7 +11,6 @@
 namespace mjforge::validate {
 namespace {
 
-constexpr double kRelative = 1e-9;
 constexpr double kFloatRelative = 1e-6;  // of what MuJoCo keeps in single precision
 
 int MujocoType(model::GeomType type) {

@@ -166,7 +166,7 @@ class SectionComparison {
       const std::string_view a = TextOf(element, first);
       const std::string_view b = TextOf(element, second);
       if (--left[Unordered(a, b)] < 0) {
-        Mismatch(element.mark, fmt::format("MuJoCo compiled no {} of '{}' and '{}'", tag, a, b));
+        Mismatch(element.mark, fmt::format("MuJoCo compiled no {} for '{}' and '{}'", tag, a, b));
       }
     }
     Count(fmt::format("{} in contact", tag), static_cast<int>(compiled.size()), meant,

@@ -8,9 +8,9 @@
 
 namespace mjforge::validate {
 
-/// Adds a finding for each difference between the compiled sensors, actuators,
-/// tendons, equalities, pairs and excludes and those meant: how many, their
-/// names, and the elements they refer to.
+/// Compares the compiled sensors, actuators, tendons, equalities, pairs and excludes with the
+/// object's: how many there are, their names, and the elements they refer to. Adds a finding for
+/// each difference.
 void CompareSections(const mjModel& m, const model::Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::validate

@@ -20,25 +20,24 @@ struct BodyContact {
   double margin = 0;    // m; MuJoCo pushes below this distance
 };
 
-/// Places a model's bodies and finds what touches. Who may touch whom is for
-/// MuJoCo to say: its filters for parents and welded bodies, excludes, pairs,
-/// contact bits. Its functions throw std::exception where MuJoCo gives up.
+/// Places a model's bodies and finds what touches. MuJoCo decides which bodies can touch, by its
+/// filters for parents and welded bodies, excludes, pairs, contact bits. Its functions throw
+/// std::exception where MuJoCo gives up.
 class ContactFinder {
  public:
-  /// The model must outlive the finder, which changes how much room it has for
-  /// contacts. The joints are at their zero.
+  /// The model must outlive the finder, which changes how much room the model has for contacts. The
+  /// joints start at zero.
   explicit ContactFinder(mjModel& model);
 
-  /// As MuJoCo has them. After a change Move() is due.
+  /// The joint positions as MuJoCo stores them. Call Move() after a change.
   std::span<mjtNum> qpos() { return {data_->qpos, static_cast<std::size_t>(model_.nq)}; }
   /// Takes the bodies to where qpos says.
   void Move();
   const mjData& data() const { return *data_; }
 
-  /// The pairs of bodies that touch, the deepest contact of each, in the order
-  /// of their numbers: penetrating, at distance 0, or within a margin where
-  /// MuJoCo pushes already. Contacts with the world are not of them. Good until
-  /// the next call.
+  /// The pairs of bodies that touch, the deepest contact of each, in the order of their numbers:
+  /// penetrating, at distance 0, or within a margin where MuJoCo pushes already. Contacts with the
+  /// world are left out. Valid until the next call.
   const std::vector<BodyContact>& Find();
 
  private:

@@ -10,8 +10,7 @@ namespace mjforge::validate {
 
 CompiledModel Describe(const mjModel& m);
 
-/// Adds a finding for each kind of number that is not finite: MuJoCo loads
-/// "nan" in silence.
+/// Adds a finding for each kind of number that is not finite: MuJoCo silently loads "nan".
 void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings);
 
 }  // namespace mjforge::validate

@@ -7,8 +7,8 @@
 
 namespace mjforge::validate {
 
-/// See Sweep in the door. The box is in the frame of the body `frame` at the
-/// joints' zero; 0: of the world. Uses the model up; may throw std::exception.
+/// See Sweep in validate.h. The box is in the frame of the body `frame` with all joints at zero; 0
+/// means the world. Leaves the model unusable; may throw std::exception.
 Sweep SweepModel(mjModel& m, int frame);
 
 }  // namespace mjforge::validate

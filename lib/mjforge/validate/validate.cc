@@ -100,7 +100,7 @@ std::optional<Sweep> TrySweep(mjModel& m, int frame, diag::SourceMark mark,
 // What MuJoCo's words do not say.
 std::string HintFor(std::string_view reason) {
   if (reason.find("XML_ELEMENT_DEPTH_EXCEEDED") == std::string_view::npos) return {};
-  return "MuJoCo 2.2 reads no more than 95 bodies inside one another: hang some on the root";
+  return "MuJoCo 2.2 reads bodies nested at most 95 deep: attach some of them to the root";
 }
 
 }  // namespace
@@ -198,7 +198,7 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
   diag::Finding& finding =
       findings.Add(Code::kMujocoError, engine::MarkOfLine(sources, xml->source, refusal.line),
                    fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
-                   xml->has_includes ? "the line may be one of an included file" : "");
+                   xml->has_includes ? "the line may be in an included file" : "");
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
   return nullptr;
 }

@@ -31,20 +31,19 @@ struct CompiledModel {
   int sites = 0;  // of the world, too
 };
 
-/// What the joints do to a model, by trying. Each hinge and slide moves through
-/// its range, an unlimited hinge through a full turn, in kSteps steps while the
-/// others are at their zero; a ball joint turns about 13 axes up to its range
-/// both ways. With several joints all of them move at once, too, to
-/// kCombinations low-discrepancy points of their ranges (Sobol), and to all
-/// combinations of their ends if they are few. Free joints do not move.
-/// Equalities are not kept. All of it says what is so in those poses, not between.
+/// What the joints do to a model, found by moving them. Each hinge and slide moves through its
+/// range, an unlimited hinge through a full turn, in kSteps steps while the others are at their
+/// zero; a ball joint turns about 13 axes up to its range both ways. Several joints also move
+/// together, to kCombinations low-discrepancy points of their ranges (Sobol), and to all
+/// combinations of their ends if there are few. Free joints do not move. Equalities are not
+/// enforced. The results hold for those poses, not between them.
 struct Sweep {
   static constexpr int kSteps = 65;
   static constexpr int kCombinations = 512;
 
-  /// The deepest contact of two bodies, of those that a joint makes.
+  /// The deepest contact of two bodies that a joint causes.
   struct Contact {
-    std::string joint;  // empty: none alone; several together, or the zero of all
+    std::string joint;  // empty: several joints together, or all at zero
     double value = 0;   // the joint's there; rad, m; of a ball joint the angle from its zero
     std::string body1;
     std::string geom1;  // of body1
@@ -72,10 +71,10 @@ class Loader {
   Loader(const Loader&) = delete;
   Loader& operator=(const Loader&) = delete;
 
-  /// Loads a document made from `object` and compares counts, names, masses,
-  /// inertias, sizes, poses and references. If all is as meant, looks for bodies
-  /// that touch at the joints' zero. Adds a finding, at the place in the spec,
-  /// for each error, warning, difference and such pair. True: no error.
+  /// Loads a document made from `object` and compares counts, names, masses, inertias, sizes, poses
+  /// and references. If everything matches, looks for bodies that touch with all joints at zero.
+  /// Adds a finding, at the place in the spec, for each error, warning, difference and touching
+  /// pair. True if there is no error.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                 diag::Findings& findings);
 
@@ -83,8 +82,8 @@ class Loader {
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
 
-  /// Loads either and moves its joints. Nothing, and a finding, if MuJoCo
-  /// refuses it or warns.
+  /// Loads a document or a file and moves its joints. Nothing, and a finding, if MuJoCo refuses it
+  /// or warns.
   std::optional<Sweep> SweepJoints(const mjcf::MjcfDocument& document, const model::Object& object,
                                    diag::Findings& findings);
   std::optional<Sweep> SweepJoints(const std::filesystem::path& file, diag::Sources& sources,

@@ -45,8 +45,8 @@ TEST_CASE("findings come at every call, warnings, too") {
   Attaching files(
       Mjcf("<body name=\"b\"><geom size=\"1\"/></body>\n", "<option timestep=\"0.01\"/>\n"));
   const std::string warning =
-      "warning attach/not-carried: the option of 'arm.xml' is not carried over (it would hold for "
-      "the whole model; say it under `mjcf:` of the spec if that is meant) [arm.xml:2:1 here]";
+      "warning attach/not-carried: the option of 'arm.xml' is not carried over (it would apply to "
+      "the whole model; if you want that, write it under `mjcf:` in the spec) [arm.xml:2:1 here]";
   files.Get();
   CHECK(files.OnlyFinding() == warning);
   files.Get();
@@ -91,8 +91,8 @@ TEST_CASE("a body that is not there is an error with the nearest name") {
   files.Write("bare.xml", Mjcf("<geom size=\"1\"/>"));
   CHECK(files.Try("", "bare.xml") == nullptr);
   CHECK(files.OnlyFinding() ==
-        "error attach/no-body: 'bare.xml' has no body (what stands in its worldbody cannot be "
-        "attached; put it into a body) [bare.xml:1:1 here]");
+        "error attach/no-body: 'bare.xml' has no body (elements directly in its worldbody cannot "
+        "be attached; put them into a body) [bare.xml:1:1 here]");
 }
 
 TEST_CASE("what MuJoCo refuses is told with its reason and place") {

@@ -46,7 +46,7 @@ TEST_CASE("an include that is missing, broken or empty is an error at its place"
   files.Write("empty.xml", "<mujoco/>");
   CHECK(files.Try("", "e.xml") == nullptr);
   CHECK(files.OnlyFinding() ==
-        "error attach/bad-include: 'e.xml' includes 'empty.xml', which holds no elements "
+        "error attach/bad-include: 'e.xml' includes 'empty.xml', which contains no elements "
         "[e.xml:2:1 here]");
   files.Write("n.xml", "<mujoco><include/></mujoco>");
   CHECK(files.Try("", "n.xml") == nullptr);
@@ -55,7 +55,7 @@ TEST_CASE("an include that is missing, broken or empty is an error at its place"
   files.Write("c.xml", "<mujoco><include file=\"arm.xml\"><body/></include></mujoco>");
   CHECK(files.Try("", "c.xml") == nullptr);
   CHECK(files.OnlyFinding() ==
-        "error attach/bad-include: 'c.xml' has an include of 'arm.xml' that holds elements "
+        "error attach/bad-include: 'c.xml' has an include of 'arm.xml' that contains elements "
         "[c.xml:1:9 here]");
 }
 
@@ -64,15 +64,16 @@ TEST_CASE("a cycle of includes and a second one of a file are errors") {
   files.Write("b.xml", Including("arm.xml"));
   CHECK(files.Try() == nullptr);
   CHECK(files.OnlyFinding() ==
-        "error attach/bad-include: 'b.xml' includes 'arm.xml', which is open already: a cycle "
+        "error attach/bad-include: 'b.xml' includes 'arm.xml', which is already open: a cycle "
         "[b.xml:2:1 here]");
   files.Write("twice.xml",
               "<mujoco>\n<include file=\"c.xml\"/>\n<include file=\"./c.xml\"/>\n</mujoco>");
   files.Write("c.xml", "<mujoco><worldbody/></mujoco>");
   CHECK(files.Try("", "twice.xml") == nullptr);
   CHECK(files.OnlyFinding() ==
-        "error attach/bad-include: 'twice.xml' includes './c.xml' a second time (MuJoCo takes each "
-        "file once; give the copy another name) [twice.xml:3:1 here] [twice.xml:2:1 first here]");
+        "error attach/bad-include: 'twice.xml' includes './c.xml' a second time (MuJoCo includes "
+        "each file only once; give the copy another name) [twice.xml:3:1 here] [twice.xml:2:1 "
+        "first here]");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST_CASE_METHOD(ShardTest, "a shard of another batch is noticed") {
   CHECK_FALSE(Merge());
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kBatchDiffers);
-  CHECK(findings[0].message.ends_with("is of another batch: seed is '5', not '1'"));
+  CHECK(findings[0].message.ends_with("belongs to another batch: seed is '5', not '1'"));
   CHECK_FALSE(std::filesystem::exists(folder / "out/manifest.jsonl"));
 }
 
@@ -85,10 +85,10 @@ TEST_CASE_METHOD(ShardTest, "a gap and a variant that is there twice are noticed
   const std::size_t end = lines.find('\n') + 1;
   folder.Write(Manifest(1), lines.substr(end));
   CHECK_FALSE(Merge());
-  CHECK(findings[0].message.ends_with("has index 26; 25 should come there"));
+  CHECK(findings[0].message.ends_with("has index 26; expected 25"));
   folder.Write(Manifest(1), lines.substr(0, end) + lines);
   CHECK_FALSE(Merge());
-  CHECK(findings[0].message.ends_with("has index 25; 26 should come there"));
+  CHECK(findings[0].message.ends_with("has index 25; expected 26"));
 }
 
 TEST_CASE_METHOD(ShardTest, "an object that is gone is noticed") {

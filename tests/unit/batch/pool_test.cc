@@ -98,7 +98,7 @@ TEST_CASE("a variant that hangs is given up when ten times as much time and 5 s 
     if (index == 42) std::this_thread::sleep_for(std::chrono::minutes(1));
   });
   const auto texts = Work100(pool);
-  CHECK(texts.at(40) == "40;41;took more than 6 s by the clock;43;44;45;46;47;48;49;");
+  CHECK(texts.at(40) == "40;41;took more than 6 s of wall time;43;44;45;46;47;48;49;");
 }
 
 TEST_CASE("workers that die before they begin anything do not go on for ever") {
@@ -109,7 +109,7 @@ TEST_CASE("workers that die before they begin anything do not go on for ever") {
       [&] {
         while (std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) pool.Wait();
       }(),
-      "workers cannot work: the last one ended with status 9");
+      "workers cannot run: the last one ended with status 9");
 }
 
 TEST_CASE("asked to stop, workers leave what they have not begun") {

@@ -104,7 +104,7 @@ TEST_CASE("a batch of other options is not gone on with") {
     CHECK(summary.output_failed);
     REQUIRE(summary.findings.size() == 1);
     CHECK(summary.findings[0].code == diag::Code::kBatchDiffers);
-    CHECK(summary.findings[0].message.ends_with("is of another batch: seed is '1', not '2'"));
+    CHECK(summary.findings[0].message.ends_with("belongs to another batch: seed is '1', not '2'"));
     CHECK(test.Bytes(output.substr(0, 3)) == before);
   }
 }

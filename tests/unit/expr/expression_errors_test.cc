@@ -77,9 +77,9 @@ TEST_CASE("a missing operator is reported at the second value") {
                {"r !yes", 2, "an operator is missing before '!'", ""},
                {"r not yes", 2, "an operator is missing before 'not'", ""},
                {"90 deg", 3, "an operator is missing before 'deg'",
-                "a unit follows its number without a blank: 90deg"},
+                "a unit follows its number without a space: 90deg"},
                {"2 * 15 mm + r", 7, "an operator is missing before 'mm'",
-                "a unit follows its number without a blank: 15mm"},
+                "a unit follows its number without a space: 15mm"},
                {"r mm", 2, "an operator is missing before 'mm'",
                 "only numbers carry units: multiply by 1mm"},
                {"(r + 2) mm", 8, "an operator is missing before 'mm'",
@@ -93,17 +93,17 @@ TEST_CASE("signs that mean something elsewhere are explained") {
               {{"r = 2", 2, "'=' is not an operator", "write == to compare"},
                {"r & yes", 2, "'&' is not an operator", "write && or 'and'"},
                {"(r | yes)", 3, "'|' is not an operator", "write || or 'or'"},
-               {"r .. 2", 2, "a range is no part of an expression",
-                "draw it as a parameter of its own and use that parameter's name"},
-               {"r..2", 1, "a range is no part of an expression",
-                "draw it as a parameter of its own and use that parameter's name"},
+               {"r .. 2", 2, "a range cannot be part of an expression",
+                "draw it as a separate parameter and use that parameter's name"},
+               {"r..2", 1, "a range cannot be part of an expression",
+                "draw it as a separate parameter and use that parameter's name"},
                {"0,5 * r", 1, "',' only separates the arguments of a function",
-                "decimals have a point: 0.5"},
+                "write decimals with a point: 0.5"},
                {"r, r", 1, "',' only separates the arguments of a function", ""},
                {"(1, r)", 2, "',' only separates the arguments of a function", ""},
                {"r : 2", 2, "':' has no '?' before it", ""},
                {"r $ 2", 2, "unexpected character '$'",
-                "inside an expression a name stands alone, without ${}"},
+                "inside an expression write only the name, without ${}"},
                {"[1]", 0, "unexpected character '['", "an expression gives one value, not a list"},
                {"2 × r", 2, "unexpected character '×'", "write * to multiply"},
                {"90°", 2, "unexpected character '°'", "write deg after the number"},
@@ -156,10 +156,11 @@ TEST_CASE("comparisons cannot be chained") {
 }
 
 TEST_CASE("'not' needs parentheses where only '!' may stand") {
-  CheckErrors(Code::kExprSyntax, {{"1 + not yes", 4, "'not' binds looser than what is before it",
-                                   "put it into parentheses: (not ...)"},
-                                  {"yes == not yes", 7, "'not' binds looser than what is before it",
-                                   "put it into parentheses: (not ...)"}});
+  CheckErrors(Code::kExprSyntax,
+              {{"1 + not yes", 4, "'not' binds more loosely than what precedes it",
+                "put it in parentheses: (not ...)"},
+               {"yes == not yes", 7, "'not' binds more loosely than what precedes it",
+                "put it in parentheses: (not ...)"}});
 }
 
 TEST_CASE("an unknown name is reported with the nearest known one") {
@@ -173,8 +174,8 @@ TEST_CASE("an unknown name is reported with the nearest known one") {
        {"zebra(r)", 0, "unknown function 'zebra'", ""},
        {"lid.tip", 0, "unknown name 'lid.tip'", "did you mean 'lid.top'?"},
        {"lid.top.x.y", 0, "unknown name 'lid.top.x.y'", ""},
-       {"10 * mm", 5, "unknown name 'mm'", "a unit follows its number without a blank: 1mm"},
-       {"shape == cylinder", 9, "unknown name 'cylinder'", "a text is quoted: 'cylinder'"},
+       {"10 * mm", 5, "unknown name 'mm'", "a unit follows its number without a space: 1mm"},
+       {"shape == cylinder", 9, "unknown name 'cylinder'", "put text in quotes: 'cylinder'"},
        {"r == cylinder", 5, "unknown name 'cylinder'", ""}});
 }
 
@@ -221,11 +222,11 @@ TEST_CASE("text is only good for == and != with text") {
 TEST_CASE("vectors are used by component") {
   CheckErrors(
       Code::kExprType,
-      {{"2 * v", 4, "'v' is a vector of 3 numbers; an expression computes with one",
+      {{"2 * v", 4, "'v' is a vector of 3 numbers; an expression needs a single number",
         "use v.x, v.y or v.z"},
-       {"uv", 0, "'uv' is a vector of 2 numbers; an expression computes with one",
+       {"uv", 0, "'uv' is a vector of 2 numbers; an expression needs a single number",
         "use uv.x or uv.y"},
-       {"solimp + 1", 0, "'solimp' is a vector of 5 numbers; an expression computes with one",
+       {"solimp + 1", 0, "'solimp' is a vector of 5 numbers; an expression needs a single number",
         "use solimp.x, solimp.y, solimp.z or solimp.w"},
        {"v.w", 0, "'v' is a vector of 3 numbers; it has no component 'w'", "use v.x, v.y or v.z"},
        {"1 + uv.z", 4, "'uv' is a vector of 2 numbers; it has no component 'z'",

@@ -93,8 +93,8 @@ TEST_CASE("a sampler that is not known is a finding") {
   CHECK_FALSE(test.Replay("crate/manifest.jsonl:0"));
   REQUIRE(test.findings.size() == 1);
   CHECK(test.findings[0].code == diag::Code::kOutputBadManifest);
-  CHECK(
-      test.findings[0].message.ends_with("was made with sampler 'dice', which is not known here"));
+  CHECK(test.findings[0].message.ends_with(
+      "was made with sampler 'dice', which this version does not know"));
 }
 
 TEST_CASE("a file that was changed differs at a line") {
@@ -111,7 +111,7 @@ TEST_CASE("a file that was changed differs at a line") {
   CHECK(test.findings[0].code == diag::Code::kOutputDiffers);
   CHECK(test.findings[0].mark.line == line);
   CHECK(test.findings[0].message.starts_with("line " + std::to_string(line) +
-                                             " differs from the object made again: '<geom "));
+                                             "  differs from the regenerated object: '<geom  "));
 }
 
 TEST_CASE("a file that is gone is compared by its hash") {
@@ -127,7 +127,7 @@ TEST_CASE("a spec that changed since is not used") {
   CHECK_FALSE(test.Replay("crate/manifest.jsonl:1"));
   REQUIRE(test.findings.size() == 1);
   CHECK(test.findings[0].code == diag::Code::kOutputDiffers);
-  CHECK(test.findings[0].hint == "name the spec of that time with --spec");
+  CHECK(test.findings[0].hint == "pass the original spec with --spec");
   CHECK(test.Replay("crate/manifest.jsonl:1", old_spec.string()));
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("a manifest that cannot be understood is a finding") {
   CHECK_FALSE(test.Replay("crate/manifest.jsonl:77"));
   CHECK(test.findings[0].code == diag::Code::kOutputBadManifest);
   CHECK(test.findings[0].message ==
-        "'" + place("crate/manifest.jsonl") + "' has no record of index 77");
+        "'" + place("crate/manifest.jsonl") + "' has no record with index 77");
   test.loaded.folder.Write("bad.jsonl", "{}\n");
   CHECK_FALSE(test.Replay("bad.jsonl:0"));
   CHECK(test.findings[0].message == "this line is not a record: it has no 'file'");
@@ -162,7 +162,7 @@ TEST_CASE("a manifest that cannot be understood is a finding") {
   CHECK_FALSE(test.Replay("bad.xml"));
   CHECK(test.findings[0].code == diag::Code::kOutputBadManifest);
   CHECK(test.findings[0].message ==
-        "'" + place("bad.xml") + "' does not open with mjforge's comment");
+        "'" + place("bad.xml") + "' does not start with mjforge's comment");
   CHECK_FALSE(test.Replay("none.jsonl:0"));
   CHECK(test.findings[0].code == diag::Code::kYamlCannotRead);
 }

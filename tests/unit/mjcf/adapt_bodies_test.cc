@@ -53,8 +53,8 @@ TEST_CASE("what a free joint says beside its type is dropped with a warning") {
   object.bodies[0].joints[0].attributes = {Numbers("damping", Applies::kBoth, {0.1}),
                                            Numbers("armature", Applies::kBoth, {0.2})};
   CHECK(Adapted(object, "robosuite") ==
-        Said{"2: robosuite adds the free joint itself: what joint 'joint0' says is dropped "
-             "(damping, armature)"});
+        Said{"2: robosuite adds the free joint itself: the attributes of joint 'joint0' are "
+             "dropped (damping, armature)"});
   CHECK(object.bodies[1].joints.empty());
 }
 

@@ -88,8 +88,8 @@ TEST_CASE("for MJX margins are dropped, with a warning where they are not zero")
   object.bodies[0].parts[0].attributes = {Numbers("margin", Applies::kCollision, {0.001}),
                                           Numbers("friction", Applies::kCollision, {2})};
   object.bodies[1].parts[0].attributes = {Numbers("gap", Applies::kCollision, {0})};
-  CHECK(Adapted(object, "mjx") ==
-        Said{"3: mjx has no margins where meshes collide: 'margin' and 'gap' of base are dropped"});
+  CHECK(Adapted(object, "mjx") == Said{"3: mjx does not support margins when meshes collide: "
+                                       "'margin' and 'gap' of base are dropped"});
   CHECK(object.bodies[0].parts[0].attributes.size() == 1);
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("hosts drop every section, one warning each") {
         Made("sensor", "jointpos", "s" + std::to_string(i), 30, {Text("joint", "hinge")}));
   }
   Add(object, "sensor", std::move(sensors));
-  const std::string start = "robosuite takes nothing but the body and its assets: ";
+  const std::string start = "robosuite reads only the body and its assets: ";
   CHECK(Adapted(object, "robosuite") ==
         Said{"20: " + start + "'option' is dropped",
              "21: " + start + "1 element of 'contact' is dropped (exclude of 'chest' and 'lid')",
@@ -41,7 +41,7 @@ TEST_CASE("a texture whose sides the host would not find becomes one colour") {
   plain.name = "wood";
   plain.files = {{"file", "wood.png", "wood.png"}};
   CHECK(Adapted(object, "robosuite") ==
-        Said{"15: robosuite finds the picture of a texture only under 'file': the sides of texture "
+        Said{"15: robosuite reads the picture of a texture only from 'file': the sides of texture "
              "'sky' are dropped"});
   const pugi::xml_document file = Written(object, "robosuite");
   const pugi::xml_node sky = file.select_node("//texture[@name='sky']").node();
@@ -73,7 +73,7 @@ TEST_CASE("for MJX what it does not implement is dropped, with what refers to it
              "22: mjx does not have this kind of actuator: adhesion 'glue' is dropped",
              "24: mjx does not have this kind of actuator: general 'own' is dropped",
              "25: mjx does not have this kind of sensor: jointlimitpos 'limit' is dropped",
-             "26: actuatorfrc 'pull' is dropped with 'glue', to which it refers"});
+             "26: actuatorfrc 'pull' is dropped with 'glue', which it refers to"});
   REQUIRE(ElementsOf(object, "actuator").size() == 1);
   CHECK(ElementsOf(object, "actuator")[0].name == "motor");
   REQUIRE(ElementsOf(object, "sensor").size() == 1);

@@ -28,8 +28,9 @@ TEST_CASE("the object can be renamed, and its prefix left out") {
   CHECK(bare.body().parts.at(0).name == "ball");
   const Assembling bad(body, 1, 0, {}, {.name = "../x"});
   CHECK(bad.findings() ==
-        std::vector<std::string>{"0:0 object name '../x' is not a name (a name is a letter, then "
-                                 "letters, digits and underscores)"});
+        std::vector<std::string>{
+            "0:0 object name '../x' is not a valid name (a name is a letter, then "
+            "letters, digits and underscores)"});
 }
 
 TEST_CASE("children of one element draw from streams of their own") {
@@ -192,7 +193,7 @@ TEST_CASE("all errors of an object are found in one go") {
 TEST_CASE("a name may not come out as something else") {
   CHECK(OnlyFinding("params: {n: 1.5}\n"
                     "parts: [{name: 'a${n}', type: sphere, size: [1]}]\n") ==
-        "4:16 part name 'a1.5' is not a name (a name is a letter, then letters, digits and "
+        "4:16 part name 'a1.5' is not a valid name (a name is a letter, then letters, digits and "
         "underscores)");
 }
 

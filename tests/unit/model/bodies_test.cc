@@ -56,7 +56,7 @@ TEST_CASE("a parent that no body before it makes is reported at both places") {
       "- {name: 'link_${i}', for: {i: 2}}\n"
       "- {name: hand, parent: lnk_1}\n");
   CHECK(thing.findings() ==
-        std::vector<std::string>{"5:24 body 'hand': no body 'lnk_1' before it (did you mean "
+        std::vector<std::string>{"5:24 body 'hand': no earlier body 'lnk_1' (did you mean "
                                  "'link_1'?)"});
   CHECK(thing.raw_findings()[0].notes.size() == 1);
 }
@@ -138,7 +138,7 @@ TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deep
   REQUIRE(thing.raw_findings().size() == 2);
   CHECK(thing.raw_findings()[0].severity == diag::Severity::kWarning);
   CHECK(thing.findings()[0] ==
-        "13:36 jointpos 'thing_left_lost' is left out: its joint 'swing' is gone, attaching spec "
+        "13:36 jointpos 'thing_left_lost' is left out: its joint 'swing' is gone: attaching spec "
         "'arm' takes it away");
 }
 
@@ -195,8 +195,8 @@ TEST_CASE("what moves needs a mass, of its own or of what is fixed to it") {
   const std::string moving = "- {name: a, joints: [{name: j}]}\n";
   CHECK(OnlyFinding("joints: none\nbodies:\n" + moving +
                     "- {name: b, parts: [{name: g, type: sphere, size: 1}]}\n") ==
-        "5:3 body 'thing_a' can move but has no mass (give a part of it a mass, or take its joints "
-        "away)");
+        "5:3 body 'thing_a' can move but has no mass (give one of its parts a mass, or remove its "
+        "joints)");
   CHECK_FALSE(Assembling("joints: none\nbodies:\n" + moving +
                          "- {name: b, parent: a, parts: [{name: g, type: sphere, size: 1}]}\n")
                   .failed());
@@ -205,8 +205,8 @@ TEST_CASE("what moves needs a mass, of its own or of what is fixed to it") {
 TEST_CASE("only the root may be free") {
   CHECK(OnlyFinding("bodies: [{name: a, parts: [{name: g, type: sphere, size: 1}], joints: [{name: "
                     "j, type: free}]}]\n") ==
-        "3:72 joint 'j' is free, but its body is not the root (MuJoCo lets only bodies of the "
-        "world move freely)");
+        "3:72 joint 'j' is free, but its body is not the root (MuJoCo allows a free joint only on "
+        "a body whose parent is the world)");
 }
 
 TEST_CASE("placement: corner puts bodies of the root by their own lower corner") {

@@ -43,7 +43,7 @@ TEST_CASE("the object's mass scales its parts") {
 TEST_CASE("an object without parts is an error") {
   CHECK(OnlyFinding("params: {n: 0}\n"
                     "parts: [{name: a, if: n > 0, type: sphere, size: [1]}]\n") ==
-        "4:9 no part is left (the 'if' or 'for' of every part leaves it out)");
+        "4:9 no part is left (every part is left out by its 'if' or 'for')");
 }
 
 TEST_CASE("an object that can move needs mass") {

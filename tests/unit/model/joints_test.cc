@@ -49,8 +49,8 @@ TEST_CASE("limits that MuJoCo would refuse are refused with their numbers") {
 
 TEST_CASE("a free joint stands alone") {
   CHECK(OnlyFinding(kPart + "joints: [{name: h}, {name: f, type: free}]\n") ==
-        "4:21 free joint 'thing_f' is not the only joint of its body (a free joint lets everything "
-        "move already)");
+        "4:21 free joint 'thing_f' is not the only joint of its body (a free joint already allows "
+        "every motion)");
 }
 
 }  // namespace

@@ -37,9 +37,8 @@ TEST_CASE("a polygon that comes out wrong is reported where it stands") {
   CHECK(OnlyFinding("params: {x: 0.1}\n"
                     "parts: [{name: a, type: prism, polygon: [[0, 0], [1, 0], [x, x], [0, 1]], "
                     "height: 1}]\n") ==
-        "4:41 part 'a' has a bad outline: polygon is not convex at corner 3 (make it of several "
-        "convex "
-        "prisms)");
+        "4:41 part 'a' has a bad outline: polygon is not convex at corner 3 (build it from several "
+        "convex prisms)");
 }
 
 TEST_CASE("a mesh file is read beside the spec and shared where file and scale are equal") {
@@ -70,7 +69,7 @@ TEST_CASE("a mesh must be closed unless it is only seen") {
   const Assembling solid("parts: [{name: a, type: mesh, file: open.obj}]\n", 1, 0, folder.path());
   CHECK(solid.findings() ==
         std::vector<std::string>{"3:37 mesh 'open.obj' is not a closed surface: edge shared by 1 "
-                                 "triangle (mend the file, or give the part `role: visual`)"});
+                                 "triangle (repair the file, or give the part `role: visual`)"});
   const Assembling seen(
       "joints: none\nparts: [{name: a, type: mesh, file: open.obj, role: visual}]\n", 1, 0,
       folder.path());
@@ -90,10 +89,9 @@ TEST_CASE("missing and unreadable meshes are reported") {
       "- {name: b, type: mesh, file: words.obj}\n",
       1, 0, folder.path());
   CHECK(thing.findings() ==
-        std::vector<std::string>{
-            "4:31 part 'a': no file 'nowhere.obj' (files are looked for from the folder of the "
-            "spec)",
-            "5:31 cannot read mesh 'words.obj': no triangles"});
+        std::vector<std::string>{"4:31 part 'a': no file 'nowhere.obj' (file names are relative to "
+                                 "the folder of the spec)",
+                                 "5:31 cannot read mesh 'words.obj': no triangles"});
 }
 
 TEST_CASE("a scale of zero is refused") {

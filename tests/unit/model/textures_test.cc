@@ -33,8 +33,8 @@ TEST_CASE("a picture is a PNG file that exists") {
   CHECK(with("wood.jpg").findings() ==
         std::vector<std::string>{"3:33 texture of material 'm': 'wood.jpg' is not a PNG file"});
   CHECK(with("none.png").findings() ==
-        std::vector<std::string>{"3:33 texture of material 'm': no file 'none.png' (files are "
-                                 "looked for from the folder of the file that names them)"});
+        std::vector<std::string>{"3:33 texture of material 'm': no file 'none.png' (file names are "
+                                 "relative to the folder of the file that uses them)"});
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST_CASE("an asset that is there with other content is replaced only where that
   CHECK_FALSE(ObjectFolder(folder / "out", {}).Write("x.xml", document, findings));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message ==
-        "'" + copy.string() + "' exists with other content than '" + wood.string() + "'");
+        "'" + copy.string() + "' exists, and its content differs from '" + wood.string() + "'");
   CHECK(folder.Files() == Files{"out/assets/wood.png", "wood.png"});
   CHECK(folder.Read("out/assets/wood.png") == "others");
   CHECK(ObjectFolder(folder / "out", {.assets = true}).Write("x.xml", document, findings));

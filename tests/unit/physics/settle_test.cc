@@ -189,7 +189,7 @@ TEST_CASE("steps that are none, or longer than a fall, are an error") {
 TEST_CASE("what falls for ever is told so") {
   const Examined cube = Examine(Free(1, kCube), "<option gravity=\"0 0 1\"/>");
   REQUIRE(cube.findings.size() == 1);
-  CHECK(cube.findings[0].message == "'m' touches nothing in 3 s, and ends at 3 m/s");
+  CHECK(cube.findings[0].message == "'m' touches nothing for 3 s and ends at 3 m/s");
 }
 
 TEST_CASE("a drop begins outside of margins") {

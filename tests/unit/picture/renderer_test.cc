@@ -209,7 +209,7 @@ TEST_CASE("without a renderer there is a finding") {
     REQUIRE(findings.size() == 1);
     return findings[0].message;
   };
-  CHECK(message("off") == "cannot draw: MUJOCO_GL=off turns it off");
+  CHECK(message("off") == "cannot draw: MUJOCO_GL=off turns drawing off");
   CHECK(message("osmsa") ==
         "cannot draw: MUJOCO_GL is 'osmsa', not egl, osmesa or disable; did you mean 'osmesa'?");
   CHECK(message("glfw") == "cannot draw: MUJOCO_GL is 'glfw', not egl, osmesa or disable");

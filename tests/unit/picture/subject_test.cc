@@ -41,13 +41,13 @@ TEST_CASE("a name that fits two joints is a finding") {
       "<geom size='1'/></body></worldbody></mujoco>");
   diag::Findings findings;
   CHECK_FALSE(subject->FindJoint("x", findings).has_value());
-  CHECK(MessageOf(findings) == "'x' may be joint 'a_x' or 'b_x' / give its whole name");
+  CHECK(MessageOf(findings) == "'x' could be joint 'a_x' or 'b_x' / give its full name");
 }
 
 TEST_CASE("an object without joints says so") {
   diag::Findings findings;
   CHECK_FALSE(LoadGeom("size='1'")->FindJoint("hinge", findings).has_value());
-  CHECK(MessageOf(findings) == "there is no joint 'hinge' / the object has no hinge and no slide");
+  CHECK(MessageOf(findings) == "there is no joint 'hinge' / the object has no hinge or slide");
 }
 
 TEST_CASE("a joint stays within its range") {
@@ -64,7 +64,7 @@ TEST_CASE("a joint stays within its range") {
 TEST_CASE("a free joint does not stand at one number") {
   diag::Findings findings;
   CHECK_FALSE(Load(kChest)->SetJoint(0, 1, findings));
-  CHECK(MessageOf(findings) == "joint 'chest_free' is free and does not stand at one number");
+  CHECK(MessageOf(findings) == "joint 'chest_free' is free and cannot be set by one number");
 }
 
 TEST_CASE("a sweep goes to both ends of the range and back") {

@@ -14,11 +14,12 @@ Strings ReportBodies(const std::string& entries) {
 }  // namespace
 
 TEST_CASE("a body holds parts, a spec or an MJCF file, one of the three", "[bodies]") {
-  CHECK(ReportBodies(std::string("- {name: a, ") + kRod + ", mjcf: a.xml}\n") ==
-        Strings{"4:60 spec/conflict: 'mjcf' beside 'parts': a body holds one of the two"});
+  CHECK(
+      ReportBodies(std::string("- {name: a, ") + kRod + ", mjcf: a.xml}\n") ==
+      Strings{"4:60 spec/conflict: 'mjcf' together with 'parts': a body has only one of the two"});
   CHECK(ReportBodies("- {name: a, params: {r: 1}}\n- {name: b, body: knob}\n") ==
-        Strings{"4:13 spec/conflict: 'params' needs 'spec' beside it",
-                "5:13 spec/conflict: 'body' needs 'mjcf' beside it"});
+        Strings{"4:13 spec/conflict: 'params' needs 'spec' in the same entry",
+                "5:13 spec/conflict: 'body' needs 'mjcf' in the same entry"});
   CHECK(ReportBodies("- {name: a}\n- {parent: a}\n") ==
         Strings{"5:3 spec/missing-key: body without a 'name'"});
 }
@@ -33,12 +34,12 @@ TEST_CASE("parents come first, exist, and form a tree", "[bodies]") {
   CHECK(ReportBodies("- {name: lid}\n- {name: b, parent: lod}\n") ==
         Strings{"5:21 spec/bad-parent: no body 'lod' (did you mean 'lid'?)"});
   CHECK(ReportBodies("- {name: a, parent: b}\n- {name: b}\n") ==
-        Strings{"4:21 spec/bad-parent: body 'b' comes after 'a', which hangs on it (put parents "
+        Strings{"4:21 spec/bad-parent: body 'b' comes after its child 'a' (put parents "
                 "before children)"});
   CHECK(ReportBodies("- {name: a, parent: a}\n") ==
         Strings{"4:21 spec/bad-parent: body 'a' is its own parent"});
   CHECK(ReportBodies("- {name: a, parent: c}\n- {name: b, parent: a}\n- {name: c, parent: b}\n") ==
-        Strings{"4:21 spec/bad-parent: bodies hang on each other in a circle: a -> c -> b -> a"});
+        Strings{"4:21 spec/bad-parent: the parents of bodies form a circle: a -> c -> b -> a"});
 }
 
 TEST_CASE("the second place of a bad parent is a note", "[bodies]") {
@@ -52,8 +53,8 @@ TEST_CASE("names of bodies are their own, and not the root's", "[bodies]") {
   CHECK(ReportBodies("- {name: a}\n- {name: a}\n") ==
         Strings{"5:10 spec/duplicate-name: two bodies are named 'a'"});
   CHECK(ReportBodies("- {name: t}\n") ==
-        Strings{"4:10 spec/duplicate-name: body 't' has the name of the object, which is that of "
-                "its root body (an object has one root; give the body a name of its own)"});
+        Strings{"4:10 spec/duplicate-name: body 't' has the name of the object, which its root "
+                "body already has (an object has one root; give the body another name)"});
 }
 
 TEST_CASE("a body's properties can be used from its own pose on", "[bodies]") {
@@ -68,8 +69,8 @@ TEST_CASE("a body's properties can be used from its own pose on", "[bodies]") {
 TEST_CASE("only the root moves freely", "[bodies]") {
   CHECK(ReportBodies("- {name: a, joints: none}\n").empty());
   CHECK(ReportBodies("- {name: a, joints: free}\n") ==
-        Strings{"4:21 spec/bad-value: 'free' is not one of none or a list of joints (only the root "
-                "body may move freely: `joints:` of the object)"});
+        Strings{"4:21 spec/bad-value: 'free' is neither 'none' nor a list of joints (only the root "
+                "body may move freely: use `joints:` of the object)"});
 }
 
 TEST_CASE("contact: exclude takes pairs of names", "[bodies]") {
@@ -112,11 +113,11 @@ TEST_CASE("mjcf: takes sections, elements and attributes that MuJoCo knows", "[b
         Strings{"5:23 spec/missing-key: jointpos without a 'name'"});
   CHECK(report("contact: [{exclude: {body1: a, body2: t}}, {pair: {geom1: g, geom2: h, condim: "
                "{choice: [1, 3]}}}]") ==
-        Strings{"5:82 spec/unnamed-draw: a draw in an element 'pair' without a name (draws are "
+        Strings{"5:82 spec/unnamed-draw: a draw in a 'pair' element without a name (draws are "
                 "keyed by names; give it a 'name')"});
   CHECK(report("option: [1]") ==
-        Strings{"5:11 spec/wrong-type: expected a mapping of the attributes of 'option', got a "
+        Strings{"5:11 spec/wrong-type: expected a mapping with the attributes of 'option', got a "
                 "list"});
   CHECK(report("sensor: [{gyro: {name: a, site: s}, clock: {name: b}}]") ==
-        Strings{"5:39 spec/conflict: 'clock' beside 'gyro': one element an entry"});
+        Strings{"5:39 spec/conflict: 'clock' together with 'gyro': one element per entry"});
 }

@@ -30,24 +30,25 @@ TEST_CASE("checks: holds thresholds and what is silenced", "[checks]") {
 
 TEST_CASE("a threshold that is none, out of bounds or drawn is an error", "[checks]") {
   CHECK(ReportWithBox("checks: 3\n") ==
-        Strings{"4:9 spec/wrong-type: expected a mapping of checks, got a single value"});
+        Strings{"4:9 spec/wrong-type: expected a mapping with checks, got a single value"});
   CHECK(ReportWithBox("checks: {stabel: true}\n") ==
         Strings{"4:10 spec/unknown-key: unknown key 'stabel' in checks (did you mean 'stable'?)"});
   CHECK(ReportWithBox("checks: {settle_time: 0}\n").size() == 1);
   CHECK(ReportWithBox("checks: {sink: 1mm .. 2mm}\n") ==
-        Strings{"4:10 spec/bad-value: 'sink' is drawn, but a threshold is one value (draw it as a "
-                "parameter, and name that here)"});
+        Strings{"4:10 spec/bad-value: 'sink' is drawn, but a threshold must be a fixed value (draw "
+                "it as a parameter, and use that parameter's name here)"});
 }
 
 TEST_CASE("only findings about physics can be silenced, each with a reason", "[checks]") {
   CHECK(ReportWithBox("checks: {silence: {physics/thinn: x}}\n") ==
-        Strings{"4:20 spec/unknown-key: 'physics/thinn' is no finding of a physical check (did you "
-                "mean 'physics/thin'?)"});
+        Strings{
+            "4:20 spec/unknown-key: 'physics/thinn' is not a finding of a physical check (did you "
+            "mean 'physics/thin'?)"});
   CHECK(ReportWithBox("checks: {silence: {mujoco/error: x}}\n") ==
-        Strings{"4:20 spec/unknown-key: 'mujoco/error' is no finding of a physical check "
+        Strings{"4:20 spec/unknown-key: 'mujoco/error' is not a finding of a physical check "
                 "(docs/errors.md lists them: physics/...)"});
   CHECK(ReportWithBox("checks: {silence: {physics/thin: ''}}\n") ==
-        Strings{"4:34 spec/bad-value: no reason why 'physics/thin' does not matter"});
+        Strings{"4:34 spec/bad-value: no reason is given why 'physics/thin' does not matter"});
   CHECK(ReportWithBox("checks: {silence: [physics/thin]}\n").size() == 1);
 }
 
@@ -60,9 +61,10 @@ TEST_CASE("the setting root.joints takes the place of the joints of the root") {
   REQUIRE(loaded.spec);
   CHECK(loaded.spec->root_joints == mjforge::spec::RootJoints::kNone);
   CHECK(loaded.spec->joints.empty());
-  CHECK(Load(yaml, {{"root.joints", "fee"}}).Report() ==
-        Strings{"1:14 spec/bad-value: 'fee' is not one of free, none or a list of joints (did you "
-                "mean 'free'?)"});
+  CHECK(
+      Load(yaml, {{"root.joints", "fee"}}).Report() ==
+      Strings{"1:14 spec/bad-value: 'fee' is neither 'free', 'none' nor a list of joints (did you "
+              "mean 'free'?)"});
 }
 
 TEST_CASE("settings named checks.KEY take the place of a threshold", "[checks]") {

@@ -50,16 +50,18 @@ TEST_CASE("sizes are counted by type", "[entries]") {
 
 TEST_CASE("what is said twice is a conflict", "[entries]") {
   CHECK(ReportPart("{name: a, type: box, size: v, density: 1, mass: 1}") ==
-        Strings{"5:47 spec/conflict: 'mass' beside 'density': a mass is given one way"});
+        Strings{
+            "5:47 spec/conflict: 'mass' together with 'density': a mass is given in only one way"});
   CHECK(ReportPart("{name: a, type: box, size: v, quat: random, euler: [0, 0, 1]}") ==
-        Strings{"5:49 spec/conflict: 'euler' beside 'quat': an orientation is given one way"});
+        Strings{"5:49 spec/conflict: 'euler' together with 'quat': an orientation is given in only "
+                "one way"});
 }
 
 TEST_CASE("names are checked where they are literal", "[entries]") {
   const std::string hint = " (a letter, then letters, digits and underscores)";
   for (const std::string name : {"a/b", "..", "1a", "a b", "a-b"}) {
     CHECK(ReportPart("{name: '" + name + "', type: box, size: v}") ==
-          Strings{"5:12 spec/bad-name: part name '" + name + "' is not a name" + hint});
+          Strings{"5:12 spec/bad-name: part name '" + name + "' is not a valid name" + hint});
   }
 }
 
@@ -80,19 +82,17 @@ TEST_CASE("loop variables live in their entry only", "[entries]") {
   CHECK(ReportPart("{name: a, type: sphere, size: i}").at(0).find("5:35 expr/unknown-name") == 0);
   CHECK(ReportPart("{name: 'a_${n}', type: sphere, size: 1, for: {n: 2}}") ==
         Strings{"5:51 spec/duplicate-name: loop variable 'n' hides another name"});
-  CHECK(
-      ReportPart("{name: 'a_${i}', type: sphere, size: 1, for: {i: 1 .. 3}}") ==
-      Strings{"5:54 spec/conflict: a loop's count cannot be drawn here (draw it as a parameter and "
-              "name that)"});
+  CHECK(ReportPart("{name: 'a_${i}', type: sphere, size: 1, for: {i: 1 .. 3}}") ==
+        Strings{"5:54 spec/conflict: a loop's count cannot be drawn here (draw it as a parameter "
+                "and use that parameter's name)"});
 }
 
 TEST_CASE("a frame moves parts and nothing else", "[entries]") {
   CHECK(ReportPart("{frame: {pos: [0, 0, 1]}, parts: [{name: a, type: sphere, size: 1}]}") ==
         Strings{});
   CHECK(ReportPart("{frame: {pos: [0, 0, 1 .. 2]}, parts: []}") ==
-        Strings{
-            "5:5 spec/unnamed-draw: a frame whose pose is drawn needs a 'name' (draws are keyed by "
-            "names, so that moving an entry changes none)"});
+        Strings{"5:5 spec/unnamed-draw: a frame whose pose is drawn needs a 'name' (draws are "
+                "keyed by names, so moving an entry does not change them)"});
   CHECK(ReportPart("{frame: {pos: [0, 0, 1]}, size: 1}") ==
         Strings{"5:5 spec/missing-key: a frame without 'parts'",
                 "5:31 spec/conflict: 'size' has no meaning for a frame"});
@@ -100,10 +100,11 @@ TEST_CASE("a frame moves parts and nothing else", "[entries]") {
 
 TEST_CASE("joints are a word or a list", "[entries]") {
   CHECK(ReportWithBox("joints: none\n") == Strings{});
-  CHECK(ReportWithBox("joints: fre\n") ==
-        Strings{
-            "4:9 spec/bad-value: 'fre' is not one of free, none or a list of joints (did you mean "
-            "'free'?)"});
+  CHECK(
+      ReportWithBox("joints: fre\n") ==
+      Strings{
+          "4:9 spec/bad-value: 'fre' is neither 'free', 'none' nor a list of joints (did you mean "
+          "'free'?)"});
   CHECK(ReportWithBox("joints: [{name: h, type: hinge, axis: [0, 0, 1], range: [0, 90deg]}]\n") ==
         Strings{});
   CHECK(ReportWithBox("joints: [{type: hinge}]\n") ==

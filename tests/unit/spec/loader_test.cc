@@ -118,10 +118,9 @@ TEST_CASE("a spec that is not found names the nearest one", "[loader]") {
 TEST_CASE("a file of another version or shape is refused", "[loader]") {
   CHECK(Load("mjforge: 2\nname: t\nparts: []\n").Report() ==
         Strings{"1:10 spec/version: format version '2' is not known; this program reads 1"});
-  CHECK(Load("[1, 2]\n").Report() ==
-        Strings{
-            "1:1 spec/wrong-type: a spec is a mapping of keys, got a list (start with `mjforge: 1` "
-            "and a `name:`)"});
+  CHECK(Load("[1, 2]\n").Report() == Strings{"1:1 spec/wrong-type: a spec must be a mapping of "
+                                             "keys, got a list (start with `mjforge: 1` "
+                                             "and a `name:`)"});
   CHECK(Load("nam: t\n").Report() ==
         Strings{"1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)",
                 "1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",

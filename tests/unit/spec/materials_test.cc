@@ -15,10 +15,11 @@ TEST_CASE("a texture is builtin or a file", "[materials]") {
   CHECK(ReportWithBox("materials: {m: {texture: {type: cube}}}\n") ==
         Strings{"4:26 spec/missing-key: a texture needs 'builtin' or 'file'"});
   CHECK(ReportWithBox("materials: {m: {texture: {builtin: flat, file: a.png}}}\n") ==
-        Strings{"4:42 spec/conflict: 'file' beside 'builtin': a texture is given one way"});
-  CHECK(
-      ReportWithBox("materials: {m: {texture: wood.png}}\n") ==
-      Strings{"4:26 spec/wrong-type: expected a mapping of a texture's keys, got a single value"});
+        Strings{"4:42 spec/conflict: 'file' together with 'builtin': a texture is given in only "
+                "one way"});
+  CHECK(ReportWithBox("materials: {m: {texture: wood.png}}\n") ==
+        Strings{
+            "4:26 spec/wrong-type: expected a mapping with a texture's keys, got a single value"});
 }
 
 TEST_CASE("defaults give what entries leave out", "[materials]") {

@@ -43,7 +43,7 @@ TEST_CASE("a name of the expression language is no parameter's name", "[params]"
         "4:10 spec/bad-name: 'index' is a word of the expression language; a parameter needs "
         "another name");
   CHECK(report[2] ==
-        "4:28 spec/bad-name: parameter name '2x' is not a name (a letter, then letters, "
+        "4:28 spec/bad-name: parameter name '2x' is not a valid name (a letter, then letters, "
         "digits and underscores)");
 }
 

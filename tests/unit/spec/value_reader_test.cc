@@ -153,12 +153,14 @@ TEST_CASE("a distribution takes its own arguments and options", "[value]") {
   CHECK(ReportWithBox("params: {a: {uniform: [1, 2], clip: [1, 2]}}\n") ==
         Strings{"4:31 spec/unknown-key: unknown key 'clip' in a distribution"});
   CHECK(ReportWithBox("params: {a: {uniform: [1, 2], normal: [1, 2]}}\n") ==
-        Strings{"4:31 spec/conflict: 'normal' beside 'uniform': a value is drawn one way"});
+        Strings{"4:31 spec/conflict: 'normal' together with 'uniform': a value is drawn in only "
+                "one way"});
   CHECK(ReportWithBox("params: {a: {choice: [1, 2], weights: [1]}}\n") ==
         Strings{"4:39 spec/wrong-length: 'weights' has 1 numbers; it needs 2 (one weight for each "
                 "value)"});
   CHECK(ReportWithBox("params: {a: {choice: [1, box]}}\n") ==
-        Strings{"4:26 spec/wrong-type: the values to choose from differ in kind: number and text"});
+        Strings{"4:26 spec/wrong-type: the values to choose from are of different kinds: number "
+                "and text"});
 }
 
 TEST_CASE("an exact choice has weights that are constants", "[value]") {
@@ -178,8 +180,8 @@ TEST_CASE("'exact' is true or false and stands beside 'choice'", "[value]") {
   CHECK(ReportWithBox("params: {a: {choice: [1, 2], exact: maybe}}\n") ==
         Strings{"4:37 spec/wrong-type: expected true or false, got 'maybe'"});
   CHECK(ReportWithBox("params: {a: {cycle: [1, 2], exact: true}}\n") ==
-        Strings{"4:29 spec/unknown-key: unknown key 'exact' in a distribution ('exact' belongs "
-                "beside 'choice')"});
+        Strings{"4:29 spec/unknown-key: unknown key 'exact' in a distribution ('exact' is only "
+                "allowed with 'choice')"});
   CHECK(ReportWithBox("params: {a: {choice: [1, 2], exakt: true}}\n") ==
         Strings{"4:30 spec/unknown-key: unknown key 'exakt' in a distribution (did you mean "
                 "'exact'?)"});

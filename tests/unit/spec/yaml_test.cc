@@ -28,7 +28,7 @@ TEST_CASE("a text over the limit is refused unread", "[yaml]") {
 
 TEST_CASE("a duplicate key is reported at the second key, with the first", "[yaml]") {
   const Loaded loaded = LoadWithBox("name: again\n");
-  REQUIRE(loaded.Report() == Strings{"4:1 yaml/duplicate-key: key 'name' stands twice"});
+  REQUIRE(loaded.Report() == Strings{"4:1 yaml/duplicate-key: key 'name' appears twice"});
   CHECK(loaded.findings[0].notes.at(0).mark.line == 2);
   CHECK(loaded.spec == nullptr);
 }
@@ -47,7 +47,7 @@ TEST_CASE("ten thousand brackets are too deep, not a crash", "[yaml]") {
 
 TEST_CASE("an alias inside its own anchor is reported at the alias", "[yaml]") {
   CHECK(Load("a: &x [1, *x]\n").Report() ==
-        Strings{"1:11 yaml/alias: alias stands inside its own anchor"});
+        Strings{"1:11 yaml/alias: alias is inside its own anchor"});
 }
 
 TEST_CASE("an alias bomb is cut off", "[yaml]") {
@@ -81,12 +81,13 @@ TEST_CASE("a tag is reported, a leading '!' with its mending", "[yaml]") {
 
 TEST_CASE("a second document is refused", "[yaml]") {
   CHECK(Load("mjforge: 1\n---\nname: x\n").Report() ==
-        Strings{"1:1 yaml/syntax: file holds more than one document (write one spec a file)"});
+        Strings{"1:1 yaml/syntax: file holds more than one document (write one spec per file)"});
 }
 
 TEST_CASE("broken syntax is reported at its place", "[yaml]") {
   CHECK(Load("mjforge: 1\nparts: [1, 2\nname: x\n").Report().size() == 1);
-  CHECK(Load("a: b: c\n").Report() ==
-        Strings{"1:5 yaml/syntax: a colon where no key may stand (quote the text if it contains "
-                "': ')"});
+  CHECK(
+      Load("a: b: c\n").Report() ==
+      Strings{
+          "1:5 yaml/syntax: a colon where no key is allowed (quote the text if it contains ': ')"});
 }

@@ -52,8 +52,8 @@ model::Object TwoBalls(double distance) {
 TEST_CASE("two bodies that touch at the joints' zero are an error at the second") {
   const Verdict verdict = Validated(TwoBalls(0.0188));
   REQUIRE(Texts(verdict) ==
-          Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch at the "
-                  "joints' zero: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
+          Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
+                  "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
   const diag::Finding& finding = verdict.findings[0];
   CHECK(finding.severity == diag::Severity::kError);
   CHECK(finding.hint == "move them apart, or write `contact: {exclude: [[left, right]]}`");
@@ -79,8 +79,8 @@ TEST_CASE("a touch without depth is none, unless the spec wants it") {
   CHECK(Texts(Validated(object)).empty());
   object.checks.self_collision = 0;
   CHECK(Texts(Validated(object)) ==
-        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch at the "
-                "joints' zero: geoms 'block_left_ball' and 'block_right_ball', 0 mm deep"});
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
+                "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 0 mm deep"});
 }
 
 TEST_CASE("a depth below a hundredth of a millimetre, or below what the spec says, is none") {
@@ -108,8 +108,8 @@ TEST_CASE("a pair of bodies is reported once, by its deepest contact") {
                                                     33));
   hand_made::Weigh(object);
   CHECK(Texts(Validated(object)) ==
-        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch at the "
-                "joints' zero: geoms 'block_left_ball' and 'block_right_bump', 5 mm deep"});
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
+                "joints at zero: geoms 'block_left_ball' and 'block_right_bump', 5 mm deep"});
 }
 
 TEST_CASE("an excluded pair may touch") {
@@ -141,9 +141,9 @@ TEST_CASE("a child that touches its fixed parent is a warning: MuJoCo lets them 
   const Verdict verdict = Validated(object);
   CHECK(verdict.ok);
   REQUIRE(Texts(verdict) ==
-          Strings{"20: mujoco/self-collision: bodies 'block' and 'block_knob' touch at the joints' "
-                  "zero: geoms 'block_core' and 'block_knob_ball', 5 mm deep; MuJoCo lets parent "
-                  "and child collide as the parent is fixed"});
+          Strings{"20: mujoco/self-collision: bodies 'block' and 'block_knob' touch with all "
+                  "joints at zero: geoms 'block_core' and 'block_knob_ball', 5 mm deep; MuJoCo "
+                  "lets parent and child collide because the parent is fixed"});
   CHECK(verdict.findings[0].severity == diag::Severity::kWarning);
   CHECK(verdict.findings[0].hint ==
         "move them apart, or write `contact: {exclude: [[block, knob]]}`");
@@ -165,8 +165,8 @@ TEST_CASE("under a nameless body, a host's, only what is no parent and child cou
   AddBall(object, "tip", 2, {0, 0, -0.001}, "hinge", 30);
   const Verdict verdict = Validated(object);
   REQUIRE(Texts(verdict) ==
-          Strings{"30: mujoco/self-collision: bodies 'object' and 'tip' touch at the joints' zero: "
-                  "geoms 'block_core' and 'tip_ball', 6 mm deep"});
+          Strings{"30: mujoco/self-collision: bodies 'object' and 'tip' touch with all joints at "
+                  "zero: geoms 'block_core' and 'tip_ball', 6 mm deep"});
   CHECK(verdict.findings[0].hint ==
         "move them apart, or write `contact: {exclude: [[block, tip]]}`");
 }
@@ -176,8 +176,8 @@ TEST_CASE("the second of two bodies is the later one in the spec, whatever MuJoC
   // Depth first it comes before block_right.
   AddBall(object, "block_tip", 1, {0.085, 0, 0}, "hinge", 40);
   CHECK(Texts(Validated(object)) ==
-        Strings{"40: mujoco/self-collision: bodies 'block_right' and 'block_tip' touch at the "
-                "joints' zero: geoms 'block_right_ball' and 'block_tip_ball', 5 mm deep"});
+        Strings{"40: mujoco/self-collision: bodies 'block_right' and 'block_tip' touch with all "
+                "joints at zero: geoms 'block_right_ball' and 'block_tip_ball', 5 mm deep"});
 }
 
 TEST_CASE("the joints' zero is where the file has the bodies, whatever ref says") {
@@ -192,8 +192,8 @@ TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
   object.bodies[1].parts[0].attributes = {
       hand_made::Numbers("margin", spec::Applies::kCollision, {0.001})};
   CHECK(Texts(Validated(object)) ==
-        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch at the "
-                "joints' zero: geoms 'block_left_ball' and 'block_right_ball', 0.5 mm apart, "
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
+                "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 0.5 mm apart, "
                 "within the margin"});
   object.bodies[1].parts[0].attributes.push_back(
       hand_made::Numbers("gap", spec::Applies::kCollision, {0.001}));
@@ -216,7 +216,7 @@ TEST_CASE("of very many pairs the rest is counted, and room for contacts is no s
   CHECK(texts.front().find("110: mujoco/self-collision: bodies 'block_b0' and 'block_b1' touch") ==
         0);
   CHECK(texts.back() ==
-        "1: mujoco/self-collision: 730 more pairs of bodies touch at the joints' zero");
+        "1: mujoco/self-collision: 730 more pairs of bodies touch with all joints at zero");
 }
 
 TEST_CASE("one pair among a thousand bodies is found") {
@@ -239,8 +239,8 @@ TEST_CASE("one pair among a thousand bodies is found") {
   object.bodies[1].joints.emplace_back().name = "block_joint1";
   object.bodies[1].joints[0].type = "ball";
   CHECK(Texts(Validated(object)) ==
-        Strings{"1099: mujoco/self-collision: bodies 'block_b0' and 'block_b999' touch at the "
-                "joints' zero: geoms 'block_b0_ball' and 'block_b999_ball', 5 mm deep"});
+        Strings{"1099: mujoco/self-collision: bodies 'block_b0' and 'block_b999' touch with all "
+                "joints at zero: geoms 'block_b0_ball' and 'block_b999_ball', 5 mm deep"});
 }
 
 TEST_CASE("a distance is told in millimetres") {

@@ -235,9 +235,9 @@ TEST_CASE("an equality of something else is found") {
 
 TEST_CASE("another pair or exclude is found, whatever their order") {
   CHECK(After([](auto& o) { Of(o, "contact")[0].attributes[0].text = "x"; }) ==
-        Messages{"100: MuJoCo compiled no pair of 'x' and 'block_core'"});
+        Messages{"100: MuJoCo compiled no pair for 'x' and 'block_core'"});
   CHECK(After([](auto& o) { Of(o, "contact")[1].attributes[1].text = "x"; }) ==
-        Messages{"101: MuJoCo compiled no exclude of 'b' and 'x'"});
+        Messages{"101: MuJoCo compiled no exclude for 'b' and 'x'"});
   CHECK(After([](auto& o) { Of(o, "contact").pop_back(); }) ==
         Messages{"1: MuJoCo compiled 2 elements of exclude in contact, not 1"});
   CHECK(After([](auto& o) { std::swap(Of(o, "contact")[0], Of(o, "contact")[3]); }) == Messages{});

@@ -204,7 +204,7 @@ TEST_CASE("a line may be one of an included file") {
       << "<mujoco>\n<worldbody>\n<geom/>\n</worldbody></mujoco>";
   const Result result = LoadText(folder, "<mujoco>\n  <include file=\"bad.xml\"/>\n\n</mujoco>\n");
   REQUIRE(result.findings.size() == 1);
-  CHECK(result.findings[0].hint == "the line may be one of an included file");
+  CHECK(result.findings[0].hint == "the line may be in an included file");
 }
 
 TEST_CASE("numbers that are not finite are found in a file that MuJoCo takes") {
