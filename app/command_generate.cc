@@ -137,8 +137,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
           "MuJoCo's verdict");
   AddWord(command, "--on-invalid", options.on_invalid, Words(manifest::WordsOf(forge::OnInvalid())),
           "Invalid variants");
-  AddWord(command, "--sampler", options.sampler, Words(sample::MethodNames()),
-          "How draws are spread");
+  AddWord(command, "--sampler", options.sampler, Words(sample::MethodNames()), "Spread of draws");
   AddWholeNumber(command, "--batch", options.request.variant.batch,
                  "Variants the draws are spread over", 1)
       ->option_text("N [-n]");

@@ -30,7 +30,8 @@ TEST_CASE_METHOD(ReplayTest, "replay of a bundled spec works from any folder") {
   CHECK(command.Run().status == 0);
 }
 
-TEST_CASE_METHOD(ReplayTest, "--root takes the free joint away or gives one, and replay follows") {
+TEST_CASE_METHOD(ReplayTest,
+                 "the option --root removes the free joint or adds one, and replay follows") {
   REQUIRE(Run({"generate", "hammer", "-q", "--root", "none", "-o", "fixed"}).status == 0);
   CHECK(folder().Read("fixed/hammer_000000.xml").find("<joint") == std::string::npos);
   CHECK(Run({"replay", "fixed/manifest.jsonl:0"}).status == 0);

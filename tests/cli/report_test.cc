@@ -83,7 +83,7 @@ TEST_CASE_METHOD(ReportTest, "a report whose spec has changed shows what was dra
   CHECK(result.status == 0);
   CHECK(Has(result.err, "warning: spec 'crate.yaml' has changed since"));
   const std::string page = folder().Read("out/report.html");
-  CHECK(Has(page, "What was asked for is not known"));
+  CHECK(Has(page, "The expected values are unknown"));
   CHECK_FALSE(Has(page, "class=\"asked\""));
   folder().Write("old.yaml", kText);
   CHECK(Run({"report", "out/", "-q", "--spec", "old.yaml"}).err.empty());
@@ -99,7 +99,7 @@ TEST_CASE_METHOD(ReportTest, "a broken line is an error, and the page is made of
   CHECK(
       result.err.starts_with("out/manifest.jsonl:13:1: error: this line is not a record: it is "
                              "not a JSON object [output/bad-manifest]\n{\n^\n12 of 12 variants"));
-  CHECK(Has(folder().Read("out/report.html"), "1 line of the manifest is no record"));
+  CHECK(Has(folder().Read("out/report.html"), "1 line of the manifest is invalid and left out"));
 }
 
 TEST_CASE_METHOD(ReportTest, "an unfinished batch has a report of what is done") {

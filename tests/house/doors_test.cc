@@ -29,7 +29,7 @@ const std::array kRooms = {
     Room{"engine", {"diag"}},
     Room{"model", {"diag", "expr", "spec", "sample"}},
     Room{"mjcf", {"diag", "expr", "model"}},
-    Room{"compiled", {"model"}},
+    Room{"compiled", {"diag", "sample", "model"}},
     Room{"attach", {"diag", "expr", "spec", "sample", "model", "engine", "compiled"}},
     // expr: numbers in messages
     Room{"validate", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},

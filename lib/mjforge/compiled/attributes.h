@@ -12,6 +12,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/model/model.h"
+#include "mjforge/sample/sample.h"
 
 namespace mjforge::compiled {
 

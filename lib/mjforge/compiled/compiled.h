@@ -12,6 +12,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/compiled/attributes.h"
+#include "mjforge/diag/diag.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::compiled {

@@ -112,8 +112,7 @@ class Assembly {
   /// all joints at zero.
   Bounds BoundsFrom(std::size_t first) const;
   MassProperties MassFrom(std::size_t first) const;
-  /// A body with joints, or the root, that has no mass takes half the mass of the first body fixed
-  /// to it.
+  /// A body with joints that has no mass takes half the mass of the first body fixed to it.
   void ShareMass();
   void CheckMass();
 

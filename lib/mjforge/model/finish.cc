@@ -137,7 +137,8 @@ void Assembly::ShareMass() {
     movers[i] = movers[parent];
     X_MB[i] = X_MB[parent] * bodies[i].X_PB;
     Body& mover = bodies[movers[i]];
-    if (mover.mass_properties.mass > 0 || !(bodies[i].mass_properties.mass > 0)) continue;
+    if (mover.joints.empty() || mover.mass_properties.mass > 0) continue;
+    if (!(bodies[i].mass_properties.mass > 0)) continue;
     Scale(bodies[i].mass_properties, 0.5);
     mover.mass_properties = InFrame(X_MB[i], bodies[i].mass_properties);
     mover.explicit_inertial = bodies[i].explicit_inertial = true;

@@ -92,6 +92,23 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
   return value;
 }
 
+// `lost`: nothing in the mapping says what it is.
+void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
+                                   const std::vector<std::string_view>& known, bool lost) {
+  if (pair.key == "for" || pair.key == "if") {
+    findings_.Add(Code::kSpecUnknownKey, pair.mark,
+                  fmt::format("'{}' has no meaning within a value", pair.key),
+                  "it belongs to an entry of a list such as `parts:`; write out all numbers or "
+                  "points");
+    return;
+  }
+  std::string hint = pair.key == kExact ? "'exact' is only allowed with 'choice'"
+                                        : diag::DidYouMean(pair.key, known);
+  if (hint.empty() && lost) hint = KnownDistributions();
+  findings_.Add(Code::kSpecUnknownKey, pair.mark,
+                fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));
+}
+
 Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
                                std::span<const std::string_view> extra_keys) {
   const YamlNode::Pair* main = nullptr;
@@ -116,19 +133,7 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
     if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
-    if (pair.key == "for" || pair.key == "if") {
-      findings_.Add(Code::kSpecUnknownKey, pair.mark,
-                    fmt::format("'{}' has no meaning within a value", pair.key),
-                    "it belongs to an entry of a list such as `parts:`; write out all numbers or "
-                    "points");
-      return Harmless(node);
-    }
-    std::string hint = pair.key == kExact
-                           ? "'exact' is only allowed with 'choice'"
-                           : diag::DidYouMean(pair.key, KnownKeys(extra_keys, distribution));
-    if (hint.empty() && main == nullptr) hint = KnownDistributions();
-    findings_.Add(Code::kSpecUnknownKey, pair.mark,
-                  fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));
+    ReportUnknownKey(pair, KnownKeys(extra_keys, distribution), main == nullptr);
     if (main == nullptr) return Harmless(node);
   }
   if (main == nullptr)

@@ -66,6 +66,8 @@ class ValueReader {
   Value ReadAnyScalar(const YamlNode& node);
   Value ReadMapping(const Expected& expected, const YamlNode& node,
                     std::span<const std::string_view> extra_keys);
+  void ReportUnknownKey(const YamlNode::Pair& pair, const std::vector<std::string_view>& known,
+                        bool lost);
   Value ReadDraw(const DistributionInfo& info, const Expected& expected, const YamlNode& map);
   bool ReadArguments(const DistributionInfo& info, const YamlNode& node, Draw& draw);
   void ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw, Value& value);

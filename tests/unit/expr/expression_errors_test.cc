@@ -41,7 +41,8 @@ void CheckErrors(Code code, const std::vector<Case>& cases) {
   }
 }
 
-const std::string kSplitHint = "give a part of it a name: a parameter may be an expression";
+const std::string kSplitHint =
+    "move a part of it into a parameter: a parameter may be an expression";
 
 }  // namespace
 

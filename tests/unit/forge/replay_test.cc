@@ -111,7 +111,7 @@ TEST_CASE("a file that was changed differs at a line") {
   CHECK(test.findings[0].code == diag::Code::kOutputDiffers);
   CHECK(test.findings[0].mark.line == line);
   CHECK(test.findings[0].message.starts_with("line " + std::to_string(line) +
-                                             "  differs from the regenerated object: '<geom  "));
+                                             " differs from the regenerated object: '<geom "));
 }
 
 TEST_CASE("a file that is gone is compared by its hash") {

@@ -23,7 +23,7 @@ TEST_CASE("hosts tell geoms by their group, whatever the spec says of it") {
     object.bodies[1].parts[0].attributes = {Numbers("group", Applies::kVisual, {4})};
     CHECK(Adapted(object, target) ==
           Said{"3: " + std::string(target) +
-               " tells collision geoms (0) from visual ones (1) by the group: 'group' of base, "
+               " tells collision geoms (0) from visual ones (1) by their group: 'group' of base, "
                "plate is overridden"});
     const pugi::xml_document file = Written(object, target);
     const auto group = [&](const std::string& geom) {

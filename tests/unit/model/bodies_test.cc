@@ -139,7 +139,7 @@ TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deep
   CHECK(thing.raw_findings()[0].severity == diag::Severity::kWarning);
   CHECK(thing.findings()[0] ==
         "13:36 jointpos 'thing_left_lost' is left out: its joint 'swing' is gone: attaching spec "
-        "'arm' takes it away");
+        "'arm' removes it");
 }
 
 TEST_CASE("names that no element has are reported with the closest one") {

@@ -43,7 +43,7 @@ TEST_CASE_METHOD(PageTest, "a page says that its spec is gone and shows what was
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message == "cannot find the spec 'mug.yaml'");
   CHECK(findings[0].severity == diag::Severity::kWarning);
-  CHECK(Has(page, "What was asked for is not known"));
+  CHECK(Has(page, "The expected values are unknown"));
   CHECK(Has(page, "Histogram of 50 values from 0.1 to 0.19"));
   CHECK_FALSE(Has(page, "class=\"asked\""));
 }

@@ -35,7 +35,7 @@ TEST_CASE("a part needs a name, a type and what its type needs", "[entries]") {
   CHECK(ReportPart("{name: a, type: word, size: v}") ==
         Strings{
             "5:21 spec/bad-value: 'word' is not one of box, sphere, cylinder, capsule, ellipsoid, "
-            "prism, mesh (for the parameter's value write ${word})"});
+            "prism, mesh (to use the parameter's value, write ${word})"});
 }
 
 TEST_CASE("sizes are counted by type", "[entries]") {

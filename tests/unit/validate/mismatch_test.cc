@@ -135,9 +135,8 @@ TEST_CASE("a quaternion of the other sign is the same rotation") {
 TEST_CASE("another attribute of a geom is found where it applies") {
   CHECK(After([](auto& o) { Root(o).parts[0].attributes[0].numbers[1] = 0.02; }) ==
         Messages{"11: MuJoCo compiled friction 2 of geom 'mallet_handle' as 0.01, not 0.02"});
-  CHECK(
-      After([](auto& o) { Root(o).parts[0].attributes[1].numbers[0] = 0.7; }) ==
-      Messages{"11: MuJoCo compiled rgba 1 of geom 'mallet_handle_vis' as 0.6, not 0.7"});
+  CHECK(After([](auto& o) { Root(o).parts[0].attributes[1].numbers[0] = 0.7; }) ==
+        Messages{"11: MuJoCo compiled rgba 1 of geom 'mallet_handle_vis' as 0.6, not 0.7"});
   CHECK(After([](auto& o) { Root(o).parts[0].attributes[2].numbers[0] = 3; }) ==
         Messages{"11: MuJoCo compiled condim of geom 'mallet_handle' as 4, not 3"});
   CHECK(After([](auto& o) { Root(o).parts[0].attributes[3].numbers[0] = 2; }) ==
