@@ -99,7 +99,7 @@ TEST_CASE_METHOD(ReportTest, "a broken line is an error, and the page is made of
   CHECK(
       result.err.starts_with("out/manifest.jsonl:13:1: error: this line is not a record: it is "
                              "not a JSON object [output/bad-manifest]\n{\n^\n12 of 12 variants"));
-  CHECK(Has(folder().Read("out/report.html"), "1 line of the manifest is invalid and left out"));
+  CHECK(Has(folder().Read("out/report.html"), "1 line of the manifest is not a record."));
 }
 
 TEST_CASE_METHOD(ReportTest, "an unfinished batch has a report of what is done") {

@@ -70,9 +70,8 @@ void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,
         "has so far.");
   }
   if (bad_lines > 0) {
-    batch.notices.push_back(fmt::format("{} of the manifest {} invalid and {} left out.",
-                                        Counted(bad_lines, "line"), bad_lines == 1 ? "is" : "are",
-                                        bad_lines == 1 ? "is" : "are"));
+    batch.notices.push_back(fmt::format("{} of the manifest {}.", Counted(bad_lines, "line"),
+                                        bad_lines == 1 ? "is not a record" : "are not records"));
   }
   if (!gathered.other_batch.empty()) {
     const std::string message =
