@@ -78,9 +78,10 @@ std::vector<Path> PathsOf(const mjModel& m, int joint) {
     return {{joint, 0, range->limited, range->low - zero, range->high - zero}};
   }
   const double most = range->limited ? range->high : 0.9 * range->high;  // half a turn has no way
-  std::vector<Path> paths;
-  for (int axis = 0; axis < 3; ++axis) paths.push_back({joint, axis, range->limited, -most, most});
-  return paths;
+  const bool limited = range->limited;
+  return {{joint, 0, limited, -most, most},
+          {joint, 1, limited, -most, most},
+          {joint, 2, limited, -most, most}};
 }
 
 class Driver {

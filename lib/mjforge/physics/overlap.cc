@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mjforge/physics/solids.h"
+
 namespace mjforge::physics {
 namespace {
 
@@ -34,8 +36,7 @@ class PointsIn {
 Overlap FindOverlap(const std::vector<model::Part>& parts) {
   Overlap overlap;
   double most = 0;
-  std::vector<model::Box3> boxes;
-  for (const model::Part& solid : parts) boxes.push_back(model::BoundsOf(solid.shape, solid.X_BG));
+  const std::vector<model::Box3> boxes = BoxesOf(parts);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const model::Part& solid = parts[i];
     std::vector<std::size_t> others;

@@ -26,4 +26,11 @@ Solids SolidsOf(const model::Body& body) {
   return solids;
 }
 
+std::vector<model::Box3> BoxesOf(const std::vector<model::Part>& parts) {
+  std::vector<model::Box3> boxes;
+  boxes.reserve(parts.size());
+  for (const model::Part& part : parts) boxes.push_back(model::BoundsOf(part.shape, part.X_BG));
+  return boxes;
+}
+
 }  // namespace mjforge::physics

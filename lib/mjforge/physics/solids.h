@@ -18,6 +18,9 @@ struct Solids {
 
 Solids SolidsOf(const model::Body& body);
 
+/// The box around each part, in the body's frame.
+std::vector<model::Box3> BoxesOf(const std::vector<model::Part>& parts);
+
 }  // namespace mjforge::physics
 
 #endif  // MJFORGE_PHYSICS_SOLIDS_H_

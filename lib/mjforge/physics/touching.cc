@@ -7,6 +7,8 @@
 #include <numeric>
 #include <span>
 
+#include "mjforge/physics/solids.h"
+
 namespace mjforge::physics {
 namespace {
 
@@ -90,8 +92,7 @@ std::vector<std::vector<std::size_t>> Pieces(const std::vector<model::Part>& par
     while (leader[i] != i) i = leader[i] = leader[leader[i]];
     return i;
   };
-  std::vector<model::Box3> boxes;
-  for (const model::Part& part : parts) boxes.push_back(BoxOf(part));
+  const std::vector<model::Box3> boxes = BoxesOf(parts);
   for (std::size_t i = 1; i < count; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (find(i) != find(j) && Touch(parts[i], boxes[i], parts[j], boxes[j], gap))

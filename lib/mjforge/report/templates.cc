@@ -12,8 +12,6 @@
 namespace mjforge::report {
 
 extern const std::string_view kPageHtml;
-extern const std::string_view kPageCss;
-extern const std::string_view kPageJs;
 extern const std::string_view kCardHtml;
 extern const std::string_view kHistogramHtml;
 extern const std::string_view kBarsHtml;
