@@ -27,7 +27,8 @@ BENCHMARK(BM_LoadDefault)->Unit(benchmark::kMicrosecond);
 
 void BM_GenerateValidated(benchmark::State& state) {
   LoadedRecipe& hammer = Hammer();
-  forge::Generator generator(hammer.recipe, hammer.sources, {.seed = 7, .target = {}, .name = {}});
+  forge::Generator generator(hammer.recipe, hammer.sources,
+                             {.seed = 7, .target = {}, .name = {}, .folder = {}});
   forge::Variant variant;
   std::uint64_t index = 0;
   for (auto _ : state) {

@@ -21,7 +21,8 @@ BENCHMARK(BM_Parts)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 void BM_PartsValidated(benchmark::State& state) {
   LoadedRecipe row = Row(static_cast<int>(state.range(0)));
-  forge::Generator generator(row.recipe, row.sources, {.seed = 7, .target = {}, .name = {}});
+  forge::Generator generator(row.recipe, row.sources,
+                             {.seed = 7, .target = {}, .name = {}, .folder = {}});
   forge::Variant variant;
   std::uint64_t index = 0;
   for (auto _ : state) generator.Make(index++, variant);
