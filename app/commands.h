@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_COMMANDS_H_
-#define MJFORGE_APP_COMMANDS_H_
+#pragma once
 
 #include <functional>
 #include <utility>
@@ -33,5 +32,3 @@ Action AddSchema(CLI::App& command);
 std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, ReportOptions& report);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_COMMANDS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_CONSOLE_H_
-#define MJFORGE_APP_CONSOLE_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -72,5 +71,3 @@ bool IsTerminal();
 ExitStatus Print(std::string_view bytes);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_CONSOLE_H_

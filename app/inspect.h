@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_INSPECT_H_
-#define MJFORGE_APP_INSPECT_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -20,5 +19,3 @@ std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_INSPECT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_INSPECT_BATCH_H_
-#define MJFORGE_APP_INSPECT_BATCH_H_
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -18,5 +17,3 @@ std::optional<std::filesystem::path> FindManifest(const std::string& what);
 ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_INSPECT_BATCH_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_JSON_H_
-#define MJFORGE_APP_JSON_H_
+#pragma once
 
 #include <string>
 
@@ -31,5 +30,3 @@ class Json : public diag::Json {
 };
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_JSON_H_

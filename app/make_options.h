@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_MAKE_OPTIONS_H_
-#define MJFORGE_APP_MAKE_OPTIONS_H_
+#pragma once
 
 // -MD -MF -MT -MP, as compilers have them.
 
@@ -40,5 +39,3 @@ bool WriteDependencies(const MakeOptions& options, const output::Destination& de
                        const std::set<std::string>& files, bool absolute, diag::Findings& findings);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_MAKE_OPTIONS_H_

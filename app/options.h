@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_OPTIONS_H_
-#define MJFORGE_APP_OPTIONS_H_
+#pragma once
 
 // Options that several commands share.
 
@@ -79,5 +78,3 @@ CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& v
                      const std::vector<std::string>& words, const std::string& doc);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_OPTIONS_H_

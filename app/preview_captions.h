@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_PREVIEW_CAPTIONS_H_
-#define MJFORGE_APP_PREVIEW_CAPTIONS_H_
+#pragma once
 
 #include <span>
 #include <string>
@@ -17,5 +16,3 @@ std::vector<std::vector<std::string>> Captions(std::span<const manifest::Record>
                                                const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_PREVIEW_CAPTIONS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_PREVIEW_OPTIONS_H_
-#define MJFORGE_APP_PREVIEW_OPTIONS_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -38,5 +37,3 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options);
 bool Understand(PreviewOptions& options, std::string& why_not);
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_PREVIEW_OPTIONS_H_

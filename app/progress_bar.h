@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_PROGRESS_BAR_H_
-#define MJFORGE_APP_PROGRESS_BAR_H_
+#pragma once
 
 #include <chrono>
 
@@ -27,5 +26,3 @@ class ProgressBar {
 };
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_PROGRESS_BAR_H_

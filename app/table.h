@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_TABLE_H_
-#define MJFORGE_APP_TABLE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -22,5 +21,3 @@ class Table {
 };
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_TABLE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_THUMBNAILS_H_
-#define MJFORGE_APP_THUMBNAILS_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -47,5 +46,3 @@ class Thumbnails {
 };
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_THUMBNAILS_H_

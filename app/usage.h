@@ -1,5 +1,4 @@
-#ifndef MJFORGE_APP_USAGE_H_
-#define MJFORGE_APP_USAGE_H_
+#pragma once
 
 #include <string_view>
 
@@ -23,5 +22,3 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
 std::string VersionText();
 
 }  // namespace mjforge::app
-
-#endif  // MJFORGE_APP_USAGE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BENCH_BARE_LOAD_H_
-#define MJFORGE_BENCH_BARE_LOAD_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -33,5 +32,3 @@ class BareLoader {
 };
 
 }  // namespace mjforge::bench
-
-#endif  // MJFORGE_BENCH_BARE_LOAD_H_

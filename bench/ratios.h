@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BENCH_RATIOS_H_
-#define MJFORGE_BENCH_RATIOS_H_
+#pragma once
 
 #include <map>
 #include <string>
@@ -21,5 +20,3 @@ class RatioReporter : public benchmark::ConsoleReporter {
 };
 
 }  // namespace mjforge::bench
-
-#endif  // MJFORGE_BENCH_RATIOS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BENCH_RECIPES_H_
-#define MJFORGE_BENCH_RECIPES_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -31,5 +30,3 @@ void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uin
               mjcf::MjcfDocument& document);
 
 }  // namespace mjforge::bench
-
-#endif  // MJFORGE_BENCH_RECIPES_H_

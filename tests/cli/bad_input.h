@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_CLI_BAD_INPUT_H_
-#define MJFORGE_TESTS_CLI_BAD_INPUT_H_
+#pragma once
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -44,5 +43,3 @@ class BadInputTest : public harness::ProgramTest {
 };
 
 }  // namespace mjforge
-
-#endif  // MJFORGE_TESTS_CLI_BAD_INPUT_H_

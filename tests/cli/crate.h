@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_CLI_CRATE_H_
-#define MJFORGE_TESTS_CLI_CRATE_H_
+#pragma once
 
 #include "harness/command.h"
 
@@ -33,5 +32,3 @@ class UnluckyCrateTest : public harness::ProgramTest {
 };
 
 }  // namespace mjforge
-
-#endif  // MJFORGE_TESTS_CLI_CRATE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_DOCS_PAGE_H_
-#define MJFORGE_TESTS_DOCS_PAGE_H_
+#pragma once
 
 #include <filesystem>
 #include <map>
@@ -33,5 +32,3 @@ std::vector<std::string> ReadAnchors(const std::filesystem::path& page);
 bool Fits(const std::string& output, const std::string& expected);
 
 }  // namespace mjforge::docs
-
-#endif  // MJFORGE_TESTS_DOCS_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_GOLDEN_GOLDEN_CASE_H_
-#define MJFORGE_TESTS_GOLDEN_GOLDEN_CASE_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -30,5 +29,3 @@ std::vector<GoldenCase> FindCases(const std::string& kind, const std::string& de
 void CheckCase(const GoldenCase& golden);
 
 }  // namespace mjforge::golden
-
-#endif  // MJFORGE_TESTS_GOLDEN_GOLDEN_CASE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_GOLDEN_SHELL_H_
-#define MJFORGE_TESTS_GOLDEN_SHELL_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -18,5 +17,3 @@ harness::CommandResult RunLine(const std::string& line, const std::filesystem::p
 std::string WithoutTimes(const std::string& text);
 
 }  // namespace mjforge::golden
-
-#endif  // MJFORGE_TESTS_GOLDEN_SHELL_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_HARNESS_COMMAND_H_
-#define MJFORGE_TESTS_HARNESS_COMMAND_H_
+#pragma once
 
 #include <chrono>
 #include <filesystem>
@@ -50,5 +49,3 @@ class ProgramTest {
 };
 
 }  // namespace mjforge::harness
-
-#endif  // MJFORGE_TESTS_HARNESS_COMMAND_H_

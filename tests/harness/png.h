@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_HARNESS_PNG_H_
-#define MJFORGE_TESTS_HARNESS_PNG_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -31,5 +30,3 @@ std::vector<std::string> PngChunks(std::string_view bytes);
 std::string PngText(std::string_view bytes, std::string_view key);
 
 }  // namespace mjforge::harness
-
-#endif  // MJFORGE_TESTS_HARNESS_PNG_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_HARNESS_SOURCE_FOLDER_H_
-#define MJFORGE_TESTS_HARNESS_SOURCE_FOLDER_H_
+#pragma once
 
 #include <filesystem>
 
@@ -9,5 +8,3 @@ namespace mjforge::harness {
 std::filesystem::path SourceFolder();
 
 }  // namespace mjforge::harness
-
-#endif  // MJFORGE_TESTS_HARNESS_SOURCE_FOLDER_H_

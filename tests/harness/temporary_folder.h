@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_HARNESS_TEMPORARY_FOLDER_H_
-#define MJFORGE_TESTS_HARNESS_TEMPORARY_FOLDER_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -35,5 +34,3 @@ class TemporaryFolder {
 std::string ReadFile(const std::filesystem::path& path);
 
 }  // namespace mjforge::harness
-
-#endif  // MJFORGE_TESTS_HARNESS_TEMPORARY_FOLDER_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_HOUSE_PROJECT_FILES_H_
-#define MJFORGE_TESTS_HOUSE_PROJECT_FILES_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -21,5 +20,3 @@ std::vector<ProjectFile> CppFiles(std::string_view folder);
 std::vector<std::string_view> Lines(std::string_view text);
 
 }  // namespace mjforge::house
-
-#endif  // MJFORGE_TESTS_HOUSE_PROJECT_FILES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_MAKE_CASES_H_
-#define MJFORGE_TESTS_MAKE_CASES_H_
+#pragma once
 
 #include <array>
 #include <set>
@@ -28,5 +27,3 @@ inline const std::array<Dependents, 7> kDependents = {{
 }};
 
 }  // namespace mjforge::make
-
-#endif  // MJFORGE_TESTS_MAKE_CASES_H_

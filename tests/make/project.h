@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_MAKE_PROJECT_H_
-#define MJFORGE_TESTS_MAKE_PROJECT_H_
+#pragma once
 
 #include <filesystem>
 #include <set>
@@ -42,5 +41,3 @@ class Project {
 };
 
 }  // namespace mjforge::make
-
-#endif  // MJFORGE_TESTS_MAKE_PROJECT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PARITY_CASES_H_
-#define MJFORGE_TESTS_PARITY_CASES_H_
+#pragma once
 
 #include <span>
 #include <string>
@@ -23,5 +22,3 @@ std::span<const Case> Cases();
 std::string SpecPath(const Case& one);
 
 }  // namespace mjforge::parity
-
-#endif  // MJFORGE_TESTS_PARITY_CASES_H_

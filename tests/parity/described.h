@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PARITY_DESCRIBED_H_
-#define MJFORGE_TESTS_PARITY_DESCRIBED_H_
+#pragma once
 
 // An object as both sides of the comparison see it: named elements with numbers
 // and words, MuJoCo's defaults filled in.
@@ -49,5 +48,3 @@ inline const Numbers kGeomColor = {0.5, 0.5, 0.5, 1};
 bool Close(std::string_view field, const Numbers& a, const Numbers& b);
 
 }  // namespace mjforge::parity
-
-#endif  // MJFORGE_TESTS_PARITY_DESCRIBED_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PARITY_DIFFERENCES_H_
-#define MJFORGE_TESTS_PARITY_DIFFERENCES_H_
+#pragma once
 
 // Where our objects are not robosuite's: each place, what is right and why.
 
@@ -43,5 +42,3 @@ struct Added {
 std::span<const Added> AddedElements();
 
 }  // namespace mjforge::parity
-
-#endif  // MJFORGE_TESTS_PARITY_DIFFERENCES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PARITY_OUR_OBJECT_H_
-#define MJFORGE_TESTS_PARITY_OUR_OBJECT_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -21,5 +20,3 @@ OurObject MakeObject(const std::string& spec, const std::string& name,
                      const std::vector<spec::Setting>& settings);
 
 }  // namespace mjforge::parity
-
-#endif  // MJFORGE_TESTS_PARITY_OUR_OBJECT_H_

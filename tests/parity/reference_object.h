@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PARITY_REFERENCE_OBJECT_H_
-#define MJFORGE_TESTS_PARITY_REFERENCE_OBJECT_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -28,5 +27,3 @@ nlohmann::json ReadReference(std::string_view name);
 Described DescribeReference(const nlohmann::json& reference);
 
 }  // namespace mjforge::parity
-
-#endif  // MJFORGE_TESTS_PARITY_REFERENCE_OBJECT_H_

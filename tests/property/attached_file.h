@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PROPERTY_ATTACHED_FILE_H_
-#define MJFORGE_TESTS_PROPERTY_ATTACHED_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -42,5 +41,3 @@ class AttachedFile {
 int CompareAttached(const mjModel& own, int body, const mjModel& object);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_TESTS_PROPERTY_ATTACHED_FILE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_STATS_GOODNESS_H_
-#define MJFORGE_TESTS_STATS_GOODNESS_H_
+#pragma once
 
 // How well a sample fits a distribution. With fixed seeds each test gives the
 // same probability every time; 0.001 is the level at which it fails.
@@ -27,5 +26,3 @@ Moments MomentsOf(std::span<const double> sample);
 
 /// Pearson's correlation of two samples of one size.
 double Correlation(std::span<const double> a, std::span<const double> b);
-
-#endif  // MJFORGE_TESTS_STATS_GOODNESS_H_

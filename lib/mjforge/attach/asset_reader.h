@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_ASSET_READER_H_
-#define MJFORGE_ATTACH_ASSET_READER_H_
+#pragma once
 
 #include <map>
 #include <string>
@@ -40,5 +39,3 @@ class AssetReader {
 };
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_ASSET_READER_H_

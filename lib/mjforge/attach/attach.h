@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_ATTACH_H_
-#define MJFORGE_ATTACH_ATTACH_H_
+#pragma once
 
 // An MJCF file -> the bodies, assets and sections that attaching one of its bodies brings. All
 // numbers come from MuJoCo; the XML says which elements there are and where.
@@ -32,5 +31,3 @@ class MjcfReader : public model::AttachmentSource {
 };
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_ATTACH_H_

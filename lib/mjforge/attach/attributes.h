@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_ATTRIBUTES_H_
-#define MJFORGE_ATTACH_ATTRIBUTES_H_
+#pragma once
 
 #include <initializer_list>
 #include <span>
@@ -46,5 +45,3 @@ class Attributes {
 std::vector<double> ParseNumbers(std::string_view text);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_ATTRIBUTES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_BODY_READER_H_
-#define MJFORGE_ATTACH_BODY_READER_H_
+#pragma once
 
 #include "mjforge/attach/asset_reader.h"
 #include "mjforge/attach/compiled_file.h"
@@ -12,5 +11,3 @@ void ReadBodies(const CompiledFile& file, Taken& taken, AssetReader& assets, mod
                 diag::Findings& findings);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_BODY_READER_H_

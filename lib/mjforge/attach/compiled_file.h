@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_COMPILED_FILE_H_
-#define MJFORGE_ATTACH_COMPILED_FILE_H_
+#pragma once
 
 #include <map>
 #include <optional>
@@ -60,5 +59,3 @@ class CompiledFile {
 std::string KindName(mjtObj kind);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_COMPILED_FILE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_FINITE_H_
-#define MJFORGE_ATTACH_FINITE_H_
+#pragma once
 
 #include <filesystem>
 
@@ -12,5 +11,3 @@ void CheckFinite(const model::Attachment& attachment, const std::filesystem::pat
                  diag::Findings& findings);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_FINITE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_FLAT_TEXT_H_
-#define MJFORGE_ATTACH_FLAT_TEXT_H_
+#pragma once
 
 #include <filesystem>
 #include <map>
@@ -36,5 +35,3 @@ FileNames ResolveFiles(XmlElement& root, const std::filesystem::path& folder,
 std::string FileStem(const std::string& file);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_FLAT_TEXT_H_

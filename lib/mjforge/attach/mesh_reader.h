@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_MESH_READER_H_
-#define MJFORGE_ATTACH_MESH_READER_H_
+#pragma once
 
 #include <map>
 #include <string>
@@ -33,5 +32,3 @@ class MeshReader {
 };
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_MESH_READER_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_MUJOCO_NUMBERS_H_
-#define MJFORGE_ATTACH_MUJOCO_NUMBERS_H_
+#pragma once
 
 // Numbers out of mjModel's arrays.
 
@@ -15,5 +14,3 @@ std::span<const T> Row(const T* array, int id, int count) {
 }
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_MUJOCO_NUMBERS_H_

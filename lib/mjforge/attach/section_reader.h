@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_SECTION_READER_H_
-#define MJFORGE_ATTACH_SECTION_READER_H_
+#pragma once
 
 #include <initializer_list>
 #include <set>
@@ -67,5 +66,3 @@ void ReadActuators(SectionReader& sections);
 void ReadSensors(SectionReader& sections);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_SECTION_READER_H_

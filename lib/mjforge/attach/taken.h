@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_TAKEN_H_
-#define MJFORGE_ATTACH_TAKEN_H_
+#pragma once
 
 #include <map>
 #include <set>
@@ -61,5 +60,3 @@ class Taken {
 std::string MakeName(std::string_view name);
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_TAKEN_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ATTACH_XML_TREE_H_
-#define MJFORGE_ATTACH_XML_TREE_H_
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -46,5 +45,3 @@ diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::Sourc
                           std::string message, std::string hint = {});
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_ATTACH_XML_TREE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_BATCH_H_
-#define MJFORGE_BATCH_BATCH_H_
+#pragma once
 
 // Many variants: made by worker processes, put in index order, resumed after a crash, split over
 // machines and joined again. None of this changes the bytes of any file.
@@ -96,5 +95,3 @@ std::optional<std::uint64_t> Merge(const output::Destination& destination, diag:
                                    diag::Findings& findings);
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_BATCH_H_

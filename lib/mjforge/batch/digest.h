@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_DIGEST_H_
-#define MJFORGE_BATCH_DIGEST_H_
+#pragma once
 
 #include <cstdint>
 #include <map>
@@ -48,5 +47,3 @@ class Digest {
 };
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_DIGEST_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_MESSAGE_H_
-#define MJFORGE_BATCH_MESSAGE_H_
+#pragma once
 
 // What the batch's process and its workers say to each other.
 
@@ -65,5 +64,3 @@ Task DecodeTask(std::string_view bytes);
 Result DecodeResult(std::string_view bytes);
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_MESSAGE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_POOL_H_
-#define MJFORGE_BATCH_POOL_H_
+#pragma once
 
 #include <atomic>
 #include <chrono>
@@ -84,5 +83,3 @@ class Pool {
 };
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_POOL_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_SCHEDULE_H_
-#define MJFORGE_BATCH_SCHEDULE_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -32,5 +31,3 @@ class Schedule {
 };
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_SCHEDULE_H_

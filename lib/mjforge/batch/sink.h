@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_SINK_H_
-#define MJFORGE_BATCH_SINK_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -67,5 +66,3 @@ std::unique_ptr<Sink> MakeArchiveSink(const SinkOptions& options);
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_SINK_H_

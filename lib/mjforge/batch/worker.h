@@ -1,5 +1,4 @@
-#ifndef MJFORGE_BATCH_WORKER_H_
-#define MJFORGE_BATCH_WORKER_H_
+#pragma once
 
 #include "mjforge/batch/batch.h"
 #include "mjforge/batch/pool.h"
@@ -16,5 +15,3 @@ Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request
               const output::Overwrite& overwrite, bool watched);
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_BATCH_WORKER_H_

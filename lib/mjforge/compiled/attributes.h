@@ -1,5 +1,4 @@
-#ifndef MJFORGE_COMPILED_ATTRIBUTES_H_
-#define MJFORGE_COMPILED_ATTRIBUTES_H_
+#pragma once
 
 // MJCF's attributes and where mjModel keeps them: one table for who reads a compiled model and for
 // who compares it.
@@ -80,5 +79,3 @@ struct Wrap {
 Wrap WrapAt(const mjModel& m, int wrap);
 
 }  // namespace mjforge::compiled
-
-#endif  // MJFORGE_COMPILED_ATTRIBUTES_H_

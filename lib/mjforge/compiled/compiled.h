@@ -1,5 +1,4 @@
-#ifndef MJFORGE_COMPILED_COMPILED_H_
-#define MJFORGE_COMPILED_COMPILED_H_
+#pragma once
 
 // What MuJoCo compiled, as types of `model`.
 
@@ -89,5 +88,3 @@ enum class Nameless { kEmpty, kNumbered };  // "", or what NameOf() says
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless);
 
 }  // namespace mjforge::compiled
-
-#endif  // MJFORGE_COMPILED_COMPILED_H_

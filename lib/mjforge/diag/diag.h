@@ -1,5 +1,4 @@
-#ifndef MJFORGE_DIAG_DIAG_H_
-#define MJFORGE_DIAG_DIAG_H_
+#pragma once
 
 // Findings: what is wrong, where the user can fix it, what was probably meant. Stages add findings
 // to a list and continue; nothing here prints or exits.
@@ -116,5 +115,3 @@ std::optional<std::string_view> ClosestWord(std::string_view word,
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace mjforge::diag
-
-#endif  // MJFORGE_DIAG_DIAG_H_

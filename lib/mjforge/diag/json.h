@@ -1,5 +1,4 @@
-#ifndef MJFORGE_DIAG_JSON_H_
-#define MJFORGE_DIAG_JSON_H_
+#pragma once
 
 #include <cmath>
 #include <concepts>
@@ -84,5 +83,3 @@ class Json {
 };
 
 }  // namespace mjforge::diag
-
-#endif  // MJFORGE_DIAG_JSON_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_DIAG_UTF8_H_
-#define MJFORGE_DIAG_UTF8_H_
+#pragma once
 
 // Private to the room: makes text of unknown origin safe to show.
 
@@ -32,5 +31,3 @@ Cell SafeCell(std::string_view text, Utf8Char character);
 std::string ValidUtf8(std::string_view text);
 
 }  // namespace mjforge::diag
-
-#endif  // MJFORGE_DIAG_UTF8_H_

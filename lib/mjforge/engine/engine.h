@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ENGINE_ENGINE_H_
-#define MJFORGE_ENGINE_ENGINE_H_
+#pragma once
 
 // MuJoCo's loader without side effects: it does not exit, print, or write a log.
 
@@ -72,5 +71,3 @@ class Engine {
 };
 
 }  // namespace mjforge::engine
-
-#endif  // MJFORGE_ENGINE_ENGINE_H_

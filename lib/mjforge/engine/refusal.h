@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ENGINE_REFUSAL_H_
-#define MJFORGE_ENGINE_REFUSAL_H_
+#pragma once
 
 // MuJoCo's error texts, taken apart.
 
@@ -22,5 +21,3 @@ std::string OneLine(std::string_view text);
 std::string ElementOnLine(std::string_view xml, int line);
 
 }  // namespace mjforge::engine
-
-#endif  // MJFORGE_ENGINE_REFUSAL_H_

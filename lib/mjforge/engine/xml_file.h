@@ -1,5 +1,4 @@
-#ifndef MJFORGE_ENGINE_XML_FILE_H_
-#define MJFORGE_ENGINE_XML_FILE_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -48,5 +47,3 @@ diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std:
 diag::SourceMark MarkOfLine(const diag::Sources& sources, std::uint32_t source, int line);
 
 }  // namespace mjforge::engine
-
-#endif  // MJFORGE_ENGINE_XML_FILE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_COMPLAINTS_H_
-#define MJFORGE_EXPR_COMPLAINTS_H_
+#pragma once
 
 // Private to the room: the messages about words that do not fit.
 
@@ -38,5 +37,3 @@ Error TooLong(std::size_t bytes, std::size_t limit);
 Error TooDeep(const Word& word, int limit);
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_COMPLAINTS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_EXPR_H_
-#define MJFORGE_EXPR_EXPR_H_
+#pragma once
 
 // The little language of numbers: how they are read, written and computed.
 // Nothing here depends on the locale.
@@ -146,5 +145,3 @@ struct Unit {
 std::span<const Unit> Units();
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_EXPR_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_FORMULA_H_
-#define MJFORGE_EXPR_FORMULA_H_
+#pragma once
 
 // Private to the room: an expression translated for muParser.
 
@@ -33,5 +32,3 @@ struct Formula {
 };
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_FORMULA_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_FUNCTIONS_H_
-#define MJFORGE_EXPR_FUNCTIONS_H_
+#pragma once
 
 // Private to the room: what the functions of the language compute.
 
@@ -41,5 +40,3 @@ double Remainder(double a, double b);
 std::string_view UsageOf(std::string_view function);
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_FUNCTIONS_H_

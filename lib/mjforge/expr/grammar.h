@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_GRAMMAR_H_
-#define MJFORGE_EXPR_GRAMMAR_H_
+#pragma once
 
 // Private to the room.
 
@@ -14,5 +13,3 @@ namespace mjforge::expr {
 bool ParseFormula(std::string_view text, const Names& names, Formula& formula, Error& error);
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_GRAMMAR_H_

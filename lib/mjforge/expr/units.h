@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_UNITS_H_
-#define MJFORGE_EXPR_UNITS_H_
+#pragma once
 
 // Private to the room.
 
@@ -12,5 +11,3 @@ namespace mjforge::expr {
 std::optional<double> InSi(double value, std::string_view unit);
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_UNITS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_EXPR_WORDS_H_
-#define MJFORGE_EXPR_WORDS_H_
+#pragma once
 
 // Private to the room: an expression's text split into words.
 
@@ -30,5 +29,3 @@ struct Word {
 bool SplitWords(std::string_view text, std::vector<Word>& words, Error& error);
 
 }  // namespace mjforge::expr
-
-#endif  // MJFORGE_EXPR_WORDS_H_

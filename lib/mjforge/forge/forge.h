@@ -1,5 +1,4 @@
-#ifndef MJFORGE_FORGE_FORGE_H_
-#define MJFORGE_FORGE_FORGE_H_
+#pragma once
 
 // The rooms in order: spec -> values -> object -> MJCF -> MuJoCo -> files. The
 // only header that most callers need:
@@ -170,5 +169,3 @@ struct ReplayRequest {
 bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings& findings);
 
 }  // namespace mjforge::forge
-
-#endif  // MJFORGE_FORGE_FORGE_H_

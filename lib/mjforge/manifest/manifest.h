@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MANIFEST_MANIFEST_H_
-#define MJFORGE_MANIFEST_MANIFEST_H_
+#pragma once
 
 // What is known of each variant of a batch, one line of JSON per variant.
 
@@ -149,5 +148,3 @@ std::string DifferenceOfBatch(const Record& record, const Record& other);
 std::string ManifestSchema();
 
 }  // namespace mjforge::manifest
-
-#endif  // MJFORGE_MANIFEST_MANIFEST_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MANIFEST_RECORD_FIELDS_H_
-#define MJFORGE_MANIFEST_RECORD_FIELDS_H_
+#pragma once
 
 // The one table of a record's fields: writer, reader, schema and comparison follow it.
 
@@ -28,5 +27,3 @@ struct RecordField {
 std::span<const RecordField> RecordFields();
 
 }  // namespace mjforge::manifest
-
-#endif  // MJFORGE_MANIFEST_RECORD_FIELDS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MANIFEST_RECORD_VALUES_H_
-#define MJFORGE_MANIFEST_RECORD_VALUES_H_
+#pragma once
 
 // The values of a record's fields, to JSON and back.
 
@@ -143,5 +142,3 @@ inline Kind Get(const rapidjson::Value& value, model::Box3& box) {
 }
 
 }  // namespace mjforge::manifest
-
-#endif  // MJFORGE_MANIFEST_RECORD_VALUES_H_

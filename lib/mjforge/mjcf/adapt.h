@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MJCF_ADAPT_H_
-#define MJFORGE_MJCF_ADAPT_H_
+#pragma once
 
 // The steps of fitting an object to its target. Each reads its own columns of the target's row and
 // does nothing if they require nothing.
@@ -38,5 +37,3 @@ void AdaptShapes(model::Object& object, const TargetRules& rules, diag::Findings
 void AdaptSections(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 }  // namespace mjforge::mjcf
-
-#endif  // MJFORGE_MJCF_ADAPT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MJCF_ELEMENT_WRITER_H_
-#define MJFORGE_MJCF_ELEMENT_WRITER_H_
+#pragma once
 
 // Streams XML elements into a string: one element per line, indented by two spaces per level up to
 // a maximum depth. Written by hand because writing is the hot path of a batch (a DOM costs twice as
@@ -68,5 +67,3 @@ class ElementWriter {
 };
 
 }  // namespace mjforge::mjcf
-
-#endif  // MJFORGE_MJCF_ELEMENT_WRITER_H_

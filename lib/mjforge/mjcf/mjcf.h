@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MJCF_MJCF_H_
-#define MJFORGE_MJCF_MJCF_H_
+#pragma once
 
 // Object -> MJCF text that MuJoCo 2.2 to 3.x load with the same masses.
 
@@ -74,5 +73,3 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
                MjcfDocument& document);
 
 }  // namespace mjforge::mjcf
-
-#endif  // MJFORGE_MJCF_MJCF_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MJCF_PROVENANCE_H_
-#define MJFORGE_MJCF_PROVENANCE_H_
+#pragma once
 
 #include <string>
 
@@ -11,5 +10,3 @@ namespace mjforge::mjcf {
 void AppendProvenance(const Provenance& provenance, std::string& out);
 
 }  // namespace mjforge::mjcf
-
-#endif  // MJFORGE_MJCF_PROVENANCE_H_

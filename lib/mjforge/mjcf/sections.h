@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MJCF_SECTIONS_H_
-#define MJFORGE_MJCF_SECTIONS_H_
+#pragma once
 
 // The pieces of a file, in the order WriteMjcf puts them together.
 
@@ -45,5 +44,3 @@ void WriteSceneAssets(ElementWriter& writer);
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer);
 
 }  // namespace mjforge::mjcf
-
-#endif  // MJFORGE_MJCF_SECTIONS_H_

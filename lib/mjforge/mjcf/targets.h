@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MJCF_TARGETS_H_
-#define MJFORGE_MJCF_TARGETS_H_
+#pragma once
 
 // Who reads the files, and what that reader adds, needs and refuses.
 
@@ -77,5 +76,3 @@ const TargetRules& RulesOf(Target target);
 std::optional<Target> FindTarget(std::string_view name);
 
 }  // namespace mjforge::mjcf
-
-#endif  // MJFORGE_MJCF_TARGETS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_ASSEMBLY_H_
-#define MJFORGE_MODEL_ASSEMBLY_H_
+#pragma once
 
 // One object in the making.
 
@@ -179,5 +178,3 @@ Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
 bool HasErrorsSince(const diag::Findings& findings, std::size_t first);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_ASSEMBLY_H_

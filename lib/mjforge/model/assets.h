@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_ASSETS_H_
-#define MJFORGE_MODEL_ASSETS_H_
+#pragma once
 
 #include <map>
 #include <memory_resource>
@@ -74,5 +73,3 @@ class Assets {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_ASSETS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_ATTACHMENT_H_
-#define MJFORGE_MODEL_ATTACHMENT_H_
+#pragma once
 
 // What an MJCF file brings into an object, and the interface to its reader.
 
@@ -42,5 +41,3 @@ class AttachmentSource {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_ATTACHMENT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_CHECKS_H_
-#define MJFORGE_MODEL_CHECKS_H_
+#pragma once
 
 // What an object must do and be, besides loading in MuJoCo: `checks:` of its spec.
 
@@ -44,5 +43,3 @@ struct Checks {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_CHECKS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_FIELD_READER_H_
-#define MJFORGE_MODEL_FIELD_READER_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -70,5 +69,3 @@ class FieldReader {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_FIELD_READER_H_

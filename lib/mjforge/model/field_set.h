@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_FIELD_SET_H_
-#define MJFORGE_MODEL_FIELD_SET_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -53,5 +52,3 @@ class FieldSet {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_FIELD_SET_H_

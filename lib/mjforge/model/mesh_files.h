@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_MESH_FILES_H_
-#define MJFORGE_MODEL_MESH_FILES_H_
+#pragma once
 
 // The content of mesh files, unscaled.
 
@@ -30,5 +29,3 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
 TriangleMesh Scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_MESH_FILES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_MESHES_H_
-#define MJFORGE_MODEL_MESHES_H_
+#pragma once
 
 // Triangle meshes: read from OBJ and STL, made from a convex polygon.
 
@@ -38,5 +37,3 @@ std::optional<TriangleMesh> ReadMesh(const std::filesystem::path& file,
 std::optional<std::string> WhyNotSolid(const TriangleMesh& mesh);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_MESHES_H_

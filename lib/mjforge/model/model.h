@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_MODEL_H_
-#define MJFORGE_MODEL_MODEL_H_
+#pragma once
 
 // ObjectSpec + drawn values -> Object: bodies, parts, poses and masses, as numbers only. Checks
 // everything that MuJoCo would not notice or would not explain.
@@ -67,5 +66,3 @@ class Assembler {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_MODEL_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_NAMES_H_
-#define MJFORGE_MODEL_NAMES_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -21,5 +20,3 @@ std::string Quoted(std::string_view text);
 void CheckUniqueNames(const Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_NAMES_H_

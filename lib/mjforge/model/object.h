@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_OBJECT_H_
-#define MJFORGE_MODEL_OBJECT_H_
+#pragma once
 
 // An object: a tree of bodies with parts, joints and sites, its assets, and the
 // MJCF sections that go with it. Numbers only, in SI units.
@@ -189,5 +188,3 @@ std::span<const Element> ElementsOf(const Object& object, std::string_view secti
 bool Contains(const Object& object, const Eigen::Vector3d& p_Root);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_OBJECT_H_

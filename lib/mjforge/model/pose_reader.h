@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_POSE_READER_H_
-#define MJFORGE_MODEL_POSE_READER_H_
+#pragma once
 
 #include <optional>
 
@@ -22,5 +21,3 @@ std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field);
 std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_POSE_READER_H_

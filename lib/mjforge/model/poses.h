@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_POSES_H_
-#define MJFORGE_MODEL_POSES_H_
+#pragma once
 
 // Rigid poses and the ways MJCF writes an orientation.
 
@@ -29,5 +28,3 @@ Eigen::Quaterniond FromXyAxes(const Eigen::Vector3d& x, const Eigen::Vector3d& y
 Eigen::Quaterniond FromZAxis(const Eigen::Vector3d& z);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_POSES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_REFERENCES_H_
-#define MJFORGE_MODEL_REFERENCES_H_
+#pragma once
 
 #include <map>
 #include <set>
@@ -63,5 +62,3 @@ class References {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_REFERENCES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_REPETITION_H_
-#define MJFORGE_MODEL_REPETITION_H_
+#pragma once
 
 #include <functional>
 
@@ -38,5 +37,3 @@ class Repetition {
 };
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_REPETITION_H_

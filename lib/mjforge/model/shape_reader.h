@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_SHAPE_READER_H_
-#define MJFORGE_MODEL_SHAPE_READER_H_
+#pragma once
 
 #include <filesystem>
 
@@ -18,5 +17,3 @@ bool ReadShape(FieldReader& reader, const FieldSet& fields, const std::filesyste
 GeomType TypeOf(std::string_view word);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_SHAPE_READER_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_MODEL_SHAPES_H_
-#define MJFORGE_MODEL_SHAPES_H_
+#pragma once
 
 // Solid shapes with MuJoCo's sizes, and what can be computed of them exactly. To add one:
 // CONTRIBUTING.md, "To add a part type".
@@ -74,5 +73,3 @@ double HorizontalRadius(const Shape& shape, const Pose& X_AG);
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_MODEL_SHAPES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_OUTPUT_ARCHIVE_H_
-#define MJFORGE_OUTPUT_ARCHIVE_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -45,5 +44,3 @@ std::optional<std::string> ReadMember(const std::filesystem::path& file, const s
                                       diag::Findings& findings);
 
 }  // namespace mjforge::output
-
-#endif  // MJFORGE_OUTPUT_ARCHIVE_H_

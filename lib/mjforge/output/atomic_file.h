@@ -1,5 +1,4 @@
-#ifndef MJFORGE_OUTPUT_ATOMIC_FILE_H_
-#define MJFORGE_OUTPUT_ATOMIC_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -47,5 +46,3 @@ bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::pat
               diag::Findings& findings);
 
 }  // namespace mjforge::output
-
-#endif  // MJFORGE_OUTPUT_ATOMIC_FILE_H_

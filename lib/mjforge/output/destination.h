@@ -1,5 +1,4 @@
-#ifndef MJFORGE_OUTPUT_DESTINATION_H_
-#define MJFORGE_OUTPUT_DESTINATION_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -53,5 +52,3 @@ inline constexpr std::uint64_t kFilesPerFolder = 10'000;
 std::string PlaceInFolder(std::string_view name, std::uint64_t index);
 
 }  // namespace mjforge::output
-
-#endif  // MJFORGE_OUTPUT_DESTINATION_H_

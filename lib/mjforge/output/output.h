@@ -1,5 +1,4 @@
-#ifndef MJFORGE_OUTPUT_OUTPUT_H_
-#define MJFORGE_OUTPUT_OUTPUT_H_
+#pragma once
 
 // Bytes -> files, folders and archives. A file appears whole or not at all.
 
@@ -109,5 +108,3 @@ std::string MakeRule(std::span<const std::string> targets, const std::set<std::s
 std::string EscapeForMake(std::string_view name);
 
 }  // namespace mjforge::output
-
-#endif  // MJFORGE_OUTPUT_OUTPUT_H_

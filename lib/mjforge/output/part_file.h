@@ -1,5 +1,4 @@
-#ifndef MJFORGE_OUTPUT_PART_FILE_H_
-#define MJFORGE_OUTPUT_PART_FILE_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -50,5 +49,3 @@ class PartFile {
 };
 
 }  // namespace mjforge::output
-
-#endif  // MJFORGE_OUTPUT_PART_FILE_H_

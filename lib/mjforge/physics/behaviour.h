@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_BEHAVIOUR_H_
-#define MJFORGE_PHYSICS_BEHAVIOUR_H_
+#pragma once
 
 #include <string_view>
 
@@ -40,5 +39,3 @@ class Behaviour {
 };
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_BEHAVIOUR_H_

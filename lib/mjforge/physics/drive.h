@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_DRIVE_H_
-#define MJFORGE_PHYSICS_DRIVE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -33,5 +32,3 @@ struct Driven {
 std::vector<Driven> DriveJoints(mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_DRIVE_H_

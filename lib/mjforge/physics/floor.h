@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_FLOOR_H_
-#define MJFORGE_PHYSICS_FLOOR_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -14,5 +13,3 @@ double DropHeight(const mjModel& m);
 void LevelFloor(mjModel& m, int geom);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_FLOOR_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_OVERLAP_H_
-#define MJFORGE_PHYSICS_OVERLAP_H_
+#pragma once
 
 #include <cstddef>
 #include <vector>
@@ -22,5 +21,3 @@ struct Overlap {
 Overlap FindOverlap(const std::vector<model::Part>& parts);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_OVERLAP_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_PHYSICS_H_
-#define MJFORGE_PHYSICS_PHYSICS_H_
+#pragma once
 
 // Checks whether an object behaves: drops it on a floor, drives its joints, and compares its
 // numbers with those of real things. Uses MuJoCo 2.2.
@@ -69,5 +68,3 @@ class Laboratory {
 };
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_PHYSICS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_PROPORTIONS_H_
-#define MJFORGE_PHYSICS_PROPORTIONS_H_
+#pragma once
 
 #include "mjforge/model/model.h"
 #include "mjforge/physics/verdict.h"
@@ -12,5 +11,3 @@ namespace mjforge::physics {
 double CheckProportions(const model::Object& object, diag::SourceMark mark, Verdict& verdict);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_PROPORTIONS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_SETTLE_H_
-#define MJFORGE_PHYSICS_SETTLE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -27,5 +26,3 @@ struct Trouble {
 Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_SETTLE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_SIMULATION_H_
-#define MJFORGE_PHYSICS_SIMULATION_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -33,5 +32,3 @@ bool HasBlownUp(const mjData& d);
 std::vector<std::string> WarningsOf(const mjData& d);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_SIMULATION_H_

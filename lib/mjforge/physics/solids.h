@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_SOLIDS_H_
-#define MJFORGE_PHYSICS_SOLIDS_H_
+#pragma once
 
 #include <vector>
 
@@ -22,5 +21,3 @@ Solids SolidsOf(const model::Body& body);
 std::vector<model::Box3> BoxesOf(const std::vector<model::Part>& parts);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_SOLIDS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_TOUCHING_H_
-#define MJFORGE_PHYSICS_TOUCHING_H_
+#pragma once
 
 #include <vector>
 
@@ -26,5 +25,3 @@ Neighbour NearestOf(const std::vector<model::Part>& parts, const std::vector<std
 bool IsInsideHull(const std::vector<model::Part>& parts, const Eigen::Vector3d& p_B);
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_TOUCHING_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PHYSICS_VERDICT_H_
-#define MJFORGE_PHYSICS_VERDICT_H_
+#pragma once
 
 #include <string>
 
@@ -30,5 +29,3 @@ class Verdict {
 };
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_PHYSICS_VERDICT_H_

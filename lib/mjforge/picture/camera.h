@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_CAMERA_H_
-#define MJFORGE_PICTURE_CAMERA_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -34,5 +33,3 @@ Camera FrameShapes(const Shapes& shapes, double width, double height, const View
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height);
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_CAMERA_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_GL_CONTEXT_H_
-#define MJFORGE_PICTURE_GL_CONTEXT_H_
+#pragma once
 
 // OpenGL without a display. MuJoCo finds its functions by eglGetProcAddress, else
 // OSMesaGetProcAddress, among the symbols that the whole process sees (2.2.2,
@@ -51,5 +50,3 @@ bool Find(void* library, const char* name, Function& function) {
 void MakeVisible(const char* library);
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_GL_CONTEXT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_LAYERS_H_
-#define MJFORGE_PICTURE_LAYERS_H_
+#pragma once
 
 #include "mjforge/picture/scene.h"
 
@@ -12,5 +11,3 @@ void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scen
 void DrawJoints(const Subject::State& state, const Shapes& around, Scene& scene);
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_LAYERS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_PALETTE_H_
-#define MJFORGE_PICTURE_PALETTE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -33,5 +32,3 @@ class Palette {
 };
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_PALETTE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_PICTURE_H_
-#define MJFORGE_PICTURE_PICTURE_H_
+#pragma once
 
 // Models -> pictures, by MuJoCo's own renderer, without a display.
 //
@@ -185,5 +184,3 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
 std::string EncodeWebp(const Image& image, int quality);
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_PICTURE_H_

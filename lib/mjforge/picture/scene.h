@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_SCENE_H_
-#define MJFORGE_PICTURE_SCENE_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -87,5 +86,3 @@ class Scene {
 };
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_SCENE_H_

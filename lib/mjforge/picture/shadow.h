@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_SHADOW_H_
-#define MJFORGE_PICTURE_SHADOW_H_
+#pragma once
 
 // From what MuJoCo draws to a picture without a background.
 //
@@ -49,5 +48,3 @@ class Matte {
 };
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_SHADOW_H_

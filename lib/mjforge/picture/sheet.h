@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_SHEET_H_
-#define MJFORGE_PICTURE_SHEET_H_
+#pragma once
 
 #include "mjforge/picture/picture.h"
 
@@ -17,5 +16,3 @@ struct PlacedText {
 void PutLabels(std::vector<PlacedText> labels, Image& image);
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_SHEET_H_

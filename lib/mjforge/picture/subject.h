@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_SUBJECT_H_
-#define MJFORGE_PICTURE_SUBJECT_H_
+#pragma once
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
@@ -17,5 +16,3 @@ struct Subject::State {
 };
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_SUBJECT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_SUPPORT_H_
-#define MJFORGE_PICTURE_SUPPORT_H_
+#pragma once
 
 // How far drawn shapes reach.
 
@@ -43,5 +42,3 @@ class Shapes {
 };
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_SUPPORT_H_

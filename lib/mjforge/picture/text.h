@@ -1,5 +1,4 @@
-#ifndef MJFORGE_PICTURE_TEXT_H_
-#define MJFORGE_PICTURE_TEXT_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -28,5 +27,3 @@ class Font {
 };
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_PICTURE_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_AXIS_H_
-#define MJFORGE_REPORT_AXIS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -47,5 +46,3 @@ bool WantsLogarithm(double lo, double hi, double median);
 std::string Shown(double value);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_AXIS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_CARDS_H_
-#define MJFORGE_REPORT_CARDS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -30,5 +29,3 @@ Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, con
 std::string ReplayCommand(const Request& request, std::uint64_t index);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_CARDS_H_

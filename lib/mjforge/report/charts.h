@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_CHARTS_H_
-#define MJFORGE_REPORT_CHARTS_H_
+#pragma once
 
 // The charts of a page: numbers -> places on an SVG 360 units wide.
 
@@ -44,5 +43,3 @@ void AddBars(Dictionary& parent, const BarChart& chart);
 void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t all);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_CHARTS_H_

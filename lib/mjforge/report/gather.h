@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_GATHER_H_
-#define MJFORGE_REPORT_GATHER_H_
+#pragma once
 
 // What a page is made from: one pass over a manifest, in bounded memory.
 
@@ -94,5 +93,3 @@ std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_
                                std::uint64_t& bad_lines);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_GATHER_H_

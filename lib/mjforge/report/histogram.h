@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_HISTOGRAM_H_
-#define MJFORGE_REPORT_HISTOGRAM_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -56,5 +55,3 @@ class Histogram {
 };
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_HISTOGRAM_H_

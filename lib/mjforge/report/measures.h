@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_MEASURES_H_
-#define MJFORGE_REPORT_MEASURES_H_
+#pragma once
 
 #include <optional>
 #include <span>
@@ -47,5 +46,3 @@ const Measure& MeasureOf(MeasureId id);
 std::optional<double> SizeOf(const manifest::Record& record);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_MEASURES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_PICTURE_BYTES_H_
-#define MJFORGE_REPORT_PICTURE_BYTES_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -19,5 +18,3 @@ struct PictureInfo {
 std::optional<PictureInfo> ReadPictureInfo(std::string_view bytes);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_PICTURE_BYTES_H_

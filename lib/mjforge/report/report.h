@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_REPORT_H_
-#define MJFORGE_REPORT_REPORT_H_
+#pragma once
 
 // A manifest -> one HTML page that says what the batch is: what was asked for and
 // what was drawn, what failed and why, and pictures of some of its objects. The
@@ -52,5 +51,3 @@ std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnai
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_REPORT_H_

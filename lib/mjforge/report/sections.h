@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_SECTIONS_H_
-#define MJFORGE_REPORT_SECTIONS_H_
+#pragma once
 
 // What a page says of a batch as a whole: numbers -> the holes of page.html.
 
@@ -43,5 +42,3 @@ const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
 std::string UnitText(const spec::Parameter* parameter);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_SECTIONS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_SPREAD_SAMPLE_H_
-#define MJFORGE_REPORT_SPREAD_SAMPLE_H_
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -50,5 +49,3 @@ class SpreadSample {
 };
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_SPREAD_SAMPLE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_TALLIES_H_
-#define MJFORGE_REPORT_TALLIES_H_
+#pragma once
 
 // How often each value was drawn, for good variants and for those that failed.
 
@@ -72,5 +71,3 @@ class ParameterTallies {
 };
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_TALLIES_H_

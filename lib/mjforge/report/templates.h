@@ -1,5 +1,4 @@
-#ifndef MJFORGE_REPORT_TEMPLATES_H_
-#define MJFORGE_REPORT_TEMPLATES_H_
+#pragma once
 
 // The page's files, embedded, and how their holes are filled. Every value is escaped as its place
 // needs, except the few that a file marks with `:none`.
@@ -44,5 +43,3 @@ std::string Counted(std::uint64_t number, std::string_view noun);
 std::string ShareText(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_REPORT_TEMPLATES_H_

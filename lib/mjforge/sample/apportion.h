@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_APPORTION_H_
-#define MJFORGE_SAMPLE_APPORTION_H_
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -13,5 +12,3 @@ namespace mjforge::sample {
 std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std::uint64_t total);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_APPORTION_H_

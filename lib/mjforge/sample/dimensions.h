@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_DIMENSIONS_H_
-#define MJFORGE_SAMPLE_DIMENSIONS_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -29,5 +28,3 @@ inline StreamId RootStream(const spec::ObjectSpec& spec) { return Child(kRootStr
 std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_DIMENSIONS_H_

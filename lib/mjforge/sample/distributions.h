@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_DISTRIBUTIONS_H_
-#define MJFORGE_SAMPLE_DISTRIBUTIONS_H_
+#pragma once
 
 // Inverse distribution functions: one uniform number u of (0, 1) in, one value
 // out, unrounded. Callers have checked the arguments (CheckArguments).
@@ -59,5 +58,3 @@ std::array<double, 3> UniformDirection(double u0, double u1);
 std::array<double, 3> HsvToRgb(double h, double s, double v);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_DISTRIBUTIONS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_GRID_H_
-#define MJFORGE_SAMPLE_GRID_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -48,5 +47,3 @@ class Grid {
 };
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_GRID_H_

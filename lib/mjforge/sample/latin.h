@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_LATIN_H_
-#define MJFORGE_SAMPLE_LATIN_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -16,5 +15,3 @@ void PlaceLatin(const DrawKey& key, StreamId stream, std::uint64_t batch,
                 std::array<double, 4>& uniforms);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_LATIN_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_PERMUTATION_H_
-#define MJFORGE_SAMPLE_PERMUTATION_H_
+#pragma once
 
 #include <cstdint>
 
@@ -13,5 +12,3 @@ namespace mjforge::sample {
 std::uint64_t Permuted(std::uint64_t position, std::uint64_t size, std::uint64_t key);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_PERMUTATION_H_

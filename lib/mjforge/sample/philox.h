@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_PHILOX_H_
-#define MJFORGE_SAMPLE_PHILOX_H_
+#pragma once
 
 // The one generator behind all random numbers.
 
@@ -44,5 +43,3 @@ inline std::uint64_t Mix(std::uint64_t x) {
 inline constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15;
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_PHILOX_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_SAMPLE_H_
-#define MJFORGE_SAMPLE_SAMPLE_H_
+#pragma once
 
 // ObjectSpec + (seed, index) -> values. Every draw is a pure function of the
 // seed, the variant's index, the attempt and the path of the value in the spec
@@ -129,5 +128,3 @@ std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, Strea
                                 diag::Findings& findings, const Sampler* sampler = nullptr);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_SAMPLE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_SAMPLER_H_
-#define MJFORGE_SAMPLE_SAMPLER_H_
+#pragma once
 
 // How the uniform numbers of a batch are spread: at random, or more evenly.
 
@@ -81,5 +80,3 @@ class Sampler {
 };
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_SAMPLER_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_SOBOL_H_
-#define MJFORGE_SAMPLE_SOBOL_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -44,5 +43,3 @@ class Sobol {
 inline constexpr std::size_t kMostSobolDimensions = 3667;
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_SOBOL_H_

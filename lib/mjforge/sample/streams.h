@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_STREAMS_H_
-#define MJFORGE_SAMPLE_STREAMS_H_
+#pragma once
 
 // Random numbers by counter: what is drawn where depends on names, never on
 // what was drawn before.
@@ -31,5 +30,3 @@ struct DrawKey {
 std::array<double, 4> Uniforms(const DrawKey& key, StreamId stream);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_STREAMS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SAMPLE_TRUNCATION_H_
-#define MJFORGE_SAMPLE_TRUNCATION_H_
+#pragma once
 
 // Normal and Poisson values within an interval: u is mapped into the interval's
 // share of probability, measured from the nearer tail.
@@ -22,5 +21,3 @@ double TruncatedPoisson(double mean, Interval limits, double u);
 double BetaQuantile(double a, double b, double u);
 
 }  // namespace mjforge::sample
-
-#endif  // MJFORGE_SAMPLE_TRUNCATION_H_

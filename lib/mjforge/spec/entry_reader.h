@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_ENTRY_READER_H_
-#define MJFORGE_SPEC_ENTRY_READER_H_
+#pragma once
 
 // What the entries of all lists have in common: `if`, `for`, a name, value fields, and other specs
 // they use.
@@ -45,5 +44,3 @@ class EntryReader {
 };
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_ENTRY_READER_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_LOCATE_H_
-#define MJFORGE_SPEC_LOCATE_H_
+#pragma once
 
 // Finds specs and imports, and reads their texts.
 
@@ -31,5 +30,3 @@ std::optional<std::string> ReadText(const std::filesystem::path& file, std::size
 std::string DisplayName(const std::filesystem::path& file);
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_LOCATE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_SECTIONS_H_
-#define MJFORGE_SPEC_SECTIONS_H_
+#pragma once
 
 // The MJCF sections that pass through: elements, attributes, references.
 
@@ -27,5 +26,3 @@ const SectionInfo* FindSection(std::string_view name);
 const ElementInfo* FindBodyChild(std::string_view name);
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_SECTIONS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_SLOTS_H_
-#define MJFORGE_SPEC_SLOTS_H_
+#pragma once
 
 #include <string_view>
 
@@ -19,5 +18,3 @@ struct SlotInfo {
 const SlotInfo& InfoOf(Slot slot);
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_SLOTS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_YAML_H_
-#define MJFORGE_SPEC_YAML_H_
+#pragma once
 
 // A YAML text as a tree in which every node knows its own place. Made from yaml-cpp's events, not
 // its nodes: in those an alias has its anchor's mark, an empty value has the next token's mark,
@@ -52,5 +51,3 @@ std::string_view KindName(const YamlNode& node);
 std::string FlowText(const YamlNode& node);
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_YAML_H_

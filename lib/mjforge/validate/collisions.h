@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_COLLISIONS_H_
-#define MJFORGE_VALIDATE_COLLISIONS_H_
+#pragma once
 
 #include <string>
 
@@ -22,5 +21,3 @@ bool CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings&
 std::string DepthText(double distance);
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_COLLISIONS_H_

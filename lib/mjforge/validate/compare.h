@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_COMPARE_H_
-#define MJFORGE_VALIDATE_COMPARE_H_
+#pragma once
 
 // Compares what MuJoCo compiled with what we meant.
 //
@@ -74,5 +73,3 @@ class Comparison {
 };
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_COMPARE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_COMPARE_SECTIONS_H_
-#define MJFORGE_VALIDATE_COMPARE_SECTIONS_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -14,5 +13,3 @@ namespace mjforge::validate {
 void CompareSections(const mjModel& m, const model::Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_COMPARE_SECTIONS_H_

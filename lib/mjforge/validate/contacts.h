@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_CONTACTS_H_
-#define MJFORGE_VALIDATE_CONTACTS_H_
+#pragma once
 
 // The contacts that MuJoCo finds between the bodies of a compiled model.
 
@@ -49,5 +48,3 @@ class ContactFinder {
 };
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_CONTACTS_H_

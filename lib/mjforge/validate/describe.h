@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_DESCRIBE_H_
-#define MJFORGE_VALIDATE_DESCRIBE_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -14,5 +13,3 @@ CompiledModel Describe(const mjModel& m);
 void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings);
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_DESCRIBE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_SWEEP_H_
-#define MJFORGE_VALIDATE_SWEEP_H_
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -12,5 +11,3 @@ namespace mjforge::validate {
 Sweep SweepModel(mjModel& m, int frame);
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_SWEEP_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_VALIDATE_VALIDATE_H_
-#define MJFORGE_VALIDATE_VALIDATE_H_
+#pragma once
 
 // MuJoCo's verdict: loads MJCF in MuJoCo 2.2 and compares what it compiled with
 // what we meant.
@@ -95,5 +94,3 @@ class Loader {
 };
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_VALIDATE_VALIDATE_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_ATTACH_ATTACHING_H_
-#define MJFORGE_TESTS_UNIT_ATTACH_ATTACHING_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -54,5 +53,3 @@ std::string Names(const List& list) {
 }
 
 }  // namespace mjforge::attach
-
-#endif  // MJFORGE_TESTS_UNIT_ATTACH_ATTACHING_H_

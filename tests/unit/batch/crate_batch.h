@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_BATCH_CRATE_BATCH_H_
-#define MJFORGE_TESTS_UNIT_BATCH_CRATE_BATCH_H_
+#pragma once
 
 #include <string>
 
@@ -47,5 +46,3 @@ class CrateBatch {
 };
 
 }  // namespace mjforge::batch
-
-#endif  // MJFORGE_TESTS_UNIT_BATCH_CRATE_BATCH_H_

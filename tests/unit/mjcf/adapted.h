@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_MJCF_ADAPTED_H_
-#define MJFORGE_TESTS_MJCF_ADAPTED_H_
+#pragma once
 
 // An object to fit to targets, and what comes of it.
 
@@ -103,5 +102,3 @@ inline void Add(model::Object& object, std::string_view section,
 }
 
 }  // namespace mjforge::mjcf::adapted
-
-#endif  // MJFORGE_TESTS_MJCF_ADAPTED_H_

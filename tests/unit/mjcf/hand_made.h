@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_MJCF_HAND_MADE_H_
-#define MJFORGE_TESTS_MJCF_HAND_MADE_H_
+#pragma once
 
 // Objects put together by hand, for the rooms that come after the model.
 
@@ -112,5 +111,3 @@ inline model::Object Wedge() {
 }
 
 }  // namespace mjforge::hand_made
-
-#endif  // MJFORGE_TESTS_MJCF_HAND_MADE_H_

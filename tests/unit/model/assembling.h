@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_MODEL_ASSEMBLING_H_
-#define MJFORGE_TESTS_UNIT_MODEL_ASSEMBLING_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -53,5 +52,3 @@ class TemporaryFolder {
 const Attribute* Find(const std::vector<Attribute>& attributes, std::string_view name);
 
 }  // namespace mjforge::model
-
-#endif  // MJFORGE_TESTS_UNIT_MODEL_ASSEMBLING_H_

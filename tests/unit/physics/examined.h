@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_PHYSICS_EXAMINED_H_
-#define MJFORGE_TESTS_PHYSICS_EXAMINED_H_
+#pragma once
 
 // MJCF that is examined, and what was found.
 
@@ -53,5 +52,3 @@ inline std::string Free(double z, const std::string& content) {
 inline const std::string kCube = R"(<geom name="cube" type="box" size="0.05 0.05 0.05"/>)";
 
 }  // namespace mjforge::physics
-
-#endif  // MJFORGE_TESTS_PHYSICS_EXAMINED_H_

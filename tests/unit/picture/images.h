@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_PICTURE_IMAGES_H_
-#define MJFORGE_TESTS_UNIT_PICTURE_IMAGES_H_
+#pragma once
 
 #include "mjforge/picture/picture.h"
 
@@ -14,5 +13,3 @@ inline Image Flat(int width, int height, std::array<std::uint8_t, 4> color) {
 }
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_TESTS_UNIT_PICTURE_IMAGES_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_PICTURE_MODELS_H_
-#define MJFORGE_TESTS_UNIT_PICTURE_MODELS_H_
+#pragma once
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -43,5 +42,3 @@ inline std::unique_ptr<Renderer> OpenRenderer() {
 }
 
 }  // namespace mjforge::picture
-
-#endif  // MJFORGE_TESTS_UNIT_PICTURE_MODELS_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_REPORT_REPORT_RECORDS_H_
-#define MJFORGE_TESTS_UNIT_REPORT_REPORT_RECORDS_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -19,5 +18,3 @@ std::string FindingOf(const std::string& code, const std::string& message,
 std::string ManifestOf(std::uint64_t count, std::uint64_t bad = 0);
 
 }  // namespace mjforge::report
-
-#endif  // MJFORGE_TESTS_UNIT_REPORT_REPORT_RECORDS_H_

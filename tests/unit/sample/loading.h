@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_SAMPLE_LOADING_H_
-#define MJFORGE_TESTS_UNIT_SAMPLE_LOADING_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -38,5 +37,3 @@ Family Load(const std::string& params, const std::string& more = "");
 
 /// What is found when variant (seed 7, index 3) of these parameters is drawn.
 Strings ReportOf(const std::string& params, const std::string& more = "");
-
-#endif  // MJFORGE_TESTS_UNIT_SAMPLE_LOADING_H_

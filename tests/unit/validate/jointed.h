@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_VALIDATE_JOINTED_H_
-#define MJFORGE_TESTS_VALIDATE_JOINTED_H_
+#pragma once
 
 // Objects of several bodies, put together by hand.
 
@@ -65,5 +64,3 @@ inline model::Element& AddElement(model::Object& object, std::string_view sectio
 }
 
 }  // namespace mjforge::jointed
-
-#endif  // MJFORGE_TESTS_VALIDATE_JOINTED_H_

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_VALIDATE_TEMPORARY_FOLDER_H_
-#define MJFORGE_TESTS_VALIDATE_TEMPORARY_FOLDER_H_
+#pragma once
 
 #include <stdlib.h>  // mkdtemp
 
@@ -31,5 +30,3 @@ class TemporaryFolder {
 };
 
 }  // namespace mjforge::validate
-
-#endif  // MJFORGE_TESTS_VALIDATE_TEMPORARY_FOLDER_H_
