@@ -51,6 +51,7 @@ constexpr std::array kCodes = {
              "a body's parent does not exist, comes later, or is the body itself"},
     CodeInfo{Code::kSpecNotConstant, "spec/not-constant",
              "a value needed to plan a batch is computed or drawn"},
+    CodeInfo{Code::kSpecUnused, "spec/unused", "a parameter or a material is never used"},
     CodeInfo{Code::kSampleEmptyRange, "sample/empty-range",
              "a drawn variant has a range whose lower end is above its upper"},
     CodeInfo{Code::kSampleBadArgument, "sample/bad-argument",

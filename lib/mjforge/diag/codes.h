@@ -1,5 +1,4 @@
-#ifndef MJFORGE_DIAG_CODES_H_
-#define MJFORGE_DIAG_CODES_H_
+#pragma once
 
 #include <span>
 #include <string_view>
@@ -45,6 +44,7 @@ enum class Code {
   kSpecUnnamedDraw,
   kSpecBadParent,
   kSpecNotConstant,
+  kSpecUnused,
   // Drawing one variant's values.
   kSampleEmptyRange,
   kSampleBadArgument,
@@ -136,5 +136,3 @@ std::string_view CodeName(Code code);
 bool IsInputOutput(Code code);
 
 }  // namespace mjforge::diag
-
-#endif  // MJFORGE_DIAG_CODES_H_

@@ -12,32 +12,6 @@ namespace {
 
 using diag::Code;
 
-bool IsOddCondim(const spec::FieldInfo& info, double number) {
-  return info.key == "condim" && (number == 2 || number == 5);
-}
-
-// Whether it is finite and holds.
-bool Holds(const spec::FieldInfo& info, double number) {
-  return std::isfinite(number) && (info.above ? number > info.lower : number >= info.lower) &&
-         number <= info.upper &&
-         (info.slot != spec::Slot::kInteger ||
-          (number == std::floor(number) && !IsOddCondim(info, number)));
-}
-
-// What a number must be that does not hold.
-std::string Rule(const spec::FieldInfo& info, double number) {
-  if (info.above && !(number > info.lower)) {
-    return fmt::format("must be greater than {}", expr::NumberText(info.lower));
-  }
-  if (!(number >= info.lower)) {
-    return fmt::format("must be at least {}", expr::NumberText(info.lower));
-  }
-  if (!(number <= info.upper)) {
-    return fmt::format("must be at most {}", expr::NumberText(info.upper));
-  }
-  return IsOddCondim(info, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
-}
-
 // The value of one component, where it stands apart.
 const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   const auto* list = std::get_if<spec::List>(&value.form);
@@ -74,13 +48,13 @@ void FieldReader::ReportNumber(const spec::Field& field, double number, std::siz
   const std::string which = count > 1 ? fmt::format(" {}", position + 1) : std::string();
   findings_.Add(Code::kModelBadValue, item.mark,
                 fmt::format("{}{} of {} is {}; it {}", field.info->key, which, Owner(),
-                            expr::NumberText(number), Rule(*field.info, number)),
+                            expr::NumberText(number), spec::Rule(*field.info, number)),
                 std::move(hint));
 }
 
 std::optional<double> FieldReader::Number(const spec::Field& field) {
   const double number = values_.Number(field.value, PathOf(field));
-  if (Holds(*field.info, number)) return number;
+  if (spec::Holds(*field.info, number)) return number;
   ReportNumber(field, number, 0, 1);
   return std::nullopt;
 }
@@ -89,7 +63,7 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   values_.Vector(field.value, PathOf(field), out);
   bool good = true;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (Holds(*field.info, out[i])) continue;
+    if (spec::Holds(*field.info, out[i])) continue;
     ReportNumber(field, out[i], i, out.size());
     good = false;
   }

@@ -11,12 +11,6 @@ using spec::Distribution;
 // Above it, whole numbers have no neighbours to count.
 constexpr double kMostLevels = 0x1p53;
 
-std::optional<double> Constant(const spec::Value& value) {
-  if (const auto* literal = std::get_if<double>(&value.form)) return *literal;
-  const auto* expression = std::get_if<expr::Expression>(&value.form);
-  return expression != nullptr ? expression->constant() : std::nullopt;
-}
-
 class Walk {
  public:
   void Value(const spec::Value& value, StreamId path) {
@@ -71,14 +65,14 @@ class Walk {
     if (draw.distribution == Distribution::kChoice && draw.weights.empty()) {
       stream.levels = draw.arguments.size();
     } else if (draw.distribution == Distribution::kInteger) {
-      const auto lo = Constant(draw.arguments[0]);
-      const auto hi = Constant(draw.arguments[1]);
+      const auto lo = spec::ConstantOf(draw.arguments[0]);
+      const auto hi = spec::ConstantOf(draw.arguments[1]);
       if (lo && hi && *hi - *lo < kMostLevels) {
         stream.levels = static_cast<std::uint64_t>(std::max(0.0, *hi - *lo + 1));
       }
     } else if (draw.distribution == Distribution::kBernoulli) {
       stream.levels = 2;
-      stream.split = Constant(draw.arguments[0]);
+      stream.split = spec::ConstantOf(draw.arguments[0]);
       if (stream.split && !(*stream.split > 0 && *stream.split < 1)) {
         stream.levels = 1;
         stream.split.reset();

@@ -22,18 +22,11 @@ std::size_t Slot(const spec::Parameter& parameter) {
   return static_cast<std::size_t>(parameter.slot);
 }
 
-// "a number", "text", "3 numbers"
-std::string KindText(Type type, std::size_t count) {
-  if (type == Type::kText) return "text";
-  if (type == Type::kBoolean) return "true or false";
-  return count == 1 ? "a number" : fmt::format("{} numbers", count);
-}
-
 std::string KindText(const ParameterValue& value) {
-  if (std::holds_alternative<std::string>(value)) return KindText(Type::kText, 1);
-  if (std::holds_alternative<bool>(value)) return KindText(Type::kBoolean, 1);
+  if (std::holds_alternative<std::string>(value)) return spec::KindText(Type::kText, 1);
+  if (std::holds_alternative<bool>(value)) return spec::KindText(Type::kBoolean, 1);
   const auto* numbers = std::get_if<std::vector<double>>(&value);
-  return KindText(Type::kNumber, numbers ? numbers->size() : 1);
+  return spec::KindText(Type::kNumber, numbers ? numbers->size() : 1);
 }
 
 }  // namespace
@@ -62,10 +55,10 @@ void Evaluator::SetComponents(const spec::Parameter& parameter,
     std::ranges::copy(components, variables_.begin() + parameter.slot);
     return;
   }
-  const double none = Fail(
-      Code::kSampleBadArgument, parameter.mark,
-      fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
-                  KindText(Type::kNumber, wanted), KindText(Type::kNumber, components.size())));
+  const double none = Fail(Code::kSampleBadArgument, parameter.mark,
+                           fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
+                                       spec::KindText(parameter.value),
+                                       spec::KindText(Type::kNumber, components.size())));
   std::fill_n(variables_.begin() + parameter.slot, wanted, none);
 }
 
@@ -97,9 +90,10 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
     SetComponents(parameter, *numbers);
   } else {
     const auto count = static_cast<std::size_t>(parameter.value.components);
-    const double none = Fail(Code::kSampleBadArgument, parameter.mark,
-                             fmt::format("parameter '{}' is {}, but its value is {}",
-                                         parameter.name, KindText(type, count), KindText(value)));
+    const double none =
+        Fail(Code::kSampleBadArgument, parameter.mark,
+             fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
+                         spec::KindText(parameter.value), KindText(value)));
     std::fill_n(variables_.begin() + parameter.slot, count, none);
   }
 }

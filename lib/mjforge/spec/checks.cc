@@ -47,9 +47,10 @@ void ReadSilence(const YamlNode& silence, Reading& reading) {
     const auto found = std::ranges::find(codes, pair.key, &diag::CodeInfo::name);
     if (found == codes.end() || !CanBeSilenced(found->code)) {
       const std::string hint = diag::DidYouMean(pair.key, names);
-      reading.findings.Add(Code::kSpecUnknownKey, pair.mark,
-                           fmt::format("'{}' is not a finding of a physical check", pair.key),
-                           hint.empty() ? "docs/errors.md lists them: physics/..." : hint);
+      reading.findings.Add(
+          Code::kSpecUnknownKey, pair.mark,
+          fmt::format("'{}' is not a finding that can be silenced", pair.key),
+          hint.empty() ? "docs/errors.md lists them: physics/... and spec/unused" : hint);
       continue;
     }
     std::string reason = reading.values.ReadPlainText("reason", pair.value);
@@ -63,7 +64,9 @@ void ReadSilence(const YamlNode& silence, Reading& reading) {
 
 }  // namespace
 
-bool CanBeSilenced(diag::Code code) { return diag::CodeName(code).starts_with("physics/"); }
+bool CanBeSilenced(diag::Code code) {
+  return code == Code::kSpecUnused || diag::CodeName(code).starts_with("physics/");
+}
 
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading) {
   if (checks != nullptr && !IsMap(*checks, "checks", reading)) return;

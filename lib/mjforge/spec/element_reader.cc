@@ -109,13 +109,4 @@ void CheckName(std::string_view what, std::string_view name, diag::SourceMark ma
                "a letter, then letters, digits and underscores");
 }
 
-std::optional<std::string_view> LiteralText(const Value& value) {
-  const auto* text = std::get_if<Text>(&value.form);
-  if (text == nullptr) return std::nullopt;
-  if (text->pieces.empty()) return std::string_view();
-  const TextPiece& piece = text->pieces.front();
-  if (text->pieces.size() > 1 || piece.expression || piece.text_slot >= 0) return std::nullopt;
-  return piece.literal;
-}
-
 }  // namespace mjforge::spec

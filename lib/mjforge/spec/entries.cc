@@ -193,8 +193,7 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
       reading_.findings.Add(
           Code::kSpecWrongType, value.mark,
           fmt::format("parameter '{}' of '{}' is {}, but this is {}", pair.key, entry.nested->name,
-                      KindText(parameter->value.type, parameter->value.components),
-                      KindText(value.type, value.components)));
+                      KindText(parameter->value), KindText(value)));
       return;
     }
   }

@@ -419,7 +419,8 @@ constexpr FieldInfo kChecksFields[] = {
     Number("gap", "m", AtLeast(0), "0.5mm",
            "How far apart parts may be and still count as one piece."),
     Row({"silence", Key::kSilence}, Slot::kSilence,
-        "Findings to leave out, each with the reason: `physics/CODE: reason`."),
+        "Findings to leave out, each with the reason: `physics/CODE: reason`, "
+        "`spec/unused: reason`."),
 };
 
 constexpr ElementInfo kObject = {"object", "The whole spec: one mapping.", kObjectFields};

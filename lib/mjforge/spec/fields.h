@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_FIELDS_H_
-#define MJFORGE_SPEC_FIELDS_H_
+#pragma once
 
 // The one table that describes the language: every key of every element, with
 // type, unit, bounds, default and meaning. The parser, its suggestions, the
@@ -196,5 +195,3 @@ struct DistributionInfo {
 std::span<const DistributionInfo> Distributions();
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_FIELDS_H_

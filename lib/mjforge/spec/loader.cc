@@ -110,6 +110,8 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadChecks(root.Find("checks"), settings, reading);
     ReadWhole(root, reading);
+    // Who welds a spec in may well need less of it.
+    if (shared_.open.size() == 1) ReportUnused(root.Find("materials"), reading);
     if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
   }
 
@@ -192,6 +194,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* import = root->Find("import")) ReadImports(*import, inner);
     folder_ = folder;
     shared_.open.pop_back();
+    reading.values.AddUses(inner.values);
     if (inner.values.has_exact_choice()) reading.spec.has_exact_choice = true;
   }
 

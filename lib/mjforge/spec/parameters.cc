@@ -126,6 +126,7 @@ std::vector<Parameter> OwnParameters(const YamlNode& params, Reading& reading) {
   Reading inner{reading.sources, ignored, own, reading.loader,
                 ValueReader(own.names, reading.sources, ignored)};
   ReadParameters(&params, nullptr, {}, inner);
+  reading.values.AddUses(inner.values);
   return std::move(own.parameters);
 }
 
@@ -140,8 +141,7 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
     const std::string given = node.kind == YamlNode::Kind::kScalar ? node.text : FlowText(node);
     reading.findings.Add(Code::kSpecWrongType, node.mark,
                          fmt::format("parameter '{}' is {}, but '{}' is {}", own.name,
-                                     KindText(wanted.type, wanted.components), given,
-                                     KindText(value.type, value.components)),
+                                     KindText(wanted), given, KindText(value)),
                          fmt::format("the spec has '{}: {}'", own.name, own.source));
   }
   value = Value{.mark = node.mark, .type = wanted.type, .components = wanted.components};

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_READING_H_
-#define MJFORGE_SPEC_READING_H_
+#pragma once
 
 // What the readers of one spec share.
 
@@ -50,9 +49,6 @@ const Field* FindField(std::span<const Field> fields, Key id);
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
-/// The text if it has no interpolation; nothing otherwise.
-std::optional<std::string_view> LiteralText(const Value& value);
-
 /// Reads params:, with settings in place of the parameters' own values.
 struct NamedNode {
   std::string name;
@@ -84,6 +80,10 @@ inline constexpr std::string_view kChecksPrefix = "checks.";
 inline constexpr std::string_view kRootJoints = "root.joints";
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading);
 
+/// Warns of parameters, and of materials of the spec itself, that nothing uses. `materials` may be
+/// null.
+void ReportUnused(const YamlNode* materials, Reading& reading);
+
 /// Checks what a part's literal type tells about its fields: which are required, which have no
 /// meaning, how many sizes it takes.
 void CheckPart(const Entry& part, Reading& reading);
@@ -92,5 +92,3 @@ void CheckPart(const Entry& part, Reading& reading);
 void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading);
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_READING_H_

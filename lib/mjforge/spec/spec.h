@@ -1,5 +1,4 @@
-#ifndef MJFORGE_SPEC_SPEC_H_
-#define MJFORGE_SPEC_SPEC_H_
+#pragma once
 
 // YAML text -> ObjectSpec: a family of objects, checked for everything that can
 // be checked without drawing a value.
@@ -113,7 +112,7 @@ struct Checks {
   };
   std::vector<Silence> silenced;
 };
-/// Whether findings of a code are about how an object behaves, not whether it exists.
+/// Whether findings of a code may be intended: how an object behaves, what a spec does not use.
 bool CanBeSilenced(diag::Code code);
 
 enum class RootJoints { kFree, kNone, kList };
@@ -196,5 +195,3 @@ std::string JsonSchema();
 std::string FieldReference();
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_SPEC_H_

@@ -32,31 +32,10 @@ std::string CountText(int min_count, int max_count) {
 
 }  // namespace
 
-std::string Refusal(const FieldInfo& field, double number) {
-  const auto rule = [](std::string_view what, double bound) {
-    return fmt::format("must be {} {}", what, expr::NumberText(bound));
-  };
-  if (field.above && number <= field.lower) return rule("greater than", field.lower);
-  if (number < field.lower) return rule("at least", field.lower);
-  if (number > field.upper) return rule("at most", field.upper);
-  if (field.slot != Slot::kInteger) return {};
-  if (number != std::floor(number)) return "must be a whole number";
-  // The dimensions that MuJoCo's contacts have.
-  if (field.key == "condim" && (number == 2 || number == 5)) return "must be 1, 3, 4 or 6";
-  return {};
-}
-
-std::optional<double> ConstantOf(const Value& value) {
-  if (const auto* literal = std::get_if<double>(&value.form)) return *literal;
-  const auto* expression = std::get_if<expr::Expression>(&value.form);
-  const bool is_number = expression != nullptr && expression->type() == Type::kNumber;
-  return is_number ? expression->constant() : std::nullopt;
-}
-
-std::string KindText(Type type, int components) {
-  if (type == Type::kText) return "text";
-  if (type == Type::kBoolean) return "true or false";
-  return components == 1 ? "a number" : fmt::format("{} numbers", components);
+void Uses::Add(const Uses& other) {
+  names.insert(other.names.begin(), other.names.end());
+  materials.insert(other.materials.begin(), other.materials.end());
+  any_material |= other.any_material;
 }
 
 std::optional<std::size_t> FindRange(std::string_view text) {
@@ -119,7 +98,18 @@ Value ValueReader::Harmless(const YamlNode& node) {
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node) {
   Value value = Read(Expected{field.slot, field.min_count, field.max_count, field.words}, node);
   CheckBounds(field, value, 0);
+  if (field.key == "material") NoteMaterials(value);
   return value;
+}
+
+void ValueReader::NoteMaterials(const Value& value) {
+  if (const auto literal = LiteralText(value)) {
+    uses_.materials.emplace(*literal);
+  } else if (const auto* draw = std::get_if<Draw>(&value.form)) {
+    for (const Value& option : draw->arguments) NoteMaterials(option);
+  } else {
+    uses_.any_material = true;
+  }
 }
 
 Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
@@ -153,13 +143,13 @@ void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int po
     const std::string what = position > 0 && field.max_count > 1
                                  ? fmt::format("{} {}", field.key, position)
                                  : std::string(field.key);
-    const std::string rule = std::isfinite(*number) ? Refusal(field, *number) : std::string();
     if (!std::isfinite(*number)) {
       findings_.Add(Code::kExprNotFinite, value.mark,
                     fmt::format("{} is not a finite number", what));
-    } else if (!rule.empty()) {
-      findings_.Add(Code::kSpecBadValue, value.mark,
-                    fmt::format("{} is {}; it {}", what, expr::NumberText(*number), rule));
+    } else if (!Holds(field, *number)) {
+      findings_.Add(
+          Code::kSpecBadValue, value.mark,
+          fmt::format("{} is {}; it {}", what, expr::NumberText(*number), Rule(field, *number)));
     }
   }
 }
@@ -190,6 +180,10 @@ std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::
     }
     findings_.Add(error.code, At(node, begin + error.offset), std::move(error.message),
                   std::move(error.hint));
+    return expression;
+  }
+  for (const auto& input : expression->inputs()) {
+    uses_.names.emplace(input.name.substr(0, input.name.find('.')));
   }
   return expression;
 }
@@ -273,7 +267,8 @@ const expr::Names::Variable* ValueReader::LoneName(const YamlNode& node) const {
   return names_.Find(Trim(node.text));
 }
 
-Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNode& node) const {
+Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNode& node) {
+  uses_.names.insert(variable.name);
   return Value{.mark = node.mark,
                .type = variable.type,
                .components = variable.components,

@@ -1,9 +1,9 @@
-#ifndef MJFORGE_SPEC_VALUE_READER_H_
-#define MJFORGE_SPEC_VALUE_READER_H_
+#pragma once
 
 // YAML nodes -> Values: literals, expressions, ranges, distributions, text.
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,15 +16,14 @@
 
 namespace mjforge::spec {
 
-/// "must be at least 0" and the like, if the field does not take the (finite) number;
-/// empty if it does.
-std::string Refusal(const FieldInfo& field, double number);
+/// What values refer to.
+struct Uses {
+  std::set<std::string, std::less<>> names;      // of parameters, loops and bodies
+  std::set<std::string, std::less<>> materials;  // as written
+  bool any_material = false;                     // a material's name is composed
 
-/// The number of a literal, or of an expression without names.
-std::optional<double> ConstantOf(const Value& value);
-
-/// What a parameter or a value is: "a number", "3 numbers", "text", "true or false".
-std::string KindText(expr::Type type, int components);
+  void Add(const Uses& other);
+};
 
 /// Reads values in the scope of `names`. A value that is wrong adds a finding and comes back as
 /// something harmless, so that reading continues.
@@ -46,6 +45,10 @@ class ValueReader {
   std::optional<expr::Expression> ReadCondition(const YamlNode& node);
   /// Whether some value read so far is a choice with `exact: true`.
   bool has_exact_choice() const { return has_exact_choice_; }
+  /// What the values read so far refer to.
+  const Uses& uses() const { return uses_; }
+  /// Counts what another reader's values refer to.
+  void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
   /// Text without interpolation, empty if wrong.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
@@ -79,7 +82,8 @@ class ValueReader {
   Value ReadExpression(const YamlNode& node);
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
                                           std::size_t length);
-  Value Reference(const expr::Names::Variable& variable, const YamlNode& node) const;
+  Value Reference(const expr::Names::Variable& variable, const YamlNode& node);
+  void NoteMaterials(const Value& value);
   const expr::Names::Variable* LoneName(const YamlNode& node) const;
   bool LooksLikeText(const YamlNode& node) const;
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
@@ -94,6 +98,7 @@ class ValueReader {
   const diag::Sources& sources_;
   diag::Findings& findings_;
   bool has_exact_choice_ = false;
+  Uses uses_;
 };
 
 /// Where the two dots of `lo .. hi` are in a text; nothing if it is not a range.
@@ -109,5 +114,3 @@ std::string_view Trim(std::string_view text);
 void CollectNames(const YamlNode& node, std::vector<std::string>& names);
 
 }  // namespace mjforge::spec
-
-#endif  // MJFORGE_SPEC_VALUE_READER_H_

@@ -1,8 +1,19 @@
 #include "mjforge/spec/values.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace mjforge::spec {
+namespace {
+
+// The dimensions of MuJoCo's contacts are 1, 3, 4 and 6.
+bool IsOddCondim(const FieldInfo& field, double number) {
+  return field.key == "condim" && (number == 2 || number == 5);
+}
+
+}  // namespace
 
 bool HasDraw(const Value& value) {
   if (const auto* list = std::get_if<List>(&value.form)) {
@@ -15,6 +26,49 @@ bool HasDraw(const Value& value) {
          std::holds_alternative<RandomRotation>(value.form) ||
          std::holds_alternative<RotationAbout>(value.form) ||
          std::holds_alternative<PointOnSphere>(value.form);
+}
+
+std::optional<double> ConstantOf(const Value& value) {
+  if (const auto* literal = std::get_if<double>(&value.form)) return *literal;
+  const auto* expression = std::get_if<expr::Expression>(&value.form);
+  const bool is_number = expression != nullptr && expression->type() == expr::Type::kNumber;
+  return is_number ? expression->constant() : std::nullopt;
+}
+
+std::optional<std::string_view> LiteralText(const Value& value) {
+  const auto* text = std::get_if<Text>(&value.form);
+  if (text == nullptr) return std::nullopt;
+  if (text->pieces.empty()) return std::string_view();
+  const TextPiece& piece = text->pieces.front();
+  if (text->pieces.size() > 1 || piece.expression || piece.text_slot >= 0) return std::nullopt;
+  return piece.literal;
+}
+
+std::string KindText(expr::Type type, std::size_t components) {
+  if (type == expr::Type::kText) return "text";
+  if (type == expr::Type::kBoolean) return "true or false";
+  return components == 1 ? "a number" : fmt::format("{} numbers", components);
+}
+
+std::string KindText(const Value& value) {
+  return KindText(value.type, static_cast<std::size_t>(value.components));
+}
+
+bool Holds(const FieldInfo& field, double number) {
+  return std::isfinite(number) && (field.above ? number > field.lower : number >= field.lower) &&
+         number <= field.upper &&
+         (field.slot != Slot::kInteger ||
+          (number == std::floor(number) && !IsOddCondim(field, number)));
+}
+
+std::string Rule(const FieldInfo& field, double number) {
+  const auto rule = [](std::string_view what, double bound) {
+    return fmt::format("must be {} {}", what, expr::NumberText(bound));
+  };
+  if (field.above && number <= field.lower) return rule("greater than", field.lower);
+  if (number < field.lower) return rule("at least", field.lower);
+  if (number > field.upper) return rule("at most", field.upper);
+  return IsOddCondim(field, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
 }
 
 }  // namespace mjforge::spec

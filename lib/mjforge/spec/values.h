@@ -1,10 +1,11 @@
-#ifndef MJFORGE_SPEC_VALUES_H_
-#define MJFORGE_SPEC_VALUES_H_
+#pragma once
 
 // The value of a slot of a spec, parsed and type-checked but not drawn.
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -68,6 +69,19 @@ struct Value {
 /// Is any number in it drawn?
 bool HasDraw(const Value& value);
 
-}  // namespace mjforge::spec
+/// The number of a literal, or of an expression without names.
+std::optional<double> ConstantOf(const Value& value);
 
-#endif  // MJFORGE_SPEC_VALUES_H_
+/// The text if it has no interpolation; nothing otherwise.
+std::optional<std::string_view> LiteralText(const Value& value);
+
+/// What a parameter or a value is: "a number", "3 numbers", "text", "true or false".
+std::string KindText(expr::Type type, std::size_t components);
+std::string KindText(const Value& value);
+
+/// Whether a field takes the number: it is finite, within the bounds, and whole if it must be.
+bool Holds(const FieldInfo& field, double number);
+/// What a finite number that does not hold must be: "must be at least 0".
+std::string Rule(const FieldInfo& field, double number);
+
+}  // namespace mjforge::spec

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_FORGE_LOADED_RECIPE_H_
-#define MJFORGE_TESTS_UNIT_FORGE_LOADED_RECIPE_H_
+#pragma once
 
 #include <string>
 #include <utility>
@@ -18,7 +17,7 @@ inline constexpr const char* kBoxSpec =
     "  height: 0.1 .. 0.2\n"
     "  kind: {choice: [light, heavy]}\n"
     "parts:\n"
-    "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
+    "  - {name: body, if: kind != 'other', type: box, size: [0.1, 0.1, height], density: 500}\n";
 
 /// A box that about half of the variants give a size below zero.
 inline constexpr const char* kUnluckySpec =
@@ -51,5 +50,3 @@ struct LoadedRecipe {
 };
 
 }  // namespace mjforge::forge
-
-#endif  // MJFORGE_TESTS_UNIT_FORGE_LOADED_RECIPE_H_

@@ -13,6 +13,7 @@ Assembling::Assembling(const std::string& body, std::uint64_t seed, std::uint64_
   spec_ = spec::LoadSpecText("thing.yaml", "mjforge: 1\nname: thing\n" + body, folder, {}, sources_,
                              findings_);
   if (spec_ == nullptr) return;
+  findings_.clear();  // warnings: not all cases use all parameters
   std::optional<sample::Evaluator> values =
       sample::Sample(*spec_, {.seed = seed, .index = index}, sample::kRootStream, {}, findings_);
   if (!values) return;

@@ -20,6 +20,7 @@ Family Load(const std::string& params, const std::string& more) {
     for (const std::string& line : family.Report()) message += " " + line;
     throw std::logic_error(message);
   }
+  family.findings.clear();  // warnings: most parameters here are only drawn
   return family;
 }
 

@@ -39,14 +39,14 @@ TEST_CASE("a threshold that is none, out of bounds or drawn is an error", "[chec
                 "it as a parameter, and use that parameter's name here)"});
 }
 
-TEST_CASE("only findings about physics can be silenced, each with a reason", "[checks]") {
+TEST_CASE("only some findings can be silenced, each with a reason", "[checks]") {
   CHECK(ReportWithBox("checks: {silence: {physics/thinn: x}}\n") ==
         Strings{
-            "4:20 spec/unknown-key: 'physics/thinn' is not a finding of a physical check (did you "
+            "4:20 spec/unknown-key: 'physics/thinn' is not a finding that can be silenced (did you "
             "mean 'physics/thin'?)"});
   CHECK(ReportWithBox("checks: {silence: {mujoco/error: x}}\n") ==
-        Strings{"4:20 spec/unknown-key: 'mujoco/error' is not a finding of a physical check "
-                "(docs/errors.md lists them: physics/...)"});
+        Strings{"4:20 spec/unknown-key: 'mujoco/error' is not a finding that can be silenced "
+                "(docs/errors.md lists them: physics/... and spec/unused)"});
   CHECK(ReportWithBox("checks: {silence: {physics/thin: ''}}\n") ==
         Strings{"4:34 spec/bad-value: no reason is given why 'physics/thin' does not matter"});
   CHECK(ReportWithBox("checks: {silence: [physics/thin]}\n").size() == 1);

@@ -5,9 +5,20 @@
 std::vector<std::string> Loaded::Report() const {
   std::vector<std::string> lines;
   for (const mjforge::diag::Finding& finding : findings) {
+    if (finding.code == mjforge::diag::Code::kSpecUnused) continue;
     lines.push_back(fmt::format("{}:{} {}: {}{}", finding.mark.line, finding.mark.column,
                                 mjforge::diag::CodeName(finding.code), finding.message,
                                 finding.hint.empty() ? "" : " (" + finding.hint + ")"));
+  }
+  return lines;
+}
+
+std::vector<std::string> Loaded::Unused() const {
+  std::vector<std::string> lines;
+  for (const mjforge::diag::Finding& finding : findings) {
+    if (finding.code != mjforge::diag::Code::kSpecUnused) continue;
+    lines.push_back(
+        fmt::format("{}:{} {}", finding.mark.line, finding.mark.column, finding.message));
   }
   return lines;
 }

@@ -1,5 +1,4 @@
-#ifndef MJFORGE_TESTS_UNIT_SPEC_LOADING_H_
-#define MJFORGE_TESTS_UNIT_SPEC_LOADING_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -13,8 +12,11 @@ struct Loaded {
   mjforge::diag::Sources sources;
   mjforge::diag::Findings findings;
 
-  /// Each finding as "line:column code: message (hint)".
+  /// Each finding as "line:column code: message (hint)", except what is never used: most tests use
+  /// little of what they declare.
   std::vector<std::string> Report() const;
+  /// What is never used, as "line:column message".
+  std::vector<std::string> Unused() const;
 };
 
 Loaded Load(const std::string& yaml, std::vector<mjforge::spec::Setting> settings = {});
@@ -26,5 +28,3 @@ Loaded LoadWithBox(const std::string& text);
 std::vector<std::string> ReportWithBox(const std::string& text);
 
 using Strings = std::vector<std::string>;
-
-#endif  // MJFORGE_TESTS_UNIT_SPEC_LOADING_H_

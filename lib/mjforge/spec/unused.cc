@@ -1,0 +1,34 @@
+// What a spec declares and never uses.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/reading.h"
+
+namespace mjforge::spec {
+
+void ReportUnused(const YamlNode* materials, Reading& reading) {
+  const auto& silenced = reading.spec.checks.silenced;
+  // After an error, what was not read counts as unused.
+  if (reading.findings.HasErrors()) return;
+  if (std::ranges::find(silenced, diag::Code::kSpecUnused, &Checks::Silence::code) !=
+      silenced.end()) {
+    return;
+  }
+  const Uses& uses = reading.values.uses();
+  const auto report = [&](std::string_view what, std::string_view name, diag::SourceMark mark) {
+    reading.findings.Warn(
+        diag::Code::kSpecUnused, mark, fmt::format("{} '{}' is never used", what, name),
+        "remove it, or say why it is there: `checks: {silence: {spec/unused: ...}}`");
+  };
+  for (const Parameter& parameter : reading.spec.parameters) {
+    if (!uses.names.contains(parameter.name)) report("parameter", parameter.name, parameter.mark);
+  }
+  if (materials == nullptr || uses.any_material) return;
+  for (const YamlNode::Pair& pair : materials->pairs) {
+    if (!uses.materials.contains(pair.key)) report("material", pair.key, pair.mark);
+  }
+}
+
+}  // namespace mjforge::spec
