@@ -28,18 +28,11 @@ std::string_view Sources::Line(SourceMark mark) const {
 }
 
 Finding& Findings::Add(Code code, SourceMark mark, std::string message, std::string hint) {
-  Finding& finding = list_.emplace_back();
-  finding.code = code;
-  finding.mark = mark;
-  finding.message = std::move(message);
-  finding.hint = std::move(hint);
-  return finding;
+  return Add({Severity::kError, code, mark, std::move(message), std::move(hint), {}, {}, {}});
 }
 
 Finding& Findings::Warn(Code code, SourceMark mark, std::string message, std::string hint) {
-  Finding& finding = Add(code, mark, std::move(message), std::move(hint));
-  finding.severity = Severity::kWarning;
-  return finding;
+  return Add({Severity::kWarning, code, mark, std::move(message), std::move(hint), {}, {}, {}});
 }
 
 void Findings::Append(Findings other) {

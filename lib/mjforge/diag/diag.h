@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mjforge/diag/codes.h"
@@ -70,6 +71,7 @@ struct Finding {
 class Findings {
  public:
   /// The reference is valid until the next Add.
+  Finding& Add(Finding finding) { return list_.emplace_back(std::move(finding)); }
   Finding& Add(Code code, SourceMark mark, std::string message, std::string hint = {});
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
   void Append(Findings other);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <utility>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/diag/utf8.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "mjforge/diag/diag.h"
 
@@ -15,10 +16,9 @@ struct Range {
   char32_t last;
 };
 
-template <std::size_t N>
-bool Within(char32_t value, const std::array<Range, N>& ranges) {
-  return std::any_of(ranges.begin(), ranges.end(),
-                     [value](Range r) { return value >= r.first && value <= r.last; });
+bool Within(char32_t value, std::span<const Range> ranges) {
+  return std::ranges::any_of(ranges,
+                             [value](Range r) { return value >= r.first && value <= r.last; });
 }
 
 // Controls (C0, DEL, C1), line separators and bidirectional controls.
@@ -43,17 +43,11 @@ int Width(char32_t value) {
 }
 
 std::string Escape(char32_t value) {
-  switch (value) {
-    case '\n':
-      return "\\n";
-    case '\r':
-      return "\\r";
-    case '\t':
-      return "\\t";
-    default:
-      return value < 0x80 ? fmt::format("\\x{:02x}", static_cast<unsigned>(value))
-                          : fmt::format("\\u{:04x}", static_cast<unsigned>(value));
-  }
+  if (value == '\n') return "\\n";
+  if (value == '\r') return "\\r";
+  if (value == '\t') return "\\t";
+  return value < 0x80 ? fmt::format("\\x{:02x}", static_cast<unsigned>(value))
+                      : fmt::format("\\u{:04x}", static_cast<unsigned>(value));
 }
 
 }  // namespace
@@ -76,14 +70,11 @@ Utf8Char DecodeUtf8(std::string_view text) {
 }
 
 Cell SafeCell(std::string_view text, Utf8Char character) {
-  std::string shown;
-  if (!character.valid) {
-    shown = fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-  } else if (Within(character.value, kUnsafe)) {
-    shown = Escape(character.value);
-  } else {
+  if (character.valid && !Within(character.value, kUnsafe))
     return {std::string(text.substr(0, character.length)), Width(character.value)};
-  }
+  std::string shown = character.valid
+                          ? Escape(character.value)
+                          : fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
   const int width = static_cast<int>(shown.size());
   return {std::move(shown), width};
 }
@@ -102,11 +93,7 @@ std::string ValidUtf8(std::string_view text) {
   std::string out;
   while (!text.empty()) {
     const Utf8Char character = DecodeUtf8(text);
-    if (character.valid) {
-      out += text.substr(0, character.length);
-    } else {
-      out += "\xef\xbf\xbd";
-    }
+    out += character.valid ? text.substr(0, character.length) : "\xef\xbf\xbd";
     text.remove_prefix(character.length);
   }
   return out;
