@@ -260,7 +260,7 @@ const std::array kFields = {
                 "Errors and warnings about this variant.", PutFindings, GetFindings},
     OrNull<&Record::sha256>("sha256", R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
                             "SHA-256 of the file's bytes."),
-};  // namespace mjforge::manifest
+};
 
 }  // namespace
 

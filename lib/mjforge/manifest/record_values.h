@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <type_traits>
 
 #include <rapidjson/document.h>
@@ -58,15 +59,10 @@ inline Kind Get(const rapidjson::Value& value, std::string& text) {
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, std::uint64_t& number) {
-  if (!value.IsUint64()) return "a whole number";
-  number = value.GetUint64();
-  return {};
-}
-
-inline Kind Get(const rapidjson::Value& value, int& number) {
-  if (!value.IsInt()) return "a whole number";
-  number = value.GetInt();
+template <std::integral T>
+Kind Get(const rapidjson::Value& value, T& number) {
+  if (!value.Is<T>()) return std::is_same_v<T, bool> ? "true or false" : "a whole number";
+  number = value.Get<T>();
   return {};
 }
 
@@ -74,12 +70,6 @@ inline Kind Get(const rapidjson::Value& value, int& number) {
 inline Kind Get(const rapidjson::Value& value, double& number) {
   if (!value.IsNumber() && !value.IsNull()) return "a number";
   number = value.IsNull() ? std::nan("") : value.GetDouble();
-  return {};
-}
-
-inline Kind Get(const rapidjson::Value& value, bool& flag) {
-  if (!value.IsBool()) return "true or false";
-  flag = value.GetBool();
   return {};
 }
 
