@@ -14,18 +14,13 @@ namespace {
 // POSIX: two blocks of zeros.
 constexpr std::size_t kEndBytes = 1024;
 
-struct FreeArchive {
-  void operator()(archive* writer) const { archive_write_free(writer); }
+template <auto release>
+struct Free {
+  void operator()(auto* what) const { release(what); }
 };
-struct FreeReader {
-  void operator()(archive* reader) const { archive_read_free(reader); }
-};
-struct FreeEntry {
-  void operator()(archive_entry* entry) const { archive_entry_free(entry); }
-};
-using Writer = std::unique_ptr<archive, FreeArchive>;
-using Reader = std::unique_ptr<archive, FreeReader>;
-using Entry = std::unique_ptr<archive_entry, FreeEntry>;
+using Writer = std::unique_ptr<archive, Free<archive_write_free>>;
+using Reader = std::unique_ptr<archive, Free<archive_read_free>>;
+using Entry = std::unique_ptr<archive_entry, Free<archive_entry_free>>;
 
 // Only a lack of memory or a library built without a format.
 void Require(int status, archive* writer) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace mjforge::output {
 namespace {
@@ -14,21 +15,17 @@ constexpr std::string_view kTarZstd = ".tar.zst";
 struct Number {
   std::size_t at = 0;
   std::size_t length = 0;
-  int width = 0;
+  std::uint64_t width = 0;
 };
-
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::optional<Number> FindNumber(std::string_view pattern) {
   const std::size_t at = pattern.find('%');
-  if (at == std::string_view::npos) return std::nullopt;
-  std::size_t end = at + 1;
-  int width = 0;
-  while (end < pattern.size() && IsDigit(pattern[end]) && width < 10) {
-    width = 10 * width + (pattern[end++] - '0');
-  }
-  if (end == pattern.size() || pattern[end] != 'd' || width > 20) return std::nullopt;
-  return Number{at, end + 1 - at, width};
+  const std::size_t end = pattern.find('d', at);
+  if (at == pattern.npos || end == pattern.npos) return std::nullopt;
+  const std::string_view digits = pattern.substr(at + 1, end - at - 1);
+  const std::optional<std::uint64_t> width = digits.empty() ? 0 : ReadIndex(digits);
+  if (!width || *width > 20) return std::nullopt;
+  return Number{at, digits.size() + 2, *width};
 }
 
 std::string WithoutEnding(std::string_view name) {
@@ -43,9 +40,7 @@ std::string StemOf(const Destination& destination) {
   std::string stem = WithoutEnding(destination.path.filename().string());
   if (const std::optional<Number> number = FindNumber(stem)) {
     stem.erase(number->at, number->length);
-    while (!stem.empty() && (stem.back() == '_' || stem.back() == '-' || stem.back() == '.')) {
-      stem.pop_back();
-    }
+    stem.erase(stem.find_last_not_of("_-.") + 1);
   }
   return stem;
 }
@@ -104,6 +99,14 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
 
 std::string VariantStem(std::string_view name, std::uint64_t index) {
   return fmt::format("{}_{:06}", name, index);
+}
+
+std::optional<std::uint64_t> ReadIndex(std::string_view digits) {
+  std::uint64_t index = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, index);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return index;
 }
 
 std::string PlaceInFolder(std::string_view name, std::uint64_t index) {

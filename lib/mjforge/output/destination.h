@@ -45,6 +45,9 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
 /// The name of variant `index`, "hammer_000042"; with .xml, the name of its file.
 std::string VariantStem(std::string_view name, std::uint64_t index);
 
+/// The number that all of `digits` spells, "000042"; nothing if it is none.
+std::optional<std::uint64_t> ReadIndex(std::string_view digits);
+
 /// A folder holds at most this many files; further files go to subfolders, so that a file's place
 /// depends on its index alone.
 inline constexpr std::uint64_t kFilesPerFolder = 10'000;

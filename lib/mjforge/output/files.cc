@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,11 +14,6 @@ namespace {
 
 // The comment that opens an object is shorter than this, settings and all.
 constexpr std::size_t kCommentBytes = 64 * 1024;
-
-bool Exists(const std::filesystem::path& file) {
-  struct stat status;
-  return ::lstat(file.c_str(), &status) == 0;
-}
 
 }  // namespace
 
@@ -61,8 +55,8 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Fin
 
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
-  if (!Exists(file)) return true;
   std::error_code ignored;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
   // A pipe would have us wait for somebody to write, a device is not ours to replace.
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},

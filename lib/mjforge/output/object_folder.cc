@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <charconv>
+#include <cerrno>
 
 #include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
@@ -32,11 +34,7 @@ bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path&
 std::optional<std::uint64_t> IndexOf(std::string_view file) {
   const std::size_t start = file.rfind('_');
   if (start == file.npos || !file.ends_with(".xml")) return std::nullopt;
-  file = file.substr(start + 1, file.size() - start - 5);
-  std::uint64_t index = 0;
-  const auto [end, error] = std::from_chars(file.data(), file.data() + file.size(), index);
-  if (error != std::errc() || end != file.data() + file.size()) return std::nullopt;
-  return index;
+  return ReadIndex(file.substr(start + 1, file.size() - start - 5));
 }
 
 }  // namespace
@@ -53,6 +51,33 @@ void RemoveHalfWritten(const std::filesystem::path& folder,
     if (index ? is_ours(*index) : assets) found.push_back(at->path());
   }
   for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
+}
+
+MadeFolders::~MadeFolders() {
+  // rmdir refuses a folder that holds anything.
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
+}
+
+bool MadeFolders::Make(const std::filesystem::path& folder, diag::Findings& findings) {
+  std::filesystem::path path;
+  for (const std::filesystem::path& name : folder) {
+    path /= name;
+    struct stat status;
+    if (::stat(path.c_str(), &status) == 0) {
+      if (S_ISDIR(status.st_mode)) continue;
+      errno = ENOTDIR;
+    } else if (::mkdir(path.c_str(), 0777) == 0) {
+      made_.push_back(path);
+      continue;
+    } else if (errno == EEXIST && ::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
+      continue;  // another process was quicker
+    }
+    findings.Add(diag::Code::kOutputCannotWrite, {},
+                 fmt::format("cannot make folder '{}': {}", path.string(),
+                             std::generic_category().message(errno)));
+    return false;
+  }
+  return true;
 }
 
 bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
@@ -72,7 +97,7 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
   const std::filesystem::path path = folder_ / file;
   const std::filesystem::path folder = path.parent_path();
   if (folder != known_folder_) {
-    if (!folder.empty() && !folders_.Make(folder, findings)) return false;
+    if (!folders_.Make(folder, findings)) return false;
     known_folder_ = folder;
   }
   // Assets first: an object never stands there without what it refers to.

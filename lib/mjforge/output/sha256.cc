@@ -8,10 +8,6 @@
 namespace mjforge::output {
 namespace {
 
-struct FreeContext {
-  void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
-
 std::string Hexadecimal(const unsigned char* bytes, unsigned int count) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
@@ -28,7 +24,8 @@ std::string Hexadecimal(const unsigned char* bytes, unsigned int count) {
 std::string Sha256(std::string_view bytes) {
   // Looking the algorithm up and making a context cost more than hashing an
   // object's few kilobytes, so each thread does it once.
-  thread_local const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
+  thread_local const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(
+      EVP_MD_CTX_new(), EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int size = 0;
   EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
