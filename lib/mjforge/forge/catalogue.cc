@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 #include "mjforge/forge/forge.h"
@@ -22,11 +22,9 @@ std::optional<std::filesystem::path> CatalogueFolder() {
 std::vector<std::filesystem::path> SearchPath() {
   std::vector<std::filesystem::path> folders;
   const char* variable = std::getenv("MJFORGE_PATH");
-  std::string_view rest = variable == nullptr ? "" : variable;
-  while (!rest.empty()) {
-    const std::string_view folder = rest.substr(0, rest.find(':'));
+  std::istringstream text(variable == nullptr ? "" : variable);
+  for (std::string folder; std::getline(text, folder, ':');) {
     if (!folder.empty()) folders.emplace_back(folder);
-    rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
   }
   if (auto bundled = CatalogueFolder()) folders.push_back(*std::move(bundled));
   return folders;

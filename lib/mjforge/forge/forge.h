@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -131,7 +130,6 @@ class Generator {
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   void Judge(Variant& variant);
   void End(Outcome outcome, Variant& variant);
-  void NameSources();
   void Describe(const model::Object& object, manifest::Record& record) const;
 
   const Recipe& recipe_;
@@ -141,7 +139,6 @@ class Generator {
   const diag::Sources& sources_;
   diag::Sources record_sources_;  // names as records show them
   manifest::Record common_;       // BatchRecord
-  mjcf::Provenance provenance_;   // what the variant's file says
   sample::Sampler sampler_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;

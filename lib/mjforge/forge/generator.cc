@@ -5,11 +5,6 @@
 namespace mjforge::forge {
 namespace {
 
-bool HasCode(const diag::Findings& findings, diag::Code code) {
-  return std::any_of(findings.begin(), findings.end(),
-                     [&](const diag::Finding& finding) { return finding.code == code; });
-}
-
 // From one folder to a file, both whole. Empty if the way leads over the root: it would be
 // another one on every machine.
 std::string WayTo(const std::filesystem::path& file, const std::filesystem::path& folder) {
@@ -27,6 +22,7 @@ std::string WayTo(const std::filesystem::path& file, const std::filesystem::path
 
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   manifest::Record record;
+  record.version = Version();
   record.seed = options.seed;
   record.spec = recipe.reference;
   if (options.folder && !recipe.file.empty())
@@ -54,28 +50,16 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       common_(BatchRecord(recipe, options)),
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
-      assembler_(&attachments_) {
-  provenance_ = common_;
-  provenance_.version = Version();
-}
-
-// Of the sources there are by now.
-void Generator::NameSources() {
-  for (auto file = static_cast<std::uint32_t>(record_sources_.size() + 1); file <= sources_.size();
-       ++file) {
-    record_sources_.Add(std::filesystem::path(sources_.Name(file)).filename().string(), {});
-  }
-}
+      assembler_(&attachments_) {}
 
 void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
   variant.findings.clear();
   variant.record = common_;
-  variant.record.index = provenance_.index = index;
+  variant.record.index = index;
   variant.record.attempt = attempt;
-  const std::string& name = recipe_.spec->name;
-  variant.record.name = options_.name.empty() ? name : ExpandName(options_.name, index);
-  provenance_.name = variant.record.name == name ? std::string() : variant.record.name;
+  variant.record.name =
+      options_.name.empty() ? recipe_.spec->name : ExpandName(options_.name, index);
 }
 
 void Generator::Make(std::uint64_t index, Variant& variant) {
@@ -88,7 +72,7 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
 
 void Generator::Fail(std::uint64_t index, diag::Finding finding, Variant& variant) {
   Begin(index, options_.attempt, variant);
-  variant.findings.Add(finding.code, {}, {}) = std::move(finding);
+  variant.findings.Add(std::move(finding));
   End(Outcome::kFailed, variant);
 }
 
@@ -102,7 +86,10 @@ void Generator::End(Outcome outcome, Variant& variant) {
     record.sha256 = output::Sha256(variant.document.text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
-  NameSources();
+  while (record_sources_.size() < sources_.size()) {  // attached files are added as they are read
+    const std::filesystem::path file = sources_.Name(record_sources_.size() + 1);
+    record_sources_.Add(file.filename().string(), {});
+  }
   for (const diag::Finding& finding : variant.findings) {
     record.findings.push_back(diag::RenderJson(finding, record_sources_));
   }
@@ -117,8 +104,9 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
       spec, {options_.seed, index, attempt}, sample::kRootStream, {}, variant.findings, &sampler_);
   if (!values) {
     // Where a thousand draws met no requirement, more of them will not either.
-    return HasCode(variant.findings, diag::Code::kSampleRejected) ? Outcome::kHopeless
-                                                                  : Outcome::kFailed;
+    const bool rejected =
+        std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
+    return rejected ? Outcome::kHopeless : Outcome::kFailed;
   }
   record.attempt = values->key().attempt;
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
@@ -132,19 +120,19 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   mjcf::Adapt(*variant.object, options_.target, variant.findings);
   if (variant.findings.HasErrors()) return Outcome::kFailed;
   Describe(*variant.object, record);
-  mjcf::WriteMjcf(*variant.object, options_.target, provenance_, variant.document);
+  mjcf::Provenance provenance = record;
+  if (record.name == spec.name) provenance.name.clear();
+  mjcf::WriteMjcf(*variant.object, options_.target, provenance, variant.document);
   Judge(variant);
   return variant.findings.HasErrors() ? Outcome::kFailed : Outcome::kMade;
 }
 
 void Generator::Judge(Variant& variant) {
-  if (loader_ == nullptr ||
-      !loader_->Validate(variant.document, *variant.object, variant.findings)) {
-    return;
+  if (loader_ && loader_->Validate(variant.document, *variant.object, variant.findings) &&
+      laboratory_) {
+    variant.record.physics =
+        laboratory_->Examine(variant.document, *variant.object, variant.findings);
   }
-  if (laboratory_ == nullptr) return;
-  variant.record.physics =
-      laboratory_->Examine(variant.document, *variant.object, variant.findings);
 }
 
 void Generator::Describe(const model::Object& object, manifest::Record& record) const {

@@ -7,8 +7,6 @@
 namespace mjforge::forge {
 namespace {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
 // The file's name in a folder of the search path, without its ending; nothing
 // if it is not in that folder.
 std::optional<std::string> NameWithin(const std::filesystem::path& file,
@@ -37,23 +35,6 @@ void SetReference(const std::string& given, const std::vector<std::filesystem::p
   recipe.file = file;
 }
 
-void Set(Settings& settings, const std::string& name, const std::string& text) {
-  const auto same = std::find_if(settings.begin(), settings.end(),
-                                 [&](const auto& setting) { return setting.first == name; });
-  if (same == settings.end()) {
-    settings.emplace_back(name, text);
-  } else {
-    same->second = text;
-  }
-}
-
-// The last setting of a name has won.
-Settings SettingsOf(const spec::ObjectSpec& spec) {
-  Settings settings;
-  for (const auto& [name, text] : spec.settings) Set(settings, name, text);
-  return settings;
-}
-
 }  // namespace
 
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
@@ -62,7 +43,15 @@ std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadO
   recipe.spec = spec::LoadSpec(reference, options, sources, findings);
   if (recipe.spec == nullptr) return std::nullopt;
   SetReference(reference, options.search_path, recipe);
-  recipe.settings = SettingsOf(*recipe.spec);
+  for (const auto& [name, text] : recipe.spec->settings) {  // the last one of a name has won
+    const auto same =
+        std::ranges::find(recipe.settings, name, &std::pair<std::string, std::string>::first);
+    if (same == recipe.settings.end()) {
+      recipe.settings.emplace_back(name, text);
+    } else {
+      same->second = text;
+    }
+  }
   return recipe;
 }
 

@@ -38,8 +38,7 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
   diag::Findings found;
   std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, found);
   for (const diag::Finding& finding : found) {
-    diag::Finding& told = findings.Add(finding.code, {}, {});
-    told = finding;
+    diag::Finding& told = findings.Add(finding);
     const bool is_gone = spec.empty() && !finding.mark;
     if (is_gone && finding.code == diag::Code::kYamlCannotRead)
       told.hint = "pass its file with --spec";

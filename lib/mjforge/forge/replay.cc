@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "mjforge/forge/forge.h"
 
@@ -16,19 +15,13 @@ struct Original {
   std::filesystem::path archive;  // that holds it; empty: it stands by itself
 };
 
-void AddBadManifest(diag::Findings& findings, std::string message, std::string hint = {}) {
-  findings.Add(diag::Code::kOutputBadManifest, {}, std::move(message), std::move(hint));
-}
-
 // "out/manifest.jsonl:42" -> the file and 42; nothing if it ends otherwise.
 std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::string& what) {
   const std::size_t colon = what.rfind(':');
-  if (colon == std::string::npos || colon + 1 == what.size()) return std::nullopt;
-  std::uint64_t index = 0;
-  const char* end = what.data() + what.size();
-  const auto [stop, error] = std::from_chars(what.data() + colon + 1, end, index);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return std::pair(what.substr(0, colon), index);
+  if (colon == std::string::npos) return std::nullopt;
+  const std::optional<std::uint64_t> index = output::ReadIndex(what.substr(colon + 1));
+  if (!index) return std::nullopt;
+  return std::pair(what.substr(0, colon), *index);
 }
 
 std::optional<Original> FromManifest(const std::filesystem::path& file, std::uint64_t index,
@@ -51,8 +44,10 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
     }
     return original;
   }
-  if (outcome == Outcome::kEnd)
-    AddBadManifest(findings, fmt::format("'{}' has no record with index {}", file.string(), index));
+  if (outcome == Outcome::kEnd) {
+    findings.Add(diag::Code::kOutputBadManifest, {},
+                 fmt::format("'{}' has no record with index {}", file.string(), index));
+  }
   return std::nullopt;
 }
 
@@ -61,9 +56,9 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   if (!text) return std::nullopt;
   const std::optional<mjcf::Provenance> provenance = mjcf::ReadProvenance(*text);
   if (!provenance) {
-    AddBadManifest(findings,
-                   fmt::format("'{}' does not start with mjforge's comment", file.string()),
-                   "only files that mjforge wrote can be replayed");
+    findings.Add(diag::Code::kOutputBadManifest, {},
+                 fmt::format("'{}' does not start with mjforge's comment", file.string()),
+                 "only files that mjforge wrote can be replayed");
     return std::nullopt;
   }
   Original original;
