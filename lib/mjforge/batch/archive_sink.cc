@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <set>
 #include <sstream>
 
@@ -53,17 +52,13 @@ std::vector<Position> ReadJournal(const std::filesystem::path& file) {
 class ArchiveSink : public Sink {
  public:
   explicit ArchiveSink(const SinkOptions& options)
-      : request_(options.request),
+      : options_(options),
+        request_(options.request),
         destination_(request_.destination),
-        all_(options.all),
-        range_(options.range),
-        batch_(options.batch),
-        file_(destination_.Manifest(request_.shard)),
-        journal_file_(file_.string() + ".journal") {}
+        file_(destination_.Manifest(request_.shard)) {}
 
   std::optional<Kept> Open(diag::Findings& findings) override {
-    if (!destination_.Folder().empty() && !folders_.Make(destination_.Folder(), findings))
-      return std::nullopt;
+    if (!folders_.Make(destination_.Folder(), findings)) return std::nullopt;
     if (!MayReplaceManifest(file_, request_.force, findings)) return std::nullopt;
     std::error_code ignored;
     ours_ = request_.force || output::PartFile::Exists(file_) ||
@@ -71,13 +66,11 @@ class ArchiveSink : public Sink {
             std::filesystem::exists(destination_.Manifest({}), ignored);
     manifest_ = output::PartFile::Open(file_, findings);
     if (!manifest_) return std::nullopt;
-    journal_ = output::PartFile::Open(journal_file_, findings);
+    journal_ = output::PartFile::Open(file_.string() + ".journal", findings);
     if (!journal_) return std::nullopt;
-    if (request_.resume && manifest_->size() == 0 && journal_->size() == 0 &&
-        std::filesystem::exists(file_, ignored)) {
-      return ContinueFinished(findings);
-    }
-    return Continue(findings);
+    const bool is_begun = manifest_->size() > 0 || journal_->size() > 0;
+    const bool is_finished = !is_begun && std::filesystem::exists(file_, ignored);
+    return request_.resume && is_finished ? ContinueFinished(findings) : Continue(findings);
   }
 
   bool Take(Result& result, diag::Findings& findings) override {
@@ -105,7 +98,7 @@ class ArchiveSink : public Sink {
       Drop();
       return true;
     }
-    if (range_.count > 0 && !CloseArchive(findings)) return false;
+    if (options_.range.count > 0 && !CloseArchive(findings)) return false;
     if (!manifest_->Commit(request_.if_changed || request_.resume, findings)) return false;
     journal_->Drop();
     return true;
@@ -119,8 +112,8 @@ class ArchiveSink : public Sink {
 
  private:
   std::uint64_t FirstArchive() const {
-    return destination_.per_archive == 0 ? 0
-                                         : (range_.first - all_.first) / destination_.per_archive;
+    const std::uint64_t before = options_.range.first - options_.all.first;
+    return destination_.per_archive == 0 ? 0 : before / destination_.per_archive;
   }
 
   // Of a finished batch nothing is left to do, or everything: where an archive is gone.
@@ -130,28 +123,27 @@ class ArchiveSink : public Sink {
       return record.status != Status::kOk ||
              std::filesystem::exists(destination_.Folder() / record.archive, ignored);
     };
-    const std::optional<Kept> kept = ReadKept(file_, std::numeric_limits<std::uint64_t>::max(),
-                                              range_, batch_, is_there, findings);
+    const std::optional<Kept> kept = ReadKept(file_, options_, is_there, findings);
     if (!kept) {
       Drop();  // made just now
       return std::nullopt;
     }
-    is_complete_ = kept->done() == range_.count;
+    is_complete_ = kept->done() == options_.range.count;
     return is_complete_ ? kept : Continue(findings);
   }
 
   std::optional<Kept> Continue(diag::Findings& findings) {
-    position_ = {.next = range_.first, .archive = FirstArchive(), .assets = {}};
+    position_ = {.next = options_.range.first, .archive = FirstArchive(), .assets = {}};
     Kept kept;
     if (request_.resume) {
       const auto is_good = [](const manifest::Record&) { return true; };
       const std::optional<Kept> whole =
-          ReadKept(manifest_->temporary(), manifest_->size(), range_, batch_, is_good, findings);
+          ReadKept(manifest_->temporary(), options_, is_good, findings);
       if (!whole) return std::nullopt;
-      GoBackTo(range_.first + whole->done());
+      GoBackTo(options_.range.first + whole->done());
       // Again, for the counts at that place.
-      kept = *ReadKept(manifest_->temporary(), position_.manifest_bytes, range_, batch_, is_good,
-                       findings);
+      kept =
+          *ReadKept(manifest_->temporary(), options_, is_good, findings, position_.manifest_bytes);
     }
     if (!manifest_->Truncate(position_.manifest_bytes, findings)) return std::nullopt;
     if (position_.archive_bytes > 0 && !OpenArchive(position_.archive_bytes, findings))
@@ -236,13 +228,10 @@ class ArchiveSink : public Sink {
     return journal_->Append(journal + Line(position_), findings);
   }
 
+  SinkOptions options_;
   const Request& request_;
   const output::Destination& destination_;
-  Range all_;
-  Range range_;
-  const manifest::Record& batch_;
   std::filesystem::path file_;
-  std::filesystem::path journal_file_;
   output::MadeFolders folders_;
   std::unique_ptr<output::PartFile> manifest_;
   std::unique_ptr<output::PartFile> journal_;

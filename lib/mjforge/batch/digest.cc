@@ -35,9 +35,7 @@ void Digest::Add(Entry entry) {
 diag::Findings Digest::Result() const {
   diag::Findings result;
   for (const Entry& entry : entries_) {
-    diag::Finding& finding =
-        result.Add(entry.finding.code, entry.finding.mark, entry.finding.message);
-    finding = entry.finding;
+    diag::Finding& finding = result.Add(entry.finding);
     if (entry.variants > 1) {
       finding.notes.push_back(
           {{}, fmt::format("{} variants have this finding; this is the first", entry.variants)});

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "mjforge/batch/sink.h"
 
@@ -12,9 +11,8 @@ namespace {
 class FolderSink : public Sink {
  public:
   explicit FolderSink(const SinkOptions& options)
-      : request_(options.request),
-        range_(options.range),
-        batch_(options.batch),
+      : options_(options),
+        request_(options.request),
         folder_(request_.destination.Folder()),
         file_(request_.destination.Manifest(request_.shard)) {}
 
@@ -51,12 +49,10 @@ class FolderSink : public Sink {
  private:
   // Nobody else makes this range. Assets may be another shard's.
   void RemoveHalfWritten() const {
-    output::RemoveHalfWritten(
-        folder_,
-        [this](std::uint64_t index) {
-          return index >= range_.first && index - range_.first < range_.count;
-        },
-        request_.shard.IsWhole());
+    const auto is_ours = [range = options_.range](std::uint64_t index) {
+      return index >= range.first && index - range.first < range.count;
+    };
+    output::RemoveHalfWritten(folder_, is_ours, request_.shard.IsWhole());
   }
 
   // What is on disk is trusted by its hash, so that a file that was lost or
@@ -69,15 +65,10 @@ class FolderSink : public Sink {
 
   std::optional<Kept> Continue(diag::Findings& findings) {
     const auto is_there = [this](const manifest::Record& record) { return IsThere(record); };
-    if (part_->size() > 0)
-      return ReadKept(part_->temporary(), part_->size(), range_, batch_, is_there, findings);
+    if (part_->size() > 0) return ReadKept(part_->temporary(), options_, is_there, findings);
     // A finished batch: its manifest is checked, and gone on with where it ends.
-    std::error_code ignored;
-    if (!std::filesystem::exists(file_, ignored)) return Kept();
-    const std::optional<Kept> kept = ReadKept(file_, std::numeric_limits<std::uint64_t>::max(),
-                                              range_, batch_, is_there, findings);
-    if (!kept) return std::nullopt;
-    return Copy(kept->bytes, findings) ? kept : std::nullopt;
+    const std::optional<Kept> kept = ReadKept(file_, options_, is_there, findings);
+    return kept && Copy(kept->bytes, findings) ? kept : std::nullopt;
   }
 
   bool Copy(std::uint64_t bytes, diag::Findings& findings) {
@@ -94,9 +85,8 @@ class FolderSink : public Sink {
     return true;
   }
 
+  SinkOptions options_;
   const Request& request_;
-  Range range_;
-  const manifest::Record& batch_;
   std::filesystem::path folder_;
   std::filesystem::path file_;
   output::MadeFolders folders_;  // goes after the part file

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "mjforge/batch/batch.h"
@@ -13,28 +11,19 @@ namespace {
 // Lines are collected up to this size before they are written.
 constexpr std::size_t kWriteBytes = 1 << 20;
 
-std::optional<std::uint64_t> TakeNumber(std::string_view& text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc()) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return number;
-}
-
 // "manifest-00003-of-00008.jsonl" beside "manifest.jsonl" -> 3 of 8.
 std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
   constexpr std::string_view kEnding = ".jsonl";
+  constexpr std::string_view kOf = "-of-";
   manifest.remove_suffix(kEnding.size());
   if (!name.starts_with(manifest) || !name.ends_with(kEnding)) return std::nullopt;
   name.remove_prefix(manifest.size());
   name.remove_suffix(kEnding.size());
-  if (!name.starts_with('-')) return std::nullopt;
-  name.remove_prefix(1);
-  const std::optional<std::uint64_t> index = TakeNumber(name);
-  if (!index || !name.starts_with("-of-")) return std::nullopt;
-  name.remove_prefix(4);
-  const std::optional<std::uint64_t> count = TakeNumber(name);
-  if (!count || !name.empty()) return std::nullopt;
+  const std::size_t middle = name.find(kOf);
+  if (!name.starts_with('-') || middle == name.npos) return std::nullopt;
+  const auto index = output::ReadIndex(name.substr(1, middle - 1));
+  const auto count = output::ReadIndex(name.substr(middle + kOf.size()));
+  if (!index || !count) return std::nullopt;
   return output::Shard{*index, *count};
 }
 

@@ -82,13 +82,15 @@ auto Members(Result& result) {
                   result.output_findings);
 }
 
-template <typename Coder, typename... Values>
-void CodeAll(Coder& coder, Values&... values);
+template <typename A, typename B>
+auto Members(std::pair<A, B>& pair) {
+  return std::tie(pair.first, pair.second);
+}
 
 template <typename Coder, typename T>
 void Code(Coder& coder, T& value) {
   if constexpr (requires { Members(value); }) {
-    std::apply([&](auto&... members) { CodeAll(coder, members...); }, Members(value));
+    std::apply([&](auto&... members) { (Code(coder, members), ...); }, Members(value));
   } else {
     coder.Code(value);
   }
@@ -112,23 +114,13 @@ void Code(Coder& coder, std::optional<T>& value) {
   if (value) Code(coder, *value);
 }
 
-template <typename Coder, typename A, typename B>
-void Code(Coder& coder, std::pair<A, B>& pair) {
-  CodeAll(coder, pair.first, pair.second);
-}
-
 template <typename Coder>
 void Code(Coder& coder, diag::Findings& findings) {
   std::vector<diag::Finding> list(findings.begin(), findings.end());
   Code(coder, list);
   if constexpr (Coder::kReads) {
-    for (diag::Finding& finding : list) findings.Add(finding.code, {}, {}) = std::move(finding);
+    for (diag::Finding& finding : list) findings.Add(std::move(finding));
   }
-}
-
-template <typename Coder, typename... Values>
-void CodeAll(Coder& coder, Values&... values) {
-  (Code(coder, values), ...);
 }
 
 template <typename Message>

@@ -224,15 +224,11 @@ bool Pool::IsBusy() const {
 std::optional<Result> Pool::Wait() {
   if (results_.empty()) {
     std::vector<::pollfd> polled;
-    std::vector<Worker*> owners;
-    for (const auto& worker : workers_) {
-      if (worker->process < 0) continue;
-      polled.push_back({worker->channel, POLLIN, 0});
-      owners.push_back(worker.get());
-    }
+    // poll passes over those that have no process yet: their channel is -1.
+    for (const auto& worker : workers_) polled.push_back({worker->channel, POLLIN, 0});
     ::poll(polled.data(), polled.size(), kPollMilliseconds);
     for (std::size_t i = 0; i < polled.size(); ++i) {
-      if (polled[i].revents != 0) Receive(*owners[i]);
+      if (polled[i].revents != 0) Receive(*workers_[i]);
     }
     KillSlowWorkers();
     Feed();

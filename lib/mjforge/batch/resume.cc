@@ -15,20 +15,19 @@ bool FailedByChance(const manifest::Record& record) {
       [&](const std::string& finding) { return finding.find(died) != finding.npos; });
 }
 
-std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_t bytes,
-                             const Range& range, const manifest::Record& batch,
+std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOptions& options,
                              const std::function<bool(const manifest::Record&)>& is_good,
-                             diag::Findings& findings) {
+                             diag::Findings& findings, std::uint64_t bytes) {
   Kept kept;
   std::ifstream file(manifest, std::ios::binary);
   std::string line;
-  while (kept.done() < range.count && std::getline(file, line) && !file.eof()) {
+  while (kept.done() < options.range.count && std::getline(file, line) && !file.eof()) {
     if (kept.bytes + line.size() + 1 > bytes) break;
     std::string why_not;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) break;  // a crash of the machine may leave anything
-    std::string difference = manifest::DifferenceOfBatch(*record, batch);
-    const std::uint64_t expected = range.first + kept.done();
+    std::string difference = manifest::DifferenceOfBatch(*record, options.batch);
+    const std::uint64_t expected = options.range.first + kept.done();
     if (difference.empty() && record->index != expected)
       difference = fmt::format("index is {}, not {}", record->index, expected);
     if (!difference.empty()) {

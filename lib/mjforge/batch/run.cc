@@ -90,10 +90,6 @@ class Batch {
   }
 
  private:
-  bool IsStopped() const {
-    return request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
-  }
-
   void Make(Sink& sink, diag::Findings& output_findings) {
     const Range todo = {range_.first + summary_.kept, range_.count - summary_.kept};
     if (todo.count == 0) return;
@@ -118,7 +114,8 @@ class Batch {
       }
       goes_on = goes_on && TakeInOrder(sink, output_findings);
       ShowProgress();
-      if (IsStopped()) summary_.interrupted = true;
+      summary_.interrupted |=
+          request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
       if ((summary_.interrupted || !goes_on) && !stopped) {
         // Workers come to an end by themselves, so that none leaves half a file.
         stopped = Clock::now();
@@ -195,14 +192,12 @@ class Batch {
     const bool is_broken = summary_.interrupted || summary_.output_failed;
     const bool has_nothing =
         is_broken ? summary_.done() == 0 : summary_.ok == 0 && summary_.count > 0;
+    const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
       sink.Drop();
-      return;
+    } else if (!is_broken && !is_withheld) {  // what is broken stays as it is, to be resumed
+      summary_.output_failed = !sink.Finish(output_findings);
     }
-    // What is broken stays as it is, to be resumed.
-    const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
-    if (is_broken || is_withheld) return;
-    if (!sink.Finish(output_findings)) summary_.output_failed = true;
   }
 
   const forge::Recipe& recipe_;

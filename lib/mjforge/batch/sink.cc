@@ -10,18 +10,6 @@ using Kind = output::Destination::Kind;
 // Enough for the first line of any manifest, which may be gigabytes long.
 constexpr std::size_t kLongestLine = 1024 * 1024;
 
-class NoSink : public Sink {
- public:
-  bool Take(Result&, diag::Findings&) override { return true; }
-};
-
-mjcf::MjcfDocument DocumentOf(const Result& result) {
-  mjcf::MjcfDocument document;
-  document.text = result.text;
-  for (const auto& [name, source] : result.assets) document.assets.emplace_back(name, source);
-  return document;
-}
-
 class FileSink : public Sink {
  public:
   explicit FileSink(const Request& request) : request_(request) {}
@@ -31,7 +19,10 @@ class FileSink : public Sink {
     const std::filesystem::path& path = request_.destination.path;
     output::ObjectFolder folder(path.parent_path(),
                                 {.force = request_.force, .if_changed = request_.if_changed});
-    return folder.Write(path.filename().string(), DocumentOf(result), findings);
+    mjcf::MjcfDocument document;
+    document.text = result.text;
+    document.assets.assign(result.assets.begin(), result.assets.end());
+    return folder.Write(path.filename().string(), document, findings);
   }
 
  private:
@@ -62,7 +53,7 @@ class TextSink : public Sink {
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
   switch (options.request.destination.kind) {
     case Kind::kNowhere:
-      return std::make_unique<NoSink>();
+      return std::make_unique<Sink>();
     case Kind::kFile:
       return std::make_unique<FileSink>(options.request);
     case Kind::kStandardOutput:

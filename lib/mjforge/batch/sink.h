@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -16,20 +17,11 @@ struct Kept : manifest::StatusCounts {
   std::uint64_t bytes = 0;  // of the manifest
 };
 
-/// Reads the records of `manifest` from the start, at most `range`.count of them and at most
-/// `bytes` bytes, while `is_good` accepts them and their indices count up from `range`.first.
-/// Nothing, and a finding, if a record belongs to another batch than `batch` or the file cannot be
-/// read.
-std::optional<Kept> ReadKept(const std::filesystem::path& manifest, std::uint64_t bytes,
-                             const Range& range, const manifest::Record& batch,
-                             const std::function<bool(const manifest::Record&)>& is_good,
-                             diag::Findings& findings);
-
 /// Whether a record's variant failed by chance: its worker died.
 bool FailedByChance(const manifest::Record& record);
 
 /// Where a batch goes, seen from the process that leads it. It takes the results
-/// in index order.
+/// in index order. This one keeps nothing.
 class Sink {
  public:
   virtual ~Sink() = default;
@@ -40,7 +32,7 @@ class Sink {
   /// How workers that write files themselves may overwrite; valid after Open.
   virtual output::Overwrite overwrite() const { return {}; }
   /// From a result that it cannot use, it clears what would be counted.
-  virtual bool Take(Result& result, diag::Findings& findings) = 0;
+  virtual bool Take(Result&, diag::Findings&) { return true; }
   /// Everything is there: gives the output its final name.
   virtual bool Finish(diag::Findings&) { return true; }
   /// Nothing could be made: removes what Open made.
@@ -55,6 +47,15 @@ struct SinkOptions {
   Range range;
   const manifest::Record& batch;
 };
+
+/// Reads the records of `manifest` from the start, at most `range`.count of them and at most
+/// `bytes` bytes, while `is_good` accepts them and their indices count up from `range`.first.
+/// Nothing, and a finding, if a record belongs to another batch than `batch`.
+std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOptions& options,
+                             const std::function<bool(const manifest::Record&)>& is_good,
+                             diag::Findings& findings,
+                             std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
+
 /// The sink of the request's destination. `text` takes the object for standard output.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
 

@@ -45,7 +45,8 @@ class Worker {
     result.more_findings = digest.not_shown();
     result.findings.assign(digest.entries().begin(), digest.entries().end());
     for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
-    TellInputs(result);
+    // Attached files became sources as they were read.
+    while (told_sources_ < sources_.size()) result.inputs.push_back(sources_.Name(++told_sources_));
     return result;
   }
 
@@ -80,41 +81,43 @@ class Worker {
     manifest::Record& record = variant_.record;
     diag::Findings& findings = result.output_findings;
     if (request_.destination.kind == Kind::kNowhere) return true;
-    if (variant_.ok() && request_.destination.kind == Kind::kFolder) {
-      if (!folder_.Write(record.file, variant_.document, findings)) {
+    if (request_.destination.kind == Kind::kFolder) {
+      if (variant_.ok() && !folder_.Write(record.file, variant_.document, findings)) {
         findings.SetVariant(record.seed, record.index);
         return false;
       }
+    } else if (variant_.ok()) {
+      AddAssets(result);
     }
-    if (variant_.ok() && request_.destination.kind != Kind::kFolder) {
-      for (const auto& asset : variant_.document.assets) {
-        const auto known = std::find(result.assets.begin(), result.assets.end(),
-                                     std::pair(asset.first, asset.second.string()));
-        if (known == result.assets.end())
-          result.assets.emplace_back(asset.first, asset.second.string());
-      }
-    }
-    if (!request_.destination.IsArchive()) {
-      AppendRecord(result.lines, record);
-      if (request_.destination.kind != Kind::kFolder) result.text = variant_.document.text;
-      return true;
-    }
-    bool written = true;
-    if (variant_.ok()) {
-      const std::string stem = output::VariantStem(record.name, record.index);
-      record.file = stem + ".xml";
-      // The record in an archive says nothing of places: two archives of the same variants are the
-      // same.
-      std::string line;
-      const std::string spec_file = std::exchange(record.spec_file, {});
-      AppendRecord(line, record);
-      record.spec_file = spec_file;
-      written = segment_.Add(record.file, variant_.document.text, findings) &&
-                segment_.Add(stem + ".json", line, findings);
-      record.archive = archive_;
+    if (request_.destination.IsArchive()) {
+      if (variant_.ok() && !AddMembers(record, findings)) return false;
+    } else if (request_.destination.kind != Kind::kFolder) {
+      result.text = variant_.document.text;
     }
     AppendRecord(result.lines, record);
-    return written;
+    return true;
+  }
+
+  void AddAssets(Result& result) const {
+    for (const auto& [name, source] : variant_.document.assets) {
+      const std::pair<std::string, std::string> asset(name, source);
+      if (std::ranges::find(result.assets, asset) == result.assets.end())
+        result.assets.push_back(asset);
+    }
+  }
+
+  // The object and its record to the archive.
+  bool AddMembers(manifest::Record& record, diag::Findings& findings) {
+    const std::string stem = output::VariantStem(record.name, record.index);
+    record.file = stem + ".xml";
+    // The record there says nothing of places: two archives of the same variants are the same.
+    std::string line;
+    const std::string spec_file = std::exchange(record.spec_file, {});
+    AppendRecord(line, record);
+    record.spec_file = spec_file;
+    record.archive = archive_;
+    return segment_.Add(record.file, variant_.document.text, findings) &&
+           segment_.Add(stem + ".json", line, findings);
   }
 
   void Tell(Result& result) {
@@ -129,12 +132,6 @@ class Worker {
       if (variant_.object && told_assets_.insert(source.string()).second)
         result.inputs.push_back(source.string());
     }
-  }
-
-  // Attached files became sources as they were read.
-  void TellInputs(Result& result) {
-    for (; told_sources_ < sources_.size(); ++told_sources_)
-      result.inputs.push_back(sources_.Name(told_sources_ + 1));
   }
 
   // The texts that the leading process lacks.
