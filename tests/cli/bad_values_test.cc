@@ -113,5 +113,14 @@ TEST_CASE_METHOD(BadInputTest, "a setting of an unknown parameter is one finding
                   "spec/unknown-parameter");
 }
 
+TEST_CASE_METHOD(BadInputTest, "an object that MuJoCo refuses is neither written nor printed") {
+  folder().Write("s.yaml",
+                 "mjforge: 1\nname: speck\nparts:\n"
+                 "  - {name: body, type: sphere, size: 1um, mass: 1e-9}\n");
+  CheckOneFinding(Run({"generate", "s.yaml", "-q", "-MD", "-o", "x.xml"}), 1, "mujoco/error");
+  CheckOneFinding(Run({"generate", "s.yaml", "-q", "-o", "-"}), 1, "mujoco/error");
+  CHECK(folder().Files() == std::vector<std::string>{"s.yaml"});
+}
+
 }  // namespace
 }  // namespace mjforge

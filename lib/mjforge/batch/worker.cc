@@ -76,25 +76,26 @@ class Worker {
     return finding;
   }
 
-  // The variant's bytes to where they go; false if that fails.
+  // The variant's bytes and its record to where they go; false if that fails.
   bool Write(Result& result) {
-    manifest::Record& record = variant_.record;
-    diag::Findings& findings = result.output_findings;
     if (request_.destination.kind == Kind::kNowhere) return true;
-    if (request_.destination.kind == Kind::kFolder) {
-      if (variant_.ok() && !folder_.Write(record.file, variant_.document, findings)) {
-        findings.SetVariant(record.seed, record.index);
-        return false;
-      }
-    } else if (variant_.ok()) {
-      AddAssets(result);
-    }
-    if (request_.destination.IsArchive()) {
-      if (variant_.ok() && !AddMembers(record, findings)) return false;
-    } else if (request_.destination.kind != Kind::kFolder) {
-      result.text = variant_.document.text;
+    const manifest::Record& record = variant_.record;
+    if (variant_.ok() && !WriteObject(result)) {
+      result.output_findings.SetVariant(record.seed, record.index);
+      return false;
     }
     AppendRecord(result.lines, record);
+    return true;
+  }
+
+  bool WriteObject(Result& result) {
+    const output::Destination& destination = request_.destination;
+    diag::Findings& findings = result.output_findings;
+    if (destination.kind == Kind::kFolder)
+      return folder_.Write(variant_.record.file, variant_.document, findings);
+    AddAssets(result);
+    if (destination.IsArchive()) return AddMembers(findings);
+    result.text = variant_.document.text;
     return true;
   }
 
@@ -107,7 +108,8 @@ class Worker {
   }
 
   // The object and its record to the archive.
-  bool AddMembers(manifest::Record& record, diag::Findings& findings) {
+  bool AddMembers(diag::Findings& findings) {
+    manifest::Record& record = variant_.record;
     const std::string stem = output::VariantStem(record.name, record.index);
     record.file = stem + ".xml";
     // The record there says nothing of places: two archives of the same variants are the same.
