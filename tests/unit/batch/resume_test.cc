@@ -11,6 +11,7 @@ namespace {
 Summary MakeUpTo(CrateBatch& test, Request request, std::uint64_t count) {
   std::atomic<bool> stop = false;
   request.stop = &stop;
+  request.jobs = 1;  // with two, all of it may be made before the first chunk is taken
   Watch watch;
   watch.variant = [&](const Done& done) {
     if (done.index + 1 >= count) stop = true;
