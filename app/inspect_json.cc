@@ -1,45 +1,15 @@
-#include <limits>
-
 #include "inspect.h"
 #include "json.h"
 
 namespace mjforge::app {
 namespace {
 
-void Value(Json& json, const sample::ParameterValue& value) {
-  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-    json.StartArray();
-    for (const double number : *numbers) json.Value(number);
-    json.EndArray();
-  } else if (const auto* number = std::get_if<double>(&value)) {
-    json.Value(*number);
-  } else if (const auto* flag = std::get_if<bool>(&value)) {
-    json.Value(*flag);
-  } else {
-    json.Value(std::get<std::string>(value));
-  }
-}
-
-// An object for each item, whose members `write` writes.
-template <typename Items, typename Write>
-void Array(Json& json, std::string_view key, const Items& items, const Write& write) {
-  json.Key(key);
-  json.StartArray();
-  for (const auto& item : items) {
-    json.StartObject();
-    write(item);
-    json.EndObject();
-  }
-  json.EndArray();
-}
-
 void Parameters(Json& json, const forge::Recipe& recipe, const forge::Variant& variant) {
   auto drawn = variant.record.params.begin();
-  Array(json, "parameters", recipe.spec->parameters, [&](const spec::Parameter& parameter) {
+  json.Each("parameters", recipe.spec->parameters, [&](const spec::Parameter& parameter) {
     json.Member("name", parameter.name);
     json.Member("spec", parameter.source);
-    json.Key("value");
-    Value(json, (drawn++)->second);
+    json.Member("value", (drawn++)->second);
     json.Member("unit", parameter.unit);
     json.Member("doc", parameter.doc);
   });
@@ -51,7 +21,7 @@ void Pose(Json& json, const model::Pose& pose) {
 }
 
 void Parts(Json& json, const model::Body& body) {
-  Array(json, "parts", body.parts, [&](const model::Part& part) {
+  json.Each("parts", body.parts, [&](const model::Part& part) {
     json.Member("name", part.name);
     json.Member("type", model::GeomTypeName(part.shape.type));
     json.Member("collides", part.role != model::Role::kVisual);
@@ -63,7 +33,7 @@ void Parts(Json& json, const model::Body& body) {
 }
 
 void Joints(Json& json, const model::Body& body) {
-  Array(json, "joints", body.joints, [&](const model::Joint& joint) {
+  json.Each("joints", body.joints, [&](const model::Joint& joint) {
     json.Member("name", joint.name);
     json.Member("type", joint.type);
     if (joint.type == "hinge" || joint.type == "slide") json.Member("axis", joint.axis);
@@ -72,7 +42,7 @@ void Joints(Json& json, const model::Body& body) {
 }
 
 void Sites(Json& json, const model::Body& body) {
-  Array(json, "sites", body.sites, [&](const model::Site& site) {
+  json.Each("sites", body.sites, [&](const model::Site& site) {
     json.Member("name", site.name);
     Pose(json, site.X_BS);
   });
@@ -95,20 +65,8 @@ void Mass(Json& json, const model::MassProperties& properties) {
               Eigen::Vector<double, 6>(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
 }
 
-void Totals(Json& json, const model::MassProperties& properties, const model::Box3& aabb) {
-  Box(json, aabb);
-  Mass(json, properties);
-}
-
-void Element(Json& json, std::string_view kind, std::string_view name) {
-  json.StartObject();
-  json.Member("kind", kind);
-  json.Member("name", name);
-  json.EndObject();
-}
-
 void Elements(Json& json, std::string_view key, const std::vector<model::Element>& elements) {
-  Array(json, key, elements, [&](const model::Element& element) {
+  json.Each(key, elements, [&](const model::Element& element) {
     json.Member("kind", element.tag);
     json.Member("name", element.name);
   });
@@ -124,7 +82,6 @@ void Sections(Json& json, const model::Object& object) {
 }
 
 void BodyHead(Json& json, const model::Object& object, const model::Body& body) {
-  json.StartObject();
   json.Member("name", body.name);
   json.Member("parent", body.parent < 0
                             ? std::string_view("world")
@@ -133,36 +90,26 @@ void BodyHead(Json& json, const model::Object& object, const model::Body& body) 
   Mass(json, body.mass_properties);
 }
 
-void Body(Json& json, const model::Object& object, const model::Body& body) {
-  BodyHead(json, object, body);
-  Parts(json, body);
-  Joints(json, body);
-  Sites(json, body);
-  Elements(json, "elements", body.elements);
-  json.EndObject();
-}
-
 // What several joints do has neither joint nor value.
 void Sweep(Json& json, const std::optional<validate::Sweep>& sweep) {
   if (!sweep) return;
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   json.Key("sweep");
   json.StartObject();
-  Array(json, "contacts", sweep->contacts, [&](const validate::Sweep::Contact& contact) {
-    const bool alone = !contact.joint.empty();
-    json.Key("joint");
-    alone ? json.Value(contact.joint) : json.Value(kNone);
-    json.Member("value", alone ? contact.value : kNone);
+  json.Each("contacts", sweep->contacts, [&](const validate::Sweep::Contact& contact) {
+    if (contact.joint.empty()) {
+      json.Member("joint", nullptr);
+      json.Member("value", nullptr);
+    } else {
+      json.Member("joint", contact.joint);
+      json.Member("value", contact.value);
+    }
     json.Member("body1", contact.body1);
     json.Member("geom1", contact.geom1);
     json.Member("body2", contact.body2);
     json.Member("geom2", contact.geom2);
     json.Member("depth", contact.depth);
   });
-  json.Key("held");
-  json.StartArray();
-  for (const std::string& joint : sweep->held) json.Value(joint);
-  json.EndArray();
+  json.Member("held", sweep->held);
   Box(json, sweep->aabb);
   json.EndObject();
 }
@@ -183,12 +130,16 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
   json.Member("seed", record.seed);
   json.Member("index", record.index);
   json.Member("attempt", record.attempt);
-  json.Key("bodies");
-  json.StartArray();
-  for (const model::Body& body : object.bodies) Body(json, object, body);
-  json.EndArray();
+  json.Each("bodies", object.bodies, [&](const model::Body& body) {
+    BodyHead(json, object, body);
+    Parts(json, body);
+    Joints(json, body);
+    Sites(json, body);
+    Elements(json, "elements", body.elements);
+  });
   Sections(json, object);
-  Totals(json, object.mass_properties, object.bounds.aabb);
+  Box(json, object.bounds.aabb);
+  Mass(json, object.mass_properties);
   json.Member("top_offset", object.bounds.top_offset);
   json.Member("bottom_offset", object.bounds.bottom_offset);
   json.Member("horizontal_radius", object.bounds.horizontal_radius);
@@ -203,14 +154,11 @@ std::string InspectJson(const validate::CompiledModel& model,
   json.StartObject();
   const model::Object& object = model.object;
   json.Member("name", object.name);
-  json.Key("bodies");
-  json.StartArray();
-  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    BodyHead(json, object, object.bodies[i]);
-    json.Member("geoms", static_cast<std::size_t>(model.body_geoms[i]));
-    json.EndObject();
-  }
-  json.EndArray();
+  auto geoms = model.body_geoms.begin();
+  json.Each("bodies", object.bodies, [&](const model::Body& body) {
+    BodyHead(json, object, body);
+    json.Member("geoms", *geoms++);
+  });
   json.Key("joints");
   json.StartArray();
   for (const model::Body& body : object.bodies) {
@@ -225,13 +173,14 @@ std::string InspectJson(const validate::CompiledModel& model,
     }
   }
   json.EndArray();
-  json.Key("elements");
-  json.StartArray();
-  for (const auto& [kind, name] : model.elements) Element(json, kind, name);
-  json.EndArray();
-  json.Member("ngeom", static_cast<std::size_t>(model.geoms));
-  json.Member("nsite", static_cast<std::size_t>(model.sites));
-  Totals(json, object.mass_properties, object.bounds.aabb);
+  json.Each("elements", model.elements, [&](const validate::CompiledModel::Element& element) {
+    json.Member("kind", element.kind);
+    json.Member("name", element.name);
+  });
+  json.Member("ngeom", model.geoms);
+  json.Member("nsite", model.sites);
+  Box(json, object.bounds.aabb);
+  Mass(json, object.mass_properties);
   Sweep(json, sweep);
   json.EndObject();
   return json.Line();

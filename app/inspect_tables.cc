@@ -19,10 +19,6 @@ std::string NumbersText(const Numbers& numbers) {
   return text;
 }
 
-std::string VectorText(const Eigen::Vector3d& vector) {
-  return fmt::format("{} {} {}", Number(vector.x()), Number(vector.y()), Number(vector.z()));
-}
-
 std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return Number(*number);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
@@ -60,20 +56,20 @@ Eigen::Vector3d WithoutNoise(const Eigen::Vector3d& vector, double scale) {
 double LengthOf(const model::Box3& aabb) { return aabb.empty() ? 0 : (aabb.max - aabb.min).norm(); }
 
 std::string ComText(const model::MassProperties& properties, const model::Box3& aabb) {
-  return VectorText(WithoutNoise(properties.p_FCm, LengthOf(aabb)));
+  return NumbersText(WithoutNoise(properties.p_FCm, LengthOf(aabb)));
 }
 
 // xx yy zz  xy xz yz
 std::string InertiaText(const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   const Eigen::Vector3d products = WithoutNoise({I(0, 1), I(0, 2), I(1, 2)}, I.trace());
-  return fmt::format("{}  {}", VectorText(I.diagonal()), VectorText(products));
+  return fmt::format("{}  {}", NumbersText(I.diagonal()), NumbersText(products));
 }
 
 // Empty where the axes are the parent's.
 std::string QuatText(const Eigen::Quaterniond& q) {
   if (q.vec().norm() < 1e-12) return "";
-  return fmt::format("{} {}", Number(q.w()), VectorText(q.vec()));
+  return fmt::format("{} {}", Number(q.w()), NumbersText(q.vec()));
 }
 
 // What tells the bodies of an object apart, if there are several.
@@ -81,17 +77,21 @@ std::string BodyText(const model::Object& object, const model::Body& body) {
   return object.bodies.size() > 1 ? body.name : "";
 }
 
-std::string Bodies(const model::Object& object) {
-  if (object.bodies.size() < 2) return "";
-  Table table({"body", "parent", "pos", "quat", "kg", "com", "inertia, kg m^2"});
-  for (const int i : mjcf::DepthFirst(object)) {
-    const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
+// `geoms`: how many each body of a file has; none for an object, whose root has no parent to name.
+std::string Bodies(const model::Object& object, std::span<const int> geoms) {
+  Table table({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
+  for (const int number : mjcf::DepthFirst(object)) {
+    const auto i = static_cast<std::size_t>(number);
+    const model::Body& body = object.bodies[i];
     const model::MassProperties& mass = body.mass_properties;
-    table.Add({body.name,
-               body.parent < 0 ? "" : object.bodies[static_cast<std::size_t>(body.parent)].name,
-               VectorText(body.X_PB.p), QuatText(body.X_PB.q), Number(mass.mass),
-               mass.mass > 0 ? ComText(mass, object.bounds.aabb) : "",
-               mass.mass > 0 ? InertiaText(mass) : ""});
+    const char* of_root = geoms.empty() ? "" : "world";
+    table.Add(
+        {body.name,
+         body.parent < 0 ? of_root : object.bodies[static_cast<std::size_t>(body.parent)].name,
+         NumbersText(body.X_PB.p), QuatText(body.X_PB.q),
+         geoms.empty() ? "" : fmt::format("{}", geoms[i]), Number(mass.mass),
+         mass.mass > 0 ? ComText(mass, object.bounds.aabb) : "",
+         mass.mass > 0 ? InertiaText(mass) : ""});
   }
   return table.Render() + "\n";
 }
@@ -102,7 +102,7 @@ std::string Parts(const model::Object& object) {
     for (const model::Part& part : body.parts) {
       table.Add({part.name, BodyText(object, body),
                  std::string(model::GeomTypeName(part.shape.type)), std::string(RoleName(part)),
-                 SizeText(part.shape), VectorText(part.X_BG.p), Number(part.mass)});
+                 SizeText(part.shape), NumbersText(part.X_BG.p), Number(part.mass)});
     }
   }
   return table.Render() + "\n";
@@ -114,7 +114,7 @@ std::string Joints(const model::Object& object, bool always_bodies) {
     for (const model::Joint& joint : body.joints) {
       const bool has_axis = joint.type == "hinge" || joint.type == "slide";
       table.Add({joint.name, always_bodies ? body.name : BodyText(object, body),
-                 std::string(joint.type), has_axis ? VectorText(joint.axis) : "",
+                 std::string(joint.type), has_axis ? NumbersText(joint.axis) : "",
                  joint.range ? NumbersText(*joint.range) : ""});
     }
   }
@@ -125,7 +125,7 @@ std::string Sites(const model::Object& object) {
   Table table({"site", "body", "pos"});
   for (const model::Body& body : object.bodies) {
     for (const model::Site& site : body.sites) {
-      table.Add({site.name, BodyText(object, body), VectorText(site.X_BS.p)});
+      table.Add({site.name, BodyText(object, body), NumbersText(site.X_BS.p)});
     }
   }
   return table.empty() ? "" : table.Render() + "\n";
@@ -150,7 +150,7 @@ std::string Elements(const model::Object& object) {
 std::string Totals(const model::MassProperties& properties, const model::Box3& aabb) {
   std::string text;
   if (!aabb.empty()) {
-    text += fmt::format("bounds   {} to {} m\n", VectorText(aabb.min), VectorText(aabb.max));
+    text += fmt::format("bounds   {} to {} m\n", NumbersText(aabb.min), NumbersText(aabb.max));
   }
   text += fmt::format("mass     {} kg\n", Number(properties.mass));
   text += fmt::format("com      {} m\n", ComText(properties, aabb));
@@ -175,7 +175,7 @@ std::string SweepText(const std::optional<validate::Sweep>& sweep) {
   }
   const model::Box3& box = sweep->aabb;
   if (!box.empty()) {
-    text += fmt::format("swept    {} to {} m\n", VectorText(box.min), VectorText(box.max));
+    text += fmt::format("swept    {} to {} m\n", NumbersText(box.min), NumbersText(box.max));
   }
   return text;
 }
@@ -193,7 +193,8 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   text += Parameters(recipe, variant);
   text +=
       fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
-  text += Bodies(object) + Parts(object) + Joints(object, false) + Sites(object) + Elements(object);
+  if (object.bodies.size() > 1) text += Bodies(object, {});
+  text += Parts(object) + Joints(object, false) + Sites(object) + Elements(object);
   text += Totals(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
   return text + SweepText(sweep);
@@ -202,24 +203,11 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
 std::string InspectTables(const validate::CompiledModel& model,
                           const std::optional<validate::Sweep>& sweep) {
   const model::Object& object = model.object;
-  const model::Box3& aabb = object.bounds.aabb;
-  Table bodies({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
-  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    const model::Body& body = object.bodies[i];
-    const model::MassProperties& mass = body.mass_properties;
-    bodies.Add(
-        {body.name,
-         body.parent < 0 ? "world" : object.bodies[static_cast<std::size_t>(body.parent)].name,
-         VectorText(body.X_PB.p), QuatText(body.X_PB.q), fmt::format("{}", model.body_geoms[i]),
-         Number(mass.mass), mass.mass > 0 ? ComText(mass, aabb) : "",
-         mass.mass > 0 ? InertiaText(mass) : ""});
-  }
   Table elements({"element", "kind"});
   for (const auto& [kind, name] : model.elements) elements.Add({name, kind});
-  std::string text = fmt::format("{}\n\n{}\n", object.name, bodies.Render());
-  text += Joints(object, true);
+  std::string text = object.name + "\n\n" + Bodies(object, model.body_geoms) + Joints(object, true);
   if (!elements.empty()) text += elements.Render() + "\n";
-  return text + Totals(object.mass_properties, aabb) + SweepText(sweep);
+  return text + Totals(object.mass_properties, object.bounds.aabb) + SweepText(sweep);
 }
 
 }  // namespace mjforge::app
