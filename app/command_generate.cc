@@ -87,9 +87,9 @@ std::string MisplacedMake(const GenerateOptions& options, const batch::Request& 
   return {};
 }
 
-std::vector<std::string> TargetNames() {
-  std::vector<std::string> names;
-  for (const mjcf::TargetRules& info : mjcf::Targets()) names.emplace_back(info.name);
+std::vector<std::string_view> TargetNames() {
+  std::vector<std::string_view> names;
+  for (const mjcf::TargetRules& info : mjcf::Targets()) names.push_back(info.name);
   return names;
 }
 
@@ -105,8 +105,26 @@ void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command.add_flag("--force", options.request.force, "Overwrite files that mjforge did not make");
 }
 
-// As a batch takes them.
-std::optional<batch::Request> Converted(const GenerateOptions& options, std::string& why_not) {
+void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
+  AddManyOptions(command, options);
+  AddWholeNumber(command, "--first", options.request.first, "Index of the first variant");
+  AddOutputOptions(command, options);
+  command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
+      ->option_text("TEXT");
+  AddWord(command, "--target", options.target, TargetNames(), "For");
+  AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
+  AddWord(command, "--on-invalid", options.on_invalid, manifest::kOnInvalid, "Invalid variants");
+  AddWord(command, "--sampler", options.sampler, sample::MethodNames(), "Spread of draws");
+  AddWholeNumber(command, "--batch", options.request.variant.batch,
+                 "Variants the draws are spread over", 1)
+      ->option_text("N [-n]");
+  AddMakeOptions(command, options.make);
+  command.add_flag("-v,--verbose", options.verbose, "Print a line per variant");
+}
+
+// The options as a batch takes them, except a folder's name that comes from the spec; nothing, and
+// why, if they contradict each other.
+std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
   batch::Request request = RequestOf(static_cast<const ManyOptions&>(options));
   request.variant.target = *mjcf::FindTarget(options.target);
   request.variant.sampler = *sample::FindMethod(options.sampler);
@@ -119,46 +137,20 @@ std::optional<batch::Request> Converted(const GenerateOptions& options, std::str
     return std::nullopt;
   }
   request.destination = *destination;
-  if (options.shard.empty()) return request;
-  const std::optional<output::Shard> shard = ParseShard(options.shard, why_not);
-  if (!shard) return std::nullopt;
-  request.shard = *shard;
-  return request;
-}
-
-void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
-  AddManyOptions(command, options);
-  AddWholeNumber(command, "--first", options.request.first, "Index of the first variant");
-  AddOutputOptions(command, options);
-  command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
-      ->option_text("TEXT");
-  AddWord(command, "--target", options.target, TargetNames(), "For");
-  AddWord(command, "--validate", options.validate, Words(manifest::WordsOf(forge::Validation())),
-          "MuJoCo's verdict");
-  AddWord(command, "--on-invalid", options.on_invalid, Words(manifest::WordsOf(forge::OnInvalid())),
-          "Invalid variants");
-  AddWord(command, "--sampler", options.sampler, Words(sample::MethodNames()), "Spread of draws");
-  AddWholeNumber(command, "--batch", options.request.variant.batch,
-                 "Variants the draws are spread over", 1)
-      ->option_text("N [-n]");
-  AddMakeOptions(command, options.make);
-  command.add_flag("-v,--verbose", options.verbose, "Print a line per variant");
-}
-
-// The options as a batch takes them, except a folder's name that comes from the spec; nothing, and
-// why, if they contradict each other.
-std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
-  std::optional<batch::Request> request = Converted(options, why_not);
-  if (!request) return std::nullopt;
-  if (request->count - 1 > std::numeric_limits<std::uint64_t>::max() - request->first) {
+  if (!options.shard.empty()) {
+    const std::optional<output::Shard> shard = ParseShard(options.shard, why_not);
+    if (!shard) return std::nullopt;
+    request.shard = *shard;
+  }
+  if (request.count - 1 > std::numeric_limits<std::uint64_t>::max() - request.first) {
     why_not = "--first and -n go beyond the largest index";
-  } else if (request->variant.batch > sample::kMaxBatch) {
+  } else if (request.variant.batch > sample::kMaxBatch) {
     why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
   } else {
-    why_not = Misplaced(options, *request);
-    if (why_not.empty()) why_not = MisplacedMake(options, *request);
+    why_not = Misplaced(options, request);
+    if (why_not.empty()) why_not = MisplacedMake(options, request);
   }
-  return why_not.empty() ? request : std::nullopt;
+  return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }
 
 ExitStatus StatusOf(const batch::Summary& summary) {
@@ -209,13 +201,13 @@ class Generation {
 
   ExitStatus operator()() {
     KeepMemory();
-    Load();
-    if (status_ != ExitStatus::kDone) return status_;
+    ExitStatus status = Load();
+    if (status != ExitStatus::kDone) return status;
     for (const forge::Recipe& recipe : recipes_) {
-      status_ = Worse(status_, Make(recipe));
-      if (status_ >= ExitStatus::kInputOutput) break;
+      status = Worse(status, Make(recipe));
+      if (status >= ExitStatus::kInputOutput) break;
     }
-    return status_;
+    return status;
   }
 
  private:
@@ -228,12 +220,11 @@ class Generation {
   }
 
   // All specs first: a mistake in the last one must not show after an hour.
-  void Load() {
+  ExitStatus Load() {
     if (!request_.variant.name.empty() &&
         !forge::CheckName(request_.variant.name, console_.findings)) {
       console_.Tell();
-      status_ = ExitStatus::kUsage;
-      return;
+      return ExitStatus::kUsage;
     }
     std::set<std::string> names;
     for (const std::string& spec : options_.specs) {
@@ -248,7 +239,7 @@ class Generation {
       }
       recipes_.push_back(*std::move(recipe));
     }
-    status_ = console_.Tell();
+    return console_.Tell();
   }
 
   std::filesystem::path FolderOf(const forge::Recipe& recipe) const {
@@ -321,7 +312,6 @@ class Generation {
   batch::Request request_;
   Console& console_;
   std::vector<forge::Recipe> recipes_;
-  ExitStatus status_ = ExitStatus::kDone;
 };
 
 }  // namespace

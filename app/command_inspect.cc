@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "inspect_batch.h"
 #include "json.h"
 #include "mjforge/expr/expr.h"
 #include "options.h"

@@ -13,8 +13,6 @@
 namespace mjforge::app {
 namespace {
 
-std::string PictureSoftware() { return "mjforge " + std::string(forge::Version()); }
-
 // Whether nothing would be lost by writing a picture there. Else a finding.
 bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Findings& findings) {
   // Pictures say so before what they show.
@@ -175,16 +173,11 @@ class Preview {
 
   // So that a picture can be traced to what it shows.
   picture::Texts TextsOf(const manifest::Record& record, const std::string& count) const {
-    picture::Texts texts = {{"Software", PictureSoftware()}};
-    if (recipe_) {
-      texts.emplace_back("mjforge",
-                         fmt::format("spec={} sha256={} seed={} index={}{}", record.spec,
-                                     record.spec_sha256, record.seed, record.index, count));
-    } else {
-      texts.emplace_back("mjforge",
-                         "file=" + std::filesystem::path(options_.what).filename().string());
-    }
-    return texts;
+    const std::string shown =
+        recipe_ ? fmt::format("spec={} sha256={} seed={} index={}{}", record.spec,
+                              record.spec_sha256, record.seed, record.index, count)
+                : "file=" + std::filesystem::path(options_.what).filename().string();
+    return {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", shown}};
   }
 
   const PreviewOptions& options_;
@@ -200,8 +193,8 @@ Action AddPreview(CLI::App& command) {
   auto options = std::make_shared<PreviewOptions>();
   AddPreviewOptions(command, *options);
   return [options](Console& console) {
-    std::string why_not;
-    if (!Understand(*options, why_not)) return WrongUsage(why_not, "preview");
+    const std::string why_not = Understand(*options);
+    if (!why_not.empty()) return WrongUsage(why_not, "preview");
     if (options->output == "-" && ::isatty(STDOUT_FILENO) != 0)
       return WrongUsage("-o -: a terminal cannot show a picture", "preview");
     return Preview(*options, console)();

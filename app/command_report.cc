@@ -21,10 +21,6 @@ using Path = std::filesystem::path;
 // A suggestion of more is a list to read through.
 constexpr std::size_t kMaxSuggestions = 3;
 
-bool IsManifest(std::string_view name) {
-  return name.ends_with(".jsonl") || name.ends_with(".jsonl.part");
-}
-
 bool IsFile(const Path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored);
@@ -113,42 +109,31 @@ std::string SizeText(std::size_t bytes) {
                            : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
-// What the page says in a line; empty if there is none.
-std::string MakeReport(const PageOptions& options, std::string& html, std::filesystem::path& file,
-                       Console& console) {
-  diag::Sources& sources = console.sources;
-  diag::Findings& findings = console.findings;
-  const auto manifest = FindBatch(options.what, findings);
-  if (!manifest) return {};
-  const bool is_printed = options.output == "-";
-  file = options.output.empty() ? PageOf(*manifest) : std::filesystem::path(options.output);
-  if (!is_printed && !report::MayReplace(file, options.force, findings)) return {};
-  Thumbnails thumbnails(*manifest, options.spec, sources);
-  const report::Request request{*manifest, options.spec,
-                                static_cast<std::size_t>(options.thumbnails)};
-  std::optional<report::Page> page = report::MakePage(
-      request, [&](const manifest::Record& record) { return thumbnails.Draw(record); }, sources,
-      findings);
-  findings.Append(thumbnails.TakeFindings());
-  if (!page) return {};
-  html = std::move(page->html);
-  return fmt::format("{} of {} variants shown, {}", page->shown, page->variants,
-                     SizeText(html.size()));
-}
-
 ExitStatus Report(const PageOptions& options, Console& console) {
   std::error_code ignored;
   if (std::filesystem::equivalent(options.what, options.output, ignored))
     return WrongUsage("-o names the manifest itself", "report");
-  std::string html;
-  std::filesystem::path file;
-  const std::string words = MakeReport(options, html, file, console);
+  diag::Findings& findings = console.findings;
+  const auto manifest = FindBatch(options.what, findings);
+  if (!manifest) return console.Tell();
   const bool is_printed = options.output == "-";
+  const Path file = options.output.empty() ? PageOf(*manifest) : Path(options.output);
+  if (!is_printed && !report::MayReplace(file, options.force, findings)) return console.Tell();
+  Thumbnails thumbnails(*manifest, options.spec, console.sources);
+  const report::Request request{*manifest, options.spec,
+                                static_cast<std::size_t>(options.thumbnails)};
+  const std::optional<report::Page> page = report::MakePage(
+      request, [&](const manifest::Record& record) { return thumbnails.Draw(record); },
+      console.sources, findings);
+  findings.Append(thumbnails.TakeFindings());
   const bool is_written =
-      !words.empty() && !is_printed && output::WriteFile(file, html, false, console.findings);
-  ExitStatus status = console.Tell();
-  if (!words.empty() && is_printed) status = Worse(status, Print(html));
-  if (is_written) console.Say(fmt::format("{} in {}", words, file.string()));
+      page && !is_printed && output::WriteFile(file, page->html, false, findings);
+  const ExitStatus status = console.Tell();
+  if (page && is_printed) return Worse(status, Print(page->html));
+  if (is_written) {
+    console.Say(fmt::format("{} of {} variants shown, {} in {}", page->shown, page->variants,
+                            SizeText(page->html.size()), file.string()));
+  }
   return status;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "console.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::app {
@@ -17,5 +19,13 @@ std::string InspectTables(const validate::CompiledModel& model,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep);
+
+/// The manifest that WHAT names: WHAT itself, or the one in a folder. A name that is both a
+/// folder's and a spec's means the spec; with a slash at its end, the folder.
+std::optional<std::filesystem::path> FindManifest(const std::string& what);
+
+/// What a batch achieved: how often each choice was drawn, the range and mean of each
+/// number.
+ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console);
 
 }  // namespace mjforge::app

@@ -1,12 +1,11 @@
-#include "inspect_batch.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "inspect.h"
 #include "json.h"
-#include "mjforge/forge/forge.h"
 #include "mjforge/report/report.h"
+#include "options.h"
 #include "table.h"
 
 namespace mjforge::app {
@@ -28,8 +27,6 @@ bool IsSpecName(const std::string& what) {
   }
   return false;
 }
-
-const Numbers& NumbersOf(const Gathered& batch, report::MeasureId id) { return batch.Of(id).good; }
 
 std::string StatusesText(const Gathered& batch) {
   std::string text;
@@ -67,22 +64,20 @@ std::string ValuesText(const ParameterTally& parameter) {
 
 void AddRow(Table& table, const std::string& name, const Numbers& numbers,
             const std::string& values = {}) {
-  const auto text = [&](double value) { return fmt::format("{:.6g}", value); };
-  if (numbers.count == 0) {
-    table.Add({name, "", "", "", "", values});
-  } else {
-    table.Add({name, text(numbers.min), text(numbers.mean), text(numbers.max),
-               text(numbers.StandardDeviation()), values});
-  }
+  const auto text = [&](double value) {
+    return numbers.count == 0 ? "" : fmt::format("{:.6g}", value);
+  };
+  table.Add({name, text(numbers.min), text(numbers.mean), text(numbers.max),
+             text(numbers.StandardDeviation()), values});
 }
 
 void AddMeasures(const Gathered& batch, Table& table) {
-  const Numbers& mass = NumbersOf(batch, report::MeasureId::kMass);
-  const Numbers& attempts = NumbersOf(batch, report::MeasureId::kAttempts);
+  const Numbers& mass = batch.Of(report::MeasureId::kMass).good;
+  const Numbers& attempts = batch.Of(report::MeasureId::kAttempts).good;
   if (mass.count > 0) AddRow(table, "(mass, kg)", mass);
   if (attempts.max > 0) AddRow(table, "(attempt)", attempts);
   for (const report::Measure& measure : report::Measures()) {
-    const Numbers& numbers = NumbersOf(batch, measure.id);
+    const Numbers& numbers = batch.Of(measure.id).good;
     if (!measure.is_physics || numbers.count == 0) continue;
     AddRow(table,
            fmt::format("({}{}{})", measure.key, measure.unit.empty() ? "" : ", ", measure.unit),
@@ -172,12 +167,12 @@ std::string AsJson(const Gathered& batch) {
   WriteCounts(json, batch);
   json.Each("parameters", batch.params.list(),
             [&](const ParameterTally& parameter) { Write(json, parameter); });
-  Write(json, "mass", NumbersOf(batch, report::MeasureId::kMass));
-  Write(json, "attempt", NumbersOf(batch, report::MeasureId::kAttempts));
+  Write(json, "mass", batch.Of(report::MeasureId::kMass).good);
+  Write(json, "attempt", batch.Of(report::MeasureId::kAttempts).good);
   json.Key("physics");
   json.StartObject();
   for (const report::Measure& measure : report::Measures()) {
-    const Numbers& numbers = NumbersOf(batch, measure.id);
+    const Numbers& numbers = batch.Of(measure.id).good;
     if (measure.is_physics && numbers.count > 0) Write(json, measure.key, numbers);
   }
   json.EndObject();
@@ -188,7 +183,7 @@ std::string AsJson(const Gathered& batch) {
 }  // namespace
 
 std::optional<std::filesystem::path> FindManifest(const std::string& what) {
-  if (what.ends_with(".jsonl") || what.ends_with(".jsonl.part")) return what;
+  if (IsManifest(what)) return what;
   std::error_code ignored;
   if (!std::filesystem::is_directory(what, ignored)) return std::nullopt;
   if (!what.ends_with('/') && IsSpecName(what)) return std::nullopt;

@@ -1,7 +1,6 @@
 #include "options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -9,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <limits>
 
 #include "mjforge/expr/expr.h"
 
@@ -17,24 +17,30 @@ namespace {
 
 constexpr std::uint64_t kMostJobs = 1024;
 
+constexpr std::array<std::string_view, 2> kFindings = {"text", "json"};
+constexpr std::array<std::string_view, 3> kColors = {"auto", "always", "never"};
+
 std::string CheckSetting(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals != std::string::npos && equals > 0) return {};
   return fmt::format("'{}' is not of the form name=value", text);
 }
 
-void AddJobs(CLI::App& command, std::uint64_t& jobs) {
-  const auto check = [](const std::string& text) {
-    const std::optional<std::uint64_t> number = ParseWhole(text);
-    if (number && *number >= 1 && *number <= kMostJobs) return std::string();
-    return fmt::format("'{}' is not a number of processes from 1 to {}", text, kMostJobs);
+// An option that takes a number from `least` to `most`, as `parse` reads it; errors call it `what`.
+template <typename Number, typename Assign>
+CLI::Option* AddBounded(CLI::App& command, const std::string& flags,
+                        std::optional<Number> (*parse)(std::string_view), const Assign& assign,
+                        Number least, Number most, const std::string& what,
+                        const std::string& doc) {
+  const auto read = [=](const std::string& text) {
+    const std::optional<Number> number = parse(text);
+    return number && *number >= least && *number <= most ? number : std::nullopt;
   };
-  command
-      .add_option_function<std::string>(
-          "-j,--jobs", [&jobs](const std::string& text) { jobs = *ParseWhole(text); },
-          "Processes that make variants")
-      ->check(check)
-      ->option_text("N [cores]");
+  const auto check = [=](const std::string& text) {
+    return read(text) ? std::string() : fmt::format("'{}' is not {}", text, what);
+  };
+  const auto set = [=](const std::string& text) { assign(*read(text)); };
+  return command.add_option_function<std::string>(flags, set, doc)->check(check);
 }
 
 // More is neither a spec nor a model, but something that does not end.
@@ -116,7 +122,11 @@ void AddManyOptions(CLI::App& command, ManyOptions& options) {
       ->option_text("...");
   AddWholeNumber(command, "-n,--count", request.count, "Variants to make", 1);
   AddSpecOptions(command, options.spec);
-  AddJobs(command, request.jobs);
+  const auto set_jobs = [&request](std::uint64_t jobs) { request.jobs = jobs; };
+  AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMostJobs,
+                            fmt::format("a number of processes from 1 to {}", kMostJobs),
+                            "Processes that make variants")
+      ->option_text("N [cores]");
   const auto set_limit = [&request](double s) {
     request.time_limit = std::chrono::duration<double>(s);
   };
@@ -151,52 +161,33 @@ std::optional<std::uint64_t> ParseWhole(std::string_view text) {
 }
 
 void AddReportOptions(CLI::App& command, ReportOptions& options) {
-  AddWord(command, "--findings", options.findings, {"text", "json"}, "Format of errors");
-  AddWord(command, "--color", options.color, {"auto", "always", "never"}, "Color of errors");
+  AddWord(command, "--findings", options.findings, kFindings, "Format of errors");
+  AddWord(command, "--color", options.color, kColors, "Color of errors");
   command.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least) {
-  const auto assign = [&value](const std::string& text) { value = *ParseWhole(text); };
-  const auto check = [least](const std::string& text) {
-    const std::optional<std::uint64_t> number = ParseWhole(text);
-    if (number && *number >= least) return std::string();
-    return fmt::format("'{}' is not a whole number from {} up", text, least);
-  };
-  return command.add_option_function<std::string>(flags, assign, doc)
-      ->check(check)
+  const auto assign = [&value](std::uint64_t number) { value = number; };
+  return AddBounded<std::uint64_t>(command, flags, ParseWhole, assign, least,
+                                   std::numeric_limits<std::uint64_t>::max(),
+                                   fmt::format("a whole number from {} up", least), doc)
       ->option_text(fmt::format("N [{}]", value));
 }
 
 CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
                        const std::function<void(double)>& assign, double least, double most,
                        const std::string& what, const std::string& doc) {
-  const auto parse = [least, most](const std::string& text) {
-    const std::optional<double> number = expr::ParseNumber(text);
-    return number && *number >= least && *number <= most ? number : std::nullopt;
-  };
-  const auto check = [parse, what](const std::string& text) {
-    return parse(text) ? std::string() : fmt::format("'{}' is not {}", text, what);
-  };
-  return command
-      .add_option_function<std::string>(
-          flags, [assign, parse](const std::string& text) { assign(*parse(text)); }, doc)
-      ->check(check)
+  return AddBounded(command, flags, expr::ParseNumber, assign, least, most, what, doc)
       ->option_text("X");
 }
 
-std::vector<std::string> Words(std::span<const std::string_view> words) {
-  return {words.begin(), words.end()};
-}
-
 CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& value,
-                     const std::vector<std::string>& words, const std::string& doc) {
-  const auto check = [words](const std::string& text) {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
-    const std::vector<std::string_view> candidates(words.begin(), words.end());
-    const std::string meant = diag::DidYouMean(text, candidates);
-    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(words, ", "),
+                     std::span<const std::string_view> words, const std::string& doc) {
+  const auto check = [known = std::vector(words.begin(), words.end())](const std::string& text) {
+    if (std::ranges::find(known, text) != known.end()) return std::string();
+    const std::string meant = diag::DidYouMean(text, known);
+    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(known, ", "),
                        meant.empty() ? "" : "; ", meant);
   };
   return command.add_option(flags, value, fmt::format("{}: {}", doc, fmt::join(words, ", ")))

@@ -38,6 +38,11 @@ std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptio
 /// times.
 bool IsMjcf(const std::string& what);
 
+/// Whether a file's name is that of a manifest, done or under construction.
+inline bool IsManifest(std::string_view name) {
+  return name.ends_with(".jsonl") || name.ends_with(".jsonl.part");
+}
+
 /// One variant of a spec, or a file.
 struct OneOptions {
   std::string what;
@@ -72,9 +77,8 @@ CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::ui
 CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
                        const std::function<void(double)>& assign, double least, double most,
                        const std::string& what, const std::string& doc);
-std::vector<std::string> Words(std::span<const std::string_view> words);
-/// An option that takes one of `words`.
+/// An option that takes one of `words`, whose letters live as long as the program.
 CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& value,
-                     const std::vector<std::string>& words, const std::string& doc);
+                     std::span<const std::string_view> words, const std::string& doc);
 
 }  // namespace mjforge::app

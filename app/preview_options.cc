@@ -94,35 +94,33 @@ std::string Contradiction(const PreviewOptions& options) {
   return {};
 }
 
-// False, and why, if the text is wrong; empty: the usual size.
-bool SetSize(PreviewOptions& options, std::string& why_not) {
+// Without a text the usual size. Returns what is wrong, or nothing.
+std::string SetSize(PreviewOptions& options) {
   const int usual = options.count > 1 || options.sweep ? kSizeOfTile : kSizeOfOne;
   const auto size = options.size.empty() ? std::pair(usual, usual) : ParseSize(options.size);
   if (!size) {
-    why_not = fmt::format("--size: '{}' is not of the form WxH, each {} to {}", options.size,
-                          picture::kMinSize, picture::kMaxSize);
-    return false;
+    return fmt::format("--size: '{}' is not of the form WxH, each {} to {}", options.size,
+                       picture::kMinSize, picture::kMaxSize);
   }
   std::tie(options.picture.width, options.picture.height) = *size;
-  why_not = TooLarge(options);
-  return why_not.empty();
+  return TooLarge(options);
 }
 
-// With --sweep a name alone says what is swept. False, and why, if a text is wrong.
-bool SetJoints(PreviewOptions& options, std::string& why_not) {
+// With --sweep a name alone says what is swept. Returns what is wrong, or nothing.
+std::string SetJoints(PreviewOptions& options) {
+  std::string why_not;
   for (const std::string& text : options.joints) {
     if (!options.sweep || text.find('=') != text.npos) {
       const auto joint = ParseJoint(text, why_not);
-      if (!joint) return false;
+      if (!joint) return why_not;
       options.poses.push_back(*joint);
     } else if (options.swept.empty()) {
       options.swept = text;
     } else {
-      why_not = fmt::format("--sweep moves one joint, or all: '{}' or '{}'?", options.swept, text);
-      return false;
+      return fmt::format("--sweep moves one joint, or all: '{}' or '{}'?", options.swept, text);
     }
   }
-  return true;
+  return {};
 }
 
 void AddCamera(CLI::App& command, picture::View& view) {
@@ -148,7 +146,7 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   AddSpecOptions(command, options.spec);
   command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
       ->option_text("OUT");
-  AddWord(command, "--layer", options.layer, Words(picture::LayerNames()), "Show");
+  AddWord(command, "--layer", options.layer, picture::LayerNames(), "Show");
   command.add_option("--joint", options.joints, "Set a joint's position (hinge=45deg)")
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false);
@@ -164,12 +162,13 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
 }
 
-bool Understand(PreviewOptions& options, std::string& why_not) {
+std::string Understand(PreviewOptions& options) {
   options.is_file = IsMjcf(options.what);
   options.picture.layer = *picture::ParseLayer(options.layer);
   options.picture.background = *picture::ParseBackground(options.background);
-  why_not = Contradiction(options);
-  return why_not.empty() && SetSize(options, why_not) && SetJoints(options, why_not);
+  std::string why_not = Contradiction(options);
+  if (why_not.empty()) why_not = SetSize(options);
+  return why_not.empty() ? SetJoints(options) : why_not;
 }
 
 }  // namespace mjforge::app

@@ -33,7 +33,7 @@ struct PreviewOptions {
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options);
 
-/// False, and why, if the options contradict each other.
-bool Understand(PreviewOptions& options, std::string& why_not);
+/// Returns how the options contradict each other, or nothing.
+std::string Understand(PreviewOptions& options);
 
 }  // namespace mjforge::app
