@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <concepts>
 #include <memory>
 #include <numbers>
 
@@ -28,24 +29,22 @@ struct Verdict {
   bool ok() const { return model.has_value() && !findings.HasErrors(); }
 };
 
-std::string Count(std::size_t count, std::string_view one, std::string_view many) {
+std::string Count(std::integral auto count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 // "; at rest after 0.19 s, tilt 0.1 deg, drift 0.2 mm, 4 contacts, 16 rows; 2 joints driven"
 std::string Behaviour(const physics::Result& result) {
   constexpr double kDegrees = 180 / std::numbers::pi;
-  std::string text;
+  std::string text = "; not dropped";
   if (result.dropped) {
     text = fmt::format("; {} after {:g} s, tilt {:.3g} deg, drift {:.3g} mm",
                        result.at_rest ? "at rest" : "still moving", result.time,
                        kDegrees * result.tilt, 1000 * result.drift);
   }
-  if (!result.dropped) text = "; not dropped";
   if (result.dropped || result.nefc > 0)
-    text += fmt::format(", at most {} and {}",
-                        Count(static_cast<std::size_t>(result.ncon), "contact", "contacts"),
-                        Count(static_cast<std::size_t>(result.nefc), "row", "rows"));
+    text += fmt::format(", at most {} and {}", Count(result.ncon, "contact", "contacts"),
+                        Count(result.nefc, "row", "rows"));
   if (!result.joints.empty())
     text += fmt::format("; {} driven", Count(result.joints.size(), "joint", "joints"));
   return text;
@@ -56,8 +55,7 @@ std::string Line(const std::string& file, const Verdict& verdict) {
   if (!model) return fmt::format("{}: failed\n", file);
   return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg{}\n", file, verdict.ok() ? "ok" : "failed",
                      Count(model->object.bodies.size(), "body", "bodies"),
-                     Count(static_cast<std::size_t>(model->joints), "joint", "joints"),
-                     Count(static_cast<std::size_t>(model->geoms), "geom", "geoms"),
+                     Count(model->joints, "joint", "joints"), Count(model->geoms, "geom", "geoms"),
                      model->object.mass_properties.mass,
                      verdict.physics ? Behaviour(*verdict.physics) : "");
 }
@@ -70,8 +68,8 @@ std::string JsonLine(const std::string& file, const Verdict& verdict,
   json.Member("ok", verdict.ok());
   if (verdict.model) {
     json.Member("nbody", verdict.model->object.bodies.size() + 1);
-    json.Member("njnt", static_cast<std::size_t>(verdict.model->joints));
-    json.Member("ngeom", static_cast<std::size_t>(verdict.model->geoms));
+    json.Member("njnt", verdict.model->joints);
+    json.Member("ngeom", verdict.model->geoms);
     json.Member("mass", verdict.model->object.mass_properties.mass);
   }
   if (verdict.physics) {

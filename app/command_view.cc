@@ -72,25 +72,9 @@ std::string HowItEnded(int status) {
   return fmt::format("exit status {}", WEXITSTATUS(status));
 }
 
-// A new temporary folder; the destructor removes it with everything in it.
-class TemporaryFolder {
- public:
-  // Nothing, and a finding, if it cannot be made.
-  static std::optional<TemporaryFolder> Make(diag::Findings& findings);
-  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) {
-    other.path_.clear();
-  }
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder();
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
-  std::filesystem::path path_;
-};
-
-std::optional<TemporaryFolder> TemporaryFolder::Make(diag::Findings& findings) {
+// A new temporary folder, removed at the end with everything in it. Null, and a finding, if it
+// cannot be made.
+std::shared_ptr<const std::filesystem::path> MakeTemporaryFolder(diag::Findings& findings) {
   std::error_code error;
   const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
   std::string name = ((error ? "/tmp" : parent) / "mjforge-XXXXXX").string();
@@ -98,14 +82,13 @@ std::optional<TemporaryFolder> TemporaryFolder::Make(diag::Findings& findings) {
     findings.Add(Code::kOutputCannotWrite, {},
                  fmt::format("cannot make a temporary folder '{}': {}", name,
                              std::generic_category().message(errno)));
-    return std::nullopt;
+    return nullptr;
   }
-  return TemporaryFolder(name);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  return {new std::filesystem::path(name), [](const std::filesystem::path* folder) {
+            std::error_code ignored;
+            std::filesystem::remove_all(*folder, ignored);
+            delete folder;
+          }};
 }
 
 // MuJoCo's own viewer, by its name in Debian, else by its name in MuJoCo's own archives. Nothing,
@@ -155,9 +138,9 @@ ExitStatus ViewFile(const std::string& file, Console& console) {
   if (!validate::Loader().Load(file, console.sources, console.findings))
     return ExitStatus::kFindings;
   const auto viewer = FindViewer(console.findings);
-  const auto folder = viewer ? TemporaryFolder::Make(console.findings) : std::nullopt;
+  const auto folder = viewer ? MakeTemporaryFolder(console.findings) : nullptr;
   if (!folder) return ExitStatus::kFindings;
-  return RunViewer(*viewer, std::filesystem::absolute(file), folder->path(), console.findings);
+  return RunViewer(*viewer, std::filesystem::absolute(file), *folder, console.findings);
 }
 
 ExitStatus ViewVariant(const OneOptions& options, Console& console) {
@@ -171,12 +154,12 @@ ExitStatus ViewVariant(const OneOptions& options, Console& console) {
   console.findings.Append(variant.findings);
   if (!variant.ok()) return ExitStatus::kFindings;
   const auto viewer = FindViewer(console.findings);
-  const auto folder = viewer ? TemporaryFolder::Make(console.findings) : std::nullopt;
+  const auto folder = viewer ? MakeTemporaryFolder(console.findings) : nullptr;
   if (!folder) return ExitStatus::kFindings;
   const std::string name = variant.record.name + ".xml";
-  if (!output::ObjectFolder(folder->path(), {}).Write(name, variant.document, console.findings))
+  if (!output::ObjectFolder(*folder, {}).Write(name, variant.document, console.findings))
     return ExitStatus::kInputOutput;
-  return RunViewer(*viewer, folder->path() / name, folder->path(), console.findings);
+  return RunViewer(*viewer, *folder / name, *folder, console.findings);
 }
 
 }  // namespace

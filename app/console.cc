@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -55,12 +56,10 @@ void Console::Show(diag::Findings found, const diag::Sources& places, std::uint6
   found.Sort();
   found.Unique();
   std::string text;
-  std::size_t shown = 0;
-  for (const diag::Finding& finding : found) {
-    if (shown == batch::kMaxFindings) break;
-    text += json_ ? diag::RenderJson(finding, places) + "\n"
-                  : diag::RenderText(finding, places, color_);
-    ++shown;
+  const std::size_t shown = std::min(found.size(), batch::kMaxFindings);
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += json_ ? diag::RenderJson(found[i], places) + "\n"
+                  : diag::RenderText(found[i], places, color_);
   }
   more += found.size() - shown;
   if (more > 0 && json_) text += fmt::format("{{\"more\":{}}}\n", more);

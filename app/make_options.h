@@ -2,7 +2,6 @@
 
 // -MD -MF -MT -MP, as compilers have them.
 
-#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>

@@ -24,10 +24,8 @@ std::optional<std::string> Thumbnails::Draw(const manifest::Record& record) {
   const std::unique_ptr<picture::Subject> subject = Load(record);
   if (subject == nullptr) return std::nullopt;
   diag::Findings ignored;  // one object less on a page of many
-  picture::Options options;
-  options.width = kWidth;
-  options.height = kHeight;
-  const std::optional<picture::Image> image = renderer_->Draw(*subject, options, ignored);
+  const std::optional<picture::Image> image =
+      renderer_->Draw(*subject, {.width = kWidth, .height = kHeight}, ignored);
   if (!image) return std::nullopt;
   return picture::EncodeWebp(*image, kQuality);
 }
