@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace mjforge::picture {
@@ -49,8 +48,6 @@ void Turn(const View& view, Camera& camera) {
   }
   camera.up = camera.right.cross(camera.forward);
 }
-
-Eigen::Vector3f ToFloat(const Eigen::Vector3d& v) { return v.cast<float>(); }
 
 }  // namespace
 
@@ -99,9 +96,9 @@ Eigen::Vector2d Camera::Project(const Eigen::Vector3d& point, int width, int hei
 
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height) {
   mjvGLCamera band = {};
-  Eigen::Map<Eigen::Vector3f>(band.pos) = ToFloat(camera.eye);
-  Eigen::Map<Eigen::Vector3f>(band.forward) = ToFloat(camera.forward);
-  Eigen::Map<Eigen::Vector3f>(band.up) = ToFloat(camera.up);
+  Eigen::Map<Eigen::Vector3f>(band.pos) = camera.eye.cast<float>();
+  Eigen::Map<Eigen::Vector3f>(band.forward) = camera.forward.cast<float>();
+  Eigen::Map<Eigen::Vector3f>(band.up) = camera.up.cast<float>();
   const double half = camera.near * camera.tan_y;
   band.frustum_top = static_cast<float>(half * (1 - 2.0 * top / height));
   band.frustum_bottom = static_cast<float>(half * (1 - 2.0 * bottom / height));

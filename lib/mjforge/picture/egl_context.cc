@@ -1,7 +1,6 @@
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <array>

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gif_lib.h>
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -20,63 +19,48 @@ extern "C" int AppendGif(GifFileType* gif, const GifByteType* bytes, int count) 
   return count;
 }
 
-class Writer {
- public:
-  explicit Writer(std::string& out) {
-    int error = 0;
-    gif_ = EGifOpen(&out, AppendGif, &error);
-    if (gif_ == nullptr) throw std::runtime_error(GifErrorString(error));
-  }
-  ~Writer() {
-    int ignored = 0;
-    EGifCloseFile(gif_, &ignored);
-  }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
-
-  GifFileType* operator*() { return gif_; }
-  void Check(int status) const {
-    if (status != GIF_OK) throw std::runtime_error(GifErrorString(gif_->Error));
-  }
-
- private:
-  GifFileType* gif_ = nullptr;
-};
-
-struct FreeMap {
+// What giflib allocated, until the end.
+struct FreeGif {
+  void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
   void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
 };
+using GifFile = std::unique_ptr<GifFileType, FreeGif>;
+using GifMap = std::unique_ptr<ColorMapObject, FreeGif>;
 
-std::unique_ptr<ColorMapObject, FreeMap> MapOf(const Palette& palette) {
+void CheckGif(const GifFile& gif, int status) {
+  if (status != GIF_OK) throw std::runtime_error(GifErrorString(gif->Error));
+}
+
+GifMap MapOf(const Palette& palette) {
   constexpr int kColors = 256;
   std::array<GifColorType, kColors> colors = {};
   for (std::size_t i = 0; i < palette.colors().size(); ++i) {
     const Background::Color& color = palette.colors()[i];
     colors[i] = {color[0], color[1], color[2]};
   }
-  std::unique_ptr<ColorMapObject, FreeMap> map(GifMakeMapObject(kColors, colors.data()));
+  GifMap map(GifMakeMapObject(kColors, colors.data()));
   if (!map) throw std::bad_alloc();
   return map;
 }
 
 // For ever, as browsers read it.
-void PutLoop(Writer& writer) {
+void PutLoop(const GifFile& gif) {
   const std::array<GifByteType, 3> forever = {1, 0, 0};
-  writer.Check(EGifPutExtensionLeader(*writer, APPLICATION_EXT_FUNC_CODE));
-  writer.Check(EGifPutExtensionBlock(*writer, 11, "NETSCAPE2.0"));
-  writer.Check(EGifPutExtensionBlock(*writer, 3, forever.data()));
-  writer.Check(EGifPutExtensionTrailer(*writer));
+  CheckGif(gif, EGifPutExtensionLeader(gif.get(), APPLICATION_EXT_FUNC_CODE));
+  CheckGif(gif, EGifPutExtensionBlock(gif.get(), 11, "NETSCAPE2.0"));
+  CheckGif(gif, EGifPutExtensionBlock(gif.get(), 3, forever.data()));
+  CheckGif(gif, EGifPutExtensionTrailer(gif.get()));
 }
 
-void PutFrame(Writer& writer, const Image& image, const Palette& palette, int delay) {
+void PutFrame(const GifFile& gif, const Image& image, const Palette& palette, int delay) {
   GraphicsControlBlock control = {};
   control.DisposalMode = DISPOSE_BACKGROUND;
   control.DelayTime = delay / 10;
   control.TransparentColor = kTransparent;
   std::array<GifByteType, 4> block = {};
   EGifGCBToExtension(&control, block.data());
-  writer.Check(EGifPutExtension(*writer, GRAPHICS_EXT_FUNC_CODE, 4, block.data()));
-  writer.Check(EGifPutImageDesc(*writer, 0, 0, image.width, image.height, false, nullptr));
+  CheckGif(gif, EGifPutExtension(gif.get(), GRAPHICS_EXT_FUNC_CODE, 4, block.data()));
+  CheckGif(gif, EGifPutImageDesc(gif.get(), 0, 0, image.width, image.height, false, nullptr));
   std::vector<GifPixelType> line(static_cast<std::size_t>(image.width));
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* pixel = image.rgba.data() + static_cast<std::size_t>(y) * line.size() * 4;
@@ -84,7 +68,7 @@ void PutFrame(Writer& writer, const Image& image, const Palette& palette, int de
       number = pixel[3] < kVisible ? kTransparent : palette.Nearest(pixel);
       pixel += 4;
     }
-    writer.Check(EGifPutLine(*writer, line.data(), image.width));
+    CheckGif(gif, EGifPutLine(gif.get(), line.data(), image.width));
   }
 }
 
@@ -96,16 +80,18 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
   const Palette palette(frames, kMostColors);
   const auto map = MapOf(palette);
   {
-    Writer writer(bytes);
-    EGifSetGifVersion(*writer, true);
-    writer.Check(
-        EGifPutScreenDesc(*writer, frames.front().width, frames.front().height, 8, 0, map.get()));
+    int error = 0;
+    const GifFile gif(EGifOpen(&bytes, AppendGif, &error));
+    if (!gif) throw std::runtime_error(GifErrorString(error));
+    EGifSetGifVersion(gif.get(), true);
+    CheckGif(gif, EGifPutScreenDesc(gif.get(), frames.front().width, frames.front().height, 8, 0,
+                                    map.get()));
     for (const auto& [key, value] : texts) {
       const std::string comment = fmt::format("{}: {}", key, value);
-      writer.Check(EGifPutComment(*writer, comment.c_str()));
+      CheckGif(gif, EGifPutComment(gif.get(), comment.c_str()));
     }
-    PutLoop(writer);
-    for (const Image& frame : frames) PutFrame(writer, frame, palette, delay);
+    PutLoop(gif);
+    for (const Image& frame : frames) PutFrame(gif, frame, palette, delay);
   }
   return bytes;
 }

@@ -1,6 +1,5 @@
 #include "mjforge/picture/gl_context.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,12 +17,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kWords = {"egl", "osmesa", "disable"};
 
-// The words that MuJoCo's Python bindings take for "do not draw".
-bool MeansNone(std::string_view word) {
-  constexpr std::array<std::string_view, 5> kNone = {"disable", "disabled", "off", "false", "0"};
-  return std::find(kNone.begin(), kNone.end(), word) != kNone.end();
-}
-
 }  // namespace
 
 #ifdef __SANITIZE_ADDRESS__
@@ -34,8 +27,6 @@ DriversOwn::DriversOwn() = default;
 DriversOwn::~DriversOwn() = default;
 #endif
 
-void* FindSymbol(void* library, const char* name) { return ::dlsym(library, name); }
-
 void MakeVisible(const char* library) { ::dlopen(library, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
 
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not) {
@@ -44,7 +35,9 @@ std::unique_ptr<GlContext> OpenGlContext(std::string& why_not) {
   const std::string_view word = variable == nullptr ? "" : variable;
   if (word == "egl") return OpenEgl(why_not);
   if (word == "osmesa") return OpenOsmesa(why_not);
-  if (MeansNone(word)) {
+  // The words that MuJoCo's Python bindings take for "do not draw".
+  constexpr std::array<std::string_view, 5> kNone = {"disable", "disabled", "off", "false", "0"};
+  if (std::ranges::find(kNone, word) != kNone.end()) {
     why_not = fmt::format("MUJOCO_GL={} turns drawing off", word);
     return nullptr;
   }

@@ -4,6 +4,8 @@
 // OSMesaGetProcAddress, among the symbols that the whole process sees (2.2.2,
 // dlopen(NULL)); so the library that works, and no other, becomes visible.
 
+#include <dlfcn.h>
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -39,11 +41,10 @@ class DriversOwn {
 /// The one that MUJOCO_GL names, else the first that works. Nothing, and why, if none works.
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
 
-/// The address of a function in a library that is open; null if it has none.
-void* FindSymbol(void* library, const char* name);
+/// Sets the address of a function in a library that is open; false if it has none.
 template <typename Function>
 bool Find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(FindSymbol(library, name));
+  function = reinterpret_cast<Function>(::dlsym(library, name));
   return function != nullptr;
 }
 /// Makes the symbols of a library that is open visible to the whole process.

@@ -22,8 +22,6 @@ constexpr Color kInertia = {0.20F, 0.45F, 0.80F, 0.45F};
 
 const Matrix3d kUpright = Matrix3d::Identity();
 
-Vector3d Vector(const mjtNum* numbers) { return Eigen::Map<const Vector3d>(numbers); }
-
 // Half the diagonal of the box around the object, m: what marks are measured by.
 double RadiusOf(const Shapes& shapes) { return (shapes.Max() - shapes.Min()).norm() / 2; }
 
@@ -58,13 +56,6 @@ void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& s
   }
 }
 
-// A point that the picture must hold.
-Shape PointAt(const Vector3d& point) {
-  Shape shape;
-  shape.p_WS = point;
-  return shape;
-}
-
 // Colors that are told apart on a faded object.
 Color JointColor(int joint) {
   constexpr std::array<Color, 6> kColors = {
@@ -81,8 +72,8 @@ struct JointMark {
   Scene& scene;
 
   std::string Name() const { return m.names + m.name_jntadr[joint]; }
-  Vector3d Anchor() const { return Vector(d.xanchor + 3 * joint); }
-  Vector3d Axis() const { return Vector(d.xaxis + 3 * joint).normalized(); }
+  Vector3d Anchor() const { return compiled::VectorAt(d.xanchor, joint); }
+  Vector3d Axis() const { return compiled::VectorAt(d.xaxis, joint).normalized(); }
   bool Limited() const { return m.jnt_limited[joint] != 0; }
   double Value() const { return d.qpos[m.jnt_qposadr[joint]]; }
   double End(int i) const { return m.jnt_range[2 * joint + i]; }
@@ -102,7 +93,7 @@ struct JointMark {
     const double head = 4 * Thickness();
     scene.Add(mjGEOM_ARROW1, {2.2 * Thickness(), 2.2 * Thickness(), 3 * head}, to - head * along,
               Along(along), color);
-    scene.AddToFrame(PointAt(to + head * along));
+    scene.AddToFrame({.p_WS = to + head * along});
   }
 
   // From one end of the range to the other, about the axis, as the body's centre of
@@ -112,7 +103,7 @@ struct JointMark {
     const Vector3d axis = Axis();
     const Vector3d anchor = Anchor();
     Arrow(anchor - 0.3 * radius * axis, anchor + 0.45 * radius * axis);
-    Vector3d arm = Vector(d.xipos + 3 * m.jnt_bodyid[joint]) - anchor;
+    Vector3d arm = compiled::VectorAt(d.xipos, m.jnt_bodyid[joint]) - anchor;
     arm -= arm.dot(axis) * axis;
     if (arm.norm() < 0.02 * radius) arm = axis.unitOrthogonal();
     arm = arm.normalized() * std::clamp(arm.norm() * 1.3, 0.25 * radius, 0.7 * radius);
@@ -124,7 +115,7 @@ struct JointMark {
     };
     for (int i = 0; i < kSegments; ++i) {
       Rod(at(i), at(i + 1), 0.7 * Thickness(), color, scene);
-      scene.AddToFrame(PointAt(at(i)));
+      scene.AddToFrame({.p_WS = at(i)});
     }
     Ball(anchor + arm, 2 * Thickness(), color, scene);
     const std::string range =
@@ -137,7 +128,7 @@ struct JointMark {
 
   void Slide() const {
     const Vector3d axis = Axis();
-    const Vector3d anchor = Vector(d.xipos + 3 * m.jnt_bodyid[joint]);
+    const Vector3d anchor = compiled::VectorAt(d.xipos, m.jnt_bodyid[joint]);
     const double from = Limited() ? End(0) - Value() : -0.4 * radius;
     const double to = Limited() ? End(1) - Value() : 0.4 * radius;
     Arrow(anchor + from * axis, anchor + to * axis);
@@ -160,7 +151,7 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
   const mjModel& m = *state.model;
   const Vector3d min = around.Min();
   const Vector3d max = around.Max();
-  const Vector3d root = m.nbody > 1 ? Vector(state.data->xpos + 3) : Vector3d::Zero();
+  const Vector3d root = m.nbody > 1 ? compiled::VectorAt(state.data->xpos, 1) : Vector3d::Zero();
   const double radius = RadiusOf(around);
   const double reach = around.HorizontalRadius(root);
   const double thin = 0.004 * radius;
@@ -171,14 +162,8 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
             kDisk);
   Rod(foot, head, 1.5 * thin, kMark, scene);
   Ball(root, 8 * thin, kMark, scene);
-  Shape box;
-  box.solid.size = (max - min) / 2;
-  box.p_WS = (min + max) / 2;
-  scene.AddToFrame(box);
-  Shape disk;
-  disk.solid = {model::GeomType::kCylinder, {reach, thin, 0}};
-  disk.p_WS = foot;
-  scene.AddToFrame(disk);
+  scene.AddToFrame({.solid = {model::GeomType::kBox, (max - min) / 2}, .p_WS = (min + max) / 2});
+  scene.AddToFrame({.solid = {model::GeomType::kCylinder, {reach, thin, 0}}, .p_WS = foot});
   const Vector3d size = max - min;
   scene.AddLabel(head, fmt::format("top {:.4g} m", max.z() - root.z()));
   scene.AddLabel(foot, fmt::format("bottom {:.4g} m", min.z() - root.z()));
@@ -195,22 +180,18 @@ void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scen
   for (int i = 1; i < m.nbody; ++i) {
     const double mass = m.body_mass[i];
     if (mass <= 0) continue;
-    const Vector3d inertia = Vector(m.body_inertia + 3 * i);
+    const Vector3d inertia = compiled::VectorAt(m.body_inertia, i);
     Vector3d half;
     for (int axis = 0; axis < 3; ++axis) {
       const double square = 3 / (2 * mass) * (inertia.sum() - 2 * inertia[axis]);
       half[axis] = std::sqrt(std::max(square, 0.0));
     }
-    const Vector3d center = Vector(state.data->xipos + 3 * i);
+    const Vector3d center = compiled::VectorAt(state.data->xipos, i);
     const Matrix3d axes =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.data->ximat + 9 * i);
     scene.Add(mjGEOM_BOX, half, center, axes, kInertia);
     Ball(center, 0.025 * radius, kMark, scene);
-    Shape box;
-    box.solid.size = half;
-    box.p_WS = center;
-    box.R_WS = axes;
-    scene.AddToFrame(box);
+    scene.AddToFrame({.solid = {model::GeomType::kBox, half}, .p_WS = center, .R_WS = axes});
     scene.AddLabel(center, fmt::format("{} {:.3g} kg", m.names + m.name_bodyadr[i], mass));
   }
 }
@@ -219,19 +200,10 @@ void DrawJoints(const Subject::State& state, const Shapes& around, Scene& scene)
   const double radius = RadiusOf(around);
   for (int i = 0; i < state.model->njnt; ++i) {
     const JointMark mark{*state.model, *state.data, i, radius, scene};
-    switch (state.model->jnt_type[i]) {
-      case mjJNT_HINGE:
-        mark.Hinge();
-        break;
-      case mjJNT_SLIDE:
-        mark.Slide();
-        break;
-      case mjJNT_BALL:
-        mark.BallJoint();
-        break;
-      default:
-        break;  // a free joint goes anywhere
-    }
+    const int type = state.model->jnt_type[i];  // a free joint goes anywhere
+    if (type == mjJNT_HINGE) mark.Hinge();
+    if (type == mjJNT_SLIDE) mark.Slide();
+    if (type == mjJNT_BALL) mark.BallJoint();
   }
 }
 

@@ -1,5 +1,3 @@
-#include <dlfcn.h>
-
 #include <array>
 
 #include "mjforge/picture/gl_context.h"

@@ -1,7 +1,6 @@
 #include "mjforge/picture/palette.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mjforge::picture {
 namespace {
@@ -20,11 +19,11 @@ using Cells = std::span<Cell>;
 
 struct Box {
   Cells cells;
+  std::uint64_t count = 0;  // of pixels
   std::size_t channel = 0;  // in which its colors differ most
   double score = 0;         // by how much, and for how many pixels
 
   explicit Box(Cells all) : cells(all) {
-    std::uint64_t count = 0;
     double width = 0;
     for (const Cell& cell : cells) count += cell.count;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -39,8 +38,6 @@ struct Box {
 
   Background::Color Mean() const {
     Background::Color color = {};
-    const auto add = [](std::uint64_t sum, const Cell& cell) { return sum + cell.count; };
-    const std::uint64_t count = std::accumulate(cells.begin(), cells.end(), std::uint64_t{0}, add);
     for (std::size_t c = 0; c < 3; ++c) {
       std::uint64_t sum = 0;
       for (const Cell& cell : cells) sum += cell.sums[c];
@@ -62,9 +59,7 @@ std::vector<Box> Cut(std::vector<Cell>& cells, std::size_t most) {
     const std::size_t c = worst->channel;
     std::stable_sort(whole.begin(), whole.end(),
                      [c](const Cell& a, const Cell& b) { return a.Mean(c) < b.Mean(c); });
-    std::uint64_t half = 0;
-    for (const Cell& cell : whole) half += cell.count;
-    half /= 2;
+    const std::uint64_t half = worst->count / 2;
     std::size_t at = 0;
     for (std::uint64_t sum = 0; at + 1 < whole.size() && sum + whole[at].count <= half; ++at)
       sum += whole[at].count;

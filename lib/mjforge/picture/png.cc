@@ -1,6 +1,5 @@
 #include <png.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "mjforge/picture/picture.h"
@@ -45,7 +44,6 @@ void SetTexts(PngWriter& writer, const Texts& texts) {
   std::vector<png_text> chunks;
   for (const auto& [key, value] : texts) {
     png_text& chunk = chunks.emplace_back();
-    chunk = {};
     chunk.compression = PNG_TEXT_COMPRESSION_NONE;
     // libpng only reads them.
     chunk.key = const_cast<char*>(key.c_str());

@@ -112,14 +112,15 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
     scene.SetCamera(BandOf(camera, top, bottom, options.height));
     const std::size_t bytes =
         static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height) * 3;
-    on_light.resize(bytes);
-    on_black.resize(bytes);
+    const auto draw = [&](std::vector<std::uint8_t>& samples) {
+      samples.resize(bytes);
+      mjr_render(viewport, &scene.mujoco(), &*context);
+      mjr_readPixels(samples.data(), nullptr, viewport, &*context);
+    };
     const int light = scene.SetFloor(true);
-    mjr_render(viewport, &scene.mujoco(), &*context);
-    mjr_readPixels(on_light.data(), nullptr, viewport, &*context);
+    draw(on_light);
     scene.SetFloor(false);
-    mjr_render(viewport, &scene.mujoco(), &*context);
-    mjr_readPixels(on_black.data(), nullptr, viewport, &*context);
+    draw(on_black);
     matte.Add({on_light, on_black, light}, top, bottom);
   }
   return matte.Finish();

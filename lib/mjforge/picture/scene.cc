@@ -33,15 +33,11 @@ void SetColor(float* rgba, const std::array<float, 4>& color) {
 mjvOption VisibleOption() {
   mjvOption option;
   mjv_defaultOption(&option);
-  std::fill(std::begin(option.flags), std::end(option.flags), mjtByte{0});
+  std::ranges::fill(option.flags, mjtByte{0});
   for (const int flag : {mjVIS_TEXTURE, mjVIS_TENDON, mjVIS_STATIC, mjVIS_SKIN})
     option.flags[flag] = 1;
-  std::fill(std::begin(option.sitegroup), std::end(option.sitegroup), mjtByte{0});
+  std::ranges::fill(option.sitegroup, mjtByte{0});
   return option;
-}
-
-void ShowAll(mjtByte (&groups)[mjNGROUP]) {
-  std::fill(std::begin(groups), std::end(groups), mjtByte{1});
 }
 
 bool IsGround(const mjvGeom& geom) {
@@ -74,11 +70,9 @@ int MostGeoms(const mjModel& m) {
 mjvLight MakeLight(const Eigen::Vector3d& direction, float diffuse, float specular, float ambient) {
   mjvLight light = {};
   Eigen::Map<Eigen::Vector3f>(light.dir) = direction.cast<float>();
-  for (int i = 0; i < 3; ++i) {
-    light.diffuse[i] = diffuse;
-    light.specular[i] = specular;
-    light.ambient[i] = ambient;
-  }
+  std::ranges::fill(light.diffuse, diffuse);
+  std::ranges::fill(light.specular, specular);
+  std::ranges::fill(light.ambient, ambient);
   light.attenuation[0] = 1;
   light.cutoff = 180;
   light.directional = 1;
@@ -102,9 +96,7 @@ void Scene::Collect(Subject::State& state, const mjvOption& option) {
   mjv_defaultFreeCamera(state.model.get(), &camera);
   mjv_updateScene(state.model.get(), state.data.get(), &option, nullptr, &camera, mjCAT_ALL,
                   &scene_);
-  auto* const end = std::remove_if(scene_.geoms, scene_.geoms + scene_.ngeom,
-                                   [](const mjvGeom& geom) { return geom.rgba[3] <= 0; });
-  scene_.ngeom = static_cast<int>(end - scene_.geoms);
+  Drop([](const mjvGeom& geom) { return geom.rgba[3] <= 0; });
   SeparateFaces();
 }
 
@@ -123,32 +115,37 @@ void Scene::SeparateFaces() {
 }
 
 // Without anything to look at: the geoms of other groups, else the sites.
-bool Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
+void Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
   mjvOption option = VisibleOption();
   Collect(state, option);
-  if (scene_.ngeom > 0) return true;
-  ShowAll(option.geomgroup);
+  if (scene_.ngeom > 0) return;
+  std::ranges::fill(option.geomgroup, mjtByte{1});
   Collect(state, option);
   const char* instead = "the colliding geoms";
   if (scene_.ngeom == 0) {
-    ShowAll(option.sitegroup);
+    std::ranges::fill(option.sitegroup, mjtByte{1});
     Collect(state, option);
     instead = "the sites";
   }
-  if (scene_.ngeom == 0) return false;
+  if (scene_.ngeom == 0) return;
   findings.Warn(Code::kPictureNothingVisible, {},
                 std::string("nothing is visible: the picture shows ") + instead);
-  return true;
 }
 
-void Scene::KeepColliding(const mjModel& m) {
-  auto* const end = std::remove_if(
-      scene_.geoms, scene_.geoms + scene_.ngeom,
-      [&](const mjvGeom& geom) { return geom.objtype != mjOBJ_GEOM || !Collides(m, geom.objid); });
-  scene_.ngeom = static_cast<int>(end - scene_.geoms);
-  for (int i = 0; i < scene_.ngeom; ++i) {
-    mjvGeom& geom = scene_.geoms[i];
-    SetColor(geom.rgba, DistinctColor(i));
+// Those of all groups.
+void Scene::CollectColliding(Subject::State& state) {
+  mjvOption option = VisibleOption();
+  std::ranges::fill(option.geomgroup, mjtByte{1});
+  Collect(state, option);
+  Drop([&](const mjvGeom& geom) {
+    return geom.objtype != mjOBJ_GEOM || !Collides(*state.model, geom.objid);
+  });
+}
+
+void Scene::TellApart() {
+  int number = 0;
+  for (mjvGeom& geom : Geoms()) {
+    SetColor(geom.rgba, DistinctColor(number++));
     geom.texid = -1;
     geom.emission = 0;
     geom.reflectance = 0;
@@ -164,10 +161,8 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   floor_ = backdrop_ = -1;
   const char* lacking = "there is nothing to show: no geom and no site";
   if (layer == Layer::kCollision) {
-    mjvOption option = VisibleOption();
-    ShowAll(option.geomgroup);
-    Collect(state, option);
-    KeepColliding(*state.model);
+    CollectColliding(state);
+    TellApart();
     lacking = "no geom can collide";
   } else {
     CollectVisible(state, findings);
@@ -180,7 +175,11 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   if (layer == Layer::kVisual || layer == Layer::kCollision) return true;
   const Shapes visible = shapes_;
   if (layer == Layer::kBounds) {
-    const Shapes colliding = CollidingShapes(state);
+    CollectColliding(state);
+    Shapes colliding;
+    for (const mjvGeom& geom : Geoms()) {
+      if (!IsGround(geom)) colliding.Add(ShapeOf(*state.model, geom));
+    }
     CollectVisible(state, findings);
     Fade();
     DrawBounds(state, colliding.empty() ? visible : colliding, *this);
@@ -191,23 +190,9 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   return true;
 }
 
-Shapes Scene::CollidingShapes(Subject::State& state) {
-  mjvOption option = VisibleOption();
-  ShowAll(option.geomgroup);
-  Collect(state, option);
-  Shapes shapes;
-  for (int i = 0; i < scene_.ngeom; ++i) {
-    const mjvGeom& geom = scene_.geoms[i];
-    if (geom.objtype == mjOBJ_GEOM && !IsGround(geom) && Collides(*state.model, geom.objid))
-      shapes.Add(ShapeOf(*state.model, geom));
-  }
-  return shapes;
-}
-
 // What is drawn beside the object shines through it.
 void Scene::Fade() {
-  for (int i = 0; i < scene_.ngeom; ++i) {
-    mjvGeom& geom = scene_.geoms[i];
+  for (mjvGeom& geom : Geoms()) {
     if (!IsGround(geom)) geom.rgba[3] *= kFaded;
     geom.reflectance = 0;
   }
@@ -218,17 +203,14 @@ void Scene::Measure(const mjModel& m) {
   shapes_ = Shapes();
   has_ground_ = false;
   Shapes ground;
-  for (int i = 0; i < scene_.ngeom; ++i) {
-    const mjvGeom& geom = scene_.geoms[i];
+  for (const mjvGeom& geom : Geoms()) {
     const bool of_world = geom.objtype == mjOBJ_GEOM && m.geom_bodyid[geom.objid] == 0;
     has_ground_ = has_ground_ || of_world || IsGround(geom);
     (IsGround(geom) ? ground : shapes_).Add(ShapeOf(m, geom));
   }
   for (int i = 0; i < scene_.nskin; ++i) {
-    Shape skin;
-    skin.vertices = {scene_.skinvert + 3 * scene_.skinvertadr[i],
-                     3 * static_cast<std::size_t>(scene_.skinvertnum[i])};
-    shapes_.Add(skin);
+    shapes_.Add({.vertices = {scene_.skinvert + 3 * scene_.skinvertadr[i],
+                              3 * static_cast<std::size_t>(scene_.skinvertnum[i])}});
   }
   if (!shapes_.empty()) {
     floor_height_ = shapes_.Min().z();
@@ -236,8 +218,7 @@ void Scene::Measure(const mjModel& m) {
   }
   // Of a plane without end a piece, so that it looks like one.
   constexpr float kPiece = 1;  // m
-  for (int i = 0; i < scene_.ngeom; ++i) {
-    mjvGeom& geom = scene_.geoms[i];
+  for (mjvGeom& geom : Geoms()) {
     const int plane = geom.objtype == mjOBJ_GEOM ? geom.objid : -1;
     if (geom.type == mjGEOM_PLANE && plane >= 0 && m.geom_size[3 * plane] <= 0) {
       geom.size[0] = geom.size[1] = kPiece;
@@ -308,11 +289,6 @@ int Scene::SetFloor(bool light) {
   const double fill = -scene_.lights[1].dir[2];
   const double lit = kFloor * (kAmbient + kFill * fill + kKey * -kKeyDirection.z());
   return static_cast<int>(std::lround(255 * std::min(lit, 1.0)));
-}
-
-void Scene::SetCamera(const mjvGLCamera& camera) {
-  scene_.camera[0] = camera;
-  scene_.camera[1] = camera;
 }
 
 }  // namespace mjforge::picture

@@ -2,6 +2,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,6 @@ class Scene {
 
   /// What the picture must contain.
   const Shapes& shapes() const { return shapes_; }
-  /// Whether the model has a floor or another geom fixed to the world.
-  bool has_ground() const { return has_ground_; }
   /// Where the object is lowest, m.
   double floor_height() const { return floor_height_; }
   /// Text at places of the picture.
@@ -47,7 +47,7 @@ class Scene {
   /// Makes the floor and what is behind it light or black, and returns its brightness in full
   /// light, 0..255.
   int SetFloor(bool light);
-  void SetCamera(const mjvGLCamera& camera);
+  void SetCamera(const mjvGLCamera& camera) { std::ranges::fill(scene_.camera, camera); }
 
   mjvScene& mujoco() { return scene_; }
 
@@ -66,20 +66,25 @@ class Scene {
                const Eigen::Matrix3d& R_W, const std::array<float, 4>& rgba);
 
  private:
+  std::span<mjvGeom> Geoms() { return {scene_.geoms, static_cast<std::size_t>(scene_.ngeom)}; }
+  void Drop(auto is_dropped) {
+    mjvGeom* const end = scene_.geoms + scene_.ngeom;
+    scene_.ngeom = static_cast<int>(std::remove_if(scene_.geoms, end, is_dropped) - scene_.geoms);
+  }
   void Collect(Subject::State& state, const mjvOption& option);
   void SeparateFaces();
-  bool CollectVisible(Subject::State& state, diag::Findings& findings);
-  Shapes CollidingShapes(Subject::State& state);
+  void CollectVisible(Subject::State& state, diag::Findings& findings);
+  void CollectColliding(Subject::State& state);
+  void TellApart();
   void Fade();
   void AddBackdrop(const Camera& camera);
-  void KeepColliding(const mjModel& m);
   void Measure(const mjModel& m);
 
   mjvScene scene_;
   Shapes shapes_;
   std::vector<Label> labels_;
   std::vector<Line> legend_;
-  bool has_ground_ = false;
+  bool has_ground_ = false;  // the model's: a floor or another geom fixed to the world
   double floor_height_ = 0;
   int floor_ = -1;     // its geom
   int backdrop_ = -1;  // its geom

@@ -17,7 +17,7 @@ struct Shape {
   model::Shape solid = {.type = model::GeomType::kBox};  // a box for all that has no formula
   Eigen::Vector3d p_WS = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
-  std::span<const float> vertices;  // of a mesh, in place of the solid: 3 each, in S
+  std::span<const float> vertices = {};  // of a mesh, in place of the solid: 3 each, in S
 
   /// The largest dot product of `direction` with a point of it.
   double Support(const Eigen::Vector3d& direction) const;

@@ -43,12 +43,11 @@ std::vector<Pose> Subject::Sweep(std::optional<int> joint, diag::Findings& findi
     if ((!joint || *joint == i) && can_move && compiled::RangeOf(*state_->model, i))
       AppendSweep(i, each, poses);
   }
-  if (poses.empty() && joint) {
+  if (poses.empty()) {
     findings.Add(diag::Code::kPictureBadJointValue, {},
-                 fmt::format("joint '{}' has no range to move through",
-                             all[static_cast<std::size_t>(*joint)].name));
-  } else if (poses.empty()) {
-    findings.Add(diag::Code::kPictureBadJointValue, {}, "no joint has a range to move through");
+                 joint ? fmt::format("joint '{}' has no range to move through",
+                                     all[static_cast<std::size_t>(*joint)].name)
+                       : "no joint has a range to move through");
   }
   return poses;
 }

@@ -15,9 +15,8 @@ constexpr int kHeight = 64;
 
 std::string AsAscii(std::string_view text) {
   std::string ascii(text);
-  for (char& c : ascii) {
-    if (c < ' ' || c > '~') c = '?';
-  }
+  std::ranges::replace_if(
+      ascii, [](char c) { return c < ' ' || c > '~'; }, '?');
   return ascii;
 }
 
