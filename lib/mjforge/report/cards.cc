@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 #include <set>
 
 #include "mjforge/expr/expr.h"
@@ -21,18 +23,12 @@ constexpr std::size_t kNamedParams = 3;  // in a picture's name
 constexpr std::size_t kMaxFindings = 4;
 constexpr std::size_t kValueBytes = 120;
 
-std::string VectorText(const std::vector<double>& vector) {
-  std::string text;
-  for (const double component : vector)
-    text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", component);
-  return text;
-}
-
 std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&value)) return Clean(*text, kValueBytes);
-  return Clean(VectorText(std::get<std::vector<double>>(value)), kValueBytes);
+  return Clean(fmt::format("{:.6g}", fmt::join(std::get<std::vector<double>>(value), " ")),
+               kValueBytes);
 }
 
 bool Varies(const ParameterTally& tally) {
@@ -48,19 +44,6 @@ void SetMeasure(Dictionary& card, const char* text, const char* number, std::opt
                 std::string_view unit) {
   Set(card, text, value ? fmt::format("{} {}", Shown(*value), unit) : "none");
   Set(card, number, value ? expr::NumberText(*value) : "");
-}
-
-// Places 0 .. count-1 in bit-reversed order: the first few are spread over all.
-std::vector<std::size_t> SpreadOrder(std::size_t count) {
-  std::size_t bits = 0;
-  while ((std::size_t{1} << bits) < count) ++bits;
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
-    std::size_t place = 0;
-    for (std::size_t bit = 0; bit < bits; ++bit) place |= (i >> bit & 1) << (bits - 1 - bit);
-    if (place < count) order.push_back(place);
-  }
-  return order;
 }
 
 std::string QuotedForShell(const std::string& word) {
@@ -180,14 +163,20 @@ class CardMaker {
   std::set<std::string> varied_;
 };
 
-// The failed and the slow as they come, then the sample.
+// The failed and the slow as they come, then the sample in bit-reversed order: the first few of it
+// are spread over all.
 std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) {
-  std::vector<std::size_t> order;
-  while (order.size() < chosen.size() &&
-         chosen[order.size()].reason != ShownVariant::Reason::kSample)
-    order.push_back(order.size());
-  const std::size_t first = order.size();
-  for (const std::size_t place : SpreadOrder(chosen.size() - first)) order.push_back(first + place);
+  const auto sample =
+      std::ranges::find(chosen, ShownVariant::Reason::kSample, &ShownVariant::reason);
+  const auto first = static_cast<std::size_t>(sample - chosen.begin());
+  std::vector<std::size_t> order(first);
+  std::iota(order.begin(), order.end(), 0);
+  const int bits = std::countr_zero(std::bit_ceil(chosen.size() - first));
+  for (std::size_t i = 0; i < std::size_t{1} << bits; ++i) {
+    std::size_t place = first;
+    for (int bit = 0; bit < bits; ++bit) place += (i >> bit & 1) << (bits - 1 - bit);
+    if (place < chosen.size()) order.push_back(place);
+  }
   return order;
 }
 

@@ -42,7 +42,7 @@ void Histogram::Add(double value) {
   } else if (exponent > exponent_) {
     Coarsen(exponent);
   }
-  while (!Fits()) Coarsen(exponent_ + 1);
+  while (CellOf(max()) - CellOf(min()) >= kCells) Coarsen(exponent_ + 1);
   const std::int64_t lowest = CellOf(min());
   if (lowest < first_) cells_.insert(cells_.begin(), static_cast<std::size_t>(first_ - lowest), 0);
   first_ = lowest;
@@ -84,8 +84,6 @@ double Histogram::MiddleOf(std::size_t cell) const {
   const auto number = static_cast<double>(first_ + static_cast<std::int64_t>(cell));
   return std::ldexp(number + 0.5, exponent_);
 }
-
-bool Histogram::Fits() const { return CellOf(max()) - CellOf(min()) < kCells; }
 
 // To cells of 2^exponent, a wider one.
 void Histogram::Coarsen(int exponent) {

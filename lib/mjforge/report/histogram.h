@@ -45,7 +45,6 @@ class Histogram {
  private:
   std::int64_t CellOf(double value) const;
   double MiddleOf(std::size_t cell) const;
-  bool Fits() const;
   void Coarsen(int exponent);
 
   Numbers numbers_;

@@ -22,6 +22,14 @@ struct Layout {
   const Histogram* drawn = nullptr;
   const Histogram* bad = nullptr;
   const Histogram* asked = nullptr;
+
+  double Share(std::size_t bin) const {
+    return static_cast<double>(bin) / static_cast<double>(bins);
+  }
+  // Where a bin begins, on the page.
+  double Edge(std::size_t bin) const { return kLeft + Share(bin) * (kRight - kLeft); }
+  // The number at a place of the axis.
+  double Value(double place) const { return logarithmic ? std::pow(10, place) : place; }
 };
 
 // Rice's rule, between what is too coarse for a shape and too fine for a phone.
@@ -63,19 +71,8 @@ Layout Lay(const HistogramChart& chart) {
   return layout;
 }
 
-struct Frame {
-  Axis x;
-  Axis y;
-  double Edge(const Layout& layout, std::size_t bin) const {
-    const double share = static_cast<double>(bin) / static_cast<double>(layout.bins);
-    return kLeft + share * (kRight - kLeft);
-  }
-};
-
 std::string EdgeText(const Layout& layout, std::size_t bin) {
-  const double share = static_cast<double>(bin) / static_cast<double>(layout.bins);
-  const double edge = layout.lo + share * (layout.hi - layout.lo);
-  return Shown(layout.logarithmic ? std::pow(10, edge) : edge);
+  return Shown(layout.Value(layout.lo + layout.Share(bin) * (layout.hi - layout.lo)));
 }
 
 // How many of the drawn ones each bin would hold by the spec.
@@ -89,22 +86,22 @@ std::vector<double> Expected(const Layout& layout) {
   return expected;
 }
 
-std::string Outline(const Layout& layout, const Frame& frame, const std::vector<double>& expected) {
+std::string Outline(const Layout& layout, const Axis& y, const std::vector<double>& expected) {
   std::string path = fmt::format("M{:.1f} {:.1f}", kLeft, kBottom);
   for (std::size_t i = 0; i < expected.size(); ++i)
-    path += fmt::format("V{:.1f}H{:.1f}", frame.y.At(expected[i]), frame.Edge(layout, i + 1));
+    path += fmt::format("V{:.1f}H{:.1f}", y.At(expected[i]), layout.Edge(i + 1));
   return path + fmt::format("V{:.1f}", kBottom);
 }
 
-void AddColumns(Dictionary& dictionary, const Layout& layout, const Frame& frame,
+void AddColumns(Dictionary& dictionary, const Layout& layout, const Axis& y,
                 const std::vector<std::uint64_t>& drawn) {
   const std::vector<std::uint64_t> bad = layout.bad->Bins(layout.lo, layout.hi, layout.bins);
   const auto rectangle = [&](Dictionary& bar, std::size_t bin, std::uint64_t count) {
-    const double left = frame.Edge(layout, bin) + 0.5;
-    const double top = frame.y.At(static_cast<double>(count));
+    const double left = layout.Edge(bin) + 0.5;
+    const double top = y.At(static_cast<double>(count));
     Set(bar, "X", left);
     Set(bar, "Y", top);
-    Set(bar, "WIDTH", std::max(frame.Edge(layout, bin + 1) - 0.5 - left, 1.0));
+    Set(bar, "WIDTH", std::max(layout.Edge(bin + 1) - 0.5 - left, 1.0));
     Set(bar, "HEIGHT", kBottom - top);
   };
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -156,22 +153,20 @@ void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
   const std::vector<double> expected = Expected(layout);
   double most = static_cast<double>(*std::max_element(drawn.begin(), drawn.end()));
   for (const double count : expected) most = std::max(most, count);
-  const auto value = [&](double edge) { return layout.logarithmic ? std::pow(10, edge) : edge; };
-  Frame frame{Axis(layout.logarithmic ? Scale::kLogarithmic : Scale::kLinear, value(layout.lo),
-                   value(layout.hi), kLeft, kRight),
-              Axis(Scale::kLinear, 0, std::max(most, 1.0), kBottom, kTop)};
-  frame.y.Round(4);
+  const Axis x(layout.logarithmic ? Scale::kLogarithmic : Scale::kLinear, layout.Value(layout.lo),
+               layout.Value(layout.hi), kLeft, kRight);
+  Axis y(Scale::kLinear, 0, std::max(most, 1.0), kBottom, kTop);
+  y.Round(4);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kHistogram);
   Set(dictionary, "ID", chart.id);
   Set(dictionary, "TITLE", chart.title);
   Set(dictionary, "DESCRIPTION", Description(chart));
   Set(dictionary, "X_LABEL", chart.x_label);
   Set(dictionary, "Y_LABEL", "variants");
-  AddTicks(dictionary, "X_TICK", chart.whole ? WholeTicks(frame.x, 5) : frame.x.Ticks(5));
-  AddTicks(dictionary, "Y_TICK", WholeTicks(frame.y, 4));
-  AddColumns(dictionary, layout, frame, drawn);
-  if (!expected.empty())
-    Set(Section(dictionary, "ASKED"), "PATH", Outline(layout, frame, expected));
+  AddTicks(dictionary, "X_TICK", chart.whole ? WholeTicks(x, 5) : x.Ticks(5));
+  AddTicks(dictionary, "Y_TICK", WholeTicks(y, 4));
+  AddColumns(dictionary, layout, y, drawn);
+  if (!expected.empty()) Set(Section(dictionary, "ASKED"), "PATH", Outline(layout, y, expected));
 }
 
 }  // namespace mjforge::report

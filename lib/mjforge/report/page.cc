@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <system_error>
 
 #include "mjforge/output/output.h"
 #include "mjforge/report/cards.h"

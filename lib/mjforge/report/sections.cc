@@ -15,10 +15,9 @@ constexpr std::size_t kMaxParameters = 100;
 constexpr std::size_t kMaxComponents = 6;
 
 std::string_view MeaningOf(const std::string& code) {
-  for (const diag::CodeInfo& info : diag::AllCodes()) {
-    if (info.name == code) return info.meaning;
-  }
-  return {};
+  const auto codes = diag::AllCodes();
+  const auto found = std::ranges::find(codes, code, &diag::CodeInfo::name);
+  return found == codes.end() ? std::string_view() : found->meaning;
 }
 
 void AddCode(Dictionary& list, const std::string& name, const CodeTally& tally,

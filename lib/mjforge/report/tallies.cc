@@ -72,8 +72,7 @@ void ParameterTallies::Add(
     // The same place in every record of a batch; a search where it is not.
     auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(i, list_.size()));
     if (known == list_.end() || known->name != name) {
-      known = std::find_if(list_.begin(), list_.end(),
-                           [&](const ParameterTally& tally) { return tally.name == name; });
+      known = std::ranges::find(list_, name, &ParameterTally::name);
     }
     if (known == list_.end()) {
       known = list_.emplace(list_.end());
@@ -84,8 +83,7 @@ void ParameterTallies::Add(
 }
 
 const ParameterTally* ParameterTallies::Find(const std::string& name) const {
-  const auto found = std::find_if(list_.begin(), list_.end(),
-                                  [&](const ParameterTally& tally) { return tally.name == name; });
+  const auto found = std::ranges::find(list_, name, &ParameterTally::name);
   return found == list_.end() ? nullptr : &*found;
 }
 
