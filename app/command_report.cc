@@ -110,12 +110,12 @@ std::string SizeText(std::size_t bytes) {
 }
 
 ExitStatus Report(const PageOptions& options, Console& console) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(options.what, options.output, ignored))
-    return WrongUsage("-o names the manifest itself", "report");
   diag::Findings& findings = console.findings;
   const auto manifest = FindBatch(options.what, findings);
   if (!manifest) return console.Tell();
+  std::error_code ignored;
+  if (std::filesystem::equivalent(*manifest, options.output, ignored))
+    return WrongUsage("-o names the manifest itself", "report");
   const bool is_printed = options.output == "-";
   const Path file = options.output.empty() ? PageOf(*manifest) : Path(options.output);
   if (!is_printed && !report::MayReplace(file, options.force, findings)) return console.Tell();

@@ -64,6 +64,16 @@ TEST_CASE_METHOD(ReportTest, "a foreign file stays, unless it is forced away") {
   CHECK(folder().Read("out/manifest.jsonl") == manifest);
 }
 
+TEST_CASE_METHOD(ReportTest, "no page takes the place of its manifest, however that is named") {
+  const std::string manifest = folder().Read("out/manifest.jsonl");
+  for (const char* what : {"out", "out/manifest.jsonl"}) {
+    const auto refused = Run({"report", what, "-o", "out/../out/manifest.jsonl", "--force"});
+    CHECK(refused.status == 2);
+    CHECK(Has(refused.err, "-o names the manifest itself"));
+    CHECK(folder().Read("out/manifest.jsonl") == manifest);
+  }
+}
+
 TEST_CASE_METHOD(ReportTest, "a report without the files has no pictures and a warning") {
   for (const std::string& file : folder().Files()) {
     if (file.ends_with("0.xml")) std::filesystem::remove(folder() / file);
