@@ -73,7 +73,6 @@ const std::array kLibraries = {
             {"diag", "expr", "spec", "sample", "engine", "model", "mjcf", "attach", "validate",
              "physics", "manifest", "output", "forge", "batch", "picture", "report", "app"}},
     Library{"gif_lib.h", {"picture"}},
-    Library{"muParser", {"expr"}},
     // The engine's door is MuJoCo without its habits.
     Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
     Library{"openssl/", {"spec", "output", "report"}},

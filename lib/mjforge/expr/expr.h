@@ -81,8 +81,9 @@ struct Error {
   std::string hint;
 };
 
-/// One compiled expression. Evaluating it writes to memory that it owns, so two threads must not
-/// evaluate the same Expression at the same time.
+class Program;  // private to the room
+
+/// One compiled expression; copies share what was compiled.
 class Expression {
  public:
   struct Input {
@@ -90,11 +91,6 @@ class Expression {
     int slot = 0;
     Type type = Type::kNumber;
   };
-
-  Expression();
-  ~Expression();
-  Expression(Expression&&) noexcept;
-  Expression& operator=(Expression&&) noexcept;
 
   const std::string& text() const { return text_; }
   Type type() const { return type_; }  // of the result: number or boolean
@@ -105,7 +101,7 @@ class Expression {
   /// Variables by the slots of the Names it was compiled with. The result may
   /// be NaN or infinite: the caller reports it with the inputs' values.
   double Evaluate(std::span<const double> variables) const {
-    return constant_ ? *constant_ : EvaluateParsed(variables);
+    return constant_ ? *constant_ : Run(variables);
   }
 
   /// Compiles `text`. On failure returns nothing and fills `error`.
@@ -113,14 +109,14 @@ class Expression {
   static std::optional<Expression> Compile(std::string_view text, const Names& names, Error& error);
 
  private:
-  struct Parsed;
-  double EvaluateParsed(std::span<const double> variables) const;
+  Expression() = default;
+  double Run(std::span<const double> variables) const;
 
   std::string text_;
   Type type_ = Type::kNumber;
   std::vector<Input> inputs_;
   std::optional<double> constant_;
-  std::unique_ptr<Parsed> parsed_;
+  std::shared_ptr<const Program> program_;
 };
 
 /// The names in `text` that are neither functions nor constants, in order of

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "mjforge/expr/expr.h"
 
@@ -44,23 +43,9 @@ constexpr std::array kConstants = {
 
 // A NaN among the arguments is the result: it must not be lost on the way to
 // the place where it is reported.
-template <typename Better>
-double Best(const double* values, int count, Better better) {
-  double best = values[0];
-  for (const double value : std::span(values, static_cast<std::size_t>(count)).subspan(1)) {
-    if (better(value, best) || std::isnan(value)) best = value;
-    if (std::isnan(best)) return best;
-  }
-  return best;
-}
+double Least(double a, double b) { return b < a || std::isnan(b) ? b : a; }
 
-double Least(const double* values, int count) {
-  return Best(values, count, [](double a, double b) { return a < b; });
-}
-
-double Most(const double* values, int count) {
-  return Best(values, count, [](double a, double b) { return a > b; });
-}
+double Most(double a, double b) { return b > a || std::isnan(b) ? b : a; }
 
 double Clamp(double x, double lo, double hi) { return x < lo ? lo : x > hi ? hi : x; }
 
@@ -69,12 +54,36 @@ double Lerp(double a, double b, double t) { return std::lerp(a, b, t); }
 
 double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
 
-using One = double (*)(double);
-using Two = double (*)(double, double);
+using One = Callee::One;
+using Two = Callee::Two;
 
-const std::array kCallees = {
+const std::array kUnaryOperators = {
     Callee{"!", One([](double x) { return x == 0 ? 1.0 : 0.0; })},
     Callee{"-", One([](double x) { return -x; })},
+};
+
+double Truth(bool value) { return value ? 1 : 0; }
+
+const std::array kOperators = {
+    Callee{"+", Two([](double a, double b) { return a + b; })},
+    Callee{"-", Two([](double a, double b) { return a - b; })},
+    Callee{"*", Two([](double a, double b) { return a * b; })},
+    Callee{"/", Two([](double a, double b) { return a / b; })},
+    // The remainder with the sign of `a`.
+    Callee{"%", Two(std::fmod)},
+    Callee{"^", Two(std::pow)},
+    Callee{"<", Two([](double a, double b) { return Truth(a < b); })},
+    Callee{"<=", Two([](double a, double b) { return Truth(a <= b); })},
+    Callee{">", Two([](double a, double b) { return Truth(a > b); })},
+    Callee{">=", Two([](double a, double b) { return Truth(a >= b); })},
+    Callee{"==", Two([](double a, double b) { return Truth(a == b); })},
+    Callee{"!=", Two([](double a, double b) { return Truth(a != b); })},
+    Callee{"&&", Two([](double a, double b) { return Truth(a != 0 && b != 0); })},
+    Callee{"||", Two([](double a, double b) { return Truth(a != 0 || b != 0); })},
+    Callee{"?", [](double condition, double a, double b) { return condition == 0 ? b : a; }},
+};
+
+const std::array kCallees = {
     Callee{"abs", One(std::fabs)},
     Callee{"acos", One(std::acos)},
     Callee{"asin", One(std::asin)},
@@ -87,8 +96,8 @@ const std::array kCallees = {
     Callee{"floor", One(std::floor)},
     Callee{"lerp", Lerp},
     Callee{"log", One(std::log)},
-    Callee{"max", Most},
-    Callee{"min", Least},
+    Callee{"max", Most, true},
+    Callee{"min", Least, true},
     Callee{"round", One(std::round)},
     Callee{"sign", Sign},
     Callee{"sin", One(std::sin)},
@@ -111,7 +120,16 @@ const Callee* FindCallee(std::string_view name) { return FindIn(kCallees, name);
 
 const Constant* FindConstant(std::string_view name) { return FindIn(kConstants, name); }
 
-double Remainder(double a, double b) { return std::fmod(a, b); }
+const Callee& UnaryOperator(std::string_view sign) { return *FindIn(kUnaryOperators, sign); }
+
+const Callee& Operator(std::string_view sign) { return *FindIn(kOperators, sign); }
+
+double Callee::Call(const std::array<double, 3>& values) const {
+  const auto& [a, b, c] = values;
+  if (const auto* one = std::get_if<One>(&function)) return (*one)(a);
+  if (const auto* two = std::get_if<Two>(&function)) return (*two)(a, b);
+  return std::get<Three>(function)(a, b, c);
+}
 
 std::string_view UsageOf(std::string_view function) {
   const Function* found = FindIn(kFunctions, function);

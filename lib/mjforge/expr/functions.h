@@ -2,28 +2,34 @@
 
 // Private to the room: what the functions of the language compute.
 
+#include <array>
 #include <string_view>
 #include <variant>
 
 namespace mjforge::expr {
 
-using Callable = std::variant<double (*)(double), double (*)(double, double),
-                              double (*)(double, double, double), double (*)(const double*, int)>;
-
+/// A function, or an operator.
 struct Callee {
+  using One = double (*)(double);
+  using Two = double (*)(double, double);
+  using Three = double (*)(double, double, double);
+
   std::string_view name;
-  Callable callable;
+  std::variant<One, Two, Three> function;
+  bool repeats = false;  // takes one or more: f(f(a, b), c)
 
   /// How many arguments it takes; 0: one or more.
-  int arity() const {
-    const auto index = static_cast<int>(callable.index());
-    return index == 3 ? 0 : index + 1;
-  }
+  int arity() const { return repeats ? 0 : static_cast<int>(function.index()) + 1; }
+  /// With as many of the values as the function takes.
+  double Call(const std::array<double, 3>& values) const;
 };
 
-/// Also finds the unary operators, under the names "-" and "!"; null if there is no function of
-/// that name.
+/// Null if there is no function of that name.
 const Callee* FindCallee(std::string_view name);
+/// Of one operand: "-" and "!".
+const Callee& UnaryOperator(std::string_view sign);
+/// Of two: "+", "<", "&&", ...; "?" of three.
+const Callee& Operator(std::string_view sign);
 
 /// The value of `pi`, `true`, `false`; null if `name` is not a constant.
 struct Constant {
@@ -32,9 +38,6 @@ struct Constant {
   bool is_boolean;
 };
 const Constant* FindConstant(std::string_view name);
-
-/// The remainder of a division, with the sign of `a`, as C's fmod.
-double Remainder(double a, double b);
 
 /// How a function is written ("clamp(x, lo, hi)").
 std::string_view UsageOf(std::string_view function);

@@ -1,10 +1,12 @@
 #include "mjforge/expr/grammar.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <span>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "mjforge/expr/complaints.h"
 #include "mjforge/expr/units.h"
@@ -20,13 +22,13 @@ constexpr std::size_t kMaxBytes = 10'000;
 constexpr int kMaxDepth = 200;
 
 // What has been read so far of an expression.
-struct Operand {
+struct Typed {
+  Operand value;
   Type type = Type::kNumber;
   std::size_t word = 0;  // a text: where it stands
-  bool literal = false;  // the last constant and nothing else
 };
 
-using Result = std::optional<Operand>;
+using Result = std::optional<Typed>;
 
 // Recursive descent, loosest operator first; one function a level:
 //   choice:     any ? choice : choice
@@ -37,19 +39,20 @@ using Result = std::optional<Operand>;
 //   sum, term:  left to right
 //   signed:     - signed | + signed | ! signed | power
 //   power:      primary (^ signed)?
-// The text for muParser is written on the way.
+// Each adds its steps to the program on the way.
 class Grammar {
  public:
-  Grammar(std::string_view text, std::vector<Word> words, const Names& names, Formula& formula,
+  Grammar(std::string_view text, std::vector<Word> words, const Names& names, Parsed& parsed,
           Error& error)
-      : text_(text), words_(std::move(words)), names_(names), formula_(formula), error_(error) {}
+      : text_(text), words_(std::move(words)), names_(names), parsed_(parsed), error_(error) {}
 
   bool Run() {
     const Result result = Choice();
     if (!result) return false;
     if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_)).has_value();
     if (result->type == Type::kText) return FailText(*result).has_value();
-    formula_.type = result->type;
+    parsed_.type = result->type;
+    parsed_.program.SetResult(result->value);
     return true;
   }
 
@@ -80,13 +83,17 @@ class Grammar {
     return std::nullopt;
   }
 
-  Result FailText(const Operand& operand) { return Fail(MisusedText(words_[operand.word])); }
+  Result FailText(const Typed& operand) { return Fail(MisusedText(words_[operand.word])); }
 
   Result FailDepth() { return Fail(TooDeep(Now(), kMaxDepth)); }
 
-  Result Literal(double value, Type type) {
-    formula_.WriteConstant(value);
-    return Operand{type, at_ - 1, true};
+  Typed Literal(double value, Type type) const {
+    return {.value = {.constant = value}, .type = type, .word = at_ - 1};
+  }
+
+  Typed Applied(const Callee& callee, Type type, std::initializer_list<Operand> operands) {
+    return {.value = parsed_.program.Apply(callee, {operands.begin(), operands.size()}),
+            .type = type};
   }
 
   Result Choice() {
@@ -97,74 +104,60 @@ class Grammar {
     if (condition->type == Type::kText) return FailText(*condition);
     const std::size_t question = Now().offset;
     ++at_;
-    formula_.Write("?(");
     const Result yes = Choice();
     if (!yes) return yes;
     if (!Take(":")) {
       if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_));
       return Fail({Code::kExprSyntax, question, "'?' has no ':'", "write condition ? a : b"});
     }
-    formula_.Write("):(");
     const Result no = Choice();
     if (!no) return no;
-    formula_.Write(")");
     if (yes->type == Type::kText) return FailText(*yes);
     if (no->type == Type::kText) return FailText(*no);
     const bool boolean = yes->type == Type::kBoolean && no->type == Type::kBoolean;
-    return Operand{boolean ? Type::kBoolean : Type::kNumber};
+    return Applied(Operator("?"), boolean ? Type::kBoolean : Type::kNumber,
+                   {condition->value, yes->value, no->value});
   }
 
   using Rule = Result (Grammar::*)();
 
-  // rule (sign rule)*, where `signs` are signs or names and all but texts fit.
-  template <std::size_t N>
-  Result Chain(Rule rule, const std::array<std::pair<std::string_view, std::string_view>, N>& signs,
-               Type type) {
+  // rule (sign rule)*, where all but texts fit; `word` is another way to write the first sign.
+  Result Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
+               std::string_view word = {}) {
     Result left = (this->*rule)();
     while (left) {
-      const auto sign = std::find_if(signs.begin(), signs.end(), [this](const auto& each) {
-        return Now().IsSign(each.first) || Now().IsName(each.first);
-      });
+      const auto* sign = std::find_if(signs.begin(), signs.end(),
+                                      [this](std::string_view each) { return Now().IsSign(each); });
+      if (!word.empty() && Now().IsName(word)) sign = signs.begin();
       if (sign == signs.end()) break;
       if (left->type == Type::kText) return FailText(*left);
       ++at_;
-      formula_.Write(sign->second);
       const Result right = (this->*rule)();
       if (!right) return right;
       if (right->type == Type::kText) return FailText(*right);
-      left = Operand{type};
+      left = Applied(Operator(*sign), type, {left->value, right->value});
     }
     return left;
   }
 
-  Result Any() {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSigns = {
-        {{"||", "||"}, {"or", "||"}}};
-    return Chain(&Grammar::All, kSigns, Type::kBoolean);
-  }
+  Result Any() { return Chain(&Grammar::All, {"||"}, Type::kBoolean, "or"); }
 
-  Result All() {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSigns = {
-        {{"&&", "&&"}, {"and", "&&"}}};
-    return Chain(&Grammar::Negation, kSigns, Type::kBoolean);
-  }
+  Result All() { return Chain(&Grammar::Negation, {"&&"}, Type::kBoolean, "and"); }
 
   Result Negation() {
     if (!Now().IsName("not")) return Comparison();
     const Level level(*this);
     if (level.too_deep()) return FailDepth();
     ++at_;
-    return Applied("!", &Grammar::Negation, Type::kBoolean);
+    return Unary("!", &Grammar::Negation, Type::kBoolean);
   }
 
-  // A unary operator, already taken, and its operand.
-  Result Applied(std::string_view sign, Rule rule, Type type) {
-    formula_.WriteCall(*FindCallee(sign));
+  // An operator of one operand, already taken, and its operand.
+  Result Unary(std::string_view sign, Rule rule, Type type) {
     const Result operand = (this->*rule)();
     if (!operand) return operand;
     if (operand->type == Type::kText) return FailText(*operand);
-    formula_.Write(")");
-    return Operand{type};
+    return Applied(UnaryOperator(sign), type, {operand->value});
   }
 
   bool AtComparison() const {
@@ -180,7 +173,6 @@ class Grammar {
     const std::size_t sign = at_++;
     const bool equality = words_[sign].text == "==" || words_[sign].text == "!=";
     if (left->type == Type::kText && !equality) return FailText(*left);
-    formula_.Write(words_[sign].text);
     beside_text_ = left->type == Type::kText;
     const Result right = Sum();
     beside_text_ = false;
@@ -190,7 +182,7 @@ class Grammar {
       return Fail(TextAgainst(words_[left->type == Type::kText ? left->word : right->word]));
     }
     if (AtComparison()) return FailChained(first, sign);
-    return Operand{Type::kBoolean};
+    return Applied(Operator(words_[sign].text), Type::kBoolean, {left->value, right->value});
   }
 
   Result FailChained(std::size_t first, std::size_t sign) {
@@ -208,47 +200,21 @@ class Grammar {
     return source;
   }
 
-  Result Sum() {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSigns = {
-        {{"+", "+"}, {"-", "-"}}};
-    return Chain(&Grammar::Term, kSigns, Type::kNumber);
-  }
+  Result Sum() { return Chain(&Grammar::Term, {"+", "-"}, Type::kNumber); }
 
-  Result Term() {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSigns = {
-        {{"*", "*"}, {"/", "/"}, {"%", "%"}}};
-    return Chain(&Grammar::Signed, kSigns, Type::kNumber);
-  }
+  Result Term() { return Chain(&Grammar::Signed, {"*", "/", "%"}, Type::kNumber); }
 
   Result Signed() {
     if (!Now().IsSign("-") && !Now().IsSign("+") && !Now().IsSign("!")) return Power();
     const Level level(*this);
     if (level.too_deep()) return FailDepth();
-    if (Take("-")) return Negative();
-    if (Take("!")) return Applied("!", &Grammar::Signed, Type::kBoolean);
+    if (Take("-")) return Unary("-", &Grammar::Signed, Type::kNumber);
+    if (Take("!")) return Unary("!", &Grammar::Signed, Type::kBoolean);
     ++at_;
     const Result operand = Signed();
     if (!operand) return operand;
     if (operand->type == Type::kText) return FailText(*operand);
-    return Operand{Type::kNumber, operand->word, operand->literal};
-  }
-
-  Result Negative() {
-    const std::size_t begin = formula_.text.size();
-    const std::size_t callees = formula_.callees.size();
-    formula_.WriteCall(*FindCallee("-"));
-    const std::size_t end = formula_.text.size();
-    const Result operand = Signed();
-    if (!operand) return operand;
-    if (operand->type == Type::kText) return FailText(*operand);
-    if (operand->literal) {  // -3 is a number, not an operation
-      formula_.text.erase(begin, end - begin);
-      formula_.callees.resize(callees);
-      formula_.constants.back() = -formula_.constants.back();
-      return Operand{Type::kNumber, operand->word, true};
-    }
-    formula_.Write(")");
-    return Operand{Type::kNumber};
+    return Typed{.value = operand->value, .word = operand->word};
   }
 
   Result Power() {
@@ -258,12 +224,10 @@ class Grammar {
     const Level level(*this);
     if (level.too_deep()) return FailDepth();
     ++at_;
-    formula_.Write("^(");
     const Result exponent = Signed();
     if (!exponent) return exponent;
     if (exponent->type == Type::kText) return FailText(*exponent);
-    formula_.Write(")");
-    return Operand{Type::kNumber};
+    return Applied(Operator("^"), Type::kNumber, {base->value, exponent->value});
   }
 
   Result Primary() {
@@ -298,12 +262,9 @@ class Grammar {
   Result Group() {
     const std::size_t open = Now().offset;
     ++at_;
-    formula_.Write("(");
-    Result inner = Choice();
+    const Result inner = Choice();
     if (!inner) return inner;
     if (!Take(")")) return FailOpen(open);
-    formula_.Write(")");
-    inner->literal = false;
     return inner;
   }
 
@@ -345,38 +306,44 @@ class Grammar {
   }
 
   Result Input(const Word& word, const Names::Variable& variable, int component) {
-    formula_.WriteInput(word.text, variable.slot + component, variable.type);
-    return Operand{variable.type, at_ - 1};
+    const int slot = variable.slot + component;
+    if (std::ranges::find(parsed_.inputs, slot, &Expression::Input::slot) == parsed_.inputs.end()) {
+      parsed_.inputs.push_back({std::string(word.text), slot, variable.type});
+    }
+    return Typed{parsed_.program.Variable(slot), variable.type, at_ - 1};
   }
 
   Result Call(const Callee& callee) {
     const Word& name = Now();
     const std::size_t open = words_[at_ + 1].offset;
     at_ += 2;
-    formula_.WriteCall(callee);
-    int count = 0;
+    std::vector<Operand> arguments;
     if (!Now().IsSign(")")) {
       do {
-        formula_.Write(count++ == 0 ? "(" : ",(");
         const Result argument = Choice();
         if (!argument) return argument;
         if (argument->type == Type::kText) return FailText(*argument);
-        formula_.Write(")");
+        arguments.push_back(argument->value);
       } while (Take(","));
     }
     if (!Take(")")) return FailOpen(open);
-    formula_.Write(")");
     const int arity = callee.arity();
+    const int count = static_cast<int>(arguments.size());
     if (arity == 0 ? count == 0 : count != arity) {
       return Fail(WrongCount(name, arity, count));
     }
-    return Operand{Type::kNumber};
+    if (arity > 0) return Typed{parsed_.program.Apply(callee, arguments)};
+    Typed result{arguments.front()};
+    for (const Operand& argument : std::span(arguments).subspan(1)) {
+      result = Applied(callee, Type::kNumber, {result.value, argument});
+    }
+    return result;
   }
 
   std::string_view text_;
   std::vector<Word> words_;
   const Names& names_;
-  Formula& formula_;
+  Parsed& parsed_;
   Error& error_;
   std::size_t at_ = 0;
   int depth_ = 0;
@@ -385,14 +352,14 @@ class Grammar {
 
 }  // namespace
 
-bool ParseFormula(std::string_view text, const Names& names, Formula& formula, Error& error) {
+bool Parse(std::string_view text, const Names& names, Parsed& parsed, Error& error) {
   if (text.size() > kMaxBytes) {
     error = TooLong(text.size(), kMaxBytes);
     return false;
   }
   std::vector<Word> words;
   if (!SplitWords(text, words, error)) return false;
-  return Grammar(text, std::move(words), names, formula, error).Run();
+  return Grammar(text, std::move(words), names, parsed, error).Run();
 }
 
 }  // namespace mjforge::expr

@@ -7,7 +7,6 @@ std::string_view Version() { return MJFORGE_VERSION; }
 std::vector<Library> Libraries() {
   return {{"MuJoCo", validate::MujocoVersion()},
           {"yaml-cpp", MJFORGE_YAML_CPP_VERSION},
-          {"muParser", MJFORGE_MUPARSER_VERSION},
           {"Boost", MJFORGE_BOOST_VERSION},
           {"Eigen", MJFORGE_EIGEN_VERSION}};
 }

@@ -273,7 +273,6 @@ TEST_CASE("an expression moves with all it owns and follows its variables") {
   }
   world.values[1] = 0;
   CHECK(expressions[3].Evaluate(world.values) == 6);
-  CHECK(std::isnan(Expression().Evaluate(world.values)));
 }
 
 TEST_CASE("sums and products are computed in the order they are written") {
@@ -358,4 +357,24 @@ TEST_CASE("the locale of C changes no number") {
     CheckNumbersOfTheLanguage();
   }
   std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST_CASE("an expression may have as many parts as its text has room for") {
+  std::string sum = "r";
+  for (int i = 0; i < 4990; ++i) sum += "+r";
+  CHECK(Value(sum) == 4991 * 0.25);
+}
+
+TEST_CASE("zero and minus zero are different constants") {
+  CHECK(std::isnan(Value("1 / (r * 0) + 1 / (r * -0)")));
+  CHECK(Value("1 / (r * 0) + 1 / (r * 0)") == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("a copy of an expression is evaluated apart from the original") {
+  const Expression original = Compiled("r * n");
+  const Expression copy = original;
+  std::vector<double> others = World().values;
+  others[0] = 1;
+  CHECK(copy.Evaluate(others) == 8);
+  CHECK(original.Evaluate(World().values) == 2);
 }
