@@ -96,44 +96,40 @@ void Assembly::ReadTotalSize(Scope& scope) {
 }
 
 void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF) {
-  const std::vector<spec::Field>& defaults = scope.values.spec().defaults.part;
   for (const spec::Entry& entry : entries) {
     const bool is_plain = !entry.is_frame && entry.nested == nullptr;
-    const FieldSet fields(entry.fields, is_plain ? defaults : std::span<const spec::Field>());
     const auto count = repetition_.Count(entry, scope.values, part_count_);
     if (!count) continue;
     if (is_plain && !entry.condition) MakeRoom(*count, body().parts);
     repetition_.ForEach(entry, scope.values, [&] {
       if (entry.is_frame) {
-        AddFrame(scope, entry, fields, X_SF);
+        AddFrame(scope, entry, X_SF);
       } else if (entry.nested != nullptr) {
-        AddWeld(scope, entry, fields, X_SF);
+        AddWeld(scope, entry, X_SF);
       } else {
-        AddPart(scope, entry, fields, X_SF);
+        AddPart(scope, entry, X_SF);
       }
     });
   }
 }
 
 // A frame needs no name, unless its pose is drawn.
-void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-                        const Pose& X_SF) {
+void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
   const sample::StreamId frames = sample::Child(scope.parts, "frames");
   const std::string name = scope.values.Text(entry.name, frames);
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
-  const std::optional<Pose> X_FChild = ReadPose(reader, fields);
+  const std::optional<Pose> X_FChild = ReadPose(reader, entry);
   // Parts of a frame without a pose can still be checked for other errors.
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(Pose()));
 }
 
-void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-                       const Pose& X_SF) {
+void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts);
   if (!name) return;
   const sample::StreamId path = sample::Child(scope.parts, std::string_view(*name));
   FieldReader reader(scope.values, findings_, "part", *name, path);
-  const std::optional<Pose> X_FW = ReadPose(reader, fields);
+  const std::optional<Pose> X_FW = ReadPose(reader, entry);
 
   if (!X_FW) return;
   std::optional<sample::Evaluator> nested = SampleNested(scope, entry, path);

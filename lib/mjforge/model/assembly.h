@@ -15,7 +15,6 @@
 
 #include "mjforge/model/assets.h"
 #include "mjforge/model/field_reader.h"
-#include "mjforge/model/field_set.h"
 #include "mjforge/model/model.h"
 #include "mjforge/model/references.h"
 #include "mjforge/model/repetition.h"
@@ -61,8 +60,8 @@ class Assembly {
   // assembly.cc
   void AddSpec(Scope& scope);
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
-  void AddFrame(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
-  void AddWeld(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
+  void AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
+  void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   /// The values of the spec that an entry brings, with the entry's parameters set.
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
@@ -72,20 +71,19 @@ class Assembly {
 
   // bodies.cc
   void AddBodies(Scope& scope);
-  void AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSet& fields,
-               sample::StreamId bodies);
+  void AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies);
   /// Adds the content of the entry to the body `index`, the last one so far.
-  void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader, const FieldSet& fields,
+  void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, std::size_t index, sample::StreamId path);
-  void PlaceBody(Scope& scope, FieldReader& reader, const FieldSet& fields, const Bounds& bounds,
+  void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry, const Bounds& bounds,
                  Body& body);
-  int ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields, diag::SourceMark mark);
+  int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
   /// Sets the values of NAME.top and the other properties of a body.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                      std::size_t index);
 
   // attached.cc
-  void AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& fields,
+  void AddAttachment(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                      const std::string& name, std::size_t index);
   void CopyAssets(const Attachment& attachment, Renamer& renamer);
   /// The first body becomes the body `index`.
@@ -116,22 +114,20 @@ class Assembly {
   void CheckMass();
 
   // parts.cc
-  void AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& fields, const Pose& X_SF);
-  bool ReadMaterial(Scope& scope, FieldReader& reader, const FieldSet& fields, Part& part,
+  void AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
+  bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, Part& part,
                     const MaterialState*& material);
-  bool ReadMass(FieldReader& reader, const FieldSet& fields, const MaterialState* material,
+  bool ReadMass(FieldReader& reader, const spec::Entry& entry, const MaterialState* material,
                 Part& part);
   bool SetMass(FieldReader& reader, std::optional<double> mass, Part& part);
   bool SetDensity(FieldReader& reader, const spec::Field& field, double density, Part& part);
 
   // sites.cc, joints.cc
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
-  void AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-               sample::StreamId sites);
+  void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
-  void AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-                sample::StreamId joints);
+  void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);
   /// Notes the names of a spec's root joints, which attaching it removes.
   void TakeAwayJoints(Scope& scope);
 
@@ -169,7 +165,7 @@ class Assembly {
 
 /// Reads an element's own attributes into `out`, then adds those of its material and of the
 /// defaults that it lacks; false after a finding.
-bool ReadAttributes(FieldReader& reader, const FieldSet& fields, std::vector<Attribute>& out,
+bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
                     std::span<const Attribute> of_material = {});
 
 /// The extents of the parts from `first` on; only of those that collide, if any does.

@@ -9,7 +9,6 @@
 #include <unordered_map>
 
 #include "mjforge/model/field_reader.h"
-#include "mjforge/model/field_set.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::model {
@@ -29,9 +28,9 @@ class Assets {
       : assembler_(assembler), object_(object), findings_(findings), textures_(&scratch) {}
 
   /// Sets the part's mesh and shape from polygon, height and scale.
-  bool ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part);
+  bool ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part);
   /// The same from file and scale; file names are relative to `folder`.
-  bool ReadMesh(FieldReader& reader, const FieldSet& fields, const std::filesystem::path& folder,
+  bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);
   /// The solid's mass properties at density 1, in its own frame; nothing for a
   /// mesh whose surface is open.

@@ -58,14 +58,14 @@ class Renamer {
   std::string root_;  // the bodies move while the copy is made
 };
 
-void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const FieldSet& fields,
+void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                              const std::string& name, std::size_t index) {
-  const spec::Field& field = *fields[Key::kMjcf];
+  const spec::Field& field = *entry.Find(Key::kMjcf);
   const std::optional<std::string> file = reader.Text(field);
   std::optional<std::string> body_name = std::string();
-  if (const spec::Field* body = fields[Key::kBody]) body_name = reader.Text(*body);
+  if (const spec::Field* body = entry.Find(Key::kBody)) body_name = reader.Text(*body);
   if (!file || !body_name) return;
-  const spec::Field* asked = fields[Key::kBody] != nullptr ? fields[Key::kBody] : &field;
+  const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
   // Findings come once an object, however often the file is in it.
   const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);

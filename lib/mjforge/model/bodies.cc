@@ -49,14 +49,12 @@ void Assembly::AddBodies(Scope& scope) {
   const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
   for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
   for (const spec::BodyEntry& entry : spec.bodies) {
-    const FieldSet fields(entry.head.fields, {});
     if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
-    repetition_.ForEach(entry.head, scope.values, [&] { AddBody(scope, entry, fields, bodies); });
+    repetition_.ForEach(entry.head, scope.values, [&] { AddBody(scope, entry, bodies); });
   }
 }
 
-void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSet& fields,
-                       sample::StreamId bodies) {
+void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies) {
   if (object_.bodies.size() >= static_cast<std::size_t>(kMaxParts)) {
     findings_.Add(Code::kModelTooManyParts, entry.head.mark,
                   fmt::format("the object has more than {} bodies", kMaxParts));
@@ -73,28 +71,27 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const FieldSe
     body.mark = entry.head.mark;
   }
   // A body without a good parent still shows what else is wrong with it.
-  object_.bodies[index].parent = ParentOf(scope, reader, fields, entry.head.mark);
+  object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
   bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
 
   // The parts, sites and joints that follow go into this body.
   const std::size_t outer = std::exchange(at_, index);
   const Pose X_BS = std::exchange(scope.X_BS, Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
-  Fill(scope, entry, reader, fields, *name, index, path);
+  Fill(scope, entry, reader, *name, index, path);
   const Bounds bounds = BoundsFrom(index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
-  ReadAttributes(reader, fields, object_.bodies[index].attributes);
+  ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
   at_ = outer;
   scope.X_BS = X_BS;
   scope.total_size = total_size;
-  PlaceBody(scope, reader, fields, bounds, object_.bodies[index]);
+  PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
 }
 
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
-                    const FieldSet& fields, const std::string& name, std::size_t index,
-                    sample::StreamId path) {
+                    const std::string& name, std::size_t index, sample::StreamId path) {
   if (entry.head.nested != nullptr) {
     std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
     if (!nested) return;
@@ -105,15 +102,15 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
       const int slot = entry.parameter_slots[i];
       if (slot >= 0) scope.values.SetVariable(slot, nested->Parameter(i));
     }
-  } else if (fields[Key::kMjcf] != nullptr) {
-    AddAttachment(scope, reader, fields, name, index);
+  } else if (entry.head.Find(Key::kMjcf) != nullptr) {
+    AddAttachment(scope, reader, entry.head, name, index);
   } else {
     const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
     AddParts(scope, entry.parts, Pose());
     scope.parts = outer;
   }
   SetMass(index);
-  const spec::Field* field = fields[Key::kMass];
+  const spec::Field* field = entry.head.Find(Key::kMass);
   if (field == nullptr) return;
   const std::optional<double> mass = reader.Number(*field);
   if (!mass) return;
@@ -125,9 +122,8 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
   }
 }
 
-int Assembly::ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields,
-                       diag::SourceMark mark) {
-  const spec::Field* field = fields[Key::kParent];
+int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry) {
+  const spec::Field* field = entry.Find(Key::kParent);
   if (field == nullptr) return scope.body;
   const std::optional<std::string> name = reader.Text(*field);
   if (!name || *name == scope.values.spec().name) return scope.body;
@@ -144,7 +140,7 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const FieldSet& fields
       findings_.Add(Code::kSpecBadParent, field->value.mark,
                     fmt::format("{}: no earlier body {}", reader.Owner(), Quoted(*name)),
                     diag::DidYouMean(*name, names));
-  finding.notes.push_back({mark, "parents come before children; this one is defined here"});
+  finding.notes.push_back({entry.mark, "parents come before children; this one is defined here"});
   return scope.body;
 }
 
@@ -162,9 +158,9 @@ void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const B
   }
 }
 
-void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const FieldSet& fields,
+void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                          const Bounds& bounds, Body& body) {
-  const std::optional<Pose> X_PB = ReadPose(reader, fields);
+  const std::optional<Pose> X_PB = ReadPose(reader, entry);
   if (!X_PB) return;
   body.X_PB = *X_PB;
   if (body.parent != scope.body) return;

@@ -13,9 +13,9 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-bool ReadType(FieldReader& reader, const FieldSet& fields, Joint& joint) {
+bool ReadType(FieldReader& reader, const spec::Entry& entry, Joint& joint) {
   joint.type = "hinge";
-  const spec::Field* field = fields[Key::kType];
+  const spec::Field* field = entry.Find(Key::kType);
   if (field == nullptr) return true;
   const std::optional<std::string> word = reader.Word(*field);
   if (!word) return false;
@@ -35,9 +35,9 @@ std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range
 }
 
 // A range holds where it is given, unless `limited: false`.
-bool ReadRange(FieldReader& reader, const FieldSet& fields, Joint& joint) {
-  const spec::Field* range_field = fields[Key::kRange];
-  const spec::Field* limited_field = fields[Key::kLimited];
+bool ReadRange(FieldReader& reader, const spec::Entry& entry, Joint& joint) {
+  const spec::Field* range_field = entry.Find(Key::kRange);
+  const spec::Field* limited_field = entry.Find(Key::kLimited);
   std::optional<Eigen::Vector2d> range;
   if (range_field != nullptr) {
     range = reader.Vector<2>(*range_field);
@@ -87,9 +87,8 @@ void Assembly::AddRootJoints(Scope& scope) {
 void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
                          sample::StreamId joints) {
   for (const spec::Entry& entry : entries) {
-    const FieldSet fields(entry.fields, scope.values.spec().defaults.joint);
     if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
-    repetition_.ForEach(entry, scope.values, [&] { AddJoint(scope, entry, fields, joints); });
+    repetition_.ForEach(entry, scope.values, [&] { AddJoint(scope, entry, joints); });
   }
 }
 
@@ -107,8 +106,7 @@ void Assembly::TakeAwayJoints(Scope& scope) {
   }
 }
 
-void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-                        sample::StreamId joints) {
+void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints) {
   const std::optional<std::string> name = ReadName(scope, entry, joints);
   if (!name) return;
   FieldReader reader(scope.values, findings_, "joint", *name,
@@ -116,24 +114,24 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, const FieldSet& 
   Joint joint;
   joint.name = scope.prefix + *name;
   joint.mark = entry.mark;
-  bool good = ReadType(reader, fields, joint);
+  bool good = ReadType(reader, entry, joint);
   if (good && joint.type == "free" && at_ != 0) {
     reader.ReportElement(Code::kModelBadValue, entry.mark, "is free, but its body is not the root",
                          "MuJoCo allows a free joint only on a body whose parent is the world");
     return;
   }
-  if (const spec::Field* field = fields[Key::kPos]) {
+  if (const spec::Field* field = entry.Find(Key::kPos)) {
     const auto pos = reader.Vector<3>(*field);
     if (pos) joint.pos = *pos;
     good &= pos.has_value();
   }
-  if (const spec::Field* field = fields[Key::kAxis]) {
+  if (const spec::Field* field = entry.Find(Key::kAxis)) {
     const auto axis = ReadDirection(reader, *field);
     if (axis) joint.axis = *axis;
     good &= axis.has_value();
   }
-  good &= ReadRange(reader, fields, joint);
-  good &= ReadAttributes(reader, fields, joint.attributes);
+  good &= ReadRange(reader, entry, joint);
+  good &= ReadAttributes(reader, entry, joint.attributes);
   if (good) body().joints.push_back(std::move(joint));
 }
 

@@ -29,9 +29,10 @@ std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& sca
 
 // One number counts for all axes.
 template <int N>
-std::optional<Eigen::Matrix<double, N, 1>> ReadScale(FieldReader& reader, const FieldSet& fields) {
+std::optional<Eigen::Matrix<double, N, 1>> ReadScale(FieldReader& reader,
+                                                     const spec::Entry& entry) {
   using Scale = Eigen::Matrix<double, N, 1>;
-  const spec::Field* field = fields[Key::kScale];
+  const spec::Field* field = entry.Find(Key::kScale);
   if (field == nullptr) return Scale(Scale::Ones());
   sample::Numbers numbers;
   if (!reader.Numbers(*field, numbers)) return std::nullopt;
@@ -45,9 +46,9 @@ std::optional<Eigen::Matrix<double, N, 1>> ReadScale(FieldReader& reader, const 
   return Scale(numbers.data());
 }
 
-const spec::Field* Required(FieldReader& reader, const FieldSet& fields, Key id,
+const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
                             std::string_view key, diag::SourceMark mark) {
-  const spec::Field* field = fields[id];
+  const spec::Field* field = entry.Find(id);
   if (field == nullptr) {
     reader.ReportElement(Code::kSpecMissingKey, mark, fmt::format("has no '{}'", key));
   }
@@ -62,13 +63,13 @@ void Assets::Share(int index, Part& part) {
                 .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
 }
 
-bool Assets::ReadPrism(FieldReader& reader, const FieldSet& fields, Part& part) {
-  const spec::Field* polygon = Required(reader, fields, Key::kPolygon, "polygon", part.mark);
-  const spec::Field* height = Required(reader, fields, Key::kHeight, "height", part.mark);
+bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part) {
+  const spec::Field* polygon = Required(reader, entry, Key::kPolygon, "polygon", part.mark);
+  const spec::Field* height = Required(reader, entry, Key::kHeight, "height", part.mark);
   if (polygon == nullptr || height == nullptr) return false;
   std::optional<std::vector<double>> points = reader.Points(*polygon);
   const std::optional<double> z = reader.Number(*height);
-  const std::optional<Eigen::Vector2d> scale = ReadScale<2>(reader, fields);
+  const std::optional<Eigen::Vector2d> scale = ReadScale<2>(reader, entry);
   if (!points || !z || !scale) return false;
   for (std::size_t i = 0; i < points->size(); ++i) {
     (*points)[i] *= (*scale)(static_cast<Eigen::Index>(i % 2));
@@ -107,12 +108,12 @@ void Assets::AddPrism(TriangleMesh mesh, Part& part) {
   Share(index, part);
 }
 
-bool Assets::ReadMesh(FieldReader& reader, const FieldSet& fields,
+bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
                       const std::filesystem::path& folder, Part& part) {
-  const spec::Field* field = Required(reader, fields, Key::kFile, "file", part.mark);
+  const spec::Field* field = Required(reader, entry, Key::kFile, "file", part.mark);
   if (field == nullptr) return false;
   const std::optional<std::string> name = reader.Text(*field);
-  const std::optional<Eigen::Vector3d> scale = ReadScale<3>(reader, fields);
+  const std::optional<Eigen::Vector3d> scale = ReadScale<3>(reader, entry);
   if (!name || !scale) return false;
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedMesh& content = assembler_.ReadFile(file);

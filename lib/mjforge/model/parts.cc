@@ -14,8 +14,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-bool ReadRole(FieldReader& reader, const FieldSet& fields, Part& part) {
-  const spec::Field* field = fields[Key::kRole];
+bool ReadRole(FieldReader& reader, const spec::Entry& entry, Part& part) {
+  const spec::Field* field = entry.Find(Key::kRole);
   if (field == nullptr) return true;
   const std::optional<std::string> word = reader.Word(*field);
   if (!word) return false;
@@ -23,6 +23,11 @@ bool ReadRole(FieldReader& reader, const FieldSet& fields, Part& part) {
               : *word == "collision" ? Role::kCollision
                                      : Role::kVisual;
   return true;
+}
+
+// Whether it is written to the MJCF element unchanged.
+bool IsAttribute(Key id) {
+  return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup;
 }
 
 bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
@@ -39,24 +44,28 @@ Eigen::Vector3d FromCorner(const Pose& X_SG, const Shape& shape,
 
 }  // namespace
 
-bool ReadAttributes(FieldReader& reader, const FieldSet& fields, std::vector<Attribute>& out,
+bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
                     std::span<const Attribute> of_material) {
   bool good = true;
-  out.reserve(fields.own_attributes().size() + of_material.size());
-  for (const spec::Field* field : fields.own_attributes()) {
-    good &= reader.ReadAttribute(*field, out.emplace_back());
+  out.reserve(entry.fields.size() + of_material.size());
+  const auto add_material = [&] {
+    for (const Attribute& attribute : std::exchange(of_material, {})) {
+      if (!Has(out, attribute.name)) out.push_back(attribute);
+    }
+  };
+  for (const spec::Field& field : entry.fields) {
+    if (!IsAttribute(field.info->id)) continue;
+    if (field.is_default) {
+      add_material();
+      if (Has(out, field.info->key)) continue;
+    }
+    good &= reader.ReadAttribute(field, out.emplace_back());
   }
-  for (const Attribute& attribute : of_material) {
-    if (!Has(out, attribute.name)) out.push_back(attribute);
-  }
-  for (const spec::Field* field : fields.default_attributes()) {
-    if (!Has(out, field->info->key)) good &= reader.ReadAttribute(*field, out.emplace_back());
-  }
+  add_material();
   return good;
 }
 
-void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-                       const Pose& X_SF) {
+void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
   if (part_count_ >= static_cast<std::size_t>(kMaxParts)) {
     findings_.Add(Code::kModelTooManyParts, entry.mark,
                   fmt::format("the object has more than {} parts", kMaxParts));
@@ -69,15 +78,15 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& f
   Part part;
   part.name = scope.prefix + *name;
   part.mark = entry.mark;
-  bool good = ReadRole(reader, fields, part);
+  bool good = ReadRole(reader, entry, part);
   Pose X_FG;
   const bool shaped =
-      good && ReadShape(reader, fields, scope.values.spec().folder, assets_, part, X_FG);
+      good && ReadShape(reader, entry, scope.values.spec().folder, assets_, part, X_FG);
   good = shaped && good;
   const MaterialState* material = nullptr;
-  good &= ReadMaterial(scope, reader, fields, part, material);
-  if (shaped) good &= ReadMass(reader, fields, material, part);
-  good &= ReadAttributes(reader, fields, part.attributes,
+  good &= ReadMaterial(scope, reader, entry, part, material);
+  if (shaped) good &= ReadMass(reader, entry, material, part);
+  good &= ReadAttributes(reader, entry, part.attributes,
                          material != nullptr ? std::span<const Attribute>(material->contact)
                                              : std::span<const Attribute>());
   if (!good) return;
@@ -90,9 +99,9 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const FieldSet& f
   ++part_count_;
 }
 
-bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const FieldSet& fields, Part& part,
+bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, Part& part,
                             const MaterialState*& material) {
-  const spec::Field* field = fields[Key::kMaterial];
+  const spec::Field* field = entry.Find(Key::kMaterial);
   if (field == nullptr) return true;
   material = UseMaterial(scope, reader, *field);
   if (material == nullptr) return false;
@@ -114,20 +123,18 @@ bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double 
 
 // The part's own mass or density, its material's density, the defaults'
 // mass or density, water. A visual part has mass only by its own word.
-bool Assembly::ReadMass(FieldReader& reader, const FieldSet& fields, const MaterialState* material,
-                        Part& part) {
-  const spec::Field* mass = fields.Own(Key::kMass);
-  const spec::Field* density = fields.Own(Key::kDensity);
-  if (mass == nullptr && density == nullptr) {
+bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
+                        const MaterialState* material, Part& part) {
+  const spec::Field* mass = entry.Find(Key::kMass);
+  const spec::Field* field = mass != nullptr ? mass : entry.Find(Key::kDensity);
+  if (field == nullptr || field->is_default) {
     if (part.role == Role::kVisual) return true;
     if (material != nullptr && material->density) {
       if (!SetDensity(reader, *material->density_field, *material->density, part)) return false;
       return SetMass(reader, std::nullopt, part);
     }
-    mass = fields.Default(Key::kMass);
-    density = fields.Default(Key::kDensity);
   }
-  if (const spec::Field* field = mass != nullptr ? mass : density) {
+  if (field != nullptr) {
     const std::optional<double> number = reader.Number(*field);
     if (!number || !SetDensity(reader, *field, *number, part)) return false;
     return SetMass(reader, mass != nullptr ? number : std::nullopt, part);

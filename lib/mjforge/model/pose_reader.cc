@@ -48,16 +48,16 @@ std::optional<Eigen::Quaterniond> ReadXyAxes(FieldReader& reader, const spec::Fi
   return FromXyAxes(x, y);
 }
 
-std::optional<Eigen::Quaterniond> ReadOrientation(FieldReader& reader, const FieldSet& fields) {
-  if (const spec::Field* field = fields[Key::kQuat]) return ReadQuat(reader, *field);
-  if (const spec::Field* field = fields[Key::kAxisAngle]) return ReadAxisAngle(reader, *field);
-  if (const spec::Field* field = fields[Key::kXyAxes]) return ReadXyAxes(reader, *field);
-  if (const spec::Field* field = fields[Key::kEuler]) {
+std::optional<Eigen::Quaterniond> ReadOrientation(FieldReader& reader, const spec::Entry& entry) {
+  if (const spec::Field* field = entry.Find(Key::kQuat)) return ReadQuat(reader, *field);
+  if (const spec::Field* field = entry.Find(Key::kAxisAngle)) return ReadAxisAngle(reader, *field);
+  if (const spec::Field* field = entry.Find(Key::kXyAxes)) return ReadXyAxes(reader, *field);
+  if (const spec::Field* field = entry.Find(Key::kEuler)) {
     const auto angles = reader.Vector<3>(*field);
     if (!angles) return std::nullopt;
     return FromEuler(*angles);
   }
-  if (const spec::Field* field = fields[Key::kZAxis]) {
+  if (const spec::Field* field = entry.Find(Key::kZAxis)) {
     const auto z = ReadDirection(reader, *field);
     if (!z) return std::nullopt;
     return FromZAxis(*z);
@@ -77,15 +77,15 @@ std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Fi
   return direction->stableNormalized();
 }
 
-std::optional<Pose> ReadPose(FieldReader& reader, const FieldSet& fields) {
+std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
   Pose pose;
   bool good = true;
-  if (const spec::Field* field = fields[Key::kPos]) {
+  if (const spec::Field* field = entry.Find(Key::kPos)) {
     const auto pos = reader.Vector<3>(*field);
     if (pos) pose.p = *pos;
     good = pos.has_value();
   }
-  const std::optional<Eigen::Quaterniond> q = ReadOrientation(reader, fields);
+  const std::optional<Eigen::Quaterniond> q = ReadOrientation(reader, entry);
   if (!good || !q) return std::nullopt;
   pose.q = *q;
   return pose;

@@ -3,12 +3,11 @@
 #include <optional>
 
 #include "mjforge/model/field_reader.h"
-#include "mjforge/model/field_set.h"
 
 namespace mjforge::model {
 
 /// The pose from pos and whichever orientation is given; nothing after a finding.
-std::optional<Pose> ReadPose(FieldReader& reader, const FieldSet& fields);
+std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 
 /// The pose and half length that `fromto` gives.
 struct Span {

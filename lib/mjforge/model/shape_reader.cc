@@ -16,7 +16,7 @@ bool HasEnds(std::string_view type) {
 }
 
 // Keys of other shapes, for types that are known only now.
-bool HasStrayKeys(FieldReader& reader, const FieldSet& fields, std::string_view type) {
+bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const bool is_prism = type == "prism";
   const bool is_mesh = type == "mesh";
   const std::pair<Key, bool> kKnown[] = {
@@ -29,17 +29,17 @@ bool HasStrayKeys(FieldReader& reader, const FieldSet& fields, std::string_view 
   };
   bool stray = false;
   for (const auto& [key, is_known] : kKnown) {
-    const spec::Field* field = fields.Own(key);
-    if (field == nullptr || is_known) continue;
+    const spec::Field* field = entry.Find(key);
+    if (field == nullptr || field->is_default || is_known) continue;
     reader.Report(Code::kModelBadValue, *field, fmt::format("has no meaning for a {}", type));
     stray = true;
   }
   return stray;
 }
 
-bool ReadSize(FieldReader& reader, const FieldSet& fields, std::string_view type,
+bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view type,
               std::optional<double> half_length, Part& part) {
-  const spec::Field* field = fields[Key::kSize];
+  const spec::Field* field = entry.Find(Key::kSize);
   if (field == nullptr) {
     reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
     return false;
@@ -73,27 +73,27 @@ GeomType TypeOf(std::string_view word) {
   return GeomType::kMesh;
 }
 
-bool ReadShape(FieldReader& reader, const FieldSet& fields, const std::filesystem::path& folder,
+bool ReadShape(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                Assets& assets, Part& part, Pose& X_FG) {
-  const spec::Field* type = fields[Key::kType];
+  const spec::Field* type = entry.Find(Key::kType);
   if (type == nullptr) {
     reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'type'");
     return false;
   }
   const std::optional<std::string> word = reader.Word(*type);
-  if (!word || HasStrayKeys(reader, fields, *word)) return false;
+  if (!word || HasStrayKeys(reader, entry, *word)) return false;
   part.shape.type = TypeOf(*word);
-  if (const spec::Field* fromto = fields[Key::kFromTo]; fromto && HasEnds(*word)) {
+  if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
     const std::optional<Span> span = ReadFromTo(reader, *fromto);
     if (!span) return false;
     X_FG = span->pose;
-    return ReadSize(reader, fields, *word, span->half_length, part);
+    return ReadSize(reader, entry, *word, span->half_length, part);
   }
-  const std::optional<Pose> pose = ReadPose(reader, fields);
+  const std::optional<Pose> pose = ReadPose(reader, entry);
   if (pose) X_FG = *pose;
-  const bool good = *word == "prism"  ? assets.ReadPrism(reader, fields, part)
-                    : *word == "mesh" ? assets.ReadMesh(reader, fields, folder, part)
-                                      : ReadSize(reader, fields, *word, std::nullopt, part);
+  const bool good = *word == "prism"  ? assets.ReadPrism(reader, entry, part)
+                    : *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
+                                      : ReadSize(reader, entry, *word, std::nullopt, part);
   return good && pose.has_value();
 }
 

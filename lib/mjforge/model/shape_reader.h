@@ -4,13 +4,12 @@
 
 #include "mjforge/model/assets.h"
 #include "mjforge/model/field_reader.h"
-#include "mjforge/model/field_set.h"
 
 namespace mjforge::model {
 
 /// Sets the part's shape and the pose X_FG that its fields give it; false after
 /// a finding.
-bool ReadShape(FieldReader& reader, const FieldSet& fields, const std::filesystem::path& folder,
+bool ReadShape(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                Assets& assets, Part& part, Pose& X_FG);
 
 /// The type that a word of the field table names; prisms are meshes.

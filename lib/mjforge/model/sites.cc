@@ -10,16 +10,13 @@ using spec::Key;
 
 void Assembly::AddSites(Scope& scope, const std::vector<spec::Entry>& entries,
                         sample::StreamId sites) {
-  const std::vector<spec::Field>& defaults = scope.values.spec().defaults.site;
   for (const spec::Entry& entry : entries) {
-    const FieldSet fields(entry.fields, defaults);
     if (!repetition_.Count(entry, scope.values, body().sites.size())) continue;
-    repetition_.ForEach(entry, scope.values, [&] { AddSite(scope, entry, fields, sites); });
+    repetition_.ForEach(entry, scope.values, [&] { AddSite(scope, entry, sites); });
   }
 }
 
-void Assembly::AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& fields,
-                       sample::StreamId sites) {
+void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites) {
   const std::optional<std::string> name = ReadName(scope, entry, sites);
   if (!name) return;
   FieldReader reader(scope.values, findings_, "site", *name,
@@ -28,12 +25,12 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& f
   site.name = scope.prefix + *name;
   site.mark = entry.mark;
   bool good = true;
-  if (const spec::Field* type = fields[Key::kType]) {
+  if (const spec::Field* type = entry.Find(Key::kType)) {
     const std::optional<std::string> word = reader.Word(*type);
     if (word) site.type = TypeOf(*word);
     good &= word.has_value();
   }
-  if (const spec::Field* size = fields[Key::kSize]) {
+  if (const spec::Field* size = entry.Find(Key::kSize)) {
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);
     // MuJoCo lets its default, 0.005, stand for those left out.
@@ -41,15 +38,15 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, const FieldSet& f
       site.size(static_cast<Eigen::Index>(i)) = numbers[i];
     }
   }
-  const std::optional<Pose> pose = ReadPose(reader, fields);
+  const std::optional<Pose> pose = ReadPose(reader, entry);
   if (pose) site.X_BS = scope.X_BS * *pose;
   good &= pose.has_value();
-  if (const spec::Field* field = fields[Key::kMaterial]) {
+  if (const spec::Field* field = entry.Find(Key::kMaterial)) {
     const MaterialState* material = UseMaterial(scope, reader, *field);
     if (material != nullptr) site.material = material->index;
     good &= material != nullptr;
   }
-  good &= ReadAttributes(reader, fields, site.attributes);
+  good &= ReadAttributes(reader, entry, site.attributes);
   if (good) body().sites.push_back(std::move(site));
 }
 

@@ -79,10 +79,10 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
     return value;
   }
   if (key == kAbout) {
-    value.form = RotationAbout{std::make_unique<Value>(
+    value.form = RotationAbout{std::make_shared<const Value>(
         ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 3}, node))};
   } else if (key == kOnSphere) {
-    value.form = PointOnSphere{std::make_unique<Value>(ReadNumber(node))};
+    value.form = PointOnSphere{std::make_shared<const Value>(ReadNumber(node))};
   } else {
     Value items = ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 4}, node);
     auto* list = std::get_if<List>(&items.form);

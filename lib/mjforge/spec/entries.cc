@@ -36,6 +36,40 @@ void CollectSure(std::string_view what, std::span<const Entry> entries,
   }
 }
 
+// Whether the entry itself says what the default would say, perhaps in another way.
+bool Says(const Entry& entry, const Field& by_default) {
+  const auto has = [&entry](std::initializer_list<Key> keys) {
+    return std::ranges::any_of(keys, [&](Key key) { return entry.Find(key) != nullptr; });
+  };
+  switch (by_default.info->id) {
+    case Key::kMass:
+    case Key::kDensity:
+      return has({Key::kMass, Key::kDensity});
+    case Key::kQuat:
+    case Key::kEuler:
+    case Key::kAxisAngle:
+    case Key::kXyAxes:
+    case Key::kZAxis:
+      return has(
+          {Key::kQuat, Key::kEuler, Key::kAxisAngle, Key::kXyAxes, Key::kZAxis, Key::kFromTo});
+    case Key::kPos:
+      return has({Key::kPos, Key::kFromTo});
+    default:
+      return std::ranges::find(entry.fields, by_default.info, &Field::info) != entry.fields.end();
+  }
+}
+
+void AddDefaults(std::span<const Field> defaults, Entry& entry) {
+  std::vector<Field> missing;
+  for (const Field& field : defaults) {
+    if (!Says(entry, field)) missing.push_back(field);
+  }
+  for (Field& field : missing) {
+    field.is_default = true;
+    entry.fields.push_back(std::move(field));
+  }
+}
+
 }  // namespace
 
 void EntryReader::ReadList(const ElementInfo& element, const YamlNode& list,
@@ -131,6 +165,10 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
   }
   CheckMaterial(entry);
   if (&element == &PartElement()) CheckPart(entry, reading_);
+  const Defaults& defaults = reading_.spec.defaults;
+  if (&element == &PartElement()) AddDefaults(defaults.part, entry);
+  if (&element == &SiteElement()) AddDefaults(defaults.site, entry);
+  if (&element == &JointElement()) AddDefaults(defaults.joint, entry);
 }
 
 void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry) {

@@ -78,7 +78,6 @@ enum class Key {
   kJoint,
   // checks
   kSilence,
-  kCount,  // not a key: how many there are
 };
 
 /// What may stand in a field.

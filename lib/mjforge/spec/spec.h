@@ -26,7 +26,8 @@ struct ObjectSpec;
 struct Field {
   const FieldInfo* info = nullptr;
   Value value;
-  diag::SourceMark mark;  // of the key
+  diag::SourceMark mark;    // of the key
+  bool is_default = false;  // the entry leaves it out
 };
 
 /// `for: {i: n}`: variable i runs over 0 .. n-1.
@@ -41,9 +42,10 @@ struct Entry {
   const ElementInfo* element = nullptr;
   diag::SourceMark mark;
   std::optional<expr::Expression> condition;
-  std::vector<Loop> loops;    // outermost first
-  Value name;                 // text; empty for a frame without a name
-  std::vector<Field> fields;  // all but if, for, name and structure
+  std::vector<Loop> loops;  // outermost first
+  Value name;               // text; empty for a frame without a name
+  // All but if, for, name and structure: its own, then the defaults for what it leaves out.
+  std::vector<Field> fields;
   // A frame: its pose is in `fields`, the parts it moves are here. Of a section's
   // element: the elements in it.
   bool is_frame = false;

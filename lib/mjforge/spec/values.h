@@ -48,10 +48,10 @@ struct Draw {
 
 struct RandomRotation {};  // quat: random
 struct RotationAbout {
-  std::unique_ptr<Value> axis;
+  std::shared_ptr<const Value> axis;
 };  // quat: {about: [x, y, z]}
 struct PointOnSphere {
-  std::unique_ptr<Value> radius;
+  std::shared_ptr<const Value> radius;
 };  // pos: {on_sphere: r}
 struct HsvColor {
   std::vector<Value> items;
