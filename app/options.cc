@@ -19,6 +19,17 @@ constexpr std::uint64_t kMostJobs = 1024;
 
 constexpr std::array<std::string_view, 2> kFindings = {"text", "json"};
 constexpr std::array<std::string_view, 3> kColors = {"auto", "always", "never"};
+constexpr std::array<std::string_view, 2> kRoots = {"free", "none"};
+
+// Checks that a text is one of the words.
+std::function<std::string(const std::string&)> IsOneOf(std::span<const std::string_view> words) {
+  return [known = std::vector(words.begin(), words.end())](const std::string& text) {
+    if (std::ranges::find(known, text) != known.end()) return std::string();
+    const std::string meant = diag::DidYouMean(text, known);
+    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(known, ", "),
+                       meant.empty() ? "" : "; ", meant);
+  };
+}
 
 std::string CheckSetting(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -87,7 +98,7 @@ void AddSpecOptions(CLI::App& command, SpecOptions& options) {
     options.settings.push_back("root.joints=" + word);
   };
   command.add_option_function<std::string>("--root", set_root, "Joint of the root: free, none")
-      ->check(CLI::IsMember({"free", "none"}))
+      ->check(IsOneOf(kRoots))
       ->option_text("WORD");
   command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
       ->option_text("FILE")
@@ -184,14 +195,8 @@ CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
 
 CLI::Option* AddWord(CLI::App& command, const std::string& flags, std::string& value,
                      std::span<const std::string_view> words, const std::string& doc) {
-  const auto check = [known = std::vector(words.begin(), words.end())](const std::string& text) {
-    if (std::ranges::find(known, text) != known.end()) return std::string();
-    const std::string meant = diag::DidYouMean(text, known);
-    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(known, ", "),
-                       meant.empty() ? "" : "; ", meant);
-  };
   return command.add_option(flags, value, fmt::format("{}: {}", doc, fmt::join(words, ", ")))
-      ->check(check)
+      ->check(IsOneOf(words))
       ->option_text(fmt::format("WORD [{}]", value));
 }
 

@@ -51,7 +51,8 @@ void RatioReporter::Finalize() {
       if (denominator == medians_.end()) continue;
       value /= denominator->second;
     }
-    fmt::print("{:<48}{:>10.2f}{:>10}\n", ratio.what, value, fmt::format("<= {}", ratio.goal));
+    fmt::print("{:<48}{:>10.2f}{:>10}{}\n", ratio.what, value, fmt::format("<= {}", ratio.goal),
+               value > ratio.goal ? "  not reached" : "");
   }
 }
 

@@ -59,7 +59,8 @@ def report(medians, objects, about, table):
         for words, numerator, denominator, clock, goal in RATIOS:
             values = [medians[numerator, name][clock] / medians[denominator, name][clock]
                       for name in objects]
-            yield [words, *map(number, values), f">= {goal}" if goal else ""]
+            missed = " (not reached)" if goal and values[0] < goal else ""
+            yield [words, *map(number, values), f">= {goal}{missed}" if goal else ""]
 
     head = list(objects)
     return "\n\n".join([

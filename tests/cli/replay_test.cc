@@ -32,6 +32,9 @@ TEST_CASE_METHOD(ReplayTest, "replay of a bundled spec works from any folder") {
 
 TEST_CASE_METHOD(ReplayTest,
                  "the option --root removes the free joint or adds one, and replay follows") {
+  CHECK(Run({"generate", "hammer", "--root", "non", "-o", "-"}).err ==
+        "mjforge: error: --root: 'non' is not one of free, none; did you mean 'none'?\n"
+        "  hint: see 'mjforge generate --help'\n");
   REQUIRE(Run({"generate", "hammer", "-q", "--root", "none", "-o", "fixed"}).status == 0);
   CHECK(folder().Read("fixed/hammer_000000.xml").find("<joint") == std::string::npos);
   CHECK(Run({"replay", "fixed/manifest.jsonl:0"}).status == 0);
@@ -39,7 +42,6 @@ TEST_CASE_METHOD(ReplayTest,
   REQUIRE(Run({"generate", "faucet", "-q", "--root", "free", "-o", "free"}).status == 0);
   CHECK(folder().Read("free/faucet_000000.xml").find("type=\"free\"") != std::string::npos);
   CHECK(Run({"replay", "free/faucet_000000.xml"}).status == 0);
-  CHECK(Run({"generate", "hammer", "--root", "ball", "-o", "-"}).status == 2);
 }
 
 TEST_CASE_METHOD(ReplayTest, "a record leads back to its spec, wherever it stands") {

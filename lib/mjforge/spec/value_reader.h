@@ -83,6 +83,7 @@ class ValueReader {
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
                                           std::size_t length);
   Value Reference(const expr::Names::Variable& variable, const YamlNode& node);
+  void CheckMeaning(const FieldInfo& field, const Value& value);
   void NoteMaterials(const Value& value);
   const expr::Names::Variable* LoneName(const YamlNode& node) const;
   bool LooksLikeText(const YamlNode& node) const;

@@ -194,6 +194,23 @@ TEST_CASE("draws of a kind that does not fit the slot are refused", "[value]") {
         Strings{"4:21 spec/wrong-type: 'about' draws 4 numbers, but 3 are expected here"});
 }
 
+TEST_CASE("four numbers are not always a colour or a quaternion", "[value]") {
+  const auto with = [](const std::string& field) {
+    return ReportWithBox("sites: [{name: s, " + field + "}]\n");
+  };
+  CHECK(with("rgba: {hsv: [1, 1, 1]}") == Strings{});
+  CHECK(with("quat: {about: [0, 0, 1]}") == Strings{});
+  CHECK(with("quat: {hsv: [1, 1, 1]}") ==
+        Strings{"4:25 spec/wrong-type: 'quat' is not a colour ('hsv' makes red, green, blue and "
+                "opacity, as for 'rgba')"});
+  CHECK(with("rgba: {choice: [[1, 0, 0, 1], {about: [0, 0, 1]}]}").size() == 1);
+  const Strings turned = {
+      "4:30 spec/wrong-type: 'axisangle' is not a quaternion (a random rotation is a quaternion, "
+      "as for 'quat')"};
+  CHECK(with("axisangle: random") == turned);
+  CHECK(with("axisangle: {about: [0, 0, 1]}") == turned);
+}
+
 TEST_CASE("an error in an expression points into the expression", "[value]") {
   CHECK(ReportWithBox("params: {radius: 1}\nmass: 2 * radus\n")
             .at(0)
