@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <new>
 #include <stdexcept>
 
@@ -44,33 +42,23 @@ Loaded Load(const char* file, const mjVFS* vfs) {
 
 /// How MuJoCo names a file in memory: without folders, in lower case.
 std::string NameInMemory(std::string_view name) {
-  std::string short_name(name.substr(name.find_last_of("/\\") + 1));
-  for (char& c : short_name) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return short_name;
+  return LowerCase(name.substr(name.find_last_of("/\\") + 1));
 }
 
 }  // namespace
 
-void InstallHandlers() {
+Engine::Engine() : vfs_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)))) {
+  if (!vfs_) throw std::bad_alloc();
   mju_user_error = ThrowError;
   mju_user_warning = KeepWarning;
 }
 
-Engine::Engine() : vfs_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)))) {
-  if (!vfs_) throw std::bad_alloc();
-  InstallHandlers();
-}
-
-std::string* Engine::ReadOnce(const std::filesystem::path& file) {
+const std::string* Engine::ReadOnce(const std::filesystem::path& file) {
   const auto found = files_.find(file);
   if (found != files_.end()) return &found->second;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return nullptr;
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) return nullptr;
-  return &files_.emplace(file, std::move(bytes)).first->second;
+  std::string why_not;
+  std::optional<std::string> bytes = ReadText(file, why_not);
+  return bytes ? &files_.emplace(file, *std::move(bytes)).first->second : nullptr;
 }
 
 void Engine::SetFile(int slot, std::string_view name, const std::string& bytes) {
@@ -81,36 +69,33 @@ void Engine::SetFile(int slot, std::string_view name, const std::string& bytes) 
   vfs_->filedata[slot] = const_cast<char*>(bytes.data());
 }
 
-std::unique_ptr<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
+std::optional<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
   vfs_->nfile = 1;  // the first is the text's
-  const auto problem = [](std::size_t asset, bool unreadable, std::string message) {
-    return std::make_unique<AssetProblem>(AssetProblem{asset, unreadable, std::move(message)});
-  };
   for (std::size_t i = 0; i < assets.size(); ++i) {
     const auto& [name, file] = assets[i];
     const std::string in_memory = NameInMemory(name);
     if (vfs_->nfile >= mjMAXVFS || in_memory.size() >= mjMAXVFSNAME) {
-      return problem(
+      return AssetProblem{
           i, false,
           fmt::format("'{}' exceeds MuJoCo's limit of {} files with names of at most {} characters",
-                      name, mjMAXVFS - 2, mjMAXVFSNAME - 1));
+                      name, mjMAXVFS - 2, mjMAXVFSNAME - 1)};
     }
     const std::string* bytes = ReadOnce(file);
     if (bytes == nullptr || bytes->empty()) {
-      return problem(i, true, fmt::format("cannot read '{}', or it is empty", file.string()));
+      return AssetProblem{i, true, fmt::format("cannot read '{}', or it is empty", file.string())};
     }
     int same = 1;
     while (same < vfs_->nfile && in_memory != vfs_->filename[same]) ++same;
     if (same < vfs_->nfile) {
       if (vfs_->filedata[same] == bytes->data()) continue;
-      return problem(i, false,
-                     fmt::format("'{}' differs from another file's name only in case or "
-                                 "folder, which MuJoCo cannot tell apart",
-                                 name));
+      return AssetProblem{i, false,
+                          fmt::format("'{}' differs from another file's name only in case or "
+                                      "folder, which MuJoCo cannot tell apart",
+                                      name)};
     }
     SetFile(vfs_->nfile++, in_memory, *bytes);
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 Loaded Engine::LoadText(const std::string& text) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,14 +31,12 @@ struct Loaded {
   std::vector<std::string> warnings;
 };
 
-/// Makes MuJoCo's errors C++ exceptions (std::runtime_error) and collects its
-/// warnings, in the whole process.
-void InstallHandlers();
-
 class Engine {
  public:
   using Assets = std::vector<std::pair<std::string, std::filesystem::path>>;
 
+  /// Makes MuJoCo's errors C++ exceptions (std::runtime_error) and collects its warnings, in the
+  /// whole process.
   Engine();
 
   /// Puts the files into memory under the names that the text uses, reading each once. If it
@@ -47,7 +46,7 @@ class Engine {
     bool unreadable = false;
     std::string message;
   };
-  std::unique_ptr<AssetProblem> SetAssets(const Assets& assets);
+  std::optional<AssetProblem> SetAssets(const Assets& assets);
 
   /// Loads a text that may refer to the assets.
   Loaded LoadText(const std::string& text);
@@ -58,7 +57,7 @@ class Engine {
 
  private:
   /// The file's content, read at most once; null if it cannot be read.
-  std::string* ReadOnce(const std::filesystem::path& file);
+  const std::string* ReadOnce(const std::filesystem::path& file);
   void SetFile(int slot, std::string_view name, const std::string& bytes);
 
   struct Free {

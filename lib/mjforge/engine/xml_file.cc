@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "mjforge/engine/refusal.h"
+
 namespace mjforge::engine {
 namespace {
 
@@ -19,9 +21,7 @@ using diag::Code;
 std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
   if (result) return std::nullopt;
   std::string reason = result.description();
-  if (!reason.empty() && reason[0] >= 'A' && reason[0] <= 'Z') {
-    reason[0] = static_cast<char>(reason[0] - 'A' + 'a');
-  }
+  if (!reason.empty()) reason.replace(0, 1, LowerCase(reason.substr(0, 1)));
   // A text without any element is wrong from its start on.
   const bool empty = result.status == pugi::status_no_document_element;
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
@@ -89,6 +89,17 @@ std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sour
     return std::nullopt;
   }
   return XmlFile{source, has_includes};
+}
+
+std::string EscapeXml(std::string_view text) {
+  std::string escaped;
+  for (const char& c : text) {
+    escaped += c == '&'   ? "&amp;"
+               : c == '<' ? "&lt;"
+               : c == '"' ? "&quot;"
+                          : std::string_view(&c, 1);
+  }
+  return escaped;
 }
 
 diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset) {

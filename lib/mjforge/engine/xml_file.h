@@ -40,6 +40,9 @@ std::optional<std::string> ReadText(const std::filesystem::path& file, std::stri
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings);
 
+/// A text as the value of an attribute, which stands between double quotes.
+std::string EscapeXml(std::string_view text);
+
 /// The place of a byte of a source.
 diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset);
 
