@@ -1,7 +1,9 @@
 #include "mjforge/compiled/attributes.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <iterator>
 
 namespace mjforge::compiled {
 namespace {
@@ -108,6 +110,16 @@ constexpr ArrayField kSensor[] = {{"cutoff", &M::sensor_cutoff},
                                   {"noise", &M::sensor_noise},
                                   User(&M::sensor_user, &M::nuser_sensor)};
 
+struct Kind {
+  mjtObj kind;
+  std::span<const ArrayField> fields;
+};
+constexpr Kind kKinds[] = {
+    {mjOBJ_BODY, kBody},         {mjOBJ_GEOM, kGeom},         {mjOBJ_JOINT, kJoint},
+    {mjOBJ_SITE, kSite},         {mjOBJ_CAMERA, kCamera},     {mjOBJ_LIGHT, kLight},
+    {mjOBJ_TENDON, kTendon},     {mjOBJ_ACTUATOR, kActuator}, {mjOBJ_PAIR, kPair},
+    {mjOBJ_EQUALITY, kEquality}, {mjOBJ_MATERIAL, kMaterial}, {mjOBJ_SENSOR, kSensor}};
+
 /// The row of the array; -1: there is none.
 int RowOf(const mjModel& m, const ArrayField& field, int id) {
   if (field.needs != nullptr && (m.*field.needs)[id] == 0) return -1;
@@ -119,39 +131,20 @@ int RowOf(const mjModel& m, const ArrayField& field, int id) {
 
 double Number(double value) { return value; }
 double Number(int value) { return value; }
-double Number(float value) { return Shortest(value); }
+/// The shortest decimal number that reads as `value` in single precision.
+double Number(float value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double number = value;
+  std::from_chars(text.data(), end, number);
+  return number;
+}
 
 }  // namespace
 
 std::span<const ArrayField> ArrayFields(mjtObj kind) {
-  switch (kind) {
-    case mjOBJ_BODY:
-      return kBody;
-    case mjOBJ_GEOM:
-      return kGeom;
-    case mjOBJ_JOINT:
-      return kJoint;
-    case mjOBJ_SITE:
-      return kSite;
-    case mjOBJ_CAMERA:
-      return kCamera;
-    case mjOBJ_LIGHT:
-      return kLight;
-    case mjOBJ_TENDON:
-      return kTendon;
-    case mjOBJ_ACTUATOR:
-      return kActuator;
-    case mjOBJ_PAIR:
-      return kPair;
-    case mjOBJ_EQUALITY:
-      return kEquality;
-    case mjOBJ_MATERIAL:
-      return kMaterial;
-    case mjOBJ_SENSOR:
-      return kSensor;
-    default:
-      return {};
-  }
+  const auto found = std::ranges::find(kKinds, kind, &Kind::kind);
+  return found == std::end(kKinds) ? std::span<const ArrayField>() : found->fields;
 }
 
 sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id) {
@@ -170,14 +163,6 @@ sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id) {
   return numbers;
 }
 
-double Shortest(float value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  double number = value;
-  std::from_chars(text.data(), end, number);
-  return number;
-}
-
 Wrap WrapAt(const mjModel& m, int wrap) {
   const int object = m.wrap_objid[wrap];
   switch (m.wrap_type[wrap]) {
@@ -190,6 +175,11 @@ Wrap WrapAt(const mjModel& m, int wrap) {
     default:
       return {"geom", mjOBJ_GEOM, object, static_cast<int>(m.wrap_prm[wrap])};
   }
+}
+
+std::pair<int, int> ExcludedBodies(const mjModel& m, int exclude) {
+  const int signature = m.exclude_signature[exclude];  // two ids, each plus 1, in 16 bits
+  return {(signature >> 16) - 1, (signature & 0xFFFF) - 1};
 }
 
 }  // namespace mjforge::compiled

@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include <mujoco/mujoco.h>
@@ -41,9 +42,6 @@ std::span<const ArrayField> ArrayFields(mjtObj kind);
 /// the attribute says nothing of this element.
 sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id);
 
-/// The shortest decimal number that reads as `value` in single precision.
-double Shortest(float value);
-
 /// What an actuator acts on, in the order of mjtTrn.
 struct Transmission {
   mjtObj kind;
@@ -77,5 +75,8 @@ struct Wrap {
   int side = -1;    // a site
 };
 Wrap WrapAt(const mjModel& m, int wrap);
+
+/// The bodies that do not touch each other, the lower number first.
+std::pair<int, int> ExcludedBodies(const mjModel& m, int exclude);
 
 }  // namespace mjforge::compiled

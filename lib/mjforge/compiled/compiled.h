@@ -43,8 +43,8 @@ model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id);
 /// Nothing for planes and height fields, which belong to scenes.
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom);
 
-/// Whether a geom belongs to a body other than the world and its bits let it collide.
-bool CollidesInBody(const mjModel& m, int geom);
+/// Whether a geom's bits let it collide.
+bool Collides(const mjModel& m, int geom);
 
 /// X_WG of a geom, as mj_kinematics left it.
 model::Pose GeomPose(const mjData& d, int geom);

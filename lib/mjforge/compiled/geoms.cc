@@ -41,8 +41,8 @@ std::optional<model::GeomType> GeomTypeOf(int mjtgeom) {
   return static_cast<model::GeomType>(found - kGeomTypes.begin());
 }
 
-bool CollidesInBody(const mjModel& m, int geom) {
-  return m.geom_bodyid[geom] != 0 && (m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0);
+bool Collides(const mjModel& m, int geom) {
+  return m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0;
 }
 
 model::Pose GeomPose(const mjData& d, int geom) {
@@ -71,9 +71,8 @@ model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG) {
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root) {
   model::Box3 box;
   for (int i = 0; i < m.ngeom; ++i) {
-    if (m.geom_contype[i] == 0 && m.geom_conaffinity[i] == 0) continue;
-    if (root == 0 || m.body_rootid[m.geom_bodyid[i]] == root)
-      box.Add(GeomBox(m, i, GeomPose(d, i)));
+    const bool inside = root == 0 || m.body_rootid[m.geom_bodyid[i]] == root;
+    if (inside && Collides(m, i)) box.Add(GeomBox(m, i, GeomPose(d, i)));
   }
   return box;
 }

@@ -8,16 +8,10 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
   const bool limited = m.jnt_limited[joint] != 0;
   const mjtNum* range = m.jnt_range + 2 * static_cast<std::ptrdiff_t>(joint);
   constexpr double kTurn = std::numbers::pi;
-  switch (m.jnt_type[joint]) {
-    case mjJNT_FREE:
-      return std::nullopt;
-    case mjJNT_BALL:
-      return JointRange{limited, 0, limited ? range[1] : kTurn};
-    default:
-      break;
-  }
+  const int type = m.jnt_type[joint];
+  if (type == mjJNT_FREE || (type == mjJNT_SLIDE && !limited)) return std::nullopt;
+  if (type == mjJNT_BALL) return JointRange{limited, 0, limited ? range[1] : kTurn};
   if (limited) return JointRange{true, range[0], range[1]};
-  if (m.jnt_type[joint] == mjJNT_SLIDE) return std::nullopt;
   const double zero = m.qpos0[m.jnt_qposadr[joint]];
   return JointRange{false, zero - kTurn, zero + kTurn};
 }

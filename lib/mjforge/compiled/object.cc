@@ -62,8 +62,7 @@ std::optional<model::Part> PartOf(const mjModel& m, int id) {
   if (!type) return std::nullopt;
   model::Part part;
   part.name = m.names + m.name_geomadr[id];
-  const bool collides = m.geom_contype[id] != 0 || m.geom_conaffinity[id] != 0;
-  part.role = collides ? model::Role::kCollision : model::Role::kVisual;
+  part.role = Collides(m, id) ? model::Role::kCollision : model::Role::kVisual;
   part.as_is = true;
   part.shape.type = *type;
   if (*type == model::GeomType::kMesh) part.mesh = m.geom_dataid[id];

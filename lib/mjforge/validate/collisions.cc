@@ -26,23 +26,19 @@ class SelfCollisions {
 
   bool Check() {
     ContactFinder finder(m_);
-    std::size_t told = 0;
-    std::size_t more = 0;
+    std::size_t found = 0;
     for (const BodyContact& contact : finder.Find()) {
       if (contact.margin - contact.distance < object_.checks.self_collision) continue;
       const bool related = AreParentAndChild(contact.body1, contact.body2);
       if (related && InHost()) continue;
-      if (told < kMostPairs) {
-        Report(contact, related);
-        ++told;
-      } else {
-        ++more;
-      }
+      if (++found <= kMostPairs) Report(contact, related);
     }
-    if (more == 0) return told > 0;
-    findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
-                  fmt::format("{} more pairs of bodies touch with all joints at zero", more));
-    return true;
+    if (found > kMostPairs) {
+      findings_.Add(
+          diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
+          fmt::format("{} more pairs of bodies touch with all joints at zero", found - kMostPairs));
+    }
+    return found > 0;
   }
 
  private:

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/validate/compare_sections.h"
 
 namespace mjforge::validate {
 namespace {
@@ -53,6 +53,31 @@ bool IsCamera(const model::Element& element) { return element.tag == "camera"; }
 
 }  // namespace
 
+void AddMismatch(diag::SourceMark mark, std::string message, diag::Findings& findings) {
+  findings.Add(
+      diag::Code::kMujocoMismatch, mark, std::move(message),
+      "the file does not say what was meant: please report this with the spec and the seed");
+}
+
+bool SameCount(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark,
+               diag::Findings& findings) {
+  if (compiled == static_cast<int>(meant)) return true;
+  AddMismatch(mark, fmt::format("MuJoCo compiled {} {}, not {}", compiled, what, meant), findings);
+  return false;
+}
+
+bool SameName(std::string_view compiled, const Subject& subject, diag::Findings& findings) {
+  if (compiled.size() == subject.name.size() + subject.suffix.size() &&
+      compiled.starts_with(subject.name) && compiled.ends_with(subject.suffix)) {
+    return true;
+  }
+  AddMismatch(subject.mark,
+              fmt::format("MuJoCo compiled {} '{}' where '{}{}' was meant", subject.kind, compiled,
+                          subject.name, subject.suffix),
+              findings);
+  return false;
+}
+
 Comparison::Comparison(const mjModel& compiled, const model::Object& object,
                        diag::Findings& findings)
     : m_(compiled), object_(object), findings_(findings), scale_(ScaleOf(object)) {
@@ -86,18 +111,22 @@ bool Comparison::SameCounts() {
     for (const model::Element& element : body.elements) ++(IsCamera(element) ? cameras : lights);
   }
   // A scene has geoms, a camera and a light of its own in the world.
-  bool same = Count("bodies", m_.nbody - 1, object_.bodies.size(), mark);
-  same = Count("joints", m_.njnt, joints, mark) && same;
-  same = Count("sites", m_.nsite, sites, mark) && same;
-  same = Count("cameras", m_.ncam - CountOfWorld(m_.cam_bodyid, m_.ncam), cameras, mark) && same;
-  same =
-      Count("lights", m_.nlight - CountOfWorld(m_.light_bodyid, m_.nlight), lights, mark) && same;
-  return Count("geoms", m_.ngeom - m_.body_geomnum[0], geoms, mark) && same;
+  bool same = true;
+  const auto count = [&](std::string_view what, int compiled, std::size_t meant) {
+    same &= SameCount(what, compiled, meant, mark, findings_);
+  };
+  count("bodies", m_.nbody - 1, object_.bodies.size());
+  count("joints", m_.njnt, joints);
+  count("sites", m_.nsite, sites);
+  count("cameras", m_.ncam - CountOfWorld(m_.cam_bodyid, m_.ncam), cameras);
+  count("lights", m_.nlight - CountOfWorld(m_.light_bodyid, m_.nlight), lights);
+  count("geoms", m_.ngeom - m_.body_geomnum[0], geoms);
+  return same;
 }
 
 void Comparison::CompareBody(int id, const model::Body& body, double lift) {
   const Subject subject{"body", body.name, {}, body.mark};
-  if (!Name(m_.names + m_.name_bodyadr[id], subject)) return;
+  if (!SameName(m_.names + m_.name_bodyadr[id], subject, findings_)) return;
   Eigen::Vector3d pos = body.X_PB.p;
   if (body.parent < 0) pos.z() += lift;
   // The lift may be larger than the object.
@@ -105,9 +134,11 @@ void Comparison::CompareBody(int id, const model::Body& body, double lift) {
   Quaternion(subject, m_.body_quat + 4 * id, body.X_PB.q);
   CompareMass(id, body);
 
-  bool same = Count("geoms of a body", m_.body_geomnum[id], model::GeomCount(body), body.mark);
-  same = Count("joints of a body", m_.body_jntnum[id], body.joints.size(), body.mark) && same;
-  if (!same) return;
+  const bool same_geoms = SameCount("geoms of a body", m_.body_geomnum[id], model::GeomCount(body),
+                                    body.mark, findings_);
+  const bool same_joints =
+      SameCount("joints of a body", m_.body_jntnum[id], body.joints.size(), body.mark, findings_);
+  if (!same_geoms || !same_joints) return;
   int geom = m_.body_geomadr[id];
   for (const model::Part& part : body.parts) ComparePart(geom, part);
   int joint = m_.body_jntadr[id];
@@ -119,7 +150,7 @@ void Comparison::CompareBody(int id, const model::Body& body, double lift) {
 void Comparison::CompareElement(const model::Element& element) {
   const int address =
       IsCamera(element) ? m_.name_camadr[next_camera_++] : m_.name_lightadr[next_light_++];
-  Name(m_.names + address, {element.tag, element.name, {}, element.mark});
+  SameName(m_.names + address, {element.tag, element.name, {}, element.mark}, findings_);
 }
 
 void Comparison::CompareMass(int id, const model::Body& body) {
@@ -137,10 +168,7 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
   const model::MassProperties& meant = body.mass_properties;
   // Rounded lengths change moments in proportion to mass times length squared.
   const double rounding = kRelative * meant.mass * scale_ * scale_;
-  const Eigen::Map<const Eigen::Vector3d> moments(m_.body_inertia + 3 * id);
-  const mjtNum* q = m_.body_iquat + 4 * id;
-  const Eigen::Matrix3d axes = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-  const Eigen::Matrix3d tensor = axes * moments.asDiagonal() * axes.transpose();
+  const Eigen::Matrix3d tensor = compiled::BodyOf(m_, id).mass_properties.I_Cm_F;
   constexpr std::string_view kTerms[] = {"inertia xx", "inertia yy", "inertia zz",
                                          "inertia xy", "inertia xz", "inertia yz"};
   constexpr int kRows[] = {0, 1, 2, 0, 0, 1};
@@ -153,34 +181,13 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
            exact_axes ? rounding : rounding + turned + kMomentCutoff);
   }
   if (exact_axes) return;
-  Eigen::Vector3d sorted = moments;
+  Eigen::Vector3d sorted = compiled::VectorAt(m_.body_inertia, id);
   std::sort(sorted.begin(), sorted.end());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(meant.I_Cm_F, Eigen::EigenvaluesOnly);
   for (int i = 0; i < 3; ++i) {
     Number(subject, "principal moment", i, sorted[i], solver.eigenvalues()[i],
            rounding + kMomentCutoff);
   }
-}
-
-bool Comparison::Count(std::string_view what, int compiled, std::size_t meant,
-                       diag::SourceMark mark) {
-  if (compiled == static_cast<int>(meant)) return true;
-  findings_.Add(diag::Code::kMujocoMismatch, mark,
-                fmt::format("MuJoCo compiled {} {}, not {}", compiled, what, meant), kMismatchHint);
-  return false;
-}
-
-bool Comparison::Name(const char* compiled, const Subject& subject) {
-  const std::string_view name(compiled);
-  if (name.size() == subject.name.size() + subject.suffix.size() &&
-      name.starts_with(subject.name) && name.ends_with(subject.suffix)) {
-    return true;
-  }
-  findings_.Add(diag::Code::kMujocoMismatch, subject.mark,
-                fmt::format("MuJoCo compiled {} '{}' where '{}{}' was meant", subject.kind, name,
-                            subject.name, subject.suffix),
-                kMismatchHint);
-  return false;
 }
 
 void Comparison::Number(const Subject& subject, std::string_view what, int position,
@@ -198,13 +205,10 @@ void Comparison::Vector(const Subject& subject, std::string_view what, const mjt
 
 void Comparison::Quaternion(const Subject& subject, const mjtNum* compiled,
                             const Eigen::Quaterniond& meant) {
-  const Eigen::Quaterniond q(compiled[0], compiled[1], compiled[2], compiled[3]);
   // q and -q are one rotation.
-  const double sign = q.dot(meant) < 0 ? -1 : 1;
-  Number(subject, "quat", 0, q.w(), sign * meant.w(), kRelative);
-  for (int i = 0; i < 3; ++i) {
-    Number(subject, "quat", i + 1, q.vec()[i], sign * meant.vec()[i], kRelative);
-  }
+  const double sign = compiled::QuaternionAt(compiled, 0).dot(meant) < 0 ? -1 : 1;
+  const double wxyz[] = {meant.w(), meant.x(), meant.y(), meant.z()};
+  for (int i = 0; i < 4; ++i) Number(subject, "quat", i, compiled[i], sign * wxyz[i], kRelative);
 }
 
 void Comparison::Difference(const Subject& subject, std::string_view what, int position,
@@ -219,10 +223,10 @@ void Comparison::Difference(const Subject& subject, std::string_view what, int p
     compiled_text = expr::ExactNumberText(compiled);
     meant_text = expr::ExactNumberText(meant);
   }
-  findings_.Add(diag::Code::kMujocoMismatch, subject.mark,
-                fmt::format("MuJoCo compiled {}{} of {} '{}{}' as {}, not {}", what, place,
-                            subject.kind, subject.name, subject.suffix, compiled_text, meant_text),
-                kMismatchHint);
+  AddMismatch(subject.mark,
+              fmt::format("MuJoCo compiled {}{} of {} '{}{}' as {}, not {}", what, place,
+                          subject.kind, subject.name, subject.suffix, compiled_text, meant_text),
+              findings_);
 }
 
 }  // namespace mjforge::validate

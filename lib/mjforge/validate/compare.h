@@ -6,6 +6,7 @@
 // itself; lengths are compared to 1e-9 of the object's scale (its largest
 // distance from a body's origin), masses to 1e-9 of themselves.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,9 +20,27 @@ namespace mjforge::validate {
 
 /// Numbers may differ by this share of themselves.
 inline constexpr double kRelative = 1e-9;
-/// What to do about a difference.
-inline constexpr const char* kMismatchHint =
-    "the file does not say what was meant: please report this with the spec and the seed";
+
+/// An element to compare; its names for messages are made only when needed.
+struct Subject {
+  std::string_view kind;  // "geom"
+  std::string_view name;
+  std::string_view suffix;
+  diag::SourceMark mark;
+};
+
+/// A difference.
+void AddMismatch(diag::SourceMark mark, std::string message, diag::Findings& findings);
+/// Whether MuJoCo compiled as many as were meant; if not, that is a finding.
+bool SameCount(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark,
+               diag::Findings& findings);
+/// The same of a name.
+bool SameName(std::string_view compiled, const Subject& subject, diag::Findings& findings);
+
+/// Compares the compiled sensors, actuators, tendons, equalities, pairs and excludes with the
+/// object's: how many there are, their names, and the elements they refer to. Adds a finding for
+/// each difference.
+void CompareSections(const mjModel& m, const model::Object& object, diag::Findings& findings);
 
 class Comparison {
  public:
@@ -31,14 +50,6 @@ class Comparison {
   void Run(double lift);
 
  private:
-  /// An element to compare; its names for messages are made only when needed.
-  struct Subject {
-    std::string_view kind;  // "geom"
-    std::string_view name;
-    std::string_view suffix;
-    diag::SourceMark mark;
-  };
-
   bool SameCounts();
   void CompareBody(int id, const model::Body& body, double lift);
   void CompareMass(int id, const model::Body& body);
@@ -52,8 +63,6 @@ class Comparison {
   void CompareSite(int id, const model::Site& site);
   void CompareElement(const model::Element& element);
 
-  bool Count(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark);
-  bool Name(const char* compiled, const Subject& subject);
   void Number(const Subject& subject, std::string_view what, int position, double compiled,
               double meant, double tolerance);
   void Vector(const Subject& subject, std::string_view what, const mjtNum* compiled,

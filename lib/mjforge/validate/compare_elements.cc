@@ -20,22 +20,18 @@ int MujocoType(model::GeomType type) {
 }  // namespace
 
 void Comparison::ComparePart(int& geom, const model::Part& part) {
-  if (part.as_is) {
-    CompareGeom(geom++, part, {"geom", part.name, {}, part.mark},
-                part.role != model::Role::kVisual);
-    return;
+  const bool collides = part.role != model::Role::kVisual;
+  if (collides || part.as_is) {
+    CompareGeom(geom++, part, {"geom", part.name, {}, part.mark}, collides);
   }
-  if (part.role != model::Role::kVisual) {
-    CompareGeom(geom++, part, {"geom", part.name, {}, part.mark}, true);
-  }
-  if (part.role != model::Role::kCollision) {
+  if (part.role != model::Role::kCollision && !part.as_is) {
     CompareGeom(geom++, part, {"geom", part.name, mjcf::kVisualSuffix, part.mark}, false);
   }
 }
 
 void Comparison::CompareGeom(int id, const model::Part& part, const Subject& subject,
                              bool collides) {
-  if (!Name(m_.names + m_.name_geomadr[id], subject)) return;
+  if (!SameName(m_.names + m_.name_geomadr[id], subject, findings_)) return;
   const model::GeomType type = part.shape.type;
   Number(subject, "type", -1, m_.geom_type[id], MujocoType(type), 0);
   if (type == model::GeomType::kMesh) {
@@ -88,7 +84,7 @@ void Comparison::CompareAttribute(mjtObj kind, int id, const model::Attribute& a
 
 void Comparison::CompareJoint(int id, const model::Joint& joint) {
   const Subject subject{"joint", joint.name, {}, joint.mark};
-  if (!Name(m_.names + m_.name_jntadr[id], subject)) return;
+  if (!SameName(m_.names + m_.name_jntadr[id], subject, findings_)) return;
   const auto type = std::ranges::find(compiled::kJointTypes, joint.type);
   Number(subject, "type", -1, m_.jnt_type[id],
          static_cast<double>(type - compiled::kJointTypes.begin()), 0);
@@ -112,7 +108,7 @@ void Comparison::CompareJoint(int id, const model::Joint& joint) {
 
 void Comparison::CompareSite(int id, const model::Site& site) {
   const Subject subject{"site", site.name, {}, site.mark};
-  if (!Name(m_.names + m_.name_siteadr[id], subject)) return;
+  if (!SameName(m_.names + m_.name_siteadr[id], subject, findings_)) return;
   Number(subject, "type", -1, m_.site_type[id], MujocoType(site.type), 0);
   for (int i = 0; i < model::SizeCount(site.type); ++i) {
     Number(subject, "size", i, m_.site_size[3 * id + i], site.size[i], kRelative * site.size[i]);

@@ -1,5 +1,3 @@
-#include "mjforge/validate/compare_sections.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -7,7 +5,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -38,8 +35,8 @@ class SectionComparison {
     Each("actuator", m_.nu, m_.name_actuatoradr, &SectionComparison::Actuator);
     Each("tendon", m_.ntendon, m_.name_tendonadr, &SectionComparison::Tendon);
     Each("equality", m_.neq, m_.name_eqadr, &SectionComparison::Equality);
-    Contacts("pair", "geom1", "geom2", CompiledPairs());
-    Contacts("exclude", "body1", "body2", CompiledExcludes());
+    Pairs();
+    Excludes();
   }
 
  private:
@@ -50,14 +47,8 @@ class SectionComparison {
     return name == nullptr ? std::string_view() : name;
   }
 
-  void Mismatch(diag::SourceMark mark, std::string message) {
-    findings_.Add(diag::Code::kMujocoMismatch, mark, std::move(message), kMismatchHint);
-  }
-
   bool Count(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark) {
-    if (compiled == static_cast<int>(meant)) return true;
-    Mismatch(mark, fmt::format("MuJoCo compiled {} elements of {}, not {}", compiled, what, meant));
-    return false;
+    return SameCount(fmt::format("elements of {}", what), compiled, meant, mark, findings_);
   }
 
   /// These sections MuJoCo keeps in the order of the file.
@@ -68,21 +59,18 @@ class SectionComparison {
     if (!Count(section, count, elements.size(), mark)) return;
     for (int id = 0; id < count; ++id) {
       const Element& element = elements[static_cast<std::size_t>(id)];
-      const std::string_view name = m_.names + names[id];
-      if (name != element.name) {
-        Mismatch(element.mark, fmt::format("MuJoCo compiled {} '{}' where '{}' was meant", section,
-                                           name, element.name));
-      } else {
-        (this->*check)(id, element);
-      }
+      const Subject subject = {section, element.name, {}, element.mark};
+      if (SameName(m_.names + names[id], subject, findings_)) (this->*check)(id, element);
     }
   }
 
   void Reference(const Element& element, std::string_view attribute, std::string_view meant,
                  std::string_view compiled) {
     if (compiled == meant) return;
-    Mismatch(element.mark, fmt::format("MuJoCo compiled {} of {} '{}' as '{}', not '{}'", attribute,
-                                       element.tag, element.name, compiled, meant));
+    AddMismatch(element.mark,
+                fmt::format("MuJoCo compiled {} of {} '{}' as '{}', not '{}'", attribute,
+                            element.tag, element.name, compiled, meant),
+                findings_);
   }
 
   void ReferenceIfAny(const Element& element, std::string_view attribute, std::string_view meant,
@@ -132,33 +120,26 @@ class SectionComparison {
     }
   }
 
-  std::vector<Names> CompiledPairs() const {
-    std::vector<Names> pairs;
-    pairs.reserve(static_cast<std::size_t>(m_.npair));
+  void Pairs() {
+    std::map<Names, int> left;
     for (int i = 0; i < m_.npair; ++i) {
-      pairs.push_back(
-          Unordered(NameOf(mjOBJ_GEOM, m_.pair_geom1[i]), NameOf(mjOBJ_GEOM, m_.pair_geom2[i])));
+      ++left[Unordered(NameOf(mjOBJ_GEOM, m_.pair_geom1[i]), NameOf(mjOBJ_GEOM, m_.pair_geom2[i]))];
     }
-    return pairs;
+    Contacts("pair", "geom1", "geom2", m_.npair, std::move(left));
   }
 
-  std::vector<Names> CompiledExcludes() const {
-    std::vector<Names> pairs;
-    pairs.reserve(static_cast<std::size_t>(m_.nexclude));
+  void Excludes() {
+    std::map<Names, int> left;
     for (int i = 0; i < m_.nexclude; ++i) {
-      // (body1 + 1) << 16 and body2 + 1, the lower number first.
-      const int signature = m_.exclude_signature[i];
-      pairs.push_back(Unordered(NameOf(mjOBJ_BODY, (signature >> 16) - 1),
-                                NameOf(mjOBJ_BODY, (signature & 0xffff) - 1)));
+      const auto [body1, body2] = compiled::ExcludedBodies(m_, i);
+      ++left[Unordered(NameOf(mjOBJ_BODY, body1), NameOf(mjOBJ_BODY, body2))];
     }
-    return pairs;
+    Contacts("exclude", "body1", "body2", m_.nexclude, std::move(left));
   }
 
   /// MuJoCo sorts these by body, so they are compared as sets.
-  void Contacts(std::string_view tag, std::string_view first, std::string_view second,
-                const std::vector<Names>& compiled) {
-    std::map<Names, int> left;
-    for (const Names& names : compiled) ++left[names];
+  void Contacts(std::string_view tag, std::string_view first, std::string_view second, int count,
+                std::map<Names, int> left) {
     std::size_t meant = 0;
     for (const Element& element : model::ElementsOf(object_, "contact")) {
       if (element.tag != tag) continue;
@@ -166,11 +147,11 @@ class SectionComparison {
       const std::string_view a = TextOf(element, first);
       const std::string_view b = TextOf(element, second);
       if (--left[Unordered(a, b)] < 0) {
-        Mismatch(element.mark, fmt::format("MuJoCo compiled no {} for '{}' and '{}'", tag, a, b));
+        AddMismatch(element.mark, fmt::format("MuJoCo compiled no {} for '{}' and '{}'", tag, a, b),
+                    findings_);
       }
     }
-    Count(fmt::format("{} in contact", tag), static_cast<int>(compiled.size()), meant,
-          object_.bodies.front().mark);
+    Count(fmt::format("{} in contact", tag), count, meant, object_.bodies.front().mark);
   }
 
   const mjModel& m_;

@@ -1,7 +1,6 @@
 #include "mjforge/validate/sweep.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <cstddef>
@@ -20,10 +19,8 @@
 namespace mjforge::validate {
 namespace {
 
-using compiled::CollidesInBody;
-using compiled::PoseAt;
-
-constexpr int kTogether = -1;  // in place of a joint: several at once
+// In place of a joint: several at once. It comes after all joints.
+constexpr int kTogether = std::numeric_limits<int>::max();
 // With so many numbers all combinations of the ends of ranges are tried, too.
 constexpr std::size_t kMostCorners = 8;
 // Of two depths that differ by less the first one stays.
@@ -33,19 +30,9 @@ constexpr std::size_t kMostDimensions = boost::random::default_sobol_table::max_
 
 /// Directions a ball joint is turned about: edges, faces and corners of a cube,
 /// one of each opposite pair.
-constexpr std::array<std::array<int, 3>, 13> kBallAxes = {{{1, 0, 0},
-                                                           {0, 1, 0},
-                                                           {0, 0, 1},
-                                                           {1, 1, 0},
-                                                           {1, -1, 0},
-                                                           {1, 0, 1},
-                                                           {1, 0, -1},
-                                                           {0, 1, 1},
-                                                           {0, 1, -1},
-                                                           {1, 1, 1},
-                                                           {1, 1, -1},
-                                                           {1, -1, 1},
-                                                           {-1, 1, 1}}};
+constexpr int kBallAxes[][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0},
+                                {1, 0, 1},  {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
+                                {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
 
 struct MovedJoint {
   int id = 0;
@@ -71,9 +58,11 @@ std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>&
 class Sweeper {
  public:
   Sweeper(mjModel& m, int frame) : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.held)) {
-    X_AW_ = PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
+    X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
     // Where nothing collides the looks are the body, as for model::Bounds.
-    for (int i = 0; i < m.ngeom; ++i) any_collides_ |= CollidesInBody(m, i);
+    for (int i = 0; i < m.ngeom; ++i) {
+      any_collides_ |= m.geom_bodyid[i] != 0 && compiled::Collides(m, i);
+    }
     body_end_.resize(static_cast<std::size_t>(m.nbody));
     for (int i = m.nbody - 1; i >= 0; --i) {
       int& end = body_end_[static_cast<std::size_t>(i)];
@@ -99,7 +88,6 @@ class Sweeper {
   }
 
  private:
-  using BodyPair = std::pair<int, int>;
   struct Deepest {
     BodyContact contact;
     double value = 0;
@@ -203,7 +191,7 @@ class Sweeper {
     const mjData& data = finder_.data();
     for (int i = 0; i < m_.body_geomnum[body]; ++i) {
       const int geom = m_.body_geomadr[body] + i;
-      if (any_collides_ && !CollidesInBody(m_, geom)) continue;
+      if (any_collides_ && !compiled::Collides(m_, geom)) continue;
       const model::Pose X_WG = compiled::GeomPose(data, geom);
       sweep_.aabb.Add(compiled::GeomBox(m_, geom, X_AW_ * X_WG));
     }
@@ -212,20 +200,12 @@ class Sweeper {
   /// What several joints do to a pair is told only of pairs that no joint alone
   /// brings together.
   void Collect() {
-    std::set<BodyPair> of_one;
-    for (const auto& [key, deepest] : deepest_) {
-      if (std::get<0>(key) != kTogether) of_one.emplace(std::get<1>(key), std::get<2>(key));
-    }
-    std::vector<Sweep::Contact> together;
+    std::set<std::pair<int, int>> told;
     for (const auto& [key, deepest] : deepest_) {
       const auto [joint, body1, body2] = key;
-      if (joint != kTogether) {
-        sweep_.contacts.push_back(Told(joint, deepest));
-      } else if (!of_one.contains({body1, body2})) {
-        together.push_back(Told(joint, deepest));
-      }
+      const bool is_new = told.emplace(body1, body2).second;
+      if (is_new || joint != kTogether) sweep_.contacts.push_back(Told(joint, deepest));
     }
-    std::ranges::move(together, std::back_inserter(sweep_.contacts));
   }
 
   Sweep::Contact Told(int joint, const Deepest& deepest) const {

@@ -1,6 +1,7 @@
 #include "mjforge/validate/validate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <string>
@@ -9,10 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/validate/collisions.h"
 #include "mjforge/validate/compare.h"
-#include "mjforge/validate/describe.h"
 #include "mjforge/validate/sweep.h"
 
 namespace mjforge::validate {
@@ -97,6 +98,65 @@ std::optional<Sweep> TrySweep(mjModel& m, int frame, diag::SourceMark mark,
   }
 }
 
+/// Adds a finding for each kind of number that is not finite: MuJoCo silently loads "nan".
+void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings) {
+  struct Numbers {
+    std::string_view kind;
+    std::string_view what;
+    const mjtNum* first;
+    int per_element;
+    int elements;
+    const int* names;
+  };
+  const Numbers all[] = {{"body", "mass", m.body_mass, 1, m.nbody, m.name_bodyadr},
+                         {"body", "inertia", m.body_inertia, 3, m.nbody, m.name_bodyadr},
+                         {"body", "pos", m.body_pos, 3, m.nbody, m.name_bodyadr},
+                         {"body", "quat", m.body_quat, 4, m.nbody, m.name_bodyadr},
+                         {"geom", "size", m.geom_size, 3, m.ngeom, m.name_geomadr},
+                         {"geom", "pos", m.geom_pos, 3, m.ngeom, m.name_geomadr},
+                         {"geom", "quat", m.geom_quat, 4, m.ngeom, m.name_geomadr},
+                         {"geom", "friction", m.geom_friction, 3, m.ngeom, m.name_geomadr},
+                         {"joint", "pos", m.jnt_pos, 3, m.njnt, m.name_jntadr},
+                         {"joint", "axis", m.jnt_axis, 3, m.njnt, m.name_jntadr},
+                         {"joint", "range", m.jnt_range, 2, m.njnt, m.name_jntadr},
+                         {"site", "pos", m.site_pos, 3, m.nsite, m.name_siteadr}};
+  // The first is enough.
+  const auto first_bad = [](const mjtNum* first, int count) {
+    return std::find_if(first, first + count, [](mjtNum n) { return !std::isfinite(n); }) - first;
+  };
+  const auto add = [&](const std::string& what) {
+    findings.Add(Code::kMujocoWarning, mark,
+                 fmt::format("MuJoCo loaded a {} that is not a finite number", what));
+  };
+  for (const auto& [kind, what, first, per_element, elements, names] : all) {
+    const auto bad = first_bad(first, per_element * elements) / per_element;
+    if (bad < elements) add(fmt::format("{} of {} '{}'", what, kind, m.names + names[bad]));
+  }
+  const auto bad = first_bad(m.qpos0, m.nq);
+  if (bad < m.nq) add(fmt::format("start position {}", bad + 1));
+}
+
+CompiledModel Describe(const mjModel& m) {
+  CompiledModel described;
+  described.object = compiled::ObjectOf(m, {}, compiled::Nameless::kEmpty);
+  described.body_geoms.assign(m.body_geomnum + 1, m.body_geomnum + m.nbody);
+  described.joints = m.njnt;
+  described.geoms = m.ngeom;
+  described.sites = m.nsite;
+  const auto add = [&](const std::string& kind, const int* names, int count) {
+    for (int i = 0; i < count; ++i) described.elements.push_back({kind, m.names + names[i]});
+  };
+  add("camera", m.name_camadr, m.ncam);
+  add("light", m.name_lightadr, m.nlight);
+  add("pair", m.name_pairadr, m.npair);
+  add("exclude", m.name_excludeadr, m.nexclude);
+  add("equality", m.name_eqadr, m.neq);
+  add("tendon", m.name_tendonadr, m.ntendon);
+  add("actuator", m.name_actuatoradr, m.nu);
+  add("sensor", m.name_sensoradr, m.nsensor);
+  return described;
+}
+
 // What MuJoCo's words do not say.
 std::string HintFor(std::string_view reason) {
   if (reason.find("XML_ELEMENT_DEPTH_EXCEEDED") == std::string_view::npos) return {};
@@ -112,12 +172,10 @@ std::string MujocoVersion() {
 
 struct Loader::State {
   Engine engine;
-  std::string text;  // the validated copy
 
-  bool SetAssets(const mjcf::MjcfDocument& document, diag::Findings& findings);
-  /// What MuJoCo says to `text`, which is the document's; a refusal is a finding.
-  Loaded LoadDocument(const mjcf::MjcfDocument& document, const model::Object& object,
-                      diag::Findings& findings);
+  /// What MuJoCo says to `text`, which has the lines of the document's; a refusal is a finding.
+  Loaded LoadDocument(const std::string& text, const mjcf::MjcfDocument& document,
+                      const model::Object& object, diag::Findings& findings);
   /// Without a model there is a finding. `start` is set once the file is read.
   engine::Model LoadFile(const std::filesystem::path& file, diag::Sources& sources,
                          diag::SourceMark& start, diag::Findings& findings);
@@ -126,19 +184,14 @@ struct Loader::State {
 Loader::Loader() : state_(std::make_unique<State>()) {}
 Loader::~Loader() = default;
 
-bool Loader::State::SetAssets(const mjcf::MjcfDocument& document, diag::Findings& findings) {
-  const auto problem = engine.SetAssets(document.assets);
-  if (!problem) return true;
-  const std::string& name = document.assets[problem->asset].first;
-  const diag::SourceMark mark = document.Origin(LineOf(document.text, '"' + name + '"'));
-  findings.Add(problem->unreadable ? Code::kModelFileNotFound : Code::kMujocoError, mark,
-               problem->message);
-  return false;
-}
-
-Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const model::Object& object,
-                                   diag::Findings& findings) {
-  if (!SetAssets(document, findings)) return {};
+Loaded Loader::State::LoadDocument(const std::string& text, const mjcf::MjcfDocument& document,
+                                   const model::Object& object, diag::Findings& findings) {
+  if (const auto problem = engine.SetAssets(document.assets)) {
+    const std::string& name = document.assets[problem->asset].first;
+    findings.Add(problem->unreadable ? Code::kModelFileNotFound : Code::kMujocoError,
+                 document.Origin(LineOf(document.text, '"' + name + '"')), problem->message);
+    return {};
+  }
   Loaded loaded = engine.LoadText(text);
   if (loaded.model) return loaded;
   AddWarnings(loaded.warnings, false, MarkOf(object), findings);
@@ -156,11 +209,11 @@ Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const mod
 
 bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                       diag::Findings& findings) {
-  state_->text = document.text;
+  std::string text = document.text;
   if (document.size_position != std::string::npos) {
-    state_->text.insert(document.size_position, SizeHint(object));
+    text.insert(document.size_position, SizeHint(object));
   }
-  const Loaded loaded = state_->LoadDocument(document, object, findings);
+  const Loaded loaded = state_->LoadDocument(text, document, object, findings);
   if (!loaded.model) return false;
   diag::Findings found;
   Comparison(*loaded.model, object, found).Run(document.lift);
@@ -173,8 +226,7 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
 
 std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
                                          const model::Object& object, diag::Findings& findings) {
-  state_->text = document.text;
-  const Loaded loaded = state_->LoadDocument(document, object, findings);
+  const Loaded loaded = state_->LoadDocument(document.text, document, object, findings);
   if (!loaded.model) return std::nullopt;
   constexpr int kRoot = 1;
   return TrySweep(*loaded.model, kRoot, MarkOf(object), findings);

@@ -1,7 +1,7 @@
 // What stands beside geoms, joints and sites: attached geoms, cameras, lights,
 // and the sections with what they refer to.
 
-#include "mjforge/validate/compare_sections.h"
+#include "mjforge/validate/compare.h"
 
 #include <functional>
 #include <string>
