@@ -19,35 +19,26 @@ std::span<const mjtNum> WithoutZeros(std::span<const mjtNum> numbers) {
   return numbers;
 }
 
-void WriteActuator(const mjModel& m, int i, Attributes attributes) {
-  attributes.Read(m, mjOBJ_ACTUATOR, i);
-  attributes.Text("dyntype", std::string(kDynamics[m.actuator_dyntype[i]]));
-  attributes.Text("gaintype", std::string(kGains[m.actuator_gaintype[i]]));
-  attributes.Text("biastype", std::string(kBiases[m.actuator_biastype[i]]));
-  attributes.Numbers("dynprm", WithoutZeros(Row(m.actuator_dynprm, i, mjNDYN)));
-  attributes.Numbers("gainprm", WithoutZeros(Row(m.actuator_gainprm, i, mjNGAIN)));
-  attributes.Numbers("biasprm", WithoutZeros(Row(m.actuator_biasprm, i, mjNBIAS)));
-}
-
 }  // namespace
 
 void ReadActuators(SectionReader& sections) {
   const mjModel& m = sections.model();
   for (int i = 0; i < m.nu; ++i) {
-    const compiled::Transmission& transmission = compiled::kTransmissions[m.actuator_trntype[i]];
-    const Reference first = {transmission.kind, m.actuator_trnid[2 * i]};
-    Reference second;
-    if (!transmission.second.empty()) second = {mjOBJ_SITE, m.actuator_trnid[2 * i + 1]};
-    model::Element* actuator =
-        sections.Add("actuator", "general", mjOBJ_ACTUATOR, i, {first, second});
-    if (actuator == nullptr) continue;
-    Attributes attributes = SectionReader::Of("actuator", *actuator);
-    attributes.Text(transmission.first, sections.NameOf(first));
-    if (second.id >= 0) attributes.Text(transmission.second, sections.NameOf(second));
-    if (transmission.first == "cranksite") {
-      attributes.Number("cranklength", m.actuator_cranklength[i]);
-    }
-    WriteActuator(m, i, attributes);
+    const auto& [kind, first, second] = compiled::kTransmissions[m.actuator_trntype[i]];
+    const int site = second.empty() ? -1 : m.actuator_trnid[2 * i + 1];
+    auto actuator =
+        sections.Add("actuator", "general", mjOBJ_ACTUATOR, i,
+                     {{kind, m.actuator_trnid[2 * i], first}, {mjOBJ_SITE, site, second}});
+    if (!actuator) continue;
+    Attributes& attributes = actuator->attributes;
+    if (first == "cranksite") attributes.Number("cranklength", m.actuator_cranklength[i]);
+    attributes.Read(m, mjOBJ_ACTUATOR, i);
+    attributes.Text("dyntype", std::string(kDynamics[m.actuator_dyntype[i]]));
+    attributes.Text("gaintype", std::string(kGains[m.actuator_gaintype[i]]));
+    attributes.Text("biastype", std::string(kBiases[m.actuator_biastype[i]]));
+    attributes.Numbers("dynprm", WithoutZeros(Row(m.actuator_dynprm, i, mjNDYN)));
+    attributes.Numbers("gainprm", WithoutZeros(Row(m.actuator_gainprm, i, mjNGAIN)));
+    attributes.Numbers("biasprm", WithoutZeros(Row(m.actuator_biasprm, i, mjNBIAS)));
   }
 }
 

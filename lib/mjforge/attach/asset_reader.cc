@@ -1,6 +1,5 @@
 #include "mjforge/attach/asset_reader.h"
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <string_view>
@@ -11,33 +10,16 @@
 namespace mjforge::attach {
 namespace {
 
-constexpr std::array<std::string_view, 6> kWords = {"type",       "builtin", "mark",
-                                                    "gridlayout", "hflip",   "vflip"};
-constexpr std::array<std::string_view, 7> kNumbers = {"rgb1",  "rgb2",   "markrgb", "random",
-                                                      "width", "height", "gridsize"};
-constexpr std::array<std::string_view, 7> kFiles = {"file",     "fileright", "fileleft", "fileup",
-                                                    "filedown", "filefront", "fileback"};
+constexpr std::string_view kTextureAttributes[] = {
+    "type", "builtin", "mark",   "gridlayout", "hflip",  "vflip",   "rgb1",
+    "rgb2", "markrgb", "random", "width",      "height", "gridsize"};
 
 void ReadTexture(const XmlElement& element, model::Texture& out) {
-  for (const std::string_view word : kWords) {
-    const std::string* text = element.Find(word);
-    if (text == nullptr) continue;
-    model::Attribute& attribute = out.attributes.emplace_back();
-    attribute.name = word;
-    attribute.text = *text;
-  }
-  for (const std::string_view name : kNumbers) {
-    const std::string* text = element.Find(name);
-    if (text == nullptr) continue;
-    model::Attribute& attribute = out.attributes.emplace_back();
-    attribute.name = name;
-    for (const double number : ParseNumbers(*text)) attribute.numbers.push_back(number);
-    if (attribute.numbers.empty()) attribute.text = *text;
-  }
+  CopyAttributes(element, kTextureAttributes, out.attributes);
   // A generated pattern wins over files.
   const std::string* builtin = element.Find("builtin");
   if (builtin != nullptr && *builtin != "none") return;
-  for (const std::string_view name : kFiles) {
+  for (const std::string_view name : kFileAttributes) {
     const std::string* text = element.Find(name);
     if (text == nullptr || text->empty()) continue;
     out.files.push_back({name, *text, {}});
@@ -54,8 +36,7 @@ int AssetReader::Texture(int id) {
   if (!is_new) return place->second;
   taken_.Add(mjOBJ_TEXTURE, id);
   model::Texture& texture = out_.textures.emplace_back();
-  texture.name = taken_.Name(mjOBJ_TEXTURE, id);
-  texture.mark = file_.MarkOf(mjOBJ_TEXTURE, id);
+  taken_.Label(mjOBJ_TEXTURE, id, texture);
   if (const XmlElement* element = file_.ElementOf(mjOBJ_TEXTURE, id)) {
     ReadTexture(*element, texture);
   }
@@ -70,8 +51,7 @@ int AssetReader::Material(int id) {
   taken_.Add(mjOBJ_MATERIAL, id);
   const mjModel& m = file_.model();
   model::Material material;
-  material.name = taken_.Name(mjOBJ_MATERIAL, id);
-  material.mark = file_.MarkOf(mjOBJ_MATERIAL, id);
+  taken_.Label(mjOBJ_MATERIAL, id, material);
   material.texture = Texture(m.mat_texid[id]);
   Attributes(spec::MaterialElement(), material.attributes).Read(m, mjOBJ_MATERIAL, id);
   out_.materials.push_back(std::move(material));

@@ -19,13 +19,7 @@ model::Attribute& Attributes::Add(std::string_view key) {
 }
 
 void Attributes::Numbers(std::string_view key, std::span<const double> values) {
-  sample::Numbers& numbers = Add(key).numbers;
-  for (const double value : values) numbers.push_back(value);
-}
-
-void Attributes::Numbers(std::string_view key, std::span<const double> values,
-                         std::initializer_list<double> usual) {
-  if (!std::ranges::equal(values, usual)) Numbers(key, values);
+  Add(key).numbers.assign(values.begin(), values.end());
 }
 
 void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id) {
@@ -36,7 +30,7 @@ void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fi
                        std::equal(numbers.begin(), numbers.end(), field.usual->begin());
     if (usual) continue;
     if (field.IsFlag()) {
-      Flag(field.attribute, numbers[0] != 0);
+      Text(field.attribute, numbers[0] != 0 ? "true" : "false");
     } else {
       Numbers(field.attribute, std::span(numbers.data(), numbers.size()));
     }
@@ -45,14 +39,26 @@ void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fi
 
 void Attributes::Text(std::string_view key, std::string text) { Add(key).text = std::move(text); }
 
-std::vector<double> ParseNumbers(std::string_view text) {
-  std::vector<double> numbers;
+sample::Numbers ParseNumbers(std::string_view text) {
+  sample::Numbers numbers;
   for (const std::string_view word : expr::WordsOf(text)) {
     const std::optional<double> number = expr::ParseNumber(word);
     if (!number) return {};
     numbers.push_back(*number);
   }
   return numbers;
+}
+
+void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
+                    std::vector<model::Attribute>& out) {
+  for (const std::string_view name : names) {
+    const std::string* text = element.Find(name);
+    if (text == nullptr) continue;
+    model::Attribute& attribute = out.emplace_back();
+    attribute.name = name;
+    attribute.numbers = ParseNumbers(*text);
+    if (attribute.numbers.empty()) attribute.text = *text;
+  }
 }
 
 }  // namespace mjforge::attach

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <initializer_list>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "mjforge/attach/xml_tree.h"
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/model/model.h"
 
@@ -23,16 +24,10 @@ class Attributes {
     if (value != usual) Number(key, value);
   }
   void Numbers(std::string_view key, std::span<const double> values);
-  void Numbers(std::string_view key, std::span<const double> values,
-               std::initializer_list<double> usual);
   /// What a compiled element says by itself.
   void Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id);
   void Read(const mjModel& m, mjtObj kind, int id) { Read(m, compiled::ArrayFields(kind), id); }
   void Text(std::string_view key, std::string text);
-  void Flag(std::string_view key, bool value) { Text(key, value ? "true" : "false"); }
-  void Flag(std::string_view key, bool value, bool usual) {
-    if (value != usual) Flag(key, value);
-  }
 
  private:
   model::Attribute& Add(std::string_view key);
@@ -42,6 +37,15 @@ class Attributes {
 };
 
 /// Numbers separated by spaces; none if a word is not a number.
-std::vector<double> ParseNumbers(std::string_view text);
+sample::Numbers ParseNumbers(std::string_view text);
+
+/// Adds attributes of an element as the file has them, those of these names that it has.
+void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
+                    std::vector<model::Attribute>& out);
+
+/// The id-th group of `count` numbers of an array of mjModel.
+inline std::span<const mjtNum> Row(const mjtNum* array, int id, int count) {
+  return {array + static_cast<std::ptrdiff_t>(id) * count, static_cast<std::size_t>(count)};
+}
 
 }  // namespace mjforge::attach

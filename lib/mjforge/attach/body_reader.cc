@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "mjforge/attach/attributes.h"
-#include "mjforge/attach/mujoco_numbers.h"
 #include "mjforge/compiled/compiled.h"
 
 namespace mjforge::attach {
@@ -33,24 +32,21 @@ class BodyReader {
         findings_(findings) {}
 
   void Read() {
+    const auto each = [this](mjtObj kind, int count, const auto& read) {
+      for (int id = 0; id < count; ++id) {
+        if (taken_.Has(kind, id)) read(id);
+      }
+    };
     for (const int id : taken_.bodies()) ReadBody(id);
-    for (int i = 0; i < m_.njnt; ++i) {
-      if (taken_.Has(mjOBJ_JOINT, i)) ReadJoint(i);
-    }
-    for (int i = 0; i < m_.ngeom; ++i) {
-      if (taken_.Has(mjOBJ_GEOM, i)) ReadGeom(i);
-    }
-    for (int i = 0; i < m_.nsite; ++i) {
-      if (taken_.Has(mjOBJ_SITE, i)) ReadSite(i);
-    }
-    for (int i = 0; i < m_.ncam; ++i) {
-      if (!taken_.Has(mjOBJ_CAMERA, i)) continue;
-      ReadLook(mjOBJ_CAMERA, i, m_.cam_bodyid[i], m_.cam_mode[i], m_.cam_targetbodyid[i]);
-    }
-    for (int i = 0; i < m_.nlight; ++i) {
-      if (!taken_.Has(mjOBJ_LIGHT, i)) continue;
-      ReadLook(mjOBJ_LIGHT, i, m_.light_bodyid[i], m_.light_mode[i], m_.light_targetbodyid[i]);
-    }
+    each(mjOBJ_JOINT, m_.njnt, [this](int id) { ReadJoint(id); });
+    each(mjOBJ_GEOM, m_.ngeom, [this](int id) { ReadGeom(id); });
+    each(mjOBJ_SITE, m_.nsite, [this](int id) { ReadSite(id); });
+    each(mjOBJ_CAMERA, m_.ncam, [this](int id) {
+      ReadLook(mjOBJ_CAMERA, id, m_.cam_bodyid[id], m_.cam_mode[id], m_.cam_targetbodyid[id]);
+    });
+    each(mjOBJ_LIGHT, m_.nlight, [this](int id) {
+      ReadLook(mjOBJ_LIGHT, id, m_.light_bodyid[id], m_.light_mode[id], m_.light_targetbodyid[id]);
+    });
     for (const model::Joint& joint : out_.bodies.front().joints) {
       out_.root_joints.push_back(joint.name);
     }
@@ -61,8 +57,7 @@ class BodyReader {
 
   void ReadBody(int id) {
     model::Body& body = out_.bodies.emplace_back(compiled::BodyOf(m_, id));
-    body.name = taken_.Name(mjOBJ_BODY, id);
-    body.mark = file_.MarkOf(mjOBJ_BODY, id);
+    taken_.Label(mjOBJ_BODY, id, body);
     body.parent = out_.bodies.size() == 1 ? -1 : taken_.Position(m_.body_parentid[id]);
     Attributes(spec::BodyElement(), body.attributes).Read(m_, mjOBJ_BODY, id);
     if (m_.body_mocapid[id] >= 0) {
@@ -75,8 +70,7 @@ class BodyReader {
 
   void ReadJoint(int id) {
     model::Joint& joint = BodyOf(m_.jnt_bodyid[id]).joints.emplace_back(compiled::JointOf(m_, id));
-    joint.name = taken_.Name(mjOBJ_JOINT, id);
-    joint.mark = file_.MarkOf(mjOBJ_JOINT, id);
+    taken_.Label(mjOBJ_JOINT, id, joint);
     Attributes(spec::JointElement(), joint.attributes).Read(m_, mjOBJ_JOINT, id);
   }
 
@@ -92,8 +86,7 @@ class BodyReader {
       return;
     }
     model::Part& part = BodyOf(m_.geom_bodyid[id]).parts.emplace_back(*std::move(read));
-    part.name = taken_.Name(mjOBJ_GEOM, id);
-    part.mark = file_.MarkOf(mjOBJ_GEOM, id);
+    taken_.Label(mjOBJ_GEOM, id, part);
     if (part.shape.type == model::GeomType::kMesh) {
       const int mesh = m_.geom_dataid[id];
       part.mesh = assets_.Mesh(mesh);
@@ -112,15 +105,16 @@ class BodyReader {
     const std::span<const mjtNum> fluid = Row(m_.geom_fluid, id, mjNFLUID);
     if (fluid[0] > 0) {
       attributes.Text("fluidshape", "ellipsoid");
-      attributes.Numbers("fluidcoef", fluid.subspan(1, 5), {0.5, 0.25, 1.5, 1, 1});
+      constexpr mjtNum kUsual[] = {0.5, 0.25, 1.5, 1, 1};
+      const std::span<const mjtNum> coefficients = fluid.subspan(1, 5);
+      if (!std::ranges::equal(coefficients, kUsual)) attributes.Numbers("fluidcoef", coefficients);
     }
     attributes.Read(m_, {rgba, fields.end()}, id);
   }
 
   void ReadSite(int id) {
     model::Site& site = BodyOf(m_.site_bodyid[id]).sites.emplace_back();
-    site.name = taken_.Name(mjOBJ_SITE, id);
-    site.mark = file_.MarkOf(mjOBJ_SITE, id);
+    taken_.Label(mjOBJ_SITE, id, site);
     site.type = compiled::GeomTypeOf(m_.site_type[id]).value_or(model::GeomType::kSphere);
     site.size = VectorAt(m_.site_size, id);
     site.X_BS = PoseAt(m_.site_pos, m_.site_quat, id);
@@ -141,8 +135,7 @@ class BodyReader {
     const spec::ElementInfo& info = *spec::FindBodyChild(KindName(kind));
     model::Element& element = BodyOf(body).elements.emplace_back();
     element.tag = info.name;
-    element.name = taken_.Name(kind, id);
-    element.mark = file_.MarkOf(kind, id);
+    taken_.Label(kind, id, element);
     Attributes attributes(info, element.attributes);
     if (mode != 0) attributes.Text("mode", std::string(kModes[static_cast<std::size_t>(mode)]));
     if (target >= 0) attributes.Text("target", taken_.Name(mjOBJ_BODY, target));

@@ -1,7 +1,8 @@
 #include "mjforge/attach/compiled_file.h"
 
 #include <algorithm>
-#include <span>
+#include <cstddef>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -11,29 +12,64 @@ namespace {
 
 using diag::Code;
 
-struct TagKind {
-  std::string_view tag;
+/// What MuJoCo makes of an element.
+struct Compiled {
+  std::string_view section;
+  std::string_view tag;  // empty: any, all are of one kind
   mjtObj kind;
 };
-constexpr TagKind kInBodies[] = {{"body", mjOBJ_BODY},       {"joint", mjOBJ_JOINT},
-                                 {"freejoint", mjOBJ_JOINT}, {"geom", mjOBJ_GEOM},
-                                 {"site", mjOBJ_SITE},       {"camera", mjOBJ_CAMERA},
-                                 {"light", mjOBJ_LIGHT}};
-constexpr TagKind kAssets[] = {{"mesh", mjOBJ_MESH},
-                               {"skin", mjOBJ_SKIN},
-                               {"hfield", mjOBJ_HFIELD},
-                               {"texture", mjOBJ_TEXTURE},
-                               {"material", mjOBJ_MATERIAL}};
-constexpr TagKind kContacts[] = {{"pair", mjOBJ_PAIR}, {"exclude", mjOBJ_EXCLUDE}};
-// Their elements are of one kind, whatever the tag.
-constexpr TagKind kSections[] = {{"equality", mjOBJ_EQUALITY},
-                                 {"tendon", mjOBJ_TENDON},
-                                 {"actuator", mjOBJ_ACTUATOR},
-                                 {"sensor", mjOBJ_SENSOR}};
+constexpr Compiled kCompiled[] = {{"worldbody", "body", mjOBJ_BODY},
+                                  {"worldbody", "joint", mjOBJ_JOINT},
+                                  {"worldbody", "freejoint", mjOBJ_JOINT},
+                                  {"worldbody", "geom", mjOBJ_GEOM},
+                                  {"worldbody", "site", mjOBJ_SITE},
+                                  {"worldbody", "camera", mjOBJ_CAMERA},
+                                  {"worldbody", "light", mjOBJ_LIGHT},
+                                  {"worldbody", "composite", mjOBJ_UNKNOWN},  // many things
+                                  {"asset", "mesh", mjOBJ_MESH},
+                                  {"asset", "skin", mjOBJ_SKIN},
+                                  {"asset", "hfield", mjOBJ_HFIELD},
+                                  {"asset", "texture", mjOBJ_TEXTURE},
+                                  {"asset", "material", mjOBJ_MATERIAL},
+                                  {"contact", "pair", mjOBJ_PAIR},
+                                  {"contact", "exclude", mjOBJ_EXCLUDE},
+                                  {"equality", "", mjOBJ_EQUALITY},
+                                  {"tendon", "", mjOBJ_TENDON},
+                                  {"actuator", "", mjOBJ_ACTUATOR},
+                                  {"sensor", "", mjOBJ_SENSOR}};
 
-const TagKind* Find(std::span<const TagKind> kinds, std::string_view tag) {
-  const auto found = std::ranges::find(kinds, tag, &TagKind::tag);
-  return found == kinds.end() ? nullptr : &*found;
+/// Calls `use` with each element of a section or body, those of its bodies too, and its kind.
+template <typename Use>
+void ForEachIn(XmlElement& parent, std::string_view section, const Use& use) {
+  for (XmlElement& child : parent.children) {
+    const auto found = std::ranges::find_if(kCompiled, [&](const Compiled& compiled) {
+      return compiled.section == section && (compiled.tag.empty() || compiled.tag == child.tag);
+    });
+    if (found == std::end(kCompiled)) continue;
+    use(child, found->kind);
+    if (found->kind == mjOBJ_BODY) ForEachIn(child, section, use);
+  }
+}
+
+bool AnyNameBeginsWith(const std::string& prefix, const XmlElement& element) {
+  return element.Name().starts_with(prefix) ||
+         std::ranges::any_of(element.children,
+                             [&](const auto& child) { return AnyNameBeginsWith(prefix, child); });
+}
+
+/// Gives each element without a name a unique one, so that it can be found among what MuJoCo
+/// compiled. It names assets itself.
+void NameElements(XmlElement& root) {
+  std::string prefix = "~";
+  while (AnyNameBeginsWith(prefix, root)) prefix += '~';
+  int count = 0;
+  for (XmlElement& section : root.children) {
+    if (section.tag == "asset") continue;
+    ForEachIn(section, section.tag, [&](XmlElement& element, mjtObj kind) {
+      if (kind == mjOBJ_UNKNOWN || !element.Name().empty()) return;
+      element.made_name = fmt::format("{}{}", prefix, ++count);
+    });
+  }
 }
 
 void Replace(std::string& text, const std::string& from, const std::string& to) {
@@ -62,29 +98,25 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
   if (findings.HasErrors()) return nullptr;
   NameElements(compiled->root_);
   compiled->flat_ = Flatten(compiled->root_);
-  if (!compiled->Load(findings)) return nullptr;
+  compiled->Load(findings);
+  if (!compiled->model_) return nullptr;
   compiled->MapElements();
   return compiled;
 }
 
-bool CompiledFile::Load(diag::Findings& findings) {
+void CompiledFile::Load(diag::Findings& findings) {
   engine::Loaded loaded = engine_->LoadText(flat_.text);
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},
                fmt::format("MuJoCo warns about '{}': {}", file_.string(),
                            engine::OneLine(InWordsOfFile(warning))));
   }
-  if (!loaded.model) {
-    AddRefusal(loaded.error, findings);
-    return false;
-  }
   model_ = std::move(loaded.model);
-  return true;
-}
-
-void CompiledFile::AddRefusal(const std::string& error, diag::Findings& findings) const {
-  const engine::Refusal refusal = engine::ParseRefusal(InWordsOfFile(error));
-  const XmlElement* element = flat_.OnLine(refusal.line);
+  if (model_) return;
+  const engine::Refusal refusal = engine::ParseRefusal(InWordsOfFile(loaded.error));
+  const auto line = static_cast<std::size_t>(refusal.line);
+  const XmlElement* element =
+      line > 0 && line <= flat_.lines.size() ? flat_.lines[line - 1] : nullptr;
   AddError(findings, Code::kMujocoError, element == nullptr ? diag::SourceMark{} : element->mark,
            fmt::format("MuJoCo refused {} of '{}': {}",
                        element == nullptr ? "the model" : element->Description(), file_.string(),
@@ -101,35 +133,22 @@ std::string CompiledFile::InWordsOfFile(std::string text) const {
   return text;
 }
 
-void CompiledFile::Map(mjtObj kind, const XmlElement& element) {
-  std::string name = element.made_name.empty() ? element.Name() : element.made_name;
-  if (name.empty()) {
-    // So MuJoCo names assets.
-    if (const std::string* file = element.Find("file")) name = FileStem(*file);
-  }
-  if (!name.empty()) elements_.emplace(std::pair(static_cast<int>(kind), name), &element);
-}
-
-void CompiledFile::MapBodies(const XmlElement& parent) {
-  for (const XmlElement& child : parent.children) {
-    if (child.tag == "composite") composites_.push_back(&child);
-    const TagKind* kind = Find(kInBodies, child.tag);
-    if (kind == nullptr) continue;
-    Map(kind->kind, child);
-    if (kind->kind == mjOBJ_BODY) MapBodies(child);
-  }
-}
-
 void CompiledFile::MapElements() {
-  for (const XmlElement& section : root_.children) {
-    if (section.tag == "worldbody") MapBodies(section);
-    const TagKind* same = Find(kSections, section.tag);
-    for (const XmlElement& element : section.children) {
-      const TagKind* kind = same;
-      if (section.tag == "asset") kind = Find(kAssets, element.tag);
-      if (section.tag == "contact") kind = Find(kContacts, element.tag);
-      if (kind != nullptr) Map(kind->kind, element);
-    }
+  for (XmlElement& section : root_.children) {
+    ForEachIn(section, section.tag, [this](const XmlElement& element, mjtObj kind) {
+      if (kind == mjOBJ_UNKNOWN) {
+        composites_.push_back(&element);
+        return;
+      }
+      std::string name = element.made_name.empty() ? element.Name() : element.made_name;
+      const std::string* file = element.Find("file");
+      // So MuJoCo names assets: the file's name without folders and extension.
+      if (name.empty() && file != nullptr) {
+        name = file->substr(file->find_last_of("/\\") + 1);
+        name.erase(std::min(name.find_last_of('.'), name.size()));
+      }
+      if (!name.empty()) elements_.emplace(std::pair(static_cast<int>(kind), name), &element);
+    });
   }
 }
 

@@ -37,13 +37,11 @@ class CompiledFile {
 
  private:
   CompiledFile() = default;
-  bool Load(diag::Findings& findings);
-  void AddRefusal(const std::string& error, diag::Findings& findings) const;
+  /// Leaves no model, but an error, if MuJoCo refuses the file.
+  void Load(diag::Findings& findings);
   /// A message of MuJoCo, with files and elements named as in the file.
   std::string InWordsOfFile(std::string text) const;
   void MapElements();
-  void MapBodies(const XmlElement& parent);
-  void Map(mjtObj kind, const XmlElement& element);
 
   std::filesystem::path file_;
   XmlElement root_;

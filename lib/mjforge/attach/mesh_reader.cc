@@ -1,80 +1,66 @@
 #include "mjforge/attach/mesh_reader.h"
 
-#include <array>
-#include <cstddef>
+#include <optional>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "mjforge/attach/attributes.h"
-#include "mjforge/attach/mujoco_numbers.h"
 #include "mjforge/compiled/compiled.h"
 
 namespace mjforge::attach {
 namespace {
 
-constexpr std::array<std::string_view, 6> kData = {"refpos", "refquat",  "vertex",
-                                                   "normal", "texcoord", "face"};
-constexpr std::string_view kMain = "main";
+constexpr std::string_view kData[] = {"refpos",   "refquat", "vertex",      "normal",
+                                      "texcoord", "face",    "smoothnormal"};
+constexpr const char* kMain = "main";
 
-/// What a mesh's frame depends on: `scale`, and the density of its class, by
-/// which MuJoCo decides when to stop turning the axes of inertia.
-XmlElement MeshDefaults(const XmlElement& section) {
-  XmlElement kept;
-  kept.tag = section.tag;
-  kept.attributes = section.attributes;
-  for (const XmlElement& child : section.children) {
-    if (child.tag == "default") {
-      kept.children.push_back(MeshDefaults(child));
-    } else if (child.tag == "mesh") {
-      kept.children.push_back(child);
-    } else if (child.tag == "geom") {
-      XmlElement geom;
-      geom.tag = child.tag;
-      if (const std::string* density = child.Find("density")) geom.Set("density", *density);
-      kept.children.push_back(std::move(geom));
-    }
-  }
-  return kept;
+XmlElement& AddChild(XmlElement& parent, std::string_view tag) {
+  XmlElement& child = parent.children.emplace_back();
+  child.tag = tag;
+  return child;
 }
 
-XmlElement OnlyMeshes(const XmlElement& section) {
-  XmlElement kept;
-  kept.tag = section.tag;
-  for (const XmlElement& asset : section.children) {
-    if (asset.tag == "mesh") kept.children.push_back(asset);
-  }
-  return kept;
-}
-
-/// The file with its meshes alone.
-XmlElement MeshesOf(const XmlElement& root) {
-  XmlElement probe;
-  probe.tag = "mujoco";
-  for (const XmlElement& section : root.children) {
-    if (section.tag == "compiler") {
-      const std::string* exact = section.Find("exactmeshinertia");
-      if (exact == nullptr) continue;
-      XmlElement& compiler = probe.children.emplace_back();
-      compiler.tag = "compiler";
-      compiler.Set("exactmeshinertia", *exact);
-    } else if (section.tag == "default") {
-      probe.children.push_back(MeshDefaults(section));
-    } else if (section.tag == "asset") {
-      probe.children.push_back(OnlyMeshes(section));
+/// The file with its meshes alone, and with what their frames depend on: `scale`, and the density
+/// of its class, by which MuJoCo decides when to stop turning the axes of inertia.
+void CopyMeshes(const XmlElement& from, XmlElement& to) {
+  const auto copy = [&](const XmlElement& child, std::string_view attribute) {
+    XmlElement& copied = AddChild(to, child.tag);
+    if (const std::string* text = child.Find(attribute)) copied.Set(attribute, *text);
+  };
+  to.tag = from.tag;
+  to.attributes = from.attributes;
+  for (const XmlElement& child : from.children) {
+    if (child.tag == "mesh") to.children.push_back(child);
+    if (child.tag == "geom") copy(child, "density");
+    if (child.tag == "compiler") copy(child, "exactmeshinertia");
+    if (child.tag == "default" || child.tag == "asset") {
+      CopyMeshes(child, to.children.emplace_back());
     }
   }
-  return probe;
+}
+
+/// What `scale` says; nothing if it says no three numbers.
+std::optional<Eigen::Vector3d> StatedScale(const XmlElement& mesh) {
+  const std::string* text = mesh.Find("scale");
+  if (text == nullptr) return std::nullopt;
+  const sample::Numbers numbers = ParseNumbers(*text);
+  if (numbers.size() != 3) return std::nullopt;
+  return Eigen::Vector3d(numbers.data());
+}
+
+std::string ClassOf(const XmlElement& element) {
+  const std::string* name = element.Find("class");
+  return name == nullptr ? kMain : *name;
 }
 
 }  // namespace
 
 MeshReader::MeshReader(const CompiledFile& file, diag::Findings& findings) : file_(file) {
-  scales_[std::string(kMain)] = Eigen::Vector3d::Ones();
+  scales_[kMain] = Eigen::Vector3d::Ones();
   for (const XmlElement& section : file.root().children) {
-    if (section.tag == "default") ReadDefaults(section, scales_[std::string(kMain)]);
+    if (section.tag == "default") ReadDefaults(section, scales_[kMain]);
   }
   FindFrames(findings);
 }
@@ -86,12 +72,11 @@ void MeshReader::FindFrames(diag::Findings& findings) {
     if (m.geom_type[geom] == mjGEOM_MESH) used.insert(m.geom_dataid[geom]);
   }
   if (used.empty()) return;
-  XmlElement probe = MeshesOf(file_.root());
-  XmlElement& world = probe.children.emplace_back();
-  world.tag = "worldbody";
+  XmlElement probe;
+  CopyMeshes(file_.root(), probe);
+  XmlElement& world = AddChild(probe, "worldbody");
   for (const int mesh : used) {
-    XmlElement& geom = world.children.emplace_back();
-    geom.tag = "geom";
+    XmlElement& geom = AddChild(world, "geom");
     geom.Set("type", "mesh");
     geom.Set("mesh", m.names + m.name_meshadr[mesh]);
   }
@@ -113,59 +98,32 @@ void MeshReader::FindFrames(diag::Findings& findings) {
 void MeshReader::ReadDefaults(const XmlElement& section, const Eigen::Vector3d& inherited) {
   Eigen::Vector3d scale = inherited;
   for (const XmlElement& child : section.children) {
-    const std::string* text = child.tag == "mesh" ? child.Find("scale") : nullptr;
-    if (text == nullptr) continue;
-    const std::vector<double> numbers = ParseNumbers(*text);
-    if (numbers.size() == 3) scale = {numbers[0], numbers[1], numbers[2]};
+    if (child.tag == "mesh") scale = StatedScale(child).value_or(scale);
   }
-  const std::string* name = section.Find("class");
-  scales_[name == nullptr ? std::string(kMain) : *name] = scale;
+  scales_[ClassOf(section)] = scale;
   for (const XmlElement& child : section.children) {
     if (child.tag == "default") ReadDefaults(child, scale);
   }
 }
 
 Eigen::Vector3d MeshReader::ScaleOf(const XmlElement& mesh) const {
-  if (const std::string* text = mesh.Find("scale")) {
-    const std::vector<double> numbers = ParseNumbers(*text);
-    if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
-  }
-  const std::string* name = mesh.Find("class");
-  const auto found = scales_.find(name == nullptr ? std::string(kMain) : *name);
+  if (const std::optional<Eigen::Vector3d> scale = StatedScale(mesh)) return *scale;
+  const auto found = scales_.find(ClassOf(mesh));
   return found == scales_.end() ? Eigen::Vector3d::Ones() : found->second;
 }
 
 model::MeshAsset MeshReader::Read(int mesh) const {
-  const mjModel& m = file_.model();
   model::MeshAsset asset;
   asset.mark = file_.MarkOf(mjOBJ_MESH, mesh);
-  const model::Pose& X_AM = FrameOf(mesh);
-  for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
-    const float* v = m.mesh_vert + 3 * (m.mesh_vertadr[mesh] + i);
-    asset.mesh.vertices.push_back(X_AM * Eigen::Vector3d(v[0], v[1], v[2]));
-  }
-  for (int i = 0; i < m.mesh_facenum[mesh]; ++i) {
-    const int* f = m.mesh_face + 3 * (m.mesh_faceadr[mesh] + i);
-    asset.mesh.triangles.push_back({f[0], f[1], f[2]});
-  }
+  asset.mesh = compiled::MeshOf(file_.model(), mesh);
+  for (Eigen::Vector3d& vertex : asset.mesh.vertices) vertex = FrameOf(mesh) * vertex;
   const XmlElement* element = file_.ElementOf(mjOBJ_MESH, mesh);
   if (element == nullptr) return asset;
   if (const std::string* file = element->Find("file")) asset.file = *file;
   asset.scale = ScaleOf(*element);
-  for (const std::string_view name : kData) {
-    const std::string* text = element->Find(name);
-    if (text == nullptr) continue;
-    model::Attribute& attribute = asset.attributes.emplace_back();
-    attribute.name = name;
-    for (const double number : ParseNumbers(*text)) attribute.numbers.push_back(number);
-    if (attribute.numbers.empty()) attribute.text = *text;
-  }
-  const std::string* smooth = element->Find("smoothnormal");
-  if (smooth != nullptr && *smooth == "true") {
-    model::Attribute& attribute = asset.attributes.emplace_back();
-    attribute.name = "smoothnormal";
-    attribute.text = *smooth;
-  }
+  CopyAttributes(*element, kData, asset.attributes);
+  // Of them only smoothnormal is a word.
+  std::erase_if(asset.attributes, [](const auto& attribute) { return attribute.text == "false"; });
   return asset;
 }
 

@@ -7,9 +7,17 @@
 
 namespace mjforge::attach {
 
-model::Element* SectionReader::Add(std::string_view section, std::string_view tag, mjtObj kind,
-                                   int id, const std::vector<Reference>& references) {
-  if (!IsCarried(kind, id, references)) return nullptr;
+namespace {
+
+/// mjOBJ_XBODY is a body, too.
+mjtObj Plain(mjtObj kind) { return kind == mjOBJ_XBODY ? mjOBJ_BODY : kind; }
+
+}  // namespace
+
+std::optional<SectionReader::Added> SectionReader::Add(std::string_view section,
+                                                       std::string_view tag, mjtObj kind, int id,
+                                                       const std::vector<Reference>& references) {
+  if (!IsCarried(kind, id, references)) return std::nullopt;
   taken_.Add(kind, id);
   const spec::SectionInfo* info = spec::FindSection(section);
   auto place = std::ranges::find(out_.sections, info, &model::Section::info);
@@ -17,14 +25,18 @@ model::Element* SectionReader::Add(std::string_view section, std::string_view ta
     place = out_.sections.insert(place, model::Section{info, {}});
   }
   model::Element& element = place->elements.emplace_back();
-  element.tag = info->Find(tag)->name;
-  element.name = taken_.Name(kind, id);
-  element.mark = file_.MarkOf(kind, id);
-  return &element;
-}
-
-Attributes SectionReader::Of(std::string_view section, model::Element& element) {
-  return {*spec::FindSection(section)->Find(element.tag), element.attributes};
+  const spec::ElementInfo& element_info = *info->Find(tag);
+  element.tag = element_info.name;
+  taken_.Label(kind, id, element);
+  Attributes attributes(element_info, element.attributes);
+  for (const Reference& reference : references) {
+    if (reference.id < 0 || reference.attribute.empty()) continue;
+    if (!reference.kind_attribute.empty()) {
+      attributes.Text(reference.kind_attribute, KindName(reference.kind));
+    }
+    attributes.Text(reference.attribute, NameOf(reference));
+  }
+  return Added{element, attributes};
 }
 
 std::string SectionReader::NameOf(Reference reference) const {
@@ -73,24 +85,15 @@ void SectionReader::Finish() { std::ranges::sort(out_.sections, {}, &model::Sect
 void ReadContacts(SectionReader& sections) {
   const mjModel& m = sections.model();
   for (int i = 0; i < m.npair; ++i) {
-    const Reference geom1 = {mjOBJ_GEOM, m.pair_geom1[i]};
-    const Reference geom2 = {mjOBJ_GEOM, m.pair_geom2[i]};
-    model::Element* pair = sections.Add("contact", "pair", mjOBJ_PAIR, i, {geom1, geom2});
-    if (pair == nullptr) continue;
-    Attributes attributes = SectionReader::Of("contact", *pair);
-    attributes.Text("geom1", sections.NameOf(geom1));
-    attributes.Text("geom2", sections.NameOf(geom2));
-    attributes.Read(m, mjOBJ_PAIR, i);
+    auto pair = sections.Add(
+        "contact", "pair", mjOBJ_PAIR, i,
+        {{mjOBJ_GEOM, m.pair_geom1[i], "geom1"}, {mjOBJ_GEOM, m.pair_geom2[i], "geom2"}});
+    if (pair) pair->attributes.Read(m, mjOBJ_PAIR, i);
   }
   for (int i = 0; i < m.nexclude; ++i) {
-    // Two body ids, each plus 1, in 16 bits.
-    const Reference body1 = {mjOBJ_BODY, (m.exclude_signature[i] >> 16) - 1};
-    const Reference body2 = {mjOBJ_BODY, (m.exclude_signature[i] & 0xFFFF) - 1};
-    model::Element* exclude = sections.Add("contact", "exclude", mjOBJ_EXCLUDE, i, {body1, body2});
-    if (exclude == nullptr) continue;
-    Attributes attributes = SectionReader::Of("contact", *exclude);
-    attributes.Text("body1", sections.NameOf(body1));
-    attributes.Text("body2", sections.NameOf(body2));
+    const auto [body1, body2] = compiled::ExcludedBodies(m, i);
+    sections.Add("contact", "exclude", mjOBJ_EXCLUDE, i,
+                 {{mjOBJ_BODY, body1, "body1"}, {mjOBJ_BODY, body2, "body2"}});
   }
 }
 
@@ -99,14 +102,11 @@ void ReadEqualities(SectionReader& sections) {
   for (int i = 0; i < m.neq; ++i) {
     if (m.eq_type[i] > mjEQ_TENDON) continue;  // MuJoCo refuses `distance` since 2.2.2
     const compiled::Equality& type = compiled::kEqualities[m.eq_type[i]];
-    const Reference first = {type.kind, m.eq_obj1id[i]};
-    const Reference second = {type.kind, m.eq_obj2id[i]};
-    model::Element* element =
-        sections.Add("equality", type.tag, mjOBJ_EQUALITY, i, {first, second});
-    if (element == nullptr) continue;
-    Attributes attributes = SectionReader::Of("equality", *element);
-    attributes.Text(type.first, sections.NameOf(first));
-    if (second.id >= 0) attributes.Text(type.second, sections.NameOf(second));
+    auto equality = sections.Add(
+        "equality", type.tag, mjOBJ_EQUALITY, i,
+        {{type.kind, m.eq_obj1id[i], type.first}, {type.kind, m.eq_obj2id[i], type.second}});
+    if (!equality) continue;
+    Attributes& attributes = equality->attributes;
     const std::span<const mjtNum> data = Row(m.eq_data, i, mjNEQDATA);
     if (m.eq_type[i] == mjEQ_CONNECT) {
       attributes.Numbers("anchor", data.first(3));

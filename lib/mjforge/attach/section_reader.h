@@ -1,6 +1,6 @@
 #pragma once
 
-#include <initializer_list>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -8,7 +8,6 @@
 #include "mjforge/attach/asset_reader.h"
 #include "mjforge/attach/attributes.h"
 #include "mjforge/attach/compiled_file.h"
-#include "mjforge/attach/mujoco_numbers.h"
 #include "mjforge/attach/taken.h"
 
 namespace mjforge::attach {
@@ -17,6 +16,8 @@ namespace mjforge::attach {
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
+  std::string_view attribute = {};       // that names it; empty: a child of the element does
+  std::string_view kind_attribute = {};  // that says its kind; empty: there is none
 };
 
 /// Elements of sections (contact, tendon, ...): which can be carried over, and
@@ -29,13 +30,15 @@ class SectionReader {
 
   const mjModel& model() const { return file_.model(); }
 
-  /// Adds the element, with name and mark, if everything it refers to is taken. If only part of
-  /// that is taken, a warning says that the element is left out. The pointer is valid until the
-  /// next call.
-  model::Element* Add(std::string_view section, std::string_view tag, mjtObj kind, int id,
-                      const std::vector<Reference>& references);
-  /// Its attributes.
-  static Attributes Of(std::string_view section, model::Element& element);
+  /// An element and its attributes, valid until the next one is added.
+  struct Added {
+    model::Element& element;
+    Attributes attributes;
+  };
+  /// Adds the element, with name, mark and references, if everything it refers to is taken. If only
+  /// part of that is taken, a warning says that the element is left out.
+  std::optional<Added> Add(std::string_view section, std::string_view tag, mjtObj kind, int id,
+                           const std::vector<Reference>& references);
 
   /// The name given to something that is taken.
   std::string NameOf(Reference reference) const;
@@ -53,11 +56,6 @@ class SectionReader {
   diag::Findings& findings_;
   std::set<diag::SourceMark> warned_composites_;
 };
-
-/// mjOBJ_XBODY is a body, too.
-inline mjtObj Plain(int kind) {
-  return kind == mjOBJ_XBODY ? mjOBJ_BODY : static_cast<mjtObj>(kind);
-}
 
 void ReadTendons(SectionReader& sections, AssetReader& assets);
 void ReadContacts(SectionReader& sections);

@@ -61,17 +61,13 @@ void ReadSensors(SectionReader& sections) {
     const auto sensor =
         std::ranges::find(kSensors, static_cast<mjtSensor>(m.sensor_type[i]), &Sensor::type);
     if (sensor == std::end(kSensors)) continue;
-    const Reference object = {static_cast<mjtObj>(m.sensor_objtype[i]), m.sensor_objid[i]};
-    const Reference frame = {static_cast<mjtObj>(m.sensor_reftype[i]), m.sensor_refid[i]};
-    model::Element* element = sections.Add("sensor", sensor->tag, mjOBJ_SENSOR, i, {object, frame});
-    if (element == nullptr) continue;
-    Attributes attributes = SectionReader::Of("sensor", *element);
-    if (sensor->object == "objname") attributes.Text("objtype", KindName(object.kind));
-    attributes.Text(sensor->object, sections.NameOf(object));
-    if (frame.id >= 0) {
-      attributes.Text("reftype", KindName(frame.kind));
-      attributes.Text("refname", sections.NameOf(frame));
-    }
+    const Reference object = {static_cast<mjtObj>(m.sensor_objtype[i]), m.sensor_objid[i],
+                              sensor->object, sensor->object == "objname" ? "objtype" : ""};
+    const Reference frame = {static_cast<mjtObj>(m.sensor_reftype[i]), m.sensor_refid[i], "refname",
+                             "reftype"};
+    auto added = sections.Add("sensor", sensor->tag, mjOBJ_SENSOR, i, {object, frame});
+    if (!added) continue;
+    Attributes& attributes = added->attributes;
     if (sensor->type == mjSENS_USER) {
       attributes.Text("datatype", std::string(kDataTypes[m.sensor_datatype[i]]));
       attributes.Text("needstage", std::string(kStages[m.sensor_needstage[i]]));

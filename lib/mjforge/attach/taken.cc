@@ -36,11 +36,10 @@ Taken::Taken(const CompiledFile& file, int root, diag::Findings& findings)
   NameUnnamed();
 }
 
-template <typename BodyOf>
-void Taken::AddAll(mjtObj kind, int count, BodyOf body_of) {
+void Taken::AddAll(mjtObj kind, int count, const int* bodies) {
   std::map<int, int> numbers;
   for (int id = 0; id < count; ++id) {
-    const int body = body_of[id];
+    const int body = bodies[id];
     const int number = numbers[body]++;
     if (!positions_.contains(body)) continue;
     if (file_.NameOf(kind, id).empty()) {

@@ -21,6 +21,12 @@ class Taken {
   bool Has(mjtObj kind, int id) const { return names_.contains({kind, id}); }
   /// The name it is given; empty for an element of a section without one.
   const std::string& Name(mjtObj kind, int id) const { return names_.at({kind, id}); }
+  /// Gives it its name and its place.
+  template <typename Thing>
+  void Label(mjtObj kind, int id, Thing& thing) const {
+    thing.name = Name(kind, id);
+    thing.mark = file_.MarkOf(kind, id);
+  }
   /// Ids of the bodies, parents before children.
   const std::vector<int>& bodies() const { return bodies_; }
   /// The index of a body in bodies().
@@ -36,8 +42,7 @@ class Taken {
  private:
   using Id = std::pair<int, int>;  // kind, id
 
-  template <typename BodyOf>
-  void AddAll(mjtObj kind, int count, BodyOf body_of);
+  void AddAll(mjtObj kind, int count, const int* bodies);
   void NameUnnamed();
 
   const CompiledFile& file_;

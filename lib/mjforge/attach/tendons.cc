@@ -11,51 +11,26 @@ namespace {
 constexpr compiled::ArrayField kRgba[] = {{"rgba", &mjModel::tendon_rgba, 4, {{0.5, 0.5, 0.5, 1}}}};
 
 /// Adds what a tendon passes, one element each.
-class Wraps {
- public:
-  Wraps(SectionReader& sections, int tendon, std::string_view tag)
-      : sections_(sections),
-        m_(sections.model()),
-        begin_(m_.tendon_adr[tendon]),
-        end_(begin_ + m_.tendon_num[tendon]),
-        info_(*spec::FindSection("tendon")->Find(tag)) {}
-
-  std::vector<Reference> References() const {
-    std::vector<Reference> references;
-    for (int i = begin_; i < end_; ++i) {
-      const compiled::Wrap wrap = compiled::WrapAt(m_, i);
-      references.push_back({wrap.kind, wrap.object});
-      references.push_back({mjOBJ_SITE, wrap.side});
+void WritePath(const SectionReader& sections, int id, const spec::ElementInfo& info,
+               model::Element& tendon) {
+  const mjModel& m = sections.model();
+  for (int i = m.tendon_adr[id]; i < m.tendon_adr[id] + m.tendon_num[id]; ++i) {
+    const auto [tag, kind, object, side] = compiled::WrapAt(m, i);
+    const auto child = std::ranges::find(info.children, tag, &spec::ElementInfo::name);
+    if (child == info.children.end()) continue;
+    model::Element& wrap = tendon.children.emplace_back();
+    wrap.tag = child->name;
+    wrap.mark = tendon.mark;
+    Attributes attributes(*child, wrap.attributes);
+    if (tag == "pulley") {
+      attributes.Number("divisor", m.wrap_prm[i]);
+      continue;
     }
-    return references;
+    attributes.Text(tag, sections.NameOf({kind, object}));
+    if (side >= 0) attributes.Text("sidesite", sections.NameOf({mjOBJ_SITE, side}));
+    if (tag == "joint") attributes.Number("coef", m.wrap_prm[i]);
   }
-
-  void Write(model::Element& tendon) const {
-    for (int i = begin_; i < end_; ++i) {
-      const auto [tag, kind, object, side] = compiled::WrapAt(m_, i);
-      const auto info = std::ranges::find(info_.children, tag, &spec::ElementInfo::name);
-      if (info == info_.children.end()) continue;
-      model::Element& wrap = tendon.children.emplace_back();
-      wrap.tag = info->name;
-      wrap.mark = tendon.mark;
-      Attributes attributes(*info, wrap.attributes);
-      if (tag == "pulley") {
-        attributes.Number("divisor", m_.wrap_prm[i]);
-        continue;
-      }
-      attributes.Text(tag, sections_.NameOf({kind, object}));
-      if (side >= 0) attributes.Text("sidesite", sections_.NameOf({mjOBJ_SITE, side}));
-      if (tag == "joint") attributes.Number("coef", m_.wrap_prm[i]);
-    }
-  }
-
- private:
-  SectionReader& sections_;
-  const mjModel& m_;
-  int begin_;
-  int end_;
-  const spec::ElementInfo& info_;
-};
+}
 
 }  // namespace
 
@@ -64,18 +39,22 @@ void ReadTendons(SectionReader& sections, AssetReader& assets) {
   for (int i = 0; i < m.ntendon; ++i) {
     const bool fixed = m.wrap_type[m.tendon_adr[i]] == mjWRAP_JOINT;
     const std::string_view tag = fixed ? "fixed" : "spatial";
-    const Wraps wraps(sections, i, tag);
-    model::Element* tendon = sections.Add("tendon", tag, mjOBJ_TENDON, i, wraps.References());
-    if (tendon == nullptr) continue;
-    Attributes attributes = SectionReader::Of("tendon", *tendon);
-    attributes.Read(m, mjOBJ_TENDON, i);
-    if (!fixed) {
-      attributes.Number("width", m.tendon_width[i], 0.003);
-      const std::string material = assets.MaterialName(m.tendon_matid[i]);
-      if (!material.empty()) attributes.Text("material", material);
-      attributes.Read(m, kRgba, i);
+    std::vector<Reference> references;
+    for (int k = 0; k < m.tendon_num[i]; ++k) {
+      const compiled::Wrap wrap = compiled::WrapAt(m, m.tendon_adr[i] + k);
+      references.push_back({wrap.kind, wrap.object});
+      references.push_back({mjOBJ_SITE, wrap.side});
     }
-    wraps.Write(*tendon);
+    auto tendon = sections.Add("tendon", tag, mjOBJ_TENDON, i, references);
+    if (!tendon) continue;
+    tendon->attributes.Read(m, mjOBJ_TENDON, i);
+    if (!fixed) {
+      tendon->attributes.Number("width", m.tendon_width[i], 0.003);
+      const std::string material = assets.MaterialName(m.tendon_matid[i]);
+      if (!material.empty()) tendon->attributes.Text("material", material);
+      tendon->attributes.Read(m, kRgba, i);
+    }
+    WritePath(sections, i, *spec::FindSection("tendon")->Find(tag), tendon->element);
   }
 }
 

@@ -15,13 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-bool IsInclude(const char* tag) {  // MuJoCo does not mind the case
-  std::string word(tag);
-  for (char& c : word) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return word == "include";
-}
+/// Elements nested deeper than this are refused; MuJoCo 2.2's XML reader stops at 100.
+constexpr int kMostDepth = 1000;
 
 /// Where the lines of a text start, for marks.
 class Lines {
@@ -71,7 +66,7 @@ class TreeReader {
     pugi::xml_document document;
     Parse(source, document);
     open_.push_back(main_);
-    read_[Key(main_)] = {};
+    read_[CanonicalName(main_)] = {};
     XmlElement root;
     if (!Convert(document.document_element(), Lines(source, sources_.Text(source)), 1, root)) {
       return std::nullopt;
@@ -80,12 +75,6 @@ class TreeReader {
   }
 
  private:
-  static std::string Key(const fs::path& file) {
-    std::error_code error;
-    const fs::path whole = fs::weakly_canonical(file, error);
-    return error ? file.string() : whole.string();
-  }
-
   void Parse(std::uint32_t source, pugi::xml_document& document) const {
     const std::string& text = sources_.Text(source);
     document.load_buffer(text.data(), text.size());
@@ -109,7 +98,7 @@ class TreeReader {
     bool good = true;
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() != pugi::node_element) continue;
-      if (IsInclude(child.name())) {
+      if (engine::LowerCase(child.name()) == "include") {  // MuJoCo does not mind the case
         good = Include(child, lines.MarkOf(child), depth, out) && good;
       } else {
         good = Convert(child, lines, depth + 1, out.children.emplace_back()) && good;
@@ -144,7 +133,7 @@ class TreeReader {
                      ? fmt::format("files are searched for in the folder of '{}'", main_.string())
                      : "");
     }
-    read_[Key(file)] = place;
+    read_[CanonicalName(file)] = place;
     const std::uint32_t source = sources_.Add(file.string(), *std::move(text));
     if (const auto fault = engine::WhyNotXml(sources_.Text(source))) {
       return Bad(place, fmt::format("includes '{}', which is {}", name, fault->message), {},
@@ -163,9 +152,9 @@ class TreeReader {
   }
 
   bool IsNew(const fs::path& file, const std::string& name, diag::SourceMark place) {
-    const std::string key = Key(file);
+    const std::string key = CanonicalName(file);
     for (const fs::path& open : open_) {
-      if (Key(open) != key) continue;
+      if (CanonicalName(open) != key) continue;
       return Bad(place, fmt::format("includes '{}', which is already open: a cycle", name));
     }
     const auto found = read_.find(key);
@@ -183,6 +172,12 @@ class TreeReader {
 };
 
 }  // namespace
+
+std::string CanonicalName(const fs::path& file) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  return error ? file.string() : whole.string();
+}
 
 std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sources& sources,
                                   diag::Findings& findings) {

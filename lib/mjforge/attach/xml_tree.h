@@ -30,8 +30,8 @@ struct XmlElement {
   std::string Description() const;
 };
 
-/// Elements nested deeper than this are refused; MuJoCo 2.2's XML reader stops at 100.
-inline constexpr int kMostDepth = 1000;
+/// A file by its canonical path, if it has one: the same for all names of a file.
+std::string CanonicalName(const std::filesystem::path& file);
 
 /// Reads the file with everything it includes into `sources`; nothing after an error. Findings have
 /// only notes; their place, in the spec, is set later.
