@@ -22,7 +22,6 @@ constexpr std::size_t kMostLinesOfFunction = 40;
 
 // What is still longer, as lines of the file's longest function. It may only get shorter.
 const std::map<std::string, std::size_t> kLongFunctions = {
-    {"lib/mjforge/physics/behaviour.cc", 48},
     {"lib/mjforge/report/bar_chart.cc", 42},
 };
 

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
+#include <utility>
+
+#include "mjforge/physics/drive.h"
+#include "mjforge/physics/settle.h"
 
 namespace mjforge::physics {
 namespace {
@@ -11,177 +16,193 @@ namespace {
 using diag::Code;
 
 constexpr const char* kHarderContacts = "use harder contacts: a smaller solref, solimp closer to 1";
+constexpr const char* kInTheWay = "use a shorter range, make room, or add `contact: exclude`";
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// A joint's distance for people: degrees of hinges and balls, millimetres of slides.
-std::string Distance(const mjModel& m, int joint, double value) {
-  if (m.jnt_type[joint] == mjJNT_SLIDE) return fmt::format("{:.3g} mm", 1000 * value);
-  return fmt::format("{:.3g} deg", kDegrees * value);
-}
+// MuJoCo steps any model; what comes of steps that are longer than a fall says nothing.
+constexpr double kShortestStep = 1e-5;  // s
+constexpr double kLongestStep = 0.02;   // s; from 2 mm above the floor things fall for 0.02 s
+constexpr double kMostSteps = 1e7;
+
+class Behaviour {
+ public:
+  Behaviour(mjModel& m, Workspace& workspace, const model::Object& object, diag::SourceMark mark,
+            Verdict& verdict)
+      : m_(m), workspace_(workspace), object_(object), mark_(mark), verdict_(verdict) {}
+
+  void Check(Result& result) {
+    if (!CanStep()) return;
+    const Trouble trouble = Drop(result);
+    for (const std::string& warning : trouble.warnings) {
+      verdict_.Error(Code::kPhysicsUnstable, mark_,
+                     fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
+                     trouble.blown_up ? "use a smaller timestep, softer contacts, or larger masses "
+                                        "and inertias for its forces"
+                                      : "");
+    }
+    if (trouble.blown_up) return;
+    ReportDrop(trouble, result);
+    for (const Driven& driven : DriveJoints(m_, workspace_.For(m_))) {
+      result.joints.push_back(driven.measured);
+      ReportJoint(driven);
+    }
+  }
+
+ private:
+  bool CanStep() {
+    const double timestep = m_.opt.timestep;
+    const double time = verdict_.checks().settle_time;
+    if (timestep >= kShortestStep && timestep <= kLongestStep && time / timestep <= kMostSteps) {
+      return true;
+    }
+    verdict_.Error(
+        Code::kPhysicsUnstable, mark_,
+        fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s", object_.name, time,
+                    timestep),
+        fmt::format("use a timestep of {:g} to {:g} s and a settle_time of at most {:g} steps",
+                    kShortestStep, kLongestStep, kMostSteps));
+    return false;
+  }
+
+  Trouble Drop(Result& result) {
+    for (;;) {
+      mjData& d = workspace_.For(m_);
+      Trouble trouble = Settle(m_, d, verdict_.checks(), result);
+      // Without room for its contacts it would have fallen through the floor.
+      if (!MakeRoom(m_, d)) return trouble;
+      result = {};
+    }
+  }
+
+  /// An error if the value is above the limit. `text` has places for the object's name {0} and, in
+  /// units of 1 / scale, for value {1} and limit {2}.
+  void ReportAbove(Code code, double value, double limit, double scale, const char* text,
+                   const char* hint) {
+    if (!(value > limit)) return;
+    verdict_.Error(code, mark_,
+                   fmt::format(fmt::runtime(text), object_.name,
+                               NumberBeyond(scale * value, scale * limit), scale * limit),
+                   hint);
+  }
+
+  void ReportDrop(const Trouble& trouble, const Result& result) {
+    const model::Checks& checks = verdict_.checks();
+    ReportAbove(Code::kPhysicsGainsEnergy, result.energy_gain, checks.energy_gain, 1,
+                "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2:g}",
+                "look for parts that push each other apart, springs, or actuators");
+    if (!result.at_rest && result.dropped && result.ncon == 0) {
+      verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
+                       fmt::format("'{}' touches nothing for {:g} s and ends at {:.3g} m/s",
+                                   object_.name, result.time, result.speed),
+                       "check gravity and the contact bits (contype, conaffinity)");
+    } else if (!result.at_rest && result.dropped) {
+      verdict_.Warning(
+          Code::kPhysicsNotAtRest, mark_,
+          fmt::format("'{}' still moves after {:g} s: body '{}' at {:.3g} m/s, {:.3g} mm "
+                      "from where it began",
+                      object_.name, result.time, trouble.fastest, result.speed, 1000 * trouble.way),
+          "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
+    }
+    ReportAbove(Code::kPhysicsPenetrates, result.penetration, checks.penetration, 1000,
+                "contacts get {1} mm deep as '{0}' lands, more than {2:g} mm", kHarderContacts);
+    ReportAbove(Code::kPhysicsSinks, result.sink, checks.sink, 1000,
+                "contacts are {1} mm deep when '{0}' has settled, more than {2:g} mm",
+                kHarderContacts);
+    if (checks.stable) {
+      ReportAbove(Code::kPhysicsTopples, result.tilt, checks.tilt, kDegrees,
+                  "'{0}' topples: it leans over by {1} deg, more than {2:.3g} deg",
+                  "give it a wider foot or a lower centre of mass");
+    }
+    ReportAbove(Code::kPhysicsDrifts, result.drift, checks.drift, 1000,
+                "'{0}' moves {1} mm along the floor, more than {2:g} mm",
+                "give it a level foot or more friction");
+  }
+
+  void ReportJoint(const Driven& driven) {
+    const Result::Joint& joint = driven.measured;
+    if (driven.blown_up) {
+      ErrorOf(joint, Code::kPhysicsUnstable,
+              fmt::format("the simulation diverges as joint '{}' is driven", joint.name));
+      return;
+    }
+    ReportLimits(driven);
+    ReportObstacles(driven);
+    if (joint.return_error > verdict_.checks().joint_return * driven.range) {
+      ErrorOf(joint, Code::kPhysicsJointNotBack,
+              fmt::format("joint '{}' does not come back: it ends {} from where it started",
+                          joint.name, Distance(driven.joint, joint.return_error)));
+    }
+  }
+
+  void ReportLimits(const Driven& driven) {
+    const Result::Joint& joint = driven.measured;
+    const double most = verdict_.checks().joint_overshoot * driven.range;
+    const std::string range = Distance(driven.joint, driven.range);
+    if (driven.outside > most) {
+      ErrorOf(joint, Code::kPhysicsJointOvershoots,
+              fmt::format("joint '{}' begins {} outside its range of {}", joint.name,
+                          Distance(driven.joint, driven.outside), range),
+              "use a range that contains zero, or a pose (`ref`) within the range");
+    } else if (joint.overshoot > most) {
+      ErrorOf(joint, Code::kPhysicsJointOvershoots,
+              fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
+                          Distance(driven.joint, joint.overshoot), range),
+              "use a harder limit: a smaller solreflimit, solimplimit closer to 1");
+    }
+  }
+
+  void ReportObstacles(const Driven& driven) {
+    const model::Checks& checks = verdict_.checks();
+    const Result::Joint& joint = driven.measured;
+    if (joint.penetration > checks.joint_penetration) {
+      ErrorOf(joint, Code::kPhysicsJointCollides,
+              fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {:.3g} mm into each "
+                          "other, at {}",
+                          joint.name, driven.body1, driven.body2, 1000 * joint.penetration,
+                          Distance(driven.joint, driven.where)),
+              kInTheWay);
+    }
+    if (!(joint.reach < checks.joint_reach)) return;
+    const bool collide = !driven.body1.empty();
+    ErrorOf(joint, Code::kPhysicsJointBlocked,
+            fmt::format("joint '{}' reaches only {:.3g} % of its range of {}", joint.name,
+                        100 * joint.reach, Distance(driven.joint, driven.range)) +
+                (collide ? fmt::format(": '{}' and '{}' collide", driven.body1, driven.body2) : ""),
+            collide ? kInTheWay
+                    : "it is held back by something that an equality or a tendon couples it to");
+  }
+
+  diag::SourceMark MarkOf(const std::string& joint) const {
+    for (const model::Body& body : object_.bodies) {
+      const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);
+      if (found != body.joints.end() && found->mark) return found->mark;
+    }
+    return mark_;
+  }
+
+  void ErrorOf(const Result::Joint& joint, Code code, std::string message, const char* hint = "") {
+    verdict_.Error(code, MarkOf(joint.name), std::move(message), hint);
+  }
+
+  /// A joint's distance for people: degrees of hinges and balls, millimetres of slides.
+  std::string Distance(int joint, double value) const {
+    if (m_.jnt_type[joint] == mjJNT_SLIDE) return fmt::format("{:.3g} mm", 1000 * value);
+    return fmt::format("{:.3g} deg", kDegrees * value);
+  }
+
+  mjModel& m_;
+  Workspace& workspace_;
+  const model::Object& object_;
+  diag::SourceMark mark_;
+  Verdict& verdict_;
+};
 
 }  // namespace
 
-diag::SourceMark Behaviour::MarkOf(std::string_view joint) const {
-  for (const model::Body& body : object_.bodies) {
-    const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);
-    if (found != body.joints.end() && found->mark) return found->mark;
-  }
-  return mark_;
-}
-
-Trouble Behaviour::Drop(Result& result) {
-  for (;;) {
-    mjData& d = workspace_.For(m_);
-    Trouble trouble = Settle(m_, d, verdict_.checks(), result);
-    // Without room for its contacts it would have fallen through the floor.
-    if (!IsCrowded(d) || !MakeRoom(m_)) return trouble;
-    result = {};
-  }
-}
-
-// MuJoCo steps any model; what comes of steps that are longer than a fall says nothing.
-bool Behaviour::CanStep() {
-  constexpr double kShortest = 1e-5;  // s
-  constexpr double kLongest = 0.02;   // s; from 2 mm above the floor things fall for 0.02 s
-  constexpr double kMostSteps = 1e7;
-  const double timestep = m_.opt.timestep;
-  const double steps = verdict_.checks().settle_time / timestep;
-  if (timestep >= kShortest && timestep <= kLongest && steps <= kMostSteps) return true;
-  verdict_.Error(
-      Code::kPhysicsUnstable, mark_,
-      fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s", object_.name,
-                  verdict_.checks().settle_time, timestep),
-      fmt::format("use a timestep of {:g} to {:g} s and a settle_time of at most {:g} steps",
-                  kShortest, kLongest, kMostSteps));
-  return false;
-}
-
-void Behaviour::Check(Result& result) {
-  if (!CanStep()) return;
-  const Trouble trouble = Drop(result);
-  ReportDrop(trouble, result);
-  if (trouble.blown_up) return;
-  for (const Driven& driven : DriveJoints(m_, workspace_.For(m_))) {
-    result.joints.push_back(driven.measured);
-    ReportJoint(driven);
-  }
-}
-
-void Behaviour::ReportDrop(const Trouble& trouble, const Result& result) {
-  for (const std::string& warning : trouble.warnings) {
-    verdict_.Error(Code::kPhysicsUnstable, mark_,
-                   fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
-                   trouble.blown_up ? "use a smaller timestep, softer contacts, or larger masses "
-                                      "and inertias for its forces"
-                                    : "");
-  }
-  if (trouble.blown_up) return;
-  const model::Checks& checks = verdict_.checks();
-  if (result.energy_gain > checks.energy_gain) {
-    verdict_.Error(Code::kPhysicsGainsEnergy, mark_,
-                   fmt::format("'{}' gains energy as it settles: {} of mass * gravity * size, "
-                               "more than {:g}",
-                               object_.name, NumberBeyond(result.energy_gain, checks.energy_gain),
-                               checks.energy_gain),
-                   "look for parts that push each other apart, springs, or actuators");
-  }
-  if (!result.at_rest && result.dropped && result.ncon == 0) {
-    verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
-                     fmt::format("'{}' touches nothing for {:g} s and ends at {:.3g} m/s",
-                                 object_.name, result.time, result.speed),
-                     "check gravity and the contact bits (contype, conaffinity)");
-  } else if (!result.at_rest && result.dropped) {
-    verdict_.Warning(
-        Code::kPhysicsNotAtRest, mark_,
-        fmt::format("'{}' still moves after {:g} s: body '{}' at {:.3g} m/s, {:.3g} mm "
-                    "from where it began",
-                    object_.name, result.time, trouble.fastest, result.speed, 1000 * trouble.way),
-        "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
-  }
-  if (result.penetration > checks.penetration) {
-    verdict_.Error(Code::kPhysicsPenetrates, mark_,
-                   fmt::format("contacts get {} mm deep as '{}' lands, more than {:g} mm",
-                               NumberBeyond(1000 * result.penetration, 1000 * checks.penetration),
-                               object_.name, 1000 * checks.penetration),
-                   kHarderContacts);
-  }
-  if (result.sink > checks.sink) {
-    verdict_.Error(Code::kPhysicsSinks, mark_,
-                   fmt::format("contacts are {} mm deep when '{}' has settled, more than {:g} mm",
-                               NumberBeyond(1000 * result.sink, 1000 * checks.sink), object_.name,
-                               1000 * checks.sink),
-                   kHarderContacts);
-  }
-  ReportPose(result);
-}
-
-void Behaviour::ReportPose(const Result& result) {
-  const model::Checks& checks = verdict_.checks();
-  if (checks.stable && result.tilt > checks.tilt) {
-    verdict_.Error(
-        Code::kPhysicsTopples, mark_,
-        fmt::format("'{}' topples: it leans over by {} deg, more than {:.3g} deg", object_.name,
-                    NumberBeyond(kDegrees * result.tilt, kDegrees * checks.tilt),
-                    kDegrees * checks.tilt),
-        "give it a wider foot or a lower centre of mass");
-  }
-  if (result.drift > checks.drift) {
-    verdict_.Error(
-        Code::kPhysicsDrifts, mark_,
-        fmt::format("'{}' moves {} mm along the floor, more than {:g} mm", object_.name,
-                    NumberBeyond(1000 * result.drift, 1000 * checks.drift), 1000 * checks.drift),
-        "give it a level foot or more friction");
-  }
-}
-
-void Behaviour::ReportJoint(const Driven& driven) {
-  const model::Checks& checks = verdict_.checks();
-  const Result::Joint& joint = driven.measured;
-  const diag::SourceMark mark = MarkOf(joint.name);
-  if (driven.blown_up) {
-    verdict_.Error(Code::kPhysicsUnstable, mark,
-                   fmt::format("the simulation diverges as joint '{}' is driven", joint.name));
-    return;
-  }
-  if (driven.outside > checks.joint_overshoot * driven.range) {
-    verdict_.Error(Code::kPhysicsJointOvershoots, mark,
-                   fmt::format("joint '{}' begins {} outside its range of {}", joint.name,
-                               Distance(m_, driven.joint, driven.outside),
-                               Distance(m_, driven.joint, driven.range)),
-                   "use a range that contains zero, or a pose (`ref`) within the range");
-  } else if (joint.overshoot > checks.joint_overshoot * driven.range) {
-    verdict_.Error(Code::kPhysicsJointOvershoots, mark,
-                   fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
-                               Distance(m_, driven.joint, joint.overshoot),
-                               Distance(m_, driven.joint, driven.range)),
-                   "use a harder limit: a smaller solreflimit, solimplimit closer to 1");
-  }
-  if (joint.penetration > checks.joint_penetration) {
-    verdict_.Error(
-        Code::kPhysicsJointCollides, mark,
-        fmt::format(
-            "driving joint '{}' pushes bodies '{}' and '{}' {:.3g} mm into each other, at {}",
-            joint.name, driven.body1, driven.body2, 1000 * joint.penetration,
-            Distance(m_, driven.joint, driven.where)),
-        "use a shorter range, make room, or add `contact: exclude`");
-  }
-  if (joint.reach < checks.joint_reach) {
-    verdict_.Error(Code::kPhysicsJointBlocked, mark,
-                   fmt::format("joint '{}' reaches only {:.3g} % of its range of {}{}", joint.name,
-                               100 * joint.reach, Distance(m_, driven.joint, driven.range),
-                               driven.body1.empty() ? std::string()
-                                                    : fmt::format(": '{}' and '{}' collide",
-                                                                  driven.body1, driven.body2)),
-                   driven.body1.empty()
-                       ? "it is held back by something that an equality or a tendon couples it to"
-                       : "use a shorter range, make room, or add `contact: exclude`");
-  }
-  if (joint.return_error > checks.joint_return * driven.range) {
-    verdict_.Error(Code::kPhysicsJointNotBack, mark,
-                   fmt::format("joint '{}' does not come back: it ends {} from where it started",
-                               joint.name, Distance(m_, driven.joint, joint.return_error)));
-  }
+void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
+                    diag::SourceMark mark, Verdict& verdict, Result& result) {
+  Behaviour(m, workspace, object, mark, verdict).Check(result);
 }
 
 }  // namespace mjforge::physics

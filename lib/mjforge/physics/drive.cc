@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
@@ -77,8 +78,8 @@ std::vector<Path> PathsOf(const mjModel& m, int joint) {
     const double zero = m.qpos0[m.jnt_qposadr[joint]];
     return {{joint, 0, range->limited, range->low - zero, range->high - zero}};
   }
-  const double most = range->limited ? range->high : 0.9 * range->high;  // half a turn has no way
   const bool limited = range->limited;
+  const double most = limited ? range->high : 0.9 * range->high;  // half a turn has no way
   return {{joint, 0, limited, -most, most},
           {joint, 1, limited, -most, most},
           {joint, 2, limited, -most, most}};
@@ -86,11 +87,12 @@ std::vector<Path> PathsOf(const mjModel& m, int joint) {
 
 class Driver {
  public:
-  Driver(mjModel& m, mjData& d) : m_(m), d_(d), coupled_(Index(m.njnt)), inertia_(Index(m.nv)) {
+  Driver(const mjModel& m, mjData& d)
+      : m_(m), d_(d), coupled_(Index(m.njnt)), inertia_(Index(m.nv)) {
     for (int i = 0; i < m.neq; ++i) {
       if (m.eq_type[i] != mjEQ_JOINT) {
-        std::fill(coupled_.begin(), coupled_.end(),
-                  true);  // a weld, a loop: anything may have to move along
+        // A weld, a loop: anything may have to move along.
+        std::fill(coupled_.begin(), coupled_.end(), true);
         break;
       }
       Couple(m.eq_obj1id[i]);
@@ -172,7 +174,6 @@ class Driver {
   double InertiaOf(int dof) {
     const double held = d_.qM[m_.dof_Madr[dof]];
     const double force = held;  // for an acceleration of about 1
-    double effective = held;
     mj_forward(&m_, &d_);
     const double idle = d_.qacc[dof];
     double gained = 0;
@@ -182,8 +183,7 @@ class Driver {
       gained = std::max(gained, sign * (d_.qacc[dof] - idle));
     }
     d_.qfrc_applied[dof] = 0;
-    if (gained > 0) effective = force / gained;
-    return std::max(held, effective);
+    return gained > 0 ? std::max(held, force / gained) : held;
   }
 
   void SetForces(const Path& path, const Move& target) {
@@ -269,7 +269,7 @@ class Driver {
     }
   }
 
-  mjModel& m_;
+  const mjModel& m_;
   mjData& d_;
   std::vector<bool> coupled_;  // joints that other elements may move along
   std::vector<Coupling> couplings_;
@@ -279,60 +279,42 @@ class Driver {
   double highest_ = 0;
 };
 
-/// The model without gravity, passive forces, floor and loose roots, as long as this lives.
-class Held {
- public:
-  explicit Held(mjModel& m)
-      : m_(m),
-        armature_(m.dof_armature, m.dof_armature + m.nv),
-        contype_(m.geom_contype, m.geom_contype + m.ngeom),
-        conaffinity_(m.geom_conaffinity, m.geom_conaffinity + m.ngeom),
-        disabled_(m.opt.disableflags) {
-    // Springs, friction and actuators have no part in where a joint can go.
-    m.opt.disableflags |= mjDSBL_GRAVITY | mjDSBL_PASSIVE | mjDSBL_FRICTIONLOSS | mjDSBL_ACTUATION;
-    for (int i = 0; i < m.njnt; ++i) {
-      if (m.jnt_type[i] != mjJNT_FREE) continue;
-      const int body = m.jnt_bodyid[i];
-      double size = 0;
-      for (int geom = 0; geom < m.ngeom; ++geom) {
-        if (m.body_rootid[m.geom_bodyid[geom]] == body) size = std::max(size, m.geom_rbound[geom]);
-      }
-      const double mass = kHeld * m.body_subtreemass[body];
-      for (int k = 0; k < 6; ++k)
-        m.dof_armature[m.jnt_dofadr[i] + k] += k < 3 ? mass : mass * size * size;
+/// The model without gravity, passive forces, floor and loose roots.
+engine::Model Hold(const mjModel& model) {
+  engine::Model held(mj_copyModel(nullptr, &model));
+  mjModel& m = *held;
+  // Springs, friction and actuators have no part in where a joint can go.
+  m.opt.disableflags |= mjDSBL_GRAVITY | mjDSBL_PASSIVE | mjDSBL_FRICTIONLOSS | mjDSBL_ACTUATION;
+  for (int i = 0; i < m.njnt; ++i) {
+    if (m.jnt_type[i] != mjJNT_FREE) continue;
+    const int body = m.jnt_bodyid[i];
+    double size = 0;
+    for (int geom = 0; geom < m.ngeom; ++geom) {
+      if (m.body_rootid[m.geom_bodyid[geom]] == body) size = std::max(size, m.geom_rbound[geom]);
     }
-    for (int i = 0; i < m.ngeom; ++i) {
-      if (m.geom_bodyid[i] == 0 && m.geom_type[i] == mjGEOM_PLANE)
-        m.geom_contype[i] = m.geom_conaffinity[i] = 0;
-    }
+    const double mass = kHeld * m.body_subtreemass[body];
+    for (int k = 0; k < 6; ++k)
+      m.dof_armature[m.jnt_dofadr[i] + k] += k < 3 ? mass : mass * size * size;
   }
-  ~Held() {
-    std::ranges::copy(armature_, m_.dof_armature);
-    std::ranges::copy(contype_, m_.geom_contype);
-    std::ranges::copy(conaffinity_, m_.geom_conaffinity);
-    m_.opt.disableflags = disabled_;
+  for (int i = 0; i < m.ngeom; ++i) {
+    if (m.geom_bodyid[i] == 0 && m.geom_type[i] == mjGEOM_PLANE)
+      m.geom_contype[i] = m.geom_conaffinity[i] = 0;
   }
-  Held(const Held&) = delete;
-  Held& operator=(const Held&) = delete;
-
- private:
-  mjModel& m_;
-  std::vector<mjtNum> armature_;
-  std::vector<int> contype_;
-  std::vector<int> conaffinity_;
-  int disabled_;
-};
+  return held;
+}
 
 }  // namespace
 
-std::vector<Driven> DriveJoints(mjModel& m, mjData& d) {
-  std::vector<Driven> all;
-  const Held held(m);
-  Driver driver(m, d);
+std::vector<Driven> DriveJoints(const mjModel& m, mjData& d) {
+  std::vector<int> joints;
   for (int joint = 0; joint < m.njnt; ++joint) {
-    if (PathsOf(m, joint).empty()) continue;
-    all.push_back(driver.Run(joint));
+    if (!PathsOf(m, joint).empty()) joints.push_back(joint);
   }
+  std::vector<Driven> all;
+  if (joints.empty()) return all;
+  const engine::Model held = Hold(m);
+  Driver driver(*held, d);
+  for (const int joint : joints) all.push_back(driver.Run(joint));
   return all;
 }
 

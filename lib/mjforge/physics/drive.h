@@ -27,8 +27,8 @@ struct Driven {
 /// ends and is left out. A force makes the joint follow smooth moves of half a second; it accounts
 /// for the inertia that it has to move, but not for obstacles. Free bodies are held, other joints
 /// stay where they are unless something couples them to this one, and there is no gravity, no
-/// floor, and no friction, spring or actuator in joints. Changes the model meanwhile and restores
-/// it. `d` is its data. May throw std::exception.
-std::vector<Driven> DriveJoints(mjModel& m, mjData& d);
+/// floor, and no friction, spring or actuator in joints. `d` is the model's data. May throw
+/// std::exception.
+std::vector<Driven> DriveJoints(const mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

@@ -1,7 +1,7 @@
 #include "mjforge/physics/floor.h"
 
 #include <algorithm>
-#include <array>
+#include <variant>
 
 #include "mjforge/compiled/compiled.h"
 
@@ -9,11 +9,6 @@ namespace mjforge::physics {
 namespace {
 
 constexpr double kClearance = 0.002;  // m
-
-template <std::size_t n>
-void Set(mjtNum* numbers, int id, const std::array<double, n>& values) {
-  std::ranges::copy(values, numbers + static_cast<std::ptrdiff_t>(n) * id);
-}
 
 /// The lowest point of all that can collide; planes have none.
 double LowestPoint(const mjModel& m) {
@@ -32,17 +27,18 @@ double DropHeight(const mjModel& m) {
 }
 
 void LevelFloor(mjModel& m, int geom) {
-  m.geom_contype[geom] = m.geom_conaffinity[geom] = 1;
-  m.geom_condim[geom] = 3;
-  m.geom_priority[geom] = 0;
-  m.geom_solmix[geom] = 1;
-  m.geom_margin[geom] = m.geom_gap[geom] = 0;
-  Set<3>(m.geom_friction, geom, {1, 0.005, 0.0001});
-  Set<mjNREF>(m.geom_solref, geom, {0.02, 1});
-  Set<mjNIMP>(m.geom_solimp, geom, {0.9, 0.95, 0.001, 0.5, 2});
-  Set<4>(m.geom_quat, geom, {1, 0, 0, 0});
+  for (const compiled::ArrayField& field : compiled::ArrayFields(mjOBJ_GEOM)) {
+    if (field.variable != nullptr) continue;  // user data
+    std::visit(
+        [&](auto array) {
+          std::copy_n(field.usual->begin(), field.count, m.*array + field.count * geom);
+        },
+        field.array);
+  }
   m.geom_sameframe[geom] = 0;
-  Set<3>(m.geom_pos, geom, {0, 0, LowestPoint(m) - DropHeight(m)});
+  mju_unit4(m.geom_quat + 4 * geom);
+  const mjtNum pos[] = {0, 0, LowestPoint(m) - DropHeight(m)};
+  mju_copy3(m.geom_pos + 3 * geom, pos);
 }
 
 }  // namespace mjforge::physics

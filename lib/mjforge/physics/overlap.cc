@@ -16,20 +16,16 @@ bool Meet(const model::Box3& a, const model::Box3& b) {
 }
 
 // Points in the box of a solid in its own frame, from a sequence that fills it evenly.
-class PointsIn {
- public:
-  explicit PointsIn(const model::Part& solid)
-      : box_(model::BoundsOf(solid.shape, {})), sequence_(3) {}
-  Eigen::Vector3d Next() {
-    Eigen::Vector3d share;
-    for (double& number : share) number = std::ldexp(static_cast<double>(sequence_()), -64);
-    return box_.min + share.cwiseProduct(box_.max - box_.min);
+std::vector<Eigen::Vector3d> PointsIn(const model::Part& solid) {
+  const model::Box3 box = model::BoundsOf(solid.shape, {});
+  boost::random::sobol sequence(3);
+  std::vector<Eigen::Vector3d> points(kPoints);
+  for (Eigen::Vector3d& p_G : points) {
+    for (double& number : p_G) number = std::ldexp(static_cast<double>(sequence()), -64);
+    p_G = box.min + p_G.cwiseProduct(box.max - box.min);
   }
-
- private:
-  model::Box3 box_;
-  boost::random::sobol sequence_;
-};
+  return points;
+}
 
 }  // namespace
 
@@ -44,12 +40,10 @@ Overlap FindOverlap(const std::vector<model::Part>& parts) {
       if (Meet(boxes[i], boxes[j])) others.push_back(j);
     }
     if (others.empty() || !(solid.mass > 0)) continue;
-    PointsIn points(solid);
     int inside = 0;
     std::vector<int> shared(others.size());
     int twice = 0;
-    for (int k = 0; k < kPoints; ++k) {
-      const Eigen::Vector3d p_G = points.Next();
+    for (const Eigen::Vector3d& p_G : PointsIn(solid)) {
       if (!model::Contains(solid.shape, {}, p_G)) continue;
       ++inside;
       const Eigen::Vector3d p_B = solid.X_BG.p + solid.X_BG.q * p_G;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -69,17 +70,10 @@ void Round(Result& result) {
   }
 }
 
-/// Whether anything may fall, and has a plane to fall on.
-struct Scenery {
-  bool plane = false;
-  bool free = false;
-};
-
-Scenery SceneryOf(const mjModel& m) {
-  Scenery scenery;
-  for (int i = 0; i < m.ngeom; ++i) scenery.plane |= m.geom_type[i] == mjGEOM_PLANE;
-  for (int i = 0; i < m.njnt; ++i) scenery.free |= m.jnt_type[i] == mjJNT_FREE;
-  return scenery;
+/// Whether something may fall, and has no plane to fall on.
+bool LacksFloor(const mjModel& m) {
+  return std::count(m.jnt_type, m.jnt_type + m.njnt, mjJNT_FREE) > 0 &&
+         std::count(m.geom_type, m.geom_type + m.ngeom, mjGEOM_PLANE) == 0;
 }
 
 /// A name that no geom of the model has.
@@ -97,12 +91,8 @@ std::string WithFloor(const std::filesystem::path& file, const std::string& floo
     const std::filesystem::path here = std::filesystem::current_path(ignored);
     path = std::filesystem::path(engine::kStandardInputFile).lexically_relative(here).string();
   }
-  std::string name;
-  for (const char c : path) {
-    name += c == '&' ? std::string("&amp;") : c == '"' ? std::string("&quot;") : std::string(1, c);
-  }
-  return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)", name,
-                     FloorElement(floor));
+  return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)",
+                     engine::EscapeXml(path), FloorElement(floor));
 }
 
 }  // namespace
@@ -125,7 +115,7 @@ std::optional<Result> Laboratory::State::Examine(engine::Model model, const mode
   Verdict verdict(checks, findings);
   try {
     Result result;
-    Behaviour(*model, workspace, object, mark, verdict).Check(result);
+    CheckBehaviour(*model, workspace, object, mark, verdict, result);
     result.overlap = CheckProportions(object, mark, verdict);
     Round(result);
     return result;
@@ -173,8 +163,7 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   if (!loaded.model) return refused("", loaded, {});
   const model::Object object =
       compiled::ObjectOf(*loaded.model, start, compiled::Nameless::kNumbered);
-  const Scenery scenery = SceneryOf(*loaded.model);
-  if (scenery.free && !scenery.plane) {
+  if (LacksFloor(*loaded.model)) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     const std::string floor = FloorName(*loaded.model);
     loaded = state_->engine.LoadTextIn(folder, WithFloor(file, floor));

@@ -231,22 +231,19 @@ class Proportions {
         continue;
       }
       const double distance = DistanceTo(hard, BoxAround(part));
-      if (distance > kFar * size) ReportFar(body, part, distance, size);
+      if (!(distance > kFar * size)) continue;
+      verdict_.Warning(
+          Code::kPhysicsFarVisual, part.mark,
+          fmt::format("visual part '{}' is {:.3g} mm from all that collides of body '{}', which is "
+                      "{:.3g} mm across",
+                      part.name, 1000 * distance, body.name, 1000 * size),
+          "check its `pos` and its units; what is seen there can be neither touched nor held");
     }
     if (unseen.empty()) return;
     verdict_.Warning(Code::kPhysicsUnseen, unseen.front()->mark,
                      fmt::format("part '{}'{} of body '{}' collides where nothing is seen",
                                  unseen.front()->name, WithMore(unseen.size() - 1), body.name),
                      "a visual part there, or `role: both`");
-  }
-
-  void ReportFar(const model::Body& body, const model::Part& part, double distance, double size) {
-    verdict_.Warning(
-        Code::kPhysicsFarVisual, part.mark,
-        fmt::format("visual part '{}' is {:.3g} mm from all that collides of body '{}', which is "
-                    "{:.3g} mm across",
-                    part.name, 1000 * distance, body.name, 1000 * size),
-        "check its `pos` and its units; what is seen there can be neither touched nor held");
   }
 
   const model::Object& object_;

@@ -29,7 +29,7 @@ Ground GroundOf(const mjModel& m, const mjData& d) {
   Ground ground;
   for (int i = 0; i < m.ngeom; ++i) {
     if (m.body_weldid[m.geom_bodyid[i]] != 0) continue;
-    if (m.geom_contype[i] == 0 && m.geom_conaffinity[i] == 0) continue;
+    if (!compiled::Collides(m, i)) continue;
     const bool level = d.geom_xmat[9 * i + 8] > 1 - kLevel;
     if (m.geom_type[i] == mjGEOM_PLANE && level) {
       ++ground.planes;

@@ -9,15 +9,11 @@ namespace {
 
 constexpr int kMostContacts = 10'000;  // of 600 bytes
 
-// All numbers of mjModel that mjData's arrays depend on stand before nbuffer.
-std::span<const std::byte> SizesOf(const mjModel& m) {
-  return std::as_bytes(std::span(&m, 1)).first(offsetof(mjModel, nbuffer));
-}
-
 }  // namespace
 
 mjData& Workspace::For(const mjModel& m) {
-  const std::span<const std::byte> sizes = SizesOf(m);
+  // All numbers of mjModel that mjData's arrays depend on stand before nbuffer.
+  const auto sizes = std::as_bytes(std::span(&m, 1)).first(offsetof(mjModel, nbuffer));
   if (data_ && std::ranges::equal(sizes, sizes_)) {
     mj_resetData(&m, data_.get());
     return *data_;
@@ -28,12 +24,10 @@ mjData& Workspace::For(const mjModel& m) {
   return *data_;
 }
 
-bool IsCrowded(const mjData& d) {
-  return d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
-}
-
-bool MakeRoom(mjModel& m) {
-  if (m.nconmax >= kMostContacts) return false;
+bool MakeRoom(mjModel& m, const mjData& d) {
+  const bool crowded =
+      d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
+  if (!crowded || m.nconmax >= kMostContacts) return false;
   m.nconmax = std::min(4 * std::max(m.nconmax, 100), kMostContacts);
   m.njmax = std::max(m.njmax, 500) + 4 * m.nconmax;  // pyramids of condim 3
   // As for mjcf's sizes: linear in the contacts for a body or a few.

@@ -21,10 +21,9 @@ class Workspace {
   std::vector<std::byte> sizes_;  // of the model it was made for
 };
 
-/// Whether contacts or constraint rows ran out of room in the last steps.
-bool IsCrowded(const mjData& d);
-/// Makes more room for both; false if that would be too much. The data must then be made anew.
-bool MakeRoom(mjModel& m);
+/// Makes more room for contacts and constraint rows if one of them ran out of it in the last steps.
+/// True if it did: the data must then be made anew. False, too, if that would be too much.
+bool MakeRoom(mjModel& m, const mjData& d);
 
 /// Whether MuJoCo found numbers that are NaN or too large and reset the data.
 bool HasBlownUp(const mjData& d);
