@@ -26,9 +26,7 @@ bool ReadRole(FieldReader& reader, const spec::Entry& entry, Part& part) {
 }
 
 // Whether it is written to the MJCF element unchanged.
-bool IsAttribute(Key id) {
-  return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup;
-}
+bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
 
 bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
   return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
