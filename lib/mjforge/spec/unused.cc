@@ -9,9 +9,9 @@
 namespace mjforge::spec {
 
 void ReportUnused(const YamlNode* materials, Reading& reading) {
-  const auto& silenced = reading.spec.checks.silenced;
   // After an error, what was not read counts as unused.
   if (reading.findings.HasErrors()) return;
+  const auto& silenced = reading.spec.checks.silenced;
   if (std::ranges::find(silenced, diag::Code::kSpecUnused, &Checks::Silence::code) !=
       silenced.end()) {
     return;
