@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "child.h"
 #include "commands.h"
 #include "json.h"
 #include "mjforge/expr/expr.h"
@@ -87,7 +88,9 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
       return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
     return InspectBatch(*manifest, options.json, console);
   }
-  return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
+  return InChild(options.what, console, [&] {
+    return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
+  });
 }
 
 }  // namespace

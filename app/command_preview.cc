@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "child.h"
 #include "commands.h"
 #include "mjforge/forge/forge.h"
 #include "preview_captions.h"
@@ -197,7 +198,7 @@ Action AddPreview(CLI::App& command) {
     if (!why_not.empty()) return WrongUsage(why_not, "preview");
     if (options->output == "-" && ::isatty(STDOUT_FILENO) != 0)
       return WrongUsage("-o -: a terminal cannot show a picture", "preview");
-    return Preview(*options, console)();
+    return InChild(options->what, console, [&] { return Preview(*options, console)(); });
   };
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "child.h"
 #include "commands.h"
 #include "json.h"
 #include "mjforge/forge/forge.h"
@@ -92,13 +93,8 @@ struct Judges {
   model::Checks checks;
 };
 
-ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options, Judges& judges,
-                        const Console& console) {
-  diag::Sources sources;
-  Verdict verdict;
-  verdict.model = judges.loader.Load(file, sources, verdict.findings);
-  if (verdict.ok() && judges.laboratory)
-    verdict.physics = judges.laboratory->Examine(file, judges.checks, sources, verdict.findings);
+ExitStatus Tell(const std::string& file, Verdict verdict, const diag::Sources& sources,
+                const ValidateOptions& options, const Console& console) {
   ExitStatus status = StatusOf(verdict.findings);
   if (!verdict.model) status = Worse(status, ExitStatus::kFindings);
   const std::string name = file == "-" ? "<stdin>" : file;
@@ -108,6 +104,16 @@ ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options,
   return status;
 }
 
+ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options, Judges& judges,
+                        const Console& console) {
+  diag::Sources sources;
+  Verdict verdict;
+  verdict.model = judges.loader.Load(file, sources, verdict.findings);
+  if (verdict.ok() && judges.laboratory)
+    verdict.physics = judges.laboratory->Examine(file, judges.checks, sources, verdict.findings);
+  return Tell(file, std::move(verdict), sources, options, console);
+}
+
 ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
   Judges judges;
   if (options.physics) judges.laboratory.emplace();
@@ -115,12 +121,17 @@ ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
       forge::LoadChecks(MakeSettings(options.settings), console.sources, console.findings);
   if (!checks) return Worse(console.Tell(), ExitStatus::kFindings);
   judges.checks = *checks;
-  ExitStatus status = ExitStatus::kDone;
-  for (const std::string& file : options.files) {
+  const auto validate = [&](std::size_t i) {
+    const std::string& file = options.files[i];
     if (file == "-") IsMjcf(file);  // keeps it: it is read for every look
-    status = Worse(status, ValidateFile(file, options, judges, console));
-  }
-  return status;
+    return ValidateFile(file, options, judges, console);
+  };
+  const auto crashed = [&](std::size_t i, const std::string& end) {
+    Verdict verdict;
+    AddCrash(options.files[i], end, verdict.findings);
+    return Tell(options.files[i], std::move(verdict), {}, options, console);
+  };
+  return InChild(options.files.size(), validate, crashed);
 }
 
 }  // namespace

@@ -73,5 +73,27 @@ TEST_CASE_METHOD(BadInputTest, "a missing mesh is one finding") {
             "model/file-not-found");
 }
 
+TEST_CASE_METHOD(BadInputTest, "a file on which MuJoCo crashes is a finding, and others are read") {
+  // MuJoCo 2.2 looks up the vertex without asking whether there is one.
+  folder().Write("bad.xml",
+                 "<mujoco><asset><mesh name=\"m\" vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\" "
+                 "face=\"0 2 1 0 1 3 0 3 2 1 2 90000000\"/></asset><worldbody><body name=\"b\">"
+                 "<geom type=\"mesh\" mesh=\"m\"/></body></worldbody></mujoco>\n");
+  folder().Write("good.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>\n");
+  const std::string message = "mjforge: error: MuJoCo crashed on 'bad.xml' (";
+  const auto both = Run({"validate", "bad.xml", "good.xml"});
+  CHECK(both.status == 1);
+  CHECK(both.out.starts_with("bad.xml: failed\ngood.xml: ok"));
+  CHECK(CountOf(both.err, message) == 1);
+  const auto json = Run({"validate", "bad.xml", "--json"});
+  CHECK(json.out.find("\"ok\":false,\"findings\":[{\"severity\":\"error\"") != std::string::npos);
+  for (const char* command : {"inspect", "preview"}) {
+    const auto result = Run({command, "bad.xml"});
+    CHECK(result.status == 1);
+    CHECK(CountOf(result.err, message) == 1);
+  }
+  CHECK(folder().Files() == std::vector<std::string>{"bad.xml", "good.xml"});
+}
+
 }  // namespace
 }  // namespace mjforge

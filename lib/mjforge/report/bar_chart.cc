@@ -58,48 +58,64 @@ double Share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string TextOf(const Row& row, std::uint64_t drawn, std::uint64_t asked) {
+// How many were drawn and asked for, and the largest share of a value.
+struct Totals {
+  std::uint64_t drawn = 0;
+  std::uint64_t asked = 0;
+  double most = 1e-9;
+
+  double Width(std::uint64_t part, std::uint64_t whole) const {
+    return Share(part, whole) / most * (kBarRight - kBarLeft);
+  }
+};
+
+Totals TotalsOf(const BarChart& chart, const std::vector<Row>& rows) {
+  Totals totals{.drawn = Total(chart.drawn), .asked = Total(chart.asked)};
+  for (const Row& row : rows) {
+    totals.most =
+        std::max({totals.most, Share(row.drawn.all, totals.drawn), Share(row.asked, totals.asked)});
+  }
+  return totals;
+}
+
+std::string TextOf(const Row& row, const Totals& totals) {
   std::string text = fmt::format("{}: {} ({})", Clean(row.value, 80),
-                                 ShareText(row.drawn.all, drawn), Counted(row.drawn.all));
-  if (asked > 0) text += fmt::format(", expected {}", ShareText(row.asked, asked));
+                                 ShareText(row.drawn.all, totals.drawn), Counted(row.drawn.all));
+  if (totals.asked > 0) text += fmt::format(", expected {}", ShareText(row.asked, totals.asked));
   return text;
+}
+
+void AddRow(Dictionary& dictionary, const Row& row, const Totals& totals, double top) {
+  Dictionary& shown = Section(dictionary, "ROW");
+  Set(shown, "LABEL", Clean(row.value, kLabelBytes));
+  Set(shown, "WHOLE_LABEL", TextOf(row, totals));
+  Set(shown, "NUMBER", ShareText(row.drawn.all, totals.drawn));
+  Set(shown, "TOP", top);
+  Set(shown, "MIDDLE", top + kBar / 2);
+  Set(shown, "WIDTH", totals.Width(row.drawn.all, totals.drawn));
+  if (row.drawn.bad > 0) {
+    Dictionary& bad = Section(shown, "BAD");
+    Set(bad, "TOP", top);
+    Set(bad, "WIDTH", totals.Width(row.drawn.bad, totals.drawn));
+  }
+  if (totals.asked > 0) {
+    Set(Section(shown, "ASKED"), "PATH",
+        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarLeft, top - 1.5,
+                    kBarLeft + totals.Width(row.asked, totals.asked), kBar + 3, kBarLeft));
+  }
 }
 
 }  // namespace
 
 void AddBars(Dictionary& parent, const BarChart& chart) {
   const std::vector<Row> rows = RowsOf(chart);
-  const std::uint64_t drawn = Total(chart.drawn);
-  const std::uint64_t asked = Total(chart.asked);
-  double most = 1e-9;
-  for (const Row& row : rows)
-    most = std::max({most, Share(row.drawn.all, drawn), Share(row.asked, asked)});
-  const auto width = [&](std::uint64_t part, std::uint64_t whole) {
-    return Share(part, whole) / most * (kBarRight - kBarLeft);
-  };
+  const Totals totals = TotalsOf(chart, rows);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
   std::string description;
   double top = 4;
   for (const Row& row : rows) {
-    Dictionary& shown = Section(dictionary, "ROW");
-    const std::string text = TextOf(row, drawn, asked);
-    description += (description.empty() ? "" : "; ") + text;
-    Set(shown, "LABEL", Clean(row.value, kLabelBytes));
-    Set(shown, "WHOLE_LABEL", text);
-    Set(shown, "NUMBER", ShareText(row.drawn.all, drawn));
-    Set(shown, "TOP", top);
-    Set(shown, "MIDDLE", top + kBar / 2);
-    Set(shown, "WIDTH", width(row.drawn.all, drawn));
-    if (row.drawn.bad > 0) {
-      Dictionary& bad = Section(shown, "BAD");
-      Set(bad, "TOP", top);
-      Set(bad, "WIDTH", width(row.drawn.bad, drawn));
-    }
-    if (asked > 0) {
-      Set(Section(shown, "ASKED"), "PATH",
-          fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarLeft, top - 1.5,
-                      kBarLeft + width(row.asked, asked), kBar + 3, kBarLeft));
-    }
+    AddRow(dictionary, row, totals, top);
+    description += (description.empty() ? "" : "; ") + TextOf(row, totals);
     top += kRow;
   }
   Set(dictionary, "ID", chart.id);
