@@ -1,12 +1,9 @@
 #include "mjforge/attach/attach.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <map>
 #include <set>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/attach/body_reader.h"
+#include "mjforge/attach/finite.h"
 #include "mjforge/attach/section_reader.h"
 
 namespace mjforge::attach {
@@ -116,89 +114,6 @@ void WarnOfSkins(const CompiledFile& file, const Taken& taken, diag::Findings& f
   }
 }
 
-template <typename Array>
-std::span<const double> SpanOf(const Array& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
-/// In many places MuJoCo silently loads NaN and infinity; here each is an error.
-class FiniteCheck {
- public:
-  FiniteCheck(const fs::path& file, diag::Findings& findings) : file_(file), findings_(findings) {}
-
-  void Check(const model::Attachment& attachment) {
-    for (const model::Body& body : attachment.bodies) CheckBody(body);
-    for (const model::Section& section : attachment.sections) {
-      for (const model::Element& element : section.elements) CheckElement(element);
-    }
-    for (const model::Material& material : attachment.materials) CheckThing("material", material);
-    for (const auto& mesh : attachment.meshes) {
-      CheckThing("mesh", *mesh);
-      const auto bad = std::ranges::find_if(mesh->mesh.vertices,
-                                            [](const auto& vertex) { return !vertex.allFinite(); });
-      if (bad != mesh->mesh.vertices.end()) CheckNumbers("mesh", *mesh, "vertex", SpanOf(*bad));
-    }
-  }
-
- private:
-  using Named = std::pair<std::string_view, std::span<const double>>;
-
-  template <typename Thing>
-  void CheckNumbers(std::string_view kind, const Thing& thing, std::string_view what,
-                    std::span<const double> numbers) {
-    if (std::ranges::all_of(numbers, [](double n) { return std::isfinite(n); })) return;
-    AddError(findings_, Code::kModelBadValue, thing.mark,
-             fmt::format("{} '{}' of '{}' has a {} that is not a finite number", kind, thing.name,
-                         file_.string(), what));
-  }
-
-  /// These numbers of it, and its attributes.
-  template <typename Thing>
-  void CheckThing(std::string_view kind, const Thing& thing,
-                  std::initializer_list<Named> all = {}) {
-    for (const auto& [what, numbers] : all) CheckNumbers(kind, thing, what, numbers);
-    for (const model::Attribute& attribute : thing.attributes) {
-      CheckNumbers(kind, thing, attribute.name, SpanOf(attribute.numbers));
-    }
-  }
-
-  void CheckElement(const model::Element& element) {
-    CheckThing(element.tag, element);
-    for (const model::Element& child : element.children) {
-      for (const model::Attribute& attribute : child.attributes) {
-        CheckNumbers(element.tag, element, attribute.name, SpanOf(attribute.numbers));
-      }
-    }
-  }
-
-  void CheckBody(const model::Body& body) {
-    const auto pos = [](const model::Pose& pose) { return Named("pos", SpanOf(pose.p)); };
-    const auto quat = [](const model::Pose& pose) {
-      return Named("quat", SpanOf(pose.q.coeffs()));
-    };
-    CheckThing("body", body, {pos(body.X_PB), quat(body.X_PB)});
-    const model::MassProperties& mass = body.mass_properties;
-    CheckNumbers("body", body, "mass", {&mass.mass, 1});
-    CheckNumbers("body", body, "centre of mass", SpanOf(mass.p_FCm));
-    CheckNumbers("body", body, "inertia", SpanOf(mass.I_Cm_F));
-    for (const model::Joint& joint : body.joints) {
-      const Named range("range", joint.range ? SpanOf(*joint.range) : std::span<const double>());
-      CheckThing("joint", joint, {{"pos", SpanOf(joint.pos)}, {"axis", SpanOf(joint.axis)}, range});
-    }
-    for (const model::Part& part : body.parts) {
-      CheckThing("geom", part,
-                 {pos(part.X_BG), quat(part.X_BG), {"size", SpanOf(part.shape.size)}});
-    }
-    for (const model::Site& site : body.sites) {
-      CheckThing("site", site, {pos(site.X_BS), quat(site.X_BS), {"size", SpanOf(site.size)}});
-    }
-    for (const model::Element& element : body.elements) CheckElement(element);
-  }
-
-  const fs::path& file_;
-  diag::Findings& findings_;
-};
-
 std::unique_ptr<model::Attachment> ReadBody(const File& file, const std::string& body,
                                             diag::Findings& findings) {
   const CompiledFile& compiled = *file.compiled;
@@ -216,7 +131,7 @@ std::unique_ptr<model::Attachment> ReadBody(const File& file, const std::string&
   ReadSensors(sections);
   sections.Finish();
   WarnOfSkins(compiled, taken, findings);
-  FiniteCheck(compiled.file(), findings).Check(*attachment);
+  CheckFinite(*attachment, compiled.file(), findings);
   if (findings.HasErrors()) return nullptr;
   return attachment;
 }

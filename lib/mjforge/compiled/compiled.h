@@ -74,6 +74,9 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint);
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,
                              double angle);
 
+/// Mass, centre and inertia of a body, in its frame.
+model::MassProperties MassOf(const mjModel& m, int body);
+
 /// A body without joints and parts. The numbers of bodies leave out the world: it is -1.
 model::Body BodyOf(const mjModel& m, int id);
 model::Joint JointOf(const mjModel& m, int id);

@@ -32,16 +32,20 @@ std::string NameOf(const mjModel& m, mjtObj kind, int id) {
   return std::string(mju_type2Str(kind)) + ' ' + std::to_string(id);
 }
 
+model::MassProperties MassOf(const mjModel& m, int body) {
+  const Eigen::Matrix3d axes = QuaternionAt(m.body_iquat, body).toRotationMatrix();
+  return {.mass = m.body_mass[body],
+          .p_FCm = VectorAt(m.body_ipos, body),
+          .I_Cm_F = axes * VectorAt(m.body_inertia, body).asDiagonal() * axes.transpose()};
+}
+
 model::Body BodyOf(const mjModel& m, int id) {
   model::Body body;
   body.name = m.names + m.name_bodyadr[id];
   body.parent = m.body_parentid[id] - 1;
   body.X_PB = PoseAt(m.body_pos, m.body_quat, id);
   body.explicit_inertial = true;
-  body.mass_properties.mass = m.body_mass[id];
-  body.mass_properties.p_FCm = VectorAt(m.body_ipos, id);
-  const Eigen::Matrix3d axes = QuaternionAt(m.body_iquat, id).toRotationMatrix();
-  body.mass_properties.I_Cm_F = axes * VectorAt(m.body_inertia, id).asDiagonal() * axes.transpose();
+  body.mass_properties = MassOf(m, id);
   return body;
 }
 

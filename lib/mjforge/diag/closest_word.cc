@@ -12,14 +12,6 @@ namespace {
 // Longer words are not slips of a name, and their distance costs length squared.
 constexpr std::size_t kLongestWord = 128;
 
-std::string Lower(std::string_view word) {
-  std::string lower(word);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 // Damerau-Levenshtein distance in its optimal string alignment form: no piece
 // is edited twice.
 std::size_t Distance(std::string_view a, std::string_view b) {
@@ -52,15 +44,23 @@ bool IsSlip(std::string_view word, std::string_view candidate, std::size_t dista
 
 }  // namespace
 
+std::string LowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
 std::optional<std::string_view> ClosestWord(std::string_view word,
                                             std::span<const std::string_view> candidates) {
   if (word.empty() || word.size() > kLongestWord) return std::nullopt;
-  const std::string lower = Lower(word);
+  const std::string lower = LowerCase(word);
   std::optional<std::string_view> best;
   std::size_t best_distance = word.size() + 1;
   for (const std::string_view candidate : candidates) {
     if (candidate.empty() || candidate.size() > 2 * word.size()) continue;
-    const std::size_t distance = Distance(lower, Lower(candidate));
+    const std::size_t distance = Distance(lower, LowerCase(candidate));
     if (distance < best_distance && IsSlip(word, candidate, distance)) {
       best = candidate;
       best_distance = distance;

@@ -108,6 +108,9 @@ std::string RenderJson(const Finding& finding, const Sources& sources);
 /// steer a terminal or a page.
 std::string SafeText(std::string_view text);
 
+/// With ASCII's letters in lower case, whatever the locale.
+std::string LowerCase(std::string_view text);
+
 /// The candidate nearest to `word` by edit distance (insert, delete, replace, swap of neighbours),
 /// if it is near enough to be a typing error; ties go to the first.
 std::optional<std::string_view> ClosestWord(std::string_view word,

@@ -42,7 +42,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
 
 /// How MuJoCo names a file in memory: without folders, in lower case.
 std::string NameInMemory(std::string_view name) {
-  return LowerCase(name.substr(name.find_last_of("/\\") + 1));
+  return diag::LowerCase(name.substr(name.find_last_of("/\\") + 1));
 }
 
 }  // namespace

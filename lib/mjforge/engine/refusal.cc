@@ -51,14 +51,6 @@ std::string OneLine(std::string_view text) {
   return line;
 }
 
-std::string LowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 Refusal ParseRefusal(std::string_view message) {
   Refusal refusal;
   refusal.line = LineOf(message);

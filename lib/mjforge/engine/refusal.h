@@ -16,9 +16,6 @@ Refusal ParseRefusal(std::string_view message);
 /// A text on one line, for notes.
 std::string OneLine(std::string_view text);
 
-/// ASCII's letters in lower case.
-std::string LowerCase(std::string_view text);
-
 /// "geom 'head'" for the element that starts on a line of an XML text, "the
 /// geom on line 7" if it has no name, "the model" if there is none.
 std::string ElementOnLine(std::string_view xml, int line);

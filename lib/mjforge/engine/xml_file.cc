@@ -21,7 +21,7 @@ using diag::Code;
 std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
   if (result) return std::nullopt;
   std::string reason = result.description();
-  if (!reason.empty()) reason.replace(0, 1, LowerCase(reason.substr(0, 1)));
+  if (!reason.empty()) reason.replace(0, 1, diag::LowerCase(reason.substr(0, 1)));
   // A text without any element is wrong from its start on.
   const bool empty = result.status == pugi::status_no_document_element;
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));

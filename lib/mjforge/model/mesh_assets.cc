@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/diag/diag.h"
 #include "mjforge/model/assets.h"
 #include "mjforge/model/mesh_files.h"
 #include "mjforge/model/names.h"
@@ -194,15 +195,9 @@ std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
 std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
-  // MuJoCo 2.2 folds the case of file names.
-  const auto folded = [](std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) {
-      return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    });
-    return text;
-  };
   std::string name = file.filename().string();
-  for (int i = 2; !taken_names_.insert(folded(name)).second; ++i) {
+  // MuJoCo 2.2 folds the case of file names.
+  for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
     name = fmt::format("{}_{}{}", file.stem().string(), i, file.extension().string());
   }
   found->second = name;

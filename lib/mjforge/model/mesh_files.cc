@@ -15,6 +15,8 @@
 #include <tiny_obj_loader.h>
 #include <assimp/Importer.hpp>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::model {
 namespace {
 
@@ -197,9 +199,7 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
 }
 
 std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = diag::LowerCase(file.extension().string());
   if (ending != ".obj" && ending != ".stl") {
     why_not = fmt::format("ending '{}' is neither .obj nor .stl", ending);
     return std::nullopt;

@@ -46,20 +46,18 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<A
                     std::span<const Attribute> of_material) {
   bool good = true;
   out.reserve(entry.fields.size() + of_material.size());
-  const auto add_material = [&] {
-    for (const Attribute& attribute : std::exchange(of_material, {})) {
-      if (!Has(out, attribute.name)) out.push_back(attribute);
+  const auto read = [&](auto from, auto to) {
+    for (; from != to; ++from) {
+      if (!IsAttribute(from->info->id) || Has(out, from->info->key)) continue;
+      good &= reader.ReadAttribute(*from, out.emplace_back());
     }
   };
-  for (const spec::Field& field : entry.fields) {
-    if (!IsAttribute(field.info->id)) continue;
-    if (field.is_default) {
-      add_material();
-      if (Has(out, field.info->key)) continue;
-    }
-    good &= reader.ReadAttribute(field, out.emplace_back());
+  const auto defaults = std::ranges::find(entry.fields, true, &spec::Field::is_default);
+  read(entry.fields.begin(), defaults);
+  for (const Attribute& attribute : of_material) {
+    if (!Has(out, attribute.name)) out.push_back(attribute);
   }
-  add_material();
+  read(defaults, entry.fields.end());
   return good;
 }
 

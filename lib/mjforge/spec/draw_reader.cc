@@ -66,6 +66,16 @@ bool ValueReader::IsVectorForm(std::string_view key, const Expected& expected) c
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
+// Of a colour or a quaternion: four numbers are not always one. A parameter's may be either.
+void ValueReader::CheckMeaning(bool is_color, const Expected& expected, const YamlNode& node) {
+  const std::string_view key = expected.key;
+  if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
+  findings_.Add(Code::kSpecWrongType, node.mark,
+                fmt::format("'{}' is not a {}", key, is_color ? "colour" : "quaternion"),
+                is_color ? "'hsv' makes red, green, blue and opacity, as for 'rgba'"
+                         : "a random rotation is a quaternion, as for 'quat'");
+}
+
 Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected,
                                   const YamlNode& node) {
   Value value{.mark = node.mark, .components = key == kOnSphere ? 3 : 4};
@@ -78,6 +88,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
                     expected.max_count == 1 ? "is" : "are"));
     return value;
   }
+  if (key != kOnSphere) CheckMeaning(key == kHsv, expected, node);
   if (key == kAbout) {
     value.form = RotationAbout{std::make_shared<const Value>(
         ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 3}, node))};

@@ -1,7 +1,7 @@
 // What all elements have in common: known keys, value fields, names.
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -12,12 +12,25 @@ namespace {
 
 using diag::Code;
 
-// Keys of which an element may have only one: they say the same thing.
-constexpr std::array kOrientations = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
-                                      Key::kXyAxes, Key::kZAxis, Key::kFromTo};
-constexpr std::array kMasses = {Key::kDensity, Key::kMass};
-constexpr std::array kPlaces = {Key::kPos, Key::kFromTo};
-constexpr std::array kPictures = {Key::kBuiltin, Key::kFile};
+// Keys of which an element may have only one, since they say the same thing.
+constexpr Key kOrientations[] = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
+                                 Key::kXyAxes, Key::kZAxis, Key::kFromTo};
+constexpr Key kMasses[] = {Key::kDensity, Key::kMass};
+constexpr Key kPlaces[] = {Key::kPos, Key::kFromTo};
+constexpr Key kPictures[] = {Key::kBuiltin, Key::kFile};
+
+struct Group {
+  std::string_view what;
+  std::span<const Key> keys;
+};
+constexpr Group kGroups[] = {{"an orientation", kOrientations},
+                             {"a mass", kMasses},
+                             {"a place", kPlaces},
+                             {"a texture", kPictures}};
+
+bool Has(const Group& group, Key key) {
+  return std::ranges::find(group.keys, key) != group.keys.end();
+}
 
 // These are many.
 std::string_view Article(std::string_view name) {
@@ -25,17 +38,15 @@ std::string_view Article(std::string_view name) {
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 
-template <std::size_t n>
-void CheckOneOf(const std::array<Key, n>& keys, const std::vector<Field>& fields,
-                std::string_view what, Reading& reading) {
+void CheckOneOf(const Group& group, const std::vector<Field>& fields, Reading& reading) {
   const Field* first = nullptr;
   for (const Field& field : fields) {
-    if (std::ranges::find(keys, field.info->id) == keys.end()) continue;
+    if (!Has(group, field.info->id)) continue;
     if (first != nullptr) {
       reading.findings
           .Add(Code::kSpecConflict, field.mark,
                fmt::format("'{}' together with '{}': {} is given in only one way", field.info->key,
-                           first->info->key, what))
+                           first->info->key, group.what))
           .notes.push_back({first->mark, "first here"});
     } else {
       first = &field;
@@ -94,11 +105,14 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, R
     if (info == nullptr || !HoldsValue(info->slot) || info->id == Key::kName) continue;
     fields.push_back({info, reading.values.Read(*info, pair.value), pair.mark});
   }
-  CheckOneOf(kOrientations, fields, "an orientation", reading);
-  CheckOneOf(kMasses, fields, "a mass", reading);
-  CheckOneOf(kPlaces, fields, "a place", reading);
-  CheckOneOf(kPictures, fields, "a texture", reading);
+  for (const Group& group : kGroups) CheckOneOf(group, fields, reading);
   return fields;
+}
+
+bool SayTheSame(const FieldInfo& a, const FieldInfo& b) {
+  return &a == &b || std::ranges::any_of(kGroups, [&](const Group& group) {
+    return Has(group, a.id) && Has(group, b.id);
+  });
 }
 
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,

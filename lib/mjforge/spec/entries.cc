@@ -36,37 +36,13 @@ void CollectSure(std::string_view what, std::span<const Entry> entries,
   }
 }
 
-// Whether the entry itself says what the default would say, perhaps in another way.
-bool Says(const Entry& entry, const Field& by_default) {
-  const auto has = [&entry](std::initializer_list<Key> keys) {
-    return std::ranges::any_of(keys, [&](Key key) { return entry.Find(key) != nullptr; });
-  };
-  switch (by_default.info->id) {
-    case Key::kMass:
-    case Key::kDensity:
-      return has({Key::kMass, Key::kDensity});
-    case Key::kQuat:
-    case Key::kEuler:
-    case Key::kAxisAngle:
-    case Key::kXyAxes:
-    case Key::kZAxis:
-      return has(
-          {Key::kQuat, Key::kEuler, Key::kAxisAngle, Key::kXyAxes, Key::kZAxis, Key::kFromTo});
-    case Key::kPos:
-      return has({Key::kPos, Key::kFromTo});
-    default:
-      return std::ranges::find(entry.fields, by_default.info, &Field::info) != entry.fields.end();
-  }
-}
-
 void AddDefaults(std::span<const Field> defaults, Entry& entry) {
-  std::vector<Field> missing;
+  const std::size_t own = entry.fields.size();
   for (const Field& field : defaults) {
-    if (!Says(entry, field)) missing.push_back(field);
-  }
-  for (Field& field : missing) {
-    field.is_default = true;
-    entry.fields.push_back(std::move(field));
+    const auto says_it = [&](const Field& said) { return SayTheSame(*said.info, *field.info); };
+    if (std::ranges::any_of(std::span(entry.fields).first(own), says_it)) continue;
+    entry.fields.push_back(field);
+    entry.fields.back().is_default = true;
   }
 }
 

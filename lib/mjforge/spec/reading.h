@@ -42,6 +42,9 @@ bool IsList(const YamlNode& node, std::string_view what, Reading& reading);
 /// (two orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading);
 
+/// Whether an element may have only one of the two: mass and density, pos and fromto.
+bool SayTheSame(const FieldInfo& a, const FieldInfo& b);
+
 /// The field of a key; null: it is not there.
 const Field* FindField(std::span<const Field> fields, Key id);
 

@@ -96,27 +96,11 @@ Value ValueReader::Harmless(const YamlNode& node) {
 }
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node) {
-  Value value = Read(Expected{field.slot, field.min_count, field.max_count, field.words}, node);
+  Value value =
+      Read(Expected{field.slot, field.min_count, field.max_count, field.words, field.key}, node);
   CheckBounds(field, value, 0);
-  CheckMeaning(field, value);
   if (field.key == "material") NoteMaterials(value);
   return value;
-}
-
-// Four numbers are not always a colour, nor always a quaternion.
-void ValueReader::CheckMeaning(const FieldInfo& field, const Value& value) {
-  if (const auto* draw = std::get_if<Draw>(&value.form)) {
-    for (const Value& option : draw->arguments) CheckMeaning(field, option);
-    return;
-  }
-  const bool is_color = std::holds_alternative<HsvColor>(value.form);
-  const bool is_rotation = std::holds_alternative<RotationAbout>(value.form) ||
-                           std::holds_alternative<RandomRotation>(value.form);
-  if (is_color ? field.key == "rgba" : !is_rotation || field.key.ends_with("quat")) return;
-  findings_.Add(Code::kSpecWrongType, value.mark,
-                fmt::format("'{}' is not a {}", field.key, is_color ? "colour" : "quaternion"),
-                is_color ? "'hsv' makes red, green, blue and opacity, as for 'rgba'"
-                         : "a random rotation is a quaternion, as for 'quat'");
 }
 
 void ValueReader::NoteMaterials(const Value& value) {
@@ -297,6 +281,7 @@ Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kList) return ReadList(expected, node);
   if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
       expected.min_count == 4 && expected.max_count == 4 && names_.Find("random") == nullptr) {
+    CheckMeaning(false, expected, node);
     return Value{.mark = node.mark, .components = 4, .form = RandomRotation{}};
   }
   Value value;

@@ -59,6 +59,7 @@ class ValueReader {
     int min_count = 1;
     int max_count = 1;
     std::string_view words = {};
+    std::string_view key = {};  // of the field
   };
   Value Read(const Expected& expected, const YamlNode& node);
   Value ReadBoolean(const YamlNode& node);
@@ -77,13 +78,13 @@ class ValueReader {
   void ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw);
   void ReadExact(const YamlNode& node, Draw& draw);
   bool IsVectorForm(std::string_view key, const Expected& expected) const;
+  void CheckMeaning(bool is_color, const Expected& expected, const YamlNode& node);
   Value ReadVectorForm(std::string_view key, const Expected& expected, const YamlNode& node);
   Value ReadRange(const YamlNode& node, std::size_t dots);
   Value ReadExpression(const YamlNode& node);
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
                                           std::size_t length);
   Value Reference(const expr::Names::Variable& variable, const YamlNode& node);
-  void CheckMeaning(const FieldInfo& field, const Value& value);
   void NoteMaterials(const Value& value);
   const expr::Names::Variable* LoneName(const YamlNode& node) const;
   bool LooksLikeText(const YamlNode& node) const;

@@ -11,6 +11,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/distributions.h"
 #include "mjforge/spec/fields.h"
 
 namespace mjforge::spec {

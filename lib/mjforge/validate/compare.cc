@@ -168,7 +168,7 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
   const model::MassProperties& meant = body.mass_properties;
   // Rounded lengths change moments in proportion to mass times length squared.
   const double rounding = kRelative * meant.mass * scale_ * scale_;
-  const Eigen::Matrix3d tensor = compiled::BodyOf(m_, id).mass_properties.I_Cm_F;
+  const Eigen::Matrix3d tensor = compiled::MassOf(m_, id).I_Cm_F;
   constexpr std::string_view kTerms[] = {"inertia xx", "inertia yy", "inertia zz",
                                          "inertia xy", "inertia xz", "inertia yz"};
   constexpr int kRows[] = {0, 1, 2, 0, 0, 1};
