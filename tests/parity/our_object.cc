@@ -152,7 +152,7 @@ double HorizontalRadius(const model::Object& object) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     for (const model::Part& part : object.bodies[i].parts) {
       if (part.role == model::Role::kVisual) continue;
-      radius = std::max(radius, model::HorizontalRadius(part.shape, poses[i] * part.X_BG));
+      radius = std::max<double>(radius, model::HorizontalRadius(part.shape, poses[i] * part.X_BG));
     }
   }
   return radius;

@@ -270,7 +270,7 @@ TEST_CASE("the box and radius of random bodies are those of MuJoCo's geoms") {
       const Solid solid = RandomSolid(random);
       geoms += GeomText(solid);
       box.Add(BoundsOf(solid.shape, solid.X_BG));
-      radius = std::max(radius, HorizontalRadius(solid.shape, solid.X_BG));
+      radius = std::max<double>(radius, HorizontalRadius(solid.shape, solid.X_BG));
     }
     INFO("body " << i << ": " << geoms);
     const auto model = compiler.Load(geoms);

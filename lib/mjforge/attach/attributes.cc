@@ -32,7 +32,7 @@ void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fi
     if (field.IsFlag()) {
       Text(field.attribute, numbers[0] != 0 ? "true" : "false");
     } else {
-      Numbers(field.attribute, std::span(numbers.data(), numbers.size()));
+      Add(field.attribute).numbers = numbers;
     }
   }
 }

@@ -14,6 +14,10 @@
 namespace mjforge::attach {
 namespace {
 
+std::vector<double> PlainOf(const sample::Numbers& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
 template <typename Array>
 std::span<const double> SpanOf(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
@@ -56,7 +60,7 @@ class FiniteCheck {
                   std::initializer_list<Named> all = {}) {
     for (const auto& [what, numbers] : all) CheckNumbers(kind, thing, what, numbers);
     for (const model::Attribute& attribute : thing.attributes) {
-      CheckNumbers(kind, thing, attribute.name, SpanOf(attribute.numbers));
+      CheckNumbers(kind, thing, attribute.name, PlainOf(attribute.numbers));
     }
   }
 
@@ -64,7 +68,7 @@ class FiniteCheck {
     CheckThing(element.tag, element);
     for (const model::Element& child : element.children) {
       for (const model::Attribute& attribute : child.attributes) {
-        CheckNumbers(element.tag, element, attribute.name, SpanOf(attribute.numbers));
+        CheckNumbers(element.tag, element, attribute.name, PlainOf(attribute.numbers));
       }
     }
   }
@@ -76,7 +80,7 @@ class FiniteCheck {
     };
     CheckThing("body", body, {pos(body.X_PB), quat(body.X_PB)});
     const model::MassProperties& mass = body.mass_properties;
-    CheckNumbers("body", body, "mass", {&mass.mass, 1});
+    CheckNumbers("body", body, "mass", {&mass.mass.value(), 1});
     CheckNumbers("body", body, "centre of mass", SpanOf(mass.p_FCm));
     CheckNumbers("body", body, "inertia", SpanOf(mass.I_Cm_F));
     for (const model::Joint& joint : body.joints) {

@@ -47,7 +47,7 @@ std::optional<Eigen::Vector3d> StatedScale(const XmlElement& mesh) {
   if (text == nullptr) return std::nullopt;
   const sample::Numbers numbers = ParseNumbers(*text);
   if (numbers.size() != 3) return std::nullopt;
-  return Eigen::Vector3d(numbers.data());
+  return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
 }
 
 std::string ClassOf(const XmlElement& element) {

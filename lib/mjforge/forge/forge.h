@@ -81,8 +81,10 @@ bool CheckName(std::string_view text, diag::Findings& findings);
 /// One variant and all that is known of it.
 struct Variant {
   manifest::Record record;
-  std::optional<model::Object> object;  // nothing if it could not be built
-  mjcf::MjcfDocument document;          // means nothing without an object
+  /// Null if it could not be built. The generator may change its numbers with the next variant
+  /// that it makes into this one.
+  std::shared_ptr<const model::Object> object;
+  mjcf::MjcfDocument document;  // means nothing without an object
   diag::Findings findings;
 
   bool ok() const { return record.status == manifest::Status::kOk; }
@@ -100,6 +102,9 @@ struct Options {
   sample::Method sampler = sample::Method::kRandom;
   std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
   Validation validation = Validation::kLoad;
+  /// Whether variants that go the same way are made by one mould; without, each is made from the
+  /// spec. Their bytes are the same.
+  bool moulds = true;
   /// Of the manifest: records name the spec's file from here. Nothing: they do not.
   std::optional<std::filesystem::path> folder;
 };
@@ -108,6 +113,8 @@ inline constexpr int kMaxResamples = 100;
 /// What the records of all variants have in common; the rest is empty.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
+class Moulds;
+
 /// Makes the members of one family. Keeps what they share and the memory they need, which does not
 /// grow with their number.
 class Generator {
@@ -115,6 +122,7 @@ class Generator {
   /// The recipe and its sources must outlive the generator. Attached XML files
   /// are added to the sources.
   Generator(const Recipe& recipe, diag::Sources& sources, const Options& options);
+  ~Generator();
 
   /// Replaces the content of `variant`. A pure function of the index.
   void Make(std::uint64_t index, Variant& variant);
@@ -128,6 +136,8 @@ class Generator {
   enum class Outcome { kMade, kFailed, kHopeless };
   void Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
+  /// From the spec, when the parameters are drawn; false after an error.
+  bool Assemble(Variant& variant);
   void Judge(Variant& variant);
   void End(Outcome outcome, Variant& variant);
   void Describe(const model::Object& object, manifest::Record& record) const;
@@ -142,6 +152,8 @@ class Generator {
   sample::Sampler sampler_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
+  std::optional<sample::Evaluator> values_;  // of the variant at hand
+  std::unique_ptr<Moulds> moulds_;           // null: none are used
 };
 
 /// The recipe of a record: `spec`, or, if that is empty, the spec that it names, which is

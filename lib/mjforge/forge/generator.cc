@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "mjforge/forge/forge.h"
+#include "mjforge/forge/mould.h"
 
 namespace mjforge::forge {
 namespace {
@@ -50,7 +50,13 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       common_(BatchRecord(recipe, options)),
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
-      assembler_(&attachments_) {}
+      assembler_(&attachments_) {
+  // A name with the index in it makes each variant one of its own.
+  const bool same_name = ExpandName(options.name, 0) == ExpandName(options.name, 1);
+  if (options.moulds && same_name) moulds_ = std::make_unique<Moulds>();
+}
+
+Generator::~Generator() = default;
 
 void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
@@ -100,31 +106,56 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   Begin(index, attempt, variant);
   manifest::Record& record = variant.record;
   const spec::ObjectSpec& spec = *recipe_.spec;
-  std::optional<sample::Evaluator> values = sample::Sample(
-      spec, {options_.seed, index, attempt}, sample::kRootStream, {}, variant.findings, &sampler_);
-  if (!values) {
+  const sample::DrawKey key = {options_.seed, index, attempt};
+  if (!values_) values_.emplace(spec, key, sample::kRootStream, variant.findings, &sampler_);
+  if (!values_->Sample(key, {}, variant.findings)) {
     // Where a thousand draws met no requirement, more of them will not either.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
     return rejected ? Outcome::kHopeless : Outcome::kFailed;
   }
-  record.attempt = values->key().attempt;
+  record.attempt = values_->key().attempt;
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    record.params.emplace_back(spec.parameters[i].name, values->Parameter(i));
+    record.params.emplace_back(spec.parameters[i].name, values_->Parameter(i));
   }
-  const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
-  variant.object = assembler_.Assemble(
-      *values, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
-      variant.findings);
-  if (!variant.object) return Outcome::kFailed;
-  mjcf::Adapt(*variant.object, options_.target, variant.findings);
-  if (variant.findings.HasErrors()) return Outcome::kFailed;
+  const bool made = (moulds_ && moulds_->Make(variant)) || Assemble(variant);
+  if (!made) return Outcome::kFailed;
   Describe(*variant.object, record);
-  mjcf::Provenance provenance = record;
-  if (record.name == spec.name) provenance.name.clear();
-  mjcf::WriteMjcf(*variant.object, options_.target, provenance, variant.document);
   Judge(variant);
   return variant.findings.HasErrors() ? Outcome::kFailed : Outcome::kMade;
+}
+
+bool Generator::Assemble(Variant& variant) {
+  const manifest::Record& record = variant.record;
+  const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
+  std::unique_ptr<Mould> mould = moulds_ ? moulds_->Begin() : nullptr;
+  if (mould) values_->NoteOn(mould->tape(), [](std::string_view) { return false; });
+  std::optional<model::Object> object = assembler_.Assemble(
+      *values_, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
+      variant.findings);
+  values_->EndNotes();
+  if (!object) return false;
+  mjcf::Adapt(*object, options_.target, variant.findings);
+  if (variant.findings.HasErrors()) return false;
+  mjcf::Provenance provenance = record;
+  if (record.name == recipe_.spec->name) provenance.name.clear();
+  mjcf::WriteMjcf(*object, options_.target, provenance, variant.document);
+  // Warnings say what all variants of a mould share, except where they are about numbers.
+  const bool same_warnings =
+      std::ranges::all_of(variant.findings, [](const diag::Finding& finding) {
+        return finding.code == diag::Code::kTargetDropped ||
+               finding.code == diag::Code::kAttachNotCarried;
+      });
+  if (!mould || !same_warnings) {
+    tape::Links links;
+    model::TakeOffTape(*object, links);
+    variant.object = std::make_shared<const model::Object>(*std::move(object));
+    return true;
+  }
+  mould->Close(*std::move(object), variant.document, variant.findings);
+  variant.object = mould->object();
+  moulds_->Add(std::move(mould));
+  return true;
 }
 
 void Generator::Judge(Variant& variant) {

@@ -36,6 +36,9 @@ void Put(Json& json, const Members<T>& members) {
   json.EndObject();
 }
 
+template <typename T>
+void Put(Json& json, const tape::Traced<T>& traced);
+
 // In the order of MJCF's fullinertia.
 inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
@@ -51,6 +54,11 @@ inline void Put(Json& json, const model::Box3& box) {
   json.Member("min", box.min);
   json.Member("max", box.max);
   json.EndObject();
+}
+
+template <typename T>
+void Put(Json& json, const tape::Traced<T>& traced) {
+  Put(json, traced.value());
 }
 
 inline Kind Get(const rapidjson::Value& value, std::string& text) {
@@ -123,6 +131,14 @@ inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
     inertia(row, column) = inertia(column, row) = numbers[i];
   }
   return {};
+}
+
+template <typename T>
+Kind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
+  T read;
+  const Kind kind = Get(value, read);
+  if (kind.empty()) traced = read;
+  return kind;
 }
 
 inline Kind Get(const rapidjson::Value& value, model::Box3& box) {

@@ -24,7 +24,7 @@ struct Lost {
 };
 
 bool Contradicts(const Part& part, const model::Attribute& group, const TargetRules& rules) {
-  const double number = group.numbers.empty() ? -1 : group.numbers[0];
+  const double number = group.numbers.empty() ? -1 : tape::Fixed(group.numbers[0]);
   const bool on_collision = part.role != Role::kVisual && group.applies != Applies::kVisual;
   const bool on_visual = part.role != Role::kCollision && group.applies != Applies::kCollision;
   return (on_collision && number != rules.collision_group) ||
@@ -65,7 +65,7 @@ void SplitRoles(std::vector<Part>& parts) {
     first.role = Role::kCollision;
     Part second = first;
     second.role = Role::kVisual;
-    second.mass = second.density = 0;
+    second.mass = second.density = 0.0;
     const auto rgba = std::ranges::find(first.attributes, "rgba", &model::Attribute::name);
     if (first.material < 0 && rgba == first.attributes.end()) {
       first.attributes.push_back({"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's
@@ -84,7 +84,7 @@ void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings&
     for (Part& part : body.parts) {
       if (!rules.own_groups) SetGroup(part, rules, groups);
       if (!rules.margins && part.role != Role::kVisual) DropMargins(part, margins);
-      if (rules.states_mass) part.density = 0;
+      if (rules.states_mass) part.density = 0.0;
     }
   }
   if (!groups.names.empty()) {

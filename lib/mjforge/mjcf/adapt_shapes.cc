@@ -131,6 +131,7 @@ class Replacement {
       // MuJoCo would take it from the mesh.
       body.explicit_inertial = true;
     }
+    KeepDistinct();
     if (twins_.empty()) return;
     for (model::Section& section : object_.sections) {
       if (section.info->name == "contact") continue;
@@ -177,7 +178,7 @@ class Replacement {
     part.mesh = MeshOf(part);
     part.shape = {GeomType::kMesh, Eigen::Vector3d::Zero(),
                   &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh};
-    part.density = 0;  // of the true shape
+    part.density = 0.0;  // of the true shape
     if (has_look) {
       part.role = Role::kCollision;
       part.material = -1;
@@ -194,7 +195,7 @@ class Replacement {
   /// The true shape, without contacts.
   void AddTwin(Part twin, std::vector<Part>& parts) {
     twin.role = Role::kVisual;
-    twin.mass = twin.density = 0;
+    twin.mass = twin.density = 0.0;
     std::string name = twin.name + std::string(kVisualSuffix);
     if (twin.as_is) {
       std::swap(twin.name, name);
@@ -211,18 +212,53 @@ class Replacement {
   }
 
   int MeshOf(const Part& part) {
-    const Eigen::Vector3d& size = part.shape.size;
+    const tape::Traced<Eigen::Vector3d>& size = part.shape.size;
     const auto [found, is_new] = meshes_.try_emplace(
         {part.shape.type, size.x(), size.y(), size.z()}, static_cast<int>(object_.meshes.size()));
-    if (!is_new) return found->second;
-    auto mesh = std::make_unique<model::MeshAsset>();
-    mesh->name = part.name + "_convex";
-    while (!mesh_names_.insert(mesh->name).second) mesh->name += '_';
-    mesh->mesh = part.shape.type == GeomType::kCylinder ? Prism(size) : Ellipsoid(size);
-    mesh->is_hull = true;
-    mesh->mark = part.mark;
-    object_.meshes.push_back(std::move(mesh));
+    const auto shape_of = part.shape.type == GeomType::kCylinder ? Prism : Ellipsoid;
+    if (!is_new) {
+      const model::MeshAsset& same = *object_.meshes[static_cast<std::size_t>(found->second)];
+      if (tape::Tape* tape = size.tape() != nullptr ? size.tape() : same.mesh.tape) {
+        tape->Add([shape_of, &mesh = same.mesh, &again = PlaceOf(*tape, size)] {
+          return shape_of(again).vertices == mesh.vertices;
+        });
+      }
+      return found->second;
+    }
+    auto asset = std::make_unique<model::MeshAsset>();
+    asset->name = part.name + "_convex";
+    while (!mesh_names_.insert(asset->name).second) asset->name += '_';
+    asset->mesh = shape_of(size);
+    asset->is_hull = true;
+    asset->mark = part.mark;
+    if (tape::Tape* tape = size.tape()) {
+      asset->mesh.tape = tape;
+      tape->Add([shape_of, &mesh = asset->mesh, &again = *size.at()] {
+        const TriangleMesh other = shape_of(again);
+        const bool same = other.vertices.size() == mesh.vertices.size();
+        if (same) std::ranges::copy(other.vertices, mesh.vertices.begin());
+        return same;
+      });
+    }
+    sizes_.push_back({part.shape.type, size});
+    object_.meshes.push_back(std::move(asset));
     return found->second;
+  }
+
+  // Only variants where no two of the sizes become equal go this way.
+  void KeepDistinct() const {
+    tape::Tape* tape = nullptr;
+    for (const auto& [type, size] : sizes_) tape = tape != nullptr ? tape : size.tape();
+    if (tape == nullptr) return;
+    std::vector<std::pair<GeomType, const Eigen::Vector3d*>> places;
+    for (const auto& [type, size] : sizes_) places.emplace_back(type, &PlaceOf(*tape, size));
+    tape->Add([places = std::move(places)] {
+      std::set<std::tuple<GeomType, double, double, double>> known;
+      return std::ranges::all_of(places, [&](const auto& place) {
+        const auto& [type, size] = place;
+        return known.emplace(type, size->x(), size->y(), size->z()).second;
+      });
+    });
   }
 
   model::Object& object_;
@@ -230,6 +266,7 @@ class Replacement {
   std::set<std::string, std::less<>> referred_;            // geoms
   std::map<std::string, std::string, std::less<>> twins_;  // of those replaced
   std::map<std::tuple<GeomType, double, double, double>, int> meshes_;
+  std::vector<std::pair<GeomType, tape::Traced<Eigen::Vector3d>>> sizes_;  // of those meshes
 };
 
 }  // namespace

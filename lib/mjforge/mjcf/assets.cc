@@ -40,22 +40,20 @@ void WriteMaterial(const model::Object& object, const model::Material& material,
   writer.Close();
 }
 
-void WriteInline(const model::MeshAsset& mesh, ElementWriter& writer, std::string& text) {
-  bool first = true;
-  const auto append = [&](double number) {
-    if (!std::exchange(first, false)) text += ' ';
-    expr::AppendNumber(text, number);
-  };
+void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
+  const model::TriangleMesh& mesh = asset.mesh;
   writer.Raw(" vertex=\"");
-  for (const Eigen::Vector3d& vertex : mesh.mesh.vertices) {
-    for (const double coordinate : vertex) append(coordinate);
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    for (const double& number : vertex) {
+      writer.Append(mesh.tape == nullptr ? Traced<double>(number)
+                                         : Traced<double>(number, *mesh.tape, number));
+    }
   }
   writer.Raw("\"");
-  if (mesh.is_hull) return;
-  first = true;
+  if (asset.is_hull) return;
   writer.Raw(" face=\"");
-  for (const std::array<int, 3>& triangle : mesh.mesh.triangles) {
-    for (const int corner : triangle) append(corner);
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    for (const int corner : triangle) writer.Append(corner);
   }
   writer.Raw("\"");
 }
@@ -68,11 +66,11 @@ void WriteMesh(const model::MeshAsset& mesh, ElementWriter& writer, MjcfDocument
                                                &model::Attribute::name) != mesh.attributes.end();
   if (!mesh.file.empty()) {
     WriteFile("file", mesh.file, mesh.output_file, writer, document);
-    writer.Vector("scale", mesh.scale);
+    writer.Point("scale", mesh.scale);
   } else if (says_vertices) {
-    writer.Vector("scale", mesh.scale);
+    writer.Point("scale", mesh.scale);
   } else {
-    WriteInline(mesh, writer, document.text);
+    WriteInline(mesh, writer);
   }
   for (const model::Attribute& attribute : mesh.attributes) writer.Attribute(attribute);
   writer.Close();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -13,17 +14,40 @@ using model::Role;
 // What robosuite's collision geoms look like where nothing else is said.
 constexpr std::string_view kCollisionLook = " rgba=\"0.5 0 0 1\"";
 
+// An inertia matrix in its own axes.
+struct Principal {
+  Eigen::Quaterniond axes;
+  Eigen::Vector3d moments;
+};
+
+// Not `fullinertia`: MuJoCo's diagonalization stops at off-diagonal terms of 1e-12 kg m^2
+// (mju_eig3), much for a small object.
+Principal PrincipalOf(const Eigen::Matrix3d& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) *= -1;
+  return {Eigen::Quaterniond(axes), solver.eigenvalues()};
+}
+
+Traced<Eigen::Vector3d> Lifted(const Traced<Eigen::Vector3d>& p, const Traced<double>& lift) {
+  const auto lifted = [](Eigen::Vector3d at, double by) {
+    at.z() += by;
+    return at;
+  };
+  return tape::Apply(lifted, p, lift);
+}
+
 class BodyWriter {
  public:
   BodyWriter(const model::Object& object, const GeomGroups& groups, ElementWriter& writer)
       : object_(object), groups_(groups), writer_(writer) {}
 
   /// The body's start and everything in it but child bodies and the end.
-  void Begin(const model::Body& body, double lift) {
+  void Begin(const model::Body& body, const Traced<double>& lift) {
     writer_.Open("body", body.mark);
     if (!body.name.empty()) writer_.Text("name", body.name);
     model::Pose pose = body.X_PB;
-    if (body.parent < 0) pose.p.z() += lift;
+    if (body.parent < 0) pose.p = Lifted(pose.p, lift);
     writer_.Pose(pose);
     for (const model::Attribute& attribute : body.attributes) writer_.Attribute(attribute);
     writer_.Content();
@@ -45,15 +69,11 @@ class BodyWriter {
       writer_.Raw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
       writer_.Close();
     } else if (body.explicit_inertial) {
-      // Not `fullinertia`: MuJoCo's diagonalization stops at off-diagonal terms
-      // of 1e-12 kg m^2 (mju_eig3), much for a small object.
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(properties.I_Cm_F);
-      Eigen::Matrix3d axes = solver.eigenvectors();
-      if (axes.determinant() < 0) axes.col(0) *= -1;
+      const Traced<Principal> principal = tape::Apply(PrincipalOf, properties.I_Cm_F);
       writer_.Open("inertial", body.mark);
-      writer_.Pose({properties.p_FCm, Eigen::Quaterniond(axes)});
+      writer_.Pose({properties.p_FCm, tape::Member(principal, &Principal::axes)});
       writer_.Number("mass", properties.mass);
-      writer_.Numbers("diaginertia", {solver.eigenvalues().data(), 3});
+      writer_.Vector("diaginertia", tape::Member(principal, &Principal::moments));
       writer_.Close();
     }
   }
@@ -63,10 +83,10 @@ class BodyWriter {
     writer_.Text("name", joint.name);
     writer_.Text("type", joint.type);
     if (joint.type != "free") {
-      writer_.Vector("pos", joint.pos);
-      writer_.Vector("axis", joint.axis);
+      writer_.Point("pos", joint.pos);
+      writer_.Point("axis", joint.axis);
       writer_.Raw(joint.range ? " limited=\"true\"" : " limited=\"false\"");
-      if (joint.range) writer_.Numbers("range", {joint.range->data(), 2});
+      if (joint.range) writer_.Vector("range", *joint.range);
     }
     for (const model::Attribute& attribute : joint.attributes) writer_.Attribute(attribute);
     writer_.Close();
@@ -130,12 +150,14 @@ class BodyWriter {
     writer_.Pose(part.X_BG);
   }
 
-  void Size(model::GeomType type, const Eigen::Vector3d& size) {
+  void Size(model::GeomType type, const Traced<Eigen::Vector3d>& size) {
     if (type == model::GeomType::kSphere && groups_.sphere_sizes == 3) {
-      writer_.Vector("size", Eigen::Vector3d::Constant(size.x()));
+      const std::array radii = {tape::Element(size, 0), tape::Element(size, 0),
+                                tape::Element(size, 0)};
+      writer_.Point("size", tape::Gather<Eigen::Vector3d>(radii));
       return;
     }
-    writer_.Numbers("size", {size.data(), static_cast<std::size_t>(model::SizeCount(type))});
+    writer_.Vector("size", size, static_cast<std::size_t>(model::SizeCount(type)));
   }
 
   void Mass(const model::Part& part) {
@@ -217,7 +239,7 @@ std::vector<int> DepthFirst(const model::Object& object) {
   return order;
 }
 
-void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
+void WriteBodies(const model::Object& object, const GeomGroups& groups, const Traced<double>& lift,
                  ElementWriter& writer) {
   BodyWriter bodies(object, groups, writer);
   std::vector<int> open;

@@ -28,7 +28,7 @@ bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 }  // namespace
 
 ElementWriter::ElementWriter(MjcfDocument& document)
-    : text_(document.text), origins_(document.origins) {}
+    : text_(document.text), slots_(document.slots), origins_(document.origins) {}
 
 void ElementWriter::Line(std::string_view text) {
   Indent();
@@ -106,28 +106,58 @@ void ElementWriter::Escaped(std::string_view value) {
   }
 }
 
-void ElementWriter::Number(std::string_view name, double value) { Numbers(name, {&value, 1}); }
+void ElementWriter::Number(std::string_view name, const Traced<double>& value) {
+  Numbers(name, {&value, 1});
+}
 
-void ElementWriter::Numbers(std::string_view name, std::span<const double> values) {
+void ElementWriter::Numbers(std::string_view name, std::span<const Traced<double>> values) {
   Begin(name);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i != 0) text_ += ' ';
-    expr::AppendNumber(text_, values[i]);
+  for (const Traced<double>& value : values) Append(value);
+  text_ += '"';
+}
+
+void ElementWriter::Point(std::string_view name, const Traced<Eigen::Vector3d>& value) {
+  Begin(name);
+  for (std::size_t i = 0; i < 3; ++i) Append(tape::Element(value, i), Spelling::kWithoutNoise);
+  text_ += '"';
+}
+
+void ElementWriter::Append(const Traced<double>& number, Spelling spelling) {
+  if (text_.back() != '"') text_ += ' ';
+  const std::size_t begin = text_.size();
+  AppendSpelled(number, spelling, text_);
+  if (number.at() != nullptr) slots_.push_back({begin, text_.size(), spelling, number.at()});
+}
+
+void AppendSpelled(double number, Slot::Spelling spelling, std::string& out) {
+  expr::AppendNumber(out,
+                     spelling == Slot::Spelling::kWithoutNoise ? WithoutNoise(number) : number);
+}
+
+void ElementWriter::Pose(const model::Pose& pose) {
+  Point("pos", pose.p);
+  const auto turns = [](const Eigen::Quaterniond& q) {
+    return WithoutNoise(q.x()) != 0 || WithoutNoise(q.y()) != 0 || WithoutNoise(q.z()) != 0;
+  };
+  if (!tape::Test(turns, pose.q)) return;
+  Begin("quat");
+  for (const std::size_t wxyz : {3, 0, 1, 2}) {
+    Append(tape::Element(pose.q, wxyz), Spelling::kWithoutNoise);
   }
   text_ += '"';
 }
 
-void ElementWriter::Vector(std::string_view name, const Eigen::Vector3d& value) {
-  const double numbers[] = {WithoutNoise(value.x()), WithoutNoise(value.y()),
-                            WithoutNoise(value.z())};
-  Numbers(name, numbers);
-}
-
-void ElementWriter::Pose(const model::Pose& pose) {
-  Vector("pos", pose.p);
-  const double quat[] = {WithoutNoise(pose.q.w()), WithoutNoise(pose.q.x()),
-                         WithoutNoise(pose.q.y()), WithoutNoise(pose.q.z())};
-  if (quat[1] != 0 || quat[2] != 0 || quat[3] != 0) Numbers("quat", quat);
+void ElementWriter::Repeat(std::size_t begin, std::size_t end) {
+  const std::size_t shift = text_.size() - begin;
+  text_.append(text_, begin, end - begin);
+  const auto first = std::ranges::lower_bound(slots_, begin, {}, &Slot::begin);
+  const std::vector<Slot> again(first, slots_.end());
+  for (Slot slot : again) {
+    if (slot.begin >= end) break;
+    slot.begin += shift;
+    slot.end += shift;
+    slots_.push_back(slot);
+  }
 }
 
 void ElementWriter::Attribute(const model::Attribute& attribute) {

@@ -17,12 +17,18 @@
 
 namespace mjforge::mjcf {
 
+using tape::Traced;
+
 /// Rotating and adding leaves noise where zeros belong; below a femtometre (or
 /// that part of a turn) nothing is meant.
 inline double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
+void AppendSpelled(double number, Slot::Spelling spelling, std::string& out);
+
 class ElementWriter {
  public:
+  using Spelling = Slot::Spelling;
+
   /// Appends to the document's text and origins; the text must be empty or end with a whole line.
   explicit ElementWriter(MjcfDocument& document);
 
@@ -41,9 +47,19 @@ class ElementWriter {
   void Text(std::string_view name, std::string_view value, std::string_view suffix);
   /// Attributes, written unchanged: ` group="3"`.
   void Raw(std::string_view attributes) { text_ += attributes; }
-  void Number(std::string_view name, double value);
-  void Numbers(std::string_view name, std::span<const double> values);
-  void Vector(std::string_view name, const Eigen::Vector3d& value);
+  void Number(std::string_view name, const Traced<double>& value);
+  void Numbers(std::string_view name, std::span<const Traced<double>> values);
+  /// The first `count` elements.
+  template <typename V>
+  void Vector(std::string_view name, const Traced<V>& value,
+              std::size_t count = V::SizeAtCompileTime) {
+    Begin(name);
+    for (std::size_t i = 0; i < count; ++i) Append(tape::Element(value, i), Spelling::kNumber);
+    text_ += '"';
+  }
+  void Point(std::string_view name, const Traced<Eigen::Vector3d>& value);
+  /// One more number of the attribute at hand.
+  void Append(const Traced<double>& number, Spelling spelling = Spelling::kNumber);
   /// `pos`, and `quat` where it is not the identity.
   void Pose(const model::Pose& pose);
   void Attribute(const model::Attribute& attribute);
@@ -51,7 +67,7 @@ class ElementWriter {
   /// The current end of the text, and a way to repeat what was written between two positions: a
   /// visual geom has the shape of its collision twin.
   std::size_t position() const { return text_.size(); }
-  void Repeat(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
+  void Repeat(std::size_t begin, std::size_t end);
 
  private:
   void Indent();
@@ -61,6 +77,7 @@ class ElementWriter {
   void Escaped(std::string_view value);
 
   std::string& text_;
+  std::vector<Slot>& slots_;
   std::vector<LineOrigin>& origins_;
   int line_ = 1;  // being written
   std::size_t depth_ = 0;

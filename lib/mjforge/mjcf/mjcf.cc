@@ -18,11 +18,12 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   const TargetRules& rules = RulesOf(target);
   const bool scene = rules.scene;
   document.text.clear();
+  document.slots.clear();
   document.origins.clear();
   document.assets.clear();
-  document.lift = scene ? LiftOntoFloor(object) : 0;
+  document.lift = scene ? LiftOntoFloor(object) : Traced<double>(0);
 
-  AppendProvenance(provenance, document.text);
+  AppendProvenance(provenance, document);
   ElementWriter writer(document);
   writer.Line("");
   writer.Open("mujoco");

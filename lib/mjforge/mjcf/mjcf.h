@@ -38,8 +38,19 @@ struct LineOrigin {
   diag::SourceMark mark;
 };
 
+/// A number in a text that differs between variants.
+struct Slot {
+  enum class Spelling { kIndex, kNumber, kWithoutNoise };
+
+  std::size_t begin = 0;  // bytes of the text
+  std::size_t end = 0;
+  Spelling spelling = Spelling::kNumber;
+  const double* number = nullptr;  // on the tape; null: the variant's index
+};
+
 struct MjcfDocument {
   std::string text;
+  std::vector<Slot> slots;          // in the order of the text; of an object on a tape
   std::vector<LineOrigin> origins;  // by line
   /// Byte where a <size> element may be inserted; npos if MuJoCo must get the text unchanged (a
   /// scene has contacts).
@@ -49,12 +60,31 @@ struct MjcfDocument {
   std::size_t world_position = 0;
   /// The host gives the root body a free joint, so the file has none.
   bool host_frees = false;
-  double lift = 0;  // m, added to the height of the root body
+  tape::Traced<double> lift = 0;  // m, added to the height of the root body
   /// Files the text refers to: name in the text, file to copy.
   std::vector<std::pair<std::string, std::filesystem::path>> assets;
 
   /// The place in the spec that produced a line; no place if none did.
   diag::SourceMark Origin(int line) const;
+};
+
+/// A document whose text is taken over for other variants, with other numbers in the slots.
+class Form {
+ public:
+  /// The tape of the slots must outlive the form.
+  explicit Form(MjcfDocument document);
+
+  /// Replaces the content of `document`, reusing its memory.
+  void Fill(std::uint64_t index, MjcfDocument& document);
+
+ private:
+  /// Where a byte of the document is in the text that was filled last.
+  std::size_t Moved(std::size_t position) const;
+
+  MjcfDocument document_;
+  const double* lift_;              // on the tape; null: the same in all variants
+  std::vector<std::size_t> first_;  // by slot: the first one with the same number, spelled alike
+  std::vector<std::pair<std::size_t, std::size_t>> filled_;  // by slot: bytes of the last text
 };
 
 /// The name of a visual geom is its part's name with this suffix.

@@ -112,13 +112,16 @@ std::optional<Provenance> ParseComment(std::string_view comment) {
 
 }  // namespace
 
-void AppendProvenance(const Provenance& provenance, std::string& out) {
+void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
+  std::string& out = document.text;
   out += "<!-- mjforge ";
   AppendEncoded(provenance.version, out);
   AppendPair("spec", provenance.spec, out);
   AppendPair("sha256", provenance.spec_sha256, out);
   AppendPair("seed", std::to_string(provenance.seed), out);
-  AppendPair("index", std::to_string(provenance.index), out);
+  const std::string index = std::to_string(provenance.index);
+  AppendPair("index", index, out);
+  document.slots.push_back({out.size() - index.size(), out.size(), Slot::Spelling::kIndex});
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
   if (!provenance.sampler.empty()) AppendPair("sampler", provenance.sampler, out);

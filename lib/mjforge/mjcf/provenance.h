@@ -7,6 +7,6 @@
 namespace mjforge::mjcf {
 
 /// Appends the opening comment, without a line end.
-void AppendProvenance(const Provenance& provenance, std::string& out);
+void AppendProvenance(const Provenance& provenance, MjcfDocument& document);
 
 }  // namespace mjforge::mjcf

@@ -20,11 +20,31 @@ Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& tar
   return Eigen::Quaterniond(axes);
 }
 
+// Of a box on the floor.
+struct View {
+  Eigen::Vector3d center;
+  Eigen::Vector3d light;
+  Eigen::Vector3d eye;
+};
+
+View ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+  Eigen::Vector3d center = (min + max) / 2;
+  center.z() -= min.z();
+  const double radius = std::max((max - min).norm() / 2, 1e-3);  // m
+  // MuJoCo's cameras see 45 degrees from top to bottom.
+  constexpr double kHalfView = 22.5 * std::numbers::pi / 180;
+  return {center, center + radius * Eigen::Vector3d(1, -2, 6),
+          center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized()};
+}
+
 }  // namespace
 
-double LiftOntoFloor(const model::Object& object) {
+Traced<double> LiftOntoFloor(const model::Object& object) {
   if (object.bodies.empty() || !std::isfinite(object.bounds.aabb.min.z())) return 0;
-  return -object.bounds.aabb.min.z() - object.bodies.front().X_PB.p.z();
+  const auto lift = [](const Eigen::Vector3d& lowest, const Eigen::Vector3d& root) {
+    return -lowest.z() - root.z();
+  };
+  return tape::Apply(lift, object.bounds.aabb.min, object.bodies.front().X_PB.p);
 }
 
 void WriteSceneAssets(ElementWriter& writer) {
@@ -39,23 +59,17 @@ void WriteSceneAssets(ElementWriter& writer) {
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer) {
   model::Box3 box = object.bounds.aabb;
   if (!Finite(box)) box = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  Eigen::Vector3d center = (box.min + box.max) / 2;
-  center.z() -= box.min.z();
-  const double radius = std::max((box.max - box.min).norm() / 2, 1e-3);  // m
+  const Traced<View> view = tape::Apply(ViewOf, box.min, box.max);
+  const auto eye = tape::Member(view, &View::eye);
 
   writer.Open("light");
   writer.Text("name", "scene-light");
-  writer.Vector("pos", center + radius * Eigen::Vector3d(1, -2, 6));
-  writer.Vector("dir", Eigen::Vector3d(-1, 2, -6).normalized());
+  writer.Point("pos", tape::Member(view, &View::light));
+  writer.Point("dir", Eigen::Vector3d(-1, 2, -6).normalized());
   writer.Close();
-
-  // MuJoCo's cameras see 45 degrees from top to bottom.
-  constexpr double kHalfView = 22.5 * std::numbers::pi / 180;
-  const Eigen::Vector3d eye =
-      center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized();
   writer.Open("camera");
   writer.Text("name", "scene-camera");
-  writer.Pose({eye, LookAt(eye, center)});
+  writer.Pose({eye, tape::Apply(LookAt, eye, tape::Member(view, &View::center))});
   writer.Close();
 
   writer.Line(

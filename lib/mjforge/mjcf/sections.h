@@ -24,7 +24,7 @@ const GeomGroups& GroupsOf(Target target);
 void WriteAssets(const model::Object& object, ElementWriter& writer, MjcfDocument& document);
 
 /// The tree of bodies. `lift`, m, is added to the height of root bodies.
-void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
+void WriteBodies(const model::Object& object, const GeomGroups& groups, const Traced<double>& lift,
                  ElementWriter& writer);
 
 /// An element with its attributes and everything in it.
@@ -35,7 +35,7 @@ void WriteSettings(const model::Object& object, ElementWriter& writer);
 void WriteSections(const model::Object& object, ElementWriter& writer);
 
 /// How far a scene lifts the object so that it rests on the floor at z = 0, m.
-double LiftOntoFloor(const model::Object& object);
+Traced<double> LiftOntoFloor(const model::Object& object);
 /// Room for the contacts and constraints of a large object, if MuJoCo's default sizes might not be
 /// enough.
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);

@@ -132,8 +132,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   const std::optional<Pose> X_FW = ReadPose(reader, entry);
 
   if (!X_FW) return;
-  std::optional<sample::Evaluator> nested = SampleNested(scope, entry, path);
-  if (!nested) return;
+  const std::shared_ptr<sample::Evaluator> nested = SampleNested(scope, entry, path);
+  if (nested == nullptr) return;
 
   const Pose X_SW = X_SF * *X_FW;
   const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
@@ -148,7 +148,7 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   // Placed by its own lower corner, which is known only now.
   const Box3 box = BoundsOf(body().parts, first_part).aabb;
   if (box.empty()) return;
-  const Pose X_BC = scope.X_BS * Pose{.p = X_SW.p - *scope.total_size - box.min};
+  const Pose X_BC = scope.X_BS * Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)};
   for (std::size_t i = first_part; i < body().parts.size(); ++i) {
     body().parts[i].X_BG = X_BC * body().parts[i].X_BG;
   }
@@ -161,31 +161,16 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   }
 }
 
-std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec::Entry& entry,
-                                                        sample::StreamId path) {
-  const std::size_t before = findings_.size();
-  const sample::StreamId params = sample::Child(path, "params");
-  std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
-  overrides.reserve(entry.overrides.size());
-  for (const auto& [parameter, value] : entry.overrides) {
-    overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
-  }
-  if (findings_.size() != before) return std::nullopt;
-  // Its own requirements are retried on their own, from this attempt on.
-  return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
-                        scope.values.sampler());
-}
-
 // mass: of a spec.
 void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body) {
   const spec::ObjectSpec& spec = scope.values.spec();
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
-  const std::optional<double> mass = reader.Number(*spec.mass);
+  const std::optional<Traced<double>> mass = reader.Number(*spec.mass);
   if (!mass) return;
-  double sum = 0;
-  for (std::size_t i = first_part; i < body().parts.size(); ++i) sum += body().parts[i].mass;
+  Traced<double> sum = 0.0;
+  for (std::size_t i = first_part; i < body().parts.size(); ++i) sum = sum + body().parts[i].mass;
   for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
-    sum += object_.bodies[i].mass_properties.mass;
+    sum = sum + object_.bodies[i].mass_properties.mass;
   }
   if (!(sum > 0)) {
     if (part_count_ == 0) return;  // reported as such

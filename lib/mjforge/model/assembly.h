@@ -25,7 +25,7 @@ namespace mjforge::model {
 struct MaterialState {
   bool ready = false;
   int index = -1;  // in Object::materials; -1: it has no look
-  std::optional<double> density;
+  std::optional<Traced<double>> density;
   const spec::Field* density_field = nullptr;
   std::vector<Attribute> contact;
 };
@@ -40,7 +40,7 @@ struct Scope {
   Pose X_BS;           // of the spec's root S in the body B at hand
   sample::StreamId parts;
   std::vector<MaterialState> materials;  // as spec.materials
-  std::optional<Eigen::Vector3d> total_size;
+  std::optional<Traced<Eigen::Vector3d>> total_size;
 };
 
 class Renamer;  // attached.cc
@@ -62,9 +62,11 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
-  /// The values of the spec that an entry brings, with the entry's parameters set.
-  std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
-                                                sample::StreamId path);
+  // nested.cc
+  /// The values of the spec that an entry brings, with the entry's parameters set; null after a
+  /// finding.
+  std::shared_ptr<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
+                                                  sample::StreamId path);
   void ReadTotalSize(Scope& scope);
   void ReadChecks(Scope& scope);  // checks.cc
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
@@ -104,7 +106,7 @@ class Assembly {
   void Finish(const Scope& scope);
   /// Sums up the mass of a body's parts, unless an attached file states it.
   void SetMass(std::size_t index);
-  void ScaleMass(double factor, std::size_t first_part, std::size_t first_body);
+  void ScaleMass(const Traced<double>& factor, std::size_t first_part, std::size_t first_body);
   /// Of the body `first` and all bodies below it (all that follow), in the frame of `first`, with
   /// all joints at zero.
   Bounds BoundsFrom(std::size_t first) const;
@@ -119,8 +121,9 @@ class Assembly {
                     const MaterialState*& material);
   bool ReadMass(FieldReader& reader, const spec::Entry& entry, const MaterialState* material,
                 Part& part);
-  bool SetMass(FieldReader& reader, std::optional<double> mass, Part& part);
-  bool SetDensity(FieldReader& reader, const spec::Field& field, double density, Part& part);
+  bool SetMass(FieldReader& reader, const std::optional<Traced<double>>& mass, Part& part);
+  bool SetDensity(FieldReader& reader, const spec::Field& field, const Traced<double>& density,
+                  Part& part);
 
   // sites.cc, joints.cc
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
@@ -167,6 +170,13 @@ class Assembly {
 /// defaults that it lacks; false after a finding.
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
                     std::span<const Attribute> of_material = {});
+
+/// placement: corner. `p` is where the lower corner of something should be, counted from that of
+/// the declared box, with half sizes `total_size`; `lower` is the corner seen from the thing's
+/// origin. Where the origin is then.
+Traced<Eigen::Vector3d> FromCorner(const Traced<Eigen::Vector3d>& p,
+                                   const Traced<Eigen::Vector3d>& total_size,
+                                   const Traced<Eigen::Vector3d>& lower);
 
 /// The extents of the parts from `first` on; only of those that collide, if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);

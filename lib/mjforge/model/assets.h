@@ -43,19 +43,23 @@ class Assets {
   int ShareTexture(const std::string& own_name, Texture texture);
   /// The same for a mesh that an attached file brings, renamed to `name`.
   int ShareMesh(const MeshAsset& mesh, const std::string& name);
+  /// Once all are there: only variants where none of them become equal go this way.
+  void KeepDistinct();
   /// The name of the file's copy: its own, or with _2, _3, ... where that is taken.
   std::string OutputName(const std::filesystem::path& file);
 
  private:
   struct Source {  // of a mesh read from a file
     std::filesystem::path file;
-    Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+    Traced<Eigen::Vector3d> scale = Eigen::Vector3d::Ones();
     bool is_solid = true;
     std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
+  void NotePrism(std::span<const Traced<double>> points, const Traced<double>& height,
+                 const Traced<Eigen::Vector2d>& scale, TriangleMesh& mesh);
   void AddPrism(TriangleMesh mesh, Part& part);
-  void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+  void AddFile(const std::filesystem::path& file, const Traced<Eigen::Vector3d>& scale,
                const Assembler::CachedMesh& content, Part& part);
   void Share(int index, Part& part);
   bool ReadPicture(FieldReader& reader, const spec::Field& field,
@@ -64,7 +68,8 @@ class Assets {
   Assembler& assembler_;
   Object& object_;
   diag::Findings& findings_;
-  std::vector<Source> sources_;  // as Object::meshes
+  TriangleMesh* made_ = nullptr;  // on the tape: the prism at hand
+  std::vector<Source> sources_;   // as Object::meshes
   std::unordered_multimap<std::size_t, int> by_hash_;
   std::pmr::unordered_multimap<std::string_view, int> textures_;  // by own name
   std::map<std::filesystem::path, std::string> output_names_;

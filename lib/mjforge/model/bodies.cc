@@ -17,29 +17,32 @@ using spec::Key;
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-sample::ParameterValue NoValue(const spec::Parameter& parameter) {
-  if (parameter.value.type == expr::Type::kText) return std::string();
-  return std::vector<double>(static_cast<std::size_t>(std::max(parameter.value.components, 1)),
-                             kNoValue);
-}
-
 // Until its body is there a property has no value: `if` may leave the body out.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   if (entry.first_property < 0) return;
   const int count = static_cast<int>(spec::BodyPropertyNames().size());
   for (int i = 0; i < count; ++i) values.SetVariable(entry.first_property + i, kNoValue);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
-    if (entry.parameter_slots[i] < 0) continue;
-    values.SetVariable(entry.parameter_slots[i], NoValue(entry.head.nested->parameters[i]));
+    const int slot = entry.parameter_slots[i];
+    if (slot < 0) continue;
+    const spec::Value& value = entry.head.nested->parameters[i].value;
+    if (value.type == expr::Type::kText) values.SetVariable(slot, "");
+    for (int k = 0; value.type != expr::Type::kText && k < std::max(value.components, 1); ++k) {
+      values.SetVariable(slot + k, kNoValue);
+    }
   }
 }
 
-// The box of a turned box.
-Box3 Turned(const Box3& box, const Eigen::Quaterniond& q) {
+// For placement: corner. Where the origin of a body is if the lower corner of its box, turned, is
+// at `p`, counted from the lower corner of the declared box.
+Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
+                                 const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
+                                 const Eigen::Vector3d& max) {
   const Eigen::Matrix3d R = q.toRotationMatrix();
-  const Eigen::Vector3d center = R * ((box.min + box.max) / 2);
-  const Eigen::Vector3d half = R.cwiseAbs() * ((box.max - box.min) / 2);
-  return {.min = center - half, .max = center + half};
+  const Eigen::Vector3d center = R * ((min + max) / 2);
+  const Eigen::Vector3d half = R.cwiseAbs() * ((max - min) / 2);
+  const Eigen::Vector3d lower = center - half;
+  return p - (total_size + lower);
 }
 
 }  // namespace
@@ -93,14 +96,14 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                     const std::string& name, std::size_t index, sample::StreamId path) {
   if (entry.head.nested != nullptr) {
-    std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
-    if (!nested) return;
+    const std::shared_ptr<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
+    if (nested == nullptr) return;
     Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
     AddSpec(inner);
     TakeAwayJoints(inner);
     for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
       const int slot = entry.parameter_slots[i];
-      if (slot >= 0) scope.values.SetVariable(slot, nested->Parameter(i));
+      if (slot >= 0) scope.values.SetVariable(slot, *nested, i);
     }
   } else if (entry.head.Find(Key::kMjcf) != nullptr) {
     AddAttachment(scope, reader, entry.head, name, index);
@@ -112,9 +115,9 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
   SetMass(index);
   const spec::Field* field = entry.head.Find(Key::kMass);
   if (field == nullptr) return;
-  const std::optional<double> mass = reader.Number(*field);
+  const std::optional<Traced<double>> mass = reader.Number(*field);
   if (!mass) return;
-  const double sum = MassFrom(index).mass;
+  const Traced<double> sum = MassFrom(index).mass;
   if (sum > 0) {
     ScaleMass(*mass / sum, body().parts.size(), index);
   } else {
@@ -148,11 +151,12 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& ent
 void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                              std::size_t index) {
   if (entry.first_property < 0) return;
-  const Eigen::Vector3d half =
-      bounds.aabb.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : bounds.half_size();
-  const double values[] = {
-      bounds.top_offset, bounds.bottom_offset, bounds.horizontal_radius, half.x(), half.y(),
-      half.z(),          MassFrom(index).mass};
+  Traced<Eigen::Vector3d> half = Eigen::Vector3d::Zero();
+  if (!bounds.aabb.empty()) half = bounds.half_size();
+  const Traced<double> values[] = {bounds.top_offset,        bounds.bottom_offset,
+                                   bounds.horizontal_radius, tape::Element(half, 0),
+                                   tape::Element(half, 1),   tape::Element(half, 2),
+                                   MassFrom(index).mass};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
   }
@@ -166,7 +170,8 @@ void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& e
   if (body.parent != scope.body) return;
   const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
   if (corner && !bounds.aabb.empty()) {
-    body.X_PB.p -= *scope.total_size + Turned(bounds.aabb, X_PB->q).min;
+    body.X_PB.p = tape::Apply(OriginFromCorner, X_PB->p, X_PB->q, *scope.total_size,
+                              bounds.aabb.min, bounds.aabb.max);
   }
   body.X_PB = scope.X_BS * body.X_PB;
 }

@@ -46,7 +46,7 @@ void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
   }
   for (const NumberCheck& check : kNumbers) {
     if (check.key == field.info->key)
-      checks.*check.member = reader.Number(field).value_or(checks.*check.member);
+      checks.*check.member = tape::Fixed(reader.Number(field).value_or(checks.*check.member));
   }
   for (const RangeCheck& check : kRanges) {
     if (check.key != field.info->key) continue;
@@ -54,7 +54,7 @@ void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
     if (range && range->x() > range->y()) {
       reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
     }
-    checks.*check.member = range.value_or(checks.*check.member);
+    checks.*check.member = tape::Fixed(range.value_or(checks.*check.member));
   }
 }
 

@@ -18,6 +18,11 @@ const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
 }
 
+bool Holds(const spec::Field& field, const Traced<double>& number) {
+  return tape::Test([info = field.info](double value) { return spec::Holds(*info, value); },
+                    number);
+}
+
 }  // namespace
 
 std::string FieldReader::Owner() const {
@@ -52,9 +57,9 @@ void FieldReader::ReportNumber(const spec::Field& field, double number, std::siz
                 std::move(hint));
 }
 
-std::optional<double> FieldReader::Number(const spec::Field& field) {
-  const double number = values_.Number(field.value, PathOf(field));
-  if (spec::Holds(*field.info, number)) return number;
+std::optional<Traced<double>> FieldReader::Number(const spec::Field& field) {
+  const Traced<double> number = values_.Number(field.value, PathOf(field));
+  if (Holds(field, number)) return number;
   ReportNumber(field, number, 0, 1);
   return std::nullopt;
 }
@@ -63,7 +68,7 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   values_.Vector(field.value, PathOf(field), out);
   bool good = true;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (spec::Holds(*field.info, out[i])) continue;
+    if (Holds(field, out[i])) continue;
     ReportNumber(field, out[i], i, out.size());
     good = false;
   }
@@ -87,9 +92,9 @@ bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numb
   return false;
 }
 
-std::optional<std::vector<double>> FieldReader::Points(const spec::Field& field) {
+std::optional<std::vector<Traced<double>>> FieldReader::Points(const spec::Field& field) {
   const std::size_t before = findings_.size();
-  std::vector<double> points = values_.Points(field.value, PathOf(field));
+  std::vector<Traced<double>> points = values_.Points(field.value, PathOf(field));
   if (findings_.size() != before) return std::nullopt;
   for (const double number : points) {
     if (!std::isfinite(number)) return std::nullopt;
@@ -129,7 +134,7 @@ bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
   switch (field.info->slot) {
     case spec::Slot::kNumber:
     case spec::Slot::kInteger: {
-      const std::optional<double> number = Number(field);
+      const std::optional<Traced<double>> number = Number(field);
       if (number) out.numbers.push_back(*number);
       return number.has_value();
     }

@@ -25,17 +25,17 @@ class FieldReader {
     return child;
   }
 
-  std::optional<double> Number(const spec::Field& field);
+  std::optional<Traced<double>> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
   /// As Numbers, for a field that must have exactly N numbers.
   template <int N>
-  std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
+  std::optional<Traced<Eigen::Matrix<double, N, 1>>> Vector(const spec::Field& field) {
     sample::Numbers numbers;
     if (!Numbers(field, numbers) || !HasCount(field, numbers, N)) return std::nullopt;
-    return Eigen::Matrix<double, N, 1>(numbers.data());
+    return tape::Gather<Eigen::Matrix<double, N, 1>>({numbers.data(), N});
   }
   bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
-  std::optional<std::vector<double>> Points(const spec::Field& field);
+  std::optional<std::vector<Traced<double>>> Points(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
   /// One of the words of the field table.
   std::optional<std::string> Word(const spec::Field& field);

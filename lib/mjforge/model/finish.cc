@@ -17,17 +17,15 @@ using diag::Code;
 // MuJoCo's mjMINVAL, the smallest mass of a body that moves.
 constexpr double kSmallestMass = 1e-15;
 
-void Scale(MassProperties& properties, double factor) {
-  properties.mass *= factor;
-  properties.I_Cm_F *= factor;
-}
-
-Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
+Bounds DeclaredBounds(const Traced<Eigen::Vector3d>& total_size) {
+  using Eigen::Vector3d;
   Bounds bounds;
-  bounds.aabb = {.min = -total_size, .max = total_size};
-  bounds.top_offset = total_size.z();
-  bounds.bottom_offset = -total_size.z();
-  bounds.horizontal_radius = total_size.head<2>().norm();
+  bounds.aabb.min = tape::Apply([](const Vector3d& size) { return Vector3d(-size); }, total_size);
+  bounds.aabb.max = total_size;
+  bounds.top_offset = tape::Element(bounds.aabb.max, 2);
+  bounds.bottom_offset = tape::Element(bounds.aabb.min, 2);
+  bounds.horizontal_radius =
+      tape::Apply([](const Vector3d& size) { return size.head<2>().norm(); }, total_size);
   return bounds;
 }
 
@@ -50,11 +48,12 @@ Bounds BoundsOfAll(const ForEach& for_each) {
     if (some_collide && part.role == Role::kVisual) return;
     bounds.aabb.Add(BoundsOf(part.shape, X_FG));
     bounds.horizontal_radius =
-        std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
+        tape::Apply([](double a, double b) { return std::max(a, b); }, bounds.horizontal_radius,
+                    HorizontalRadius(part.shape, X_FG));
   });
   if (bounds.aabb.empty()) return bounds;
-  bounds.top_offset = bounds.aabb.max.z();
-  bounds.bottom_offset = bounds.aabb.min.z();
+  bounds.top_offset = tape::Element(bounds.aabb.max, 2);
+  bounds.bottom_offset = tape::Element(bounds.aabb.min, 2);
   return bounds;
 }
 
@@ -79,8 +78,8 @@ void Assembly::SetMass(std::size_t index) {
   MassProperties sum;
   for (const Part& part : body.parts) {
     if (!(part.mass > 0)) continue;
-    MassProperties properties = *assets_.UnitMassOf(part.shape, part.mesh);
-    Scale(properties, part.mass / properties.mass);
+    const MassProperties unit = *assets_.UnitMassOf(part.shape, part.mesh);
+    MassProperties properties = Scaled(unit, part.mass / unit.mass);
     properties.mass = part.mass;
     sum = Combine(sum, InFrame(part.X_BG, properties));
     body.explicit_inertial |= part.shape.type == GeomType::kMesh;
@@ -88,17 +87,18 @@ void Assembly::SetMass(std::size_t index) {
   body.mass_properties = sum;
 }
 
-void Assembly::ScaleMass(double factor, std::size_t first_part, std::size_t first_body) {
-  const auto scale = [factor](std::vector<Part>& parts, std::size_t first) {
+void Assembly::ScaleMass(const Traced<double>& factor, std::size_t first_part,
+                         std::size_t first_body) {
+  const auto scale = [&factor](std::vector<Part>& parts, std::size_t first) {
     for (std::size_t i = first; i < parts.size(); ++i) {
-      parts[i].mass *= factor;
-      parts[i].density = 0;  // no longer the number that says it
+      parts[i].mass = parts[i].mass * factor;
+      parts[i].density = 0.0;  // no longer the number that says it
     }
   };
   scale(body().parts, first_part);
   for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
     scale(object_.bodies[i].parts, 0);
-    Scale(object_.bodies[i].mass_properties, factor);
+    object_.bodies[i].mass_properties = Scaled(object_.bodies[i].mass_properties, factor);
   }
 }
 
@@ -139,7 +139,7 @@ void Assembly::ShareMass() {
     Body& mover = bodies[movers[i]];
     if (mover.joints.empty() || mover.mass_properties.mass > 0) continue;
     if (!(bodies[i].mass_properties.mass > 0)) continue;
-    Scale(bodies[i].mass_properties, 0.5);
+    bodies[i].mass_properties = Scaled(bodies[i].mass_properties, 0.5);
     mover.mass_properties = InFrame(X_MB[i], bodies[i].mass_properties);
     mover.explicit_inertial = bodies[i].explicit_inertial = true;
   }
@@ -171,6 +171,7 @@ void Assembly::Finish(const Scope& scope) {
                   "every part is left out by its 'if' or 'for'");
     return;
   }
+  assets_.KeepDistinct();
   CheckUniqueNames(object_, findings_);
   references_.Check();
   SetMass(0);
@@ -185,6 +186,12 @@ void Assembly::Finish(const Scope& scope) {
       std::stable_partition(section.elements.begin(), section.elements.end(),
                             std::not_fn(HasState));
   }
+}
+
+Traced<Eigen::Vector3d> Bounds::half_size() const {
+  using Eigen::Vector3d;
+  return tape::Apply([](const Vector3d& lo, const Vector3d& hi) { return Vector3d((hi - lo) / 2); },
+                     aabb.min, aabb.max);
 }
 
 std::vector<Pose> BodyPoses(const Object& object) { return PosesFrom(object.bodies, 0); }

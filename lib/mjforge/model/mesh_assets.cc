@@ -28,23 +28,35 @@ std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& sca
   return std::hash<std::string_view>()(file.native()) ^ std::hash<std::string_view>()(bytes);
 }
 
+bool AreSame(const Traced<Eigen::Vector3d>& a, const Traced<Eigen::Vector3d>& b) {
+  return tape::Test([](const auto& one, const auto& other) { return one == other; }, a, b);
+}
+
 // One number counts for all axes.
 template <int N>
-std::optional<Eigen::Matrix<double, N, 1>> ReadScale(FieldReader& reader,
-                                                     const spec::Entry& entry) {
+std::optional<Traced<Eigen::Matrix<double, N, 1>>> ReadScale(FieldReader& reader,
+                                                             const spec::Entry& entry) {
   using Scale = Eigen::Matrix<double, N, 1>;
   const spec::Field* field = entry.Find(Key::kScale);
   if (field == nullptr) return Scale(Scale::Ones());
   sample::Numbers numbers;
   if (!reader.Numbers(*field, numbers)) return std::nullopt;
-  for (const double number : numbers) {
+  for (const Traced<double>& number : numbers) {
     if (number != 0) continue;
     reader.Report(Code::kModelBadValue, *field, "is zero");
     return std::nullopt;
   }
-  if (numbers.size() == 1) return Scale(Scale::Constant(numbers[0]));
+  if (numbers.size() == 1) numbers.resize(N, Traced<double>(numbers[0]));
   if (!reader.HasCount(*field, numbers, N)) return std::nullopt;
-  return Scale(numbers.data());
+  return tape::Gather<Scale>({numbers.data(), N});
+}
+
+// A polygon's corners, x and y of each, scaled.
+std::vector<double> ScaledCorners(std::vector<double> corners, const Eigen::Vector2d& scale) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i] *= scale(static_cast<Eigen::Index>(i % 2));
+  }
+  return corners;
 }
 
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
@@ -68,15 +80,13 @@ bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part
   const spec::Field* polygon = Required(reader, entry, Key::kPolygon, "polygon", part.mark);
   const spec::Field* height = Required(reader, entry, Key::kHeight, "height", part.mark);
   if (polygon == nullptr || height == nullptr) return false;
-  std::optional<std::vector<double>> points = reader.Points(*polygon);
-  const std::optional<double> z = reader.Number(*height);
-  const std::optional<Eigen::Vector2d> scale = ReadScale<2>(reader, entry);
+  const std::optional<std::vector<Traced<double>>> points = reader.Points(*polygon);
+  const std::optional<Traced<double>> z = reader.Number(*height);
+  const std::optional<Traced<Eigen::Vector2d>> scale = ReadScale<2>(reader, entry);
   if (!points || !z || !scale) return false;
-  for (std::size_t i = 0; i < points->size(); ++i) {
-    (*points)[i] *= (*scale)(static_cast<Eigen::Index>(i % 2));
-  }
   std::string why_not;
-  std::optional<TriangleMesh> mesh = MakePrism(*points, *z, why_not);
+  std::optional<TriangleMesh> mesh =
+      MakePrism(ScaledCorners({points->begin(), points->end()}, *scale), *z, why_not);
   if (!mesh) {
     reader.ReportElement(
         Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
@@ -84,8 +94,31 @@ bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part
                                                     : "build it from several convex prisms");
     return false;
   }
-  AddPrism(std::move(*mesh), part);
+  NotePrism(*points, *z, *scale, *mesh);
+  AddPrism(*std::move(mesh), part);
   return true;
+}
+
+// A step that makes the prism again, and leaves it on the tape.
+void Assets::NotePrism(std::span<const Traced<double>> points, const Traced<double>& height,
+                       const Traced<Eigen::Vector2d>& scale, TriangleMesh& mesh) {
+  tape::Tape* tape = tape::TapeOfAny(height, scale);
+  for (const Traced<double>& point : points) tape = tape != nullptr ? tape : point.tape();
+  if (tape == nullptr) return;
+  std::vector<const double*> places;
+  for (const Traced<double>& point : points) places.push_back(&PlaceOf(*tape, point));
+  mesh.tape = tape;
+  made_ = &tape->Keep(mesh);
+  tape->Add([made = made_, places = std::move(places), &z = PlaceOf(*tape, height),
+             &by = PlaceOf(*tape, scale)] {
+    std::vector<double> corners;
+    for (const double* place : places) corners.push_back(*place);
+    std::string why_not;
+    std::optional<TriangleMesh> again = MakePrism(ScaledCorners(corners, by), z, why_not);
+    if (!again || again->vertices.size() != made->vertices.size()) return false;
+    made->vertices = std::move(again->vertices);
+    return true;
+  });
 }
 
 void Assets::AddPrism(TriangleMesh mesh, Part& part) {
@@ -95,13 +128,25 @@ void Assets::AddPrism(TriangleMesh mesh, Part& part) {
     const auto index = static_cast<std::size_t>(it->second);
     const TriangleMesh& other = object_.meshes[index]->mesh;
     if (!sources_[index].file.empty() || other.vertices != mesh.vertices) continue;
-    if (other.triangles == mesh.triangles) return Share(it->second, part);
+    if (other.triangles != mesh.triangles) continue;
+    if (mesh.tape != nullptr) {
+      mesh.tape->Add([&other, made = made_] { return made->vertices == other.vertices; });
+    } else if (other.tape != nullptr) {
+      other.tape->Add([&other, mesh] { return mesh.vertices == other.vertices; });
+    }
+    return Share(it->second, part);
   }
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
   asset->mesh = std::move(mesh);
   asset->is_hull = true;
   asset->mark = part.mark;
+  if (asset->mesh.tape != nullptr) {
+    asset->mesh.tape->Add([&mesh = asset->mesh, made = made_] {
+      std::ranges::copy(made->vertices, mesh.vertices.begin());  // texts know their places
+      return true;
+    });
+  }
   const int index = static_cast<int>(object_.meshes.size());
   object_.meshes.push_back(std::move(asset));
   sources_.emplace_back();
@@ -114,7 +159,7 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   const spec::Field* field = Required(reader, entry, Key::kFile, "file", part.mark);
   if (field == nullptr) return false;
   const std::optional<std::string> name = reader.Text(*field);
-  const std::optional<Eigen::Vector3d> scale = ReadScale<3>(reader, entry);
+  const std::optional<Traced<Eigen::Vector3d>> scale = ReadScale<3>(reader, entry);
   if (!name || !scale) return false;
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedMesh& content = assembler_.ReadFile(file);
@@ -140,19 +185,28 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   return true;
 }
 
-void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+void Assets::AddFile(const std::filesystem::path& file, const Traced<Eigen::Vector3d>& scale,
                      const Assembler::CachedMesh& content, Part& part) {
   const std::size_t hash = HashOf(file, scale);
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const Source& source = sources_[static_cast<std::size_t>(it->second)];
-    if (source.file == file && source.scale == scale) return Share(it->second, part);
+    if (source.file == file && AreSame(source.scale, scale)) return Share(it->second, part);
   }
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
   asset->mesh = Scaled(*content.mesh, scale);
   asset->scale = scale;
   asset->mark = part.mark;
+  if (tape::Tape* tape = scale.tape()) {
+    asset->mesh.tape = tape;
+    tape->Add([&mesh = asset->mesh, &unscaled = *content.mesh, &by = *scale.at()] {
+      const TriangleMesh again = Scaled(unscaled, by);
+      if (again.triangles != mesh.triangles) return false;       // mirrored, or not
+      std::ranges::copy(again.vertices, mesh.vertices.begin());  // texts know their places
+      return true;
+    });
+  }
   if (content.fit_for_mujoco) {
     asset->file = file;
     asset->output_file = OutputName(file);
@@ -169,7 +223,7 @@ int Assets::ShareMesh(const MeshAsset& mesh, const std::string& name) {
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
-    if (other.file == mesh.file && other.scale == mesh.scale && !other.is_hull &&
+    if (other.file == mesh.file && !other.is_hull && AreSame(other.scale, mesh.scale) &&
         other.attributes == mesh.attributes) {
       return it->second;
     }
@@ -190,6 +244,27 @@ std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
   if (!source.is_solid) return std::nullopt;
   if (!source.unit_mass) source.unit_mass = MassOf(shape, 1);
   return source.unit_mass;
+}
+
+void Assets::KeepDistinct() {
+  tape::Tape* tape = nullptr;
+  std::vector<std::pair<const MeshAsset*, const Eigen::Vector3d*>> meshes;  // and scales
+  for (const auto& mesh : object_.meshes) {
+    if (mesh->mesh.tape != nullptr) tape = mesh->mesh.tape;
+  }
+  if (tape == nullptr) return;
+  for (const auto& mesh : object_.meshes) {
+    // Those with attributes come from attached files, and do not vary.
+    if (mesh->attributes.empty()) meshes.emplace_back(mesh.get(), &PlaceOf(*tape, mesh->scale));
+  }
+  tape->Add([meshes = std::move(meshes)] {
+    std::vector<std::size_t> hashes;
+    for (const auto& [mesh, scale] : meshes) {
+      hashes.push_back(mesh->is_hull ? HashOf(mesh->mesh) : HashOf(mesh->file, *scale));
+    }
+    std::ranges::sort(hashes);
+    return std::ranges::adjacent_find(hashes) == hashes.end();
+  });
 }
 
 std::string Assets::OutputName(const std::filesystem::path& file) {

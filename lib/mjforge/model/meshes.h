@@ -11,12 +11,16 @@
 
 #include <Eigen/Dense>
 
+#include "mjforge/tape/tape.h"
+
 namespace mjforge::model {
 
 /// A surface of triangles, counter-clockwise seen from outside. m.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;
+  /// On which a step moves the vertices; null if they are the same in all variants.
+  tape::Tape* tape = nullptr;
 };
 
 /// The prism over a convex polygon (x, y pairs, in either direction; neighbouring corners may lie

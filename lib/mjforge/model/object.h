@@ -65,7 +65,7 @@ struct MeshAsset {
   /// itself.
   bool is_hull = false;
   std::string output_file;  // its name in assets/
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  Traced<Eigen::Vector3d> scale = Eigen::Vector3d::Ones();
   /// For the mesh of an attached file: the other attributes of its element (refpos, refquat, inline
   /// vertices); `mesh` is the result with all of them applied.
   std::vector<Attribute> attributes;
@@ -105,8 +105,8 @@ struct Part {
   Pose X_BG;
   /// kg; 0 for a visual part. MJCF states the density instead if that was given (`density` > 0), so
   /// that MuJoCo computes the mass from the same number.
-  double mass = 0;
-  double density = 0;
+  Traced<double> mass = 0;
+  Traced<double> density = 0;
   int material = -1;  // in Object::materials
   /// A geom of an attached file: written under its own name and with no more
   /// attributes than it has; the role only says whether it collides.
@@ -118,9 +118,9 @@ struct Part {
 struct Joint {
   std::string name;
   std::string_view type = "free";  // free ball slide hinge
-  Eigen::Vector3d pos = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  std::optional<Eigen::Vector2d> range;  // limited if present
+  Traced<Eigen::Vector3d> pos = Eigen::Vector3d::Zero();
+  Traced<Eigen::Vector3d> axis = Eigen::Vector3d::UnitZ();
+  std::optional<Traced<Eigen::Vector2d>> range;  // limited if present
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -128,7 +128,7 @@ struct Joint {
 struct Site {
   std::string name;
   GeomType type = GeomType::kSphere;
-  Eigen::Vector3d size = Eigen::Vector3d::Constant(0.005);
+  Traced<Eigen::Vector3d> size = Eigen::Vector3d::Constant(0.005);
   Pose X_BS;
   int material = -1;
   std::vector<Attribute> attributes;
@@ -157,10 +157,10 @@ struct Body {
 /// Extents of the collision parts in the root frame (all parts if none collides).
 struct Bounds {
   Box3 aabb;
-  double top_offset = 0;         // aabb.max.z, m
-  double bottom_offset = 0;      // aabb.min.z, m
-  double horizontal_radius = 0;  // largest distance from the root's z axis, m
-  Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
+  Traced<double> top_offset = 0;         // aabb.max.z, m
+  Traced<double> bottom_offset = 0;      // aabb.min.z, m
+  Traced<double> horizontal_radius = 0;  // largest distance from the root's z axis, m
+  Traced<Eigen::Vector3d> half_size() const;
 };
 
 struct Object {
@@ -174,6 +174,9 @@ struct Object {
   MassProperties mass_properties;  // in the root frame, with all joints at zero
   Checks checks;
 };
+
+/// Takes all numbers of the object off their tape; it must stay where it is.
+void TakeOffTape(Object& object, tape::Links& links);
 
 /// X_RootB of every body with all joints at zero; the root's is the identity.
 std::vector<Pose> BodyPoses(const Object& object);

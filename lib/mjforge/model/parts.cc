@@ -32,15 +32,17 @@ bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
   return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
 }
 
-// placement: corner. `pos` is the place of the part's lower corner, counted
-// from the lower corner of the declared box.
-Eigen::Vector3d FromCorner(const Pose& X_SG, const Shape& shape,
-                           const Eigen::Vector3d& total_size) {
-  const Box3 box = BoundsOf(shape, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
-  return X_SG.p - total_size - box.min;
-}
-
 }  // namespace
+
+Traced<Eigen::Vector3d> FromCorner(const Traced<Eigen::Vector3d>& p,
+                                   const Traced<Eigen::Vector3d>& total_size,
+                                   const Traced<Eigen::Vector3d>& lower) {
+  using Eigen::Vector3d;
+  const auto from_corner = [](const Vector3d& at, const Vector3d& half, const Vector3d& corner) {
+    return Vector3d(at - half - corner);
+  };
+  return tape::Apply(from_corner, p, total_size, lower);
+}
 
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
                     std::span<const Attribute> of_material) {
@@ -88,7 +90,8 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   if (!good) return;
   Pose X_SG = X_SF * X_FG;
   if (scope.total_size && scope.values.spec().placement == spec::Placement::kCorner) {
-    X_SG.p = FromCorner(X_SG, part.shape, *scope.total_size);
+    const Box3 box = BoundsOf(part.shape, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
+    X_SG.p = FromCorner(X_SG.p, *scope.total_size, box.min);
   }
   part.X_BG = scope.X_BS * X_SG;
   body().parts.push_back(std::move(part));
@@ -105,8 +108,8 @@ bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry
   return true;
 }
 
-bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double density,
-                          Part& part) {
+bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field,
+                          const Traced<double>& density, Part& part) {
   const bool may_be_zero = part.role == Role::kVisual;
   if (density == 0 && !may_be_zero) {
     reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
@@ -131,16 +134,16 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
     }
   }
   if (field != nullptr) {
-    const std::optional<double> number = reader.Number(*field);
+    const std::optional<Traced<double>> number = reader.Number(*field);
     if (!number || !SetDensity(reader, *field, *number, part)) return false;
     return SetMass(reader, mass != nullptr ? number : std::nullopt, part);
   }
-  part.density = 1000;  // MuJoCo's
+  part.density = 1000.0;  // MuJoCo's
   return SetMass(reader, std::nullopt, part);
 }
 
 // The mass given, or that of the part's density.
-bool Assembly::SetMass(FieldReader& reader, std::optional<double> mass, Part& part) {
+bool Assembly::SetMass(FieldReader& reader, const std::optional<Traced<double>>& mass, Part& part) {
   const std::optional<MassProperties> unit = assets_.UnitMassOf(part.shape, part.mesh);
   if (!unit) {
     reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",

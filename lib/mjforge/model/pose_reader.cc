@@ -4,77 +4,100 @@ namespace mjforge::model {
 namespace {
 
 using diag::Code;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
 using spec::Key;
+using Rotation = Traced<Quaterniond>;
+using SixNumbers = Traced<Eigen::Matrix<double, 6, 1>>;
 
 // MuJoCo's mjEPS: axes shorter than this are refused there.
 constexpr double kShortest = 1e-14;
 
-std::optional<Eigen::Quaterniond> ReadQuat(FieldReader& reader, const spec::Field& field) {
+Traced<Vector3d> FirstOf(const SixNumbers& numbers) {
+  return tape::Apply([](const auto& six) { return Vector3d(six.template head<3>()); }, numbers);
+}
+
+Traced<Vector3d> SecondOf(const SixNumbers& numbers) {
+  return tape::Apply([](const auto& six) { return Vector3d(six.template tail<3>()); }, numbers);
+}
+
+template <int N>
+bool HasLength(const Traced<Eigen::Matrix<double, N, 1>>& vector) {
+  return tape::Test([](const auto& v) { return v.stableNorm() > kShortest; }, vector);
+}
+
+std::optional<Rotation> ReadQuat(FieldReader& reader, const spec::Field& field) {
   const auto q = reader.Vector<4>(field);
   if (!q) return std::nullopt;
-  if (!(q->stableNorm() > kShortest)) {
+  if (!HasLength(*q)) {
     reader.Report(Code::kModelBadRotation, field, "is zero");
     return std::nullopt;
   }
-  const Eigen::Vector4d unit = q->stableNormalized();
-  return Eigen::Quaterniond(unit(0), unit(1), unit(2), unit(3));
+  const auto rotation = [](const Vector4d& wxyz) {
+    const Vector4d unit = wxyz.stableNormalized();
+    return Quaterniond(unit(0), unit(1), unit(2), unit(3));
+  };
+  return tape::Apply(rotation, *q);
 }
 
-std::optional<Eigen::Quaterniond> ReadAxisAngle(FieldReader& reader, const spec::Field& field) {
+std::optional<Rotation> ReadAxisAngle(FieldReader& reader, const spec::Field& field) {
   const auto numbers = reader.Vector<4>(field);
   if (!numbers) return std::nullopt;
-  const Eigen::Vector3d axis = numbers->head<3>();
-  if (!(axis.stableNorm() > kShortest)) {
+  const auto axis = tape::Apply([](const Vector4d& v) { return Vector3d(v.head<3>()); }, *numbers);
+  if (!HasLength(axis)) {
     reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
     return std::nullopt;
   }
-  return FromAxisAngle(axis, (*numbers)(3));
+  return tape::Apply(FromAxisAngle, axis, tape::Element(*numbers, 3));
 }
 
-std::optional<Eigen::Quaterniond> ReadXyAxes(FieldReader& reader, const spec::Field& field) {
+std::optional<Rotation> ReadXyAxes(FieldReader& reader, const spec::Field& field) {
   const auto numbers = reader.Vector<6>(field);
   if (!numbers) return std::nullopt;
-  const Eigen::Vector3d x = numbers->head<3>();
-  const Eigen::Vector3d y = numbers->tail<3>();
-  if (!(x.stableNorm() > kShortest) || !(y.stableNorm() > kShortest)) {
+  const Traced<Vector3d> x = FirstOf(*numbers);
+  const Traced<Vector3d> y = SecondOf(*numbers);
+  if (!HasLength(x) || !HasLength(y)) {
     reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
     return std::nullopt;
   }
-  const double sine = x.stableNormalized().cross(y.stableNormalized()).norm();
-  if (!(sine > 1e-10)) {
+  const auto crosses = [](const Vector3d& a, const Vector3d& b) {
+    return a.stableNormalized().cross(b.stableNormalized()).norm() > 1e-10;
+  };
+  if (!tape::Test(crosses, x, y)) {
     reader.Report(Code::kModelBadRotation, field, "has parallel axes");
     return std::nullopt;
   }
-  return FromXyAxes(x, y);
+  return tape::Apply(FromXyAxes, x, y);
 }
 
-std::optional<Eigen::Quaterniond> ReadOrientation(FieldReader& reader, const spec::Entry& entry) {
+std::optional<Rotation> ReadOrientation(FieldReader& reader, const spec::Entry& entry) {
   if (const spec::Field* field = entry.Find(Key::kQuat)) return ReadQuat(reader, *field);
   if (const spec::Field* field = entry.Find(Key::kAxisAngle)) return ReadAxisAngle(reader, *field);
   if (const spec::Field* field = entry.Find(Key::kXyAxes)) return ReadXyAxes(reader, *field);
   if (const spec::Field* field = entry.Find(Key::kEuler)) {
     const auto angles = reader.Vector<3>(*field);
     if (!angles) return std::nullopt;
-    return FromEuler(*angles);
+    return tape::Apply(FromEuler, *angles);
   }
   if (const spec::Field* field = entry.Find(Key::kZAxis)) {
     const auto z = ReadDirection(reader, *field);
     if (!z) return std::nullopt;
-    return FromZAxis(*z);
+    return tape::Apply(FromZAxis, *z);
   }
-  return Eigen::Quaterniond::Identity();
+  return Rotation(Quaterniond::Identity());
 }
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field) {
+std::optional<Traced<Vector3d>> ReadDirection(FieldReader& reader, const spec::Field& field) {
   const auto direction = reader.Vector<3>(field);
   if (!direction) return std::nullopt;
-  if (!(direction->stableNorm() > kShortest)) {
+  if (!HasLength(*direction)) {
     reader.Report(Code::kModelBadRotation, field, "is zero");
     return std::nullopt;
   }
-  return direction->stableNormalized();
+  return tape::Apply([](const Vector3d& v) { return v.stableNormalized(); }, *direction);
 }
 
 std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
@@ -85,7 +108,7 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
     if (pos) pose.p = *pos;
     good = pos.has_value();
   }
-  const std::optional<Eigen::Quaterniond> q = ReadOrientation(reader, entry);
+  const std::optional<Rotation> q = ReadOrientation(reader, entry);
   if (!good || !q) return std::nullopt;
   pose.q = *q;
   return pose;
@@ -96,14 +119,20 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
 std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field) {
   const auto ends = reader.Vector<6>(field);
   if (!ends) return std::nullopt;
-  const Eigen::Vector3d from = ends->head<3>();
-  const Eigen::Vector3d to = ends->tail<3>();
-  const double length = (from - to).stableNorm();
-  if (!(length / 2 > kShortest)) {
+  const Traced<Vector3d> from = FirstOf(*ends);
+  const Traced<Vector3d> to = SecondOf(*ends);
+  const auto half_length = [](const Vector3d& a, const Vector3d& b) {
+    return (a - b).stableNorm() / 2;
+  };
+  const Traced<double> half = tape::Apply(half_length, from, to);
+  if (!(half > kShortest)) {
     reader.Report(Code::kModelBadValue, field, "has two equal end points");
     return std::nullopt;
   }
-  return Span{.pose = {.p = (from + to) / 2, .q = FromZAxis(from - to)}, .half_length = length / 2};
+  const auto middle = [](const Vector3d& a, const Vector3d& b) { return Vector3d((a + b) / 2); };
+  const auto along = [](const Vector3d& a, const Vector3d& b) { return FromZAxis(a - b); };
+  return Span{.pose = {.p = tape::Apply(middle, from, to), .q = tape::Apply(along, from, to)},
+              .half_length = half};
 }
 
 }  // namespace mjforge::model

@@ -12,11 +12,11 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 /// The pose and half length that `fromto` gives.
 struct Span {
   Pose pose;
-  double half_length = 0;
+  Traced<double> half_length = 0;
 };
 std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field);
 
 /// The unit vector along a field's three numbers.
-std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
+std::optional<Traced<Eigen::Vector3d>> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::model

@@ -4,15 +4,19 @@
 
 #include <Eigen/Dense>
 
+#include "mjforge/tape/tape.h"
+
 namespace mjforge::model {
+
+using tape::Traced;
 
 /// Pose of a frame B in a frame A, X_AB: a point p_B is p_A = q * p_B + p.
 struct Pose {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();            // m
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  // unit
+  Traced<Eigen::Vector3d> p = Eigen::Vector3d::Zero();            // m
+  Traced<Eigen::Quaterniond> q = Eigen::Quaterniond::Identity();  // unit
 
   /// X_AC = X_AB * X_BC.
-  Pose operator*(const Pose& X_BC) const { return {q * X_BC.p + p, (q * X_BC.q).normalized()}; }
+  Pose operator*(const Pose& X_BC) const;
   Eigen::Vector3d operator*(const Eigen::Vector3d& p_B) const { return q * p_B + p; }
   Pose Inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
 };

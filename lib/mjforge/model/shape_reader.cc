@@ -38,7 +38,7 @@ bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_vie
 }
 
 bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view type,
-              std::optional<double> half_length, Part& part) {
+              const std::optional<Traced<double>>& half_length, Part& part) {
   const spec::Field* field = entry.Find(Key::kSize);
   if (field == nullptr) {
     reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
@@ -55,10 +55,9 @@ bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view ty
                               half_length ? " with 'fromto'" : "", wanted));
     return false;
   }
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    part.shape.size(static_cast<Eigen::Index>(i)) = numbers[i];
-  }
-  if (half_length) part.shape.size(all - 1) = *half_length;
+  if (half_length) numbers.push_back(*half_length);
+  numbers.resize(3);
+  part.shape.size = tape::Gather<Eigen::Vector3d>({numbers.data(), 3});
   return true;
 }
 

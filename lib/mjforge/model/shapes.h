@@ -24,15 +24,18 @@ int SizeCount(GeomType type);
 /// along z), ellipsoid (three radii), box (three half lengths); all > 0.
 struct Shape {
   GeomType type = GeomType::kSphere;
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Traced<Eigen::Vector3d> size = Eigen::Vector3d::Zero();
   const TriangleMesh* mesh = nullptr;  // kMesh only; closed; not owned
+
+  /// On which its size or its vertices are; null if they are the same in all variants.
+  tape::Tape* tape() const { return mesh != nullptr ? mesh->tape : size.tape(); }
 };
 
 /// Mass, centre of mass and inertia of a rigid body in a frame F.
 struct MassProperties {
-  double mass = 0;                                   // kg
-  Eigen::Vector3d p_FCm = Eigen::Vector3d::Zero();   // centre of mass, m
-  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();  // about it, along F's axes, kg m^2
+  Traced<double> mass = 0;                                   // kg
+  Traced<Eigen::Vector3d> p_FCm = Eigen::Vector3d::Zero();   // centre of mass, m
+  Traced<Eigen::Matrix3d> I_Cm_F = Eigen::Matrix3d::Zero();  // about it, along F's axes, kg m^2
 };
 
 double Volume(const Shape& shape);  // m^3
@@ -47,6 +50,9 @@ MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F);
 /// The two bodies as one (parallel axis theorem).
 MassProperties Combine(const MassProperties& a, const MassProperties& b);
 
+/// The same body, `factor` times as dense.
+MassProperties Scaled(const MassProperties& properties, const Traced<double>& factor);
+
 /// The largest value of dot(direction, point) over the shape; direction of any length.
 double Support(const Shape& shape, const Eigen::Vector3d& direction_G);
 
@@ -54,20 +60,17 @@ double Support(const Shape& shape, const Eigen::Vector3d& direction_G);
 Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& direction_G);
 
 struct Box3 {
-  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+  Traced<Eigen::Vector3d> min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Traced<Eigen::Vector3d> max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
   bool empty() const { return min.x() > max.x(); }
-  void Add(const Box3& other) {
-    min = min.cwiseMin(other.min);
-    max = max.cwiseMax(other.max);
-  }
+  void Add(const Box3& other);
 };
 /// Exact axis-aligned box of the shape at a pose.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
 
 /// The largest distance of a point of the shape from the z axis of A. Exact up
 /// to rounding.
-double HorizontalRadius(const Shape& shape, const Pose& X_AG);
+Traced<double> HorizontalRadius(const Shape& shape, const Pose& X_AG);
 
 /// Is the point in the shape, surface included?
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A);

@@ -34,9 +34,8 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);
     // MuJoCo lets its default, 0.005, stand for those left out.
-    for (std::size_t i = 0; i < numbers.size() && i < 3; ++i) {
-      site.size(static_cast<Eigen::Index>(i)) = numbers[i];
-    }
+    numbers.resize(3, 0.005);
+    site.size = tape::Gather<Eigen::Vector3d>({numbers.data(), 3});
   }
   const std::optional<Pose> pose = ReadPose(reader, entry);
   if (pose) site.X_BS = scope.X_BS * *pose;

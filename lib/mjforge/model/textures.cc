@@ -12,7 +12,7 @@ using diag::Code;
 using spec::Key;
 
 // MuJoCo has no default for the pixels of a generated texture.
-constexpr double kPixels = 64;
+const Traced<double> kPixels = 64;
 
 Attribute* Find(std::vector<Attribute>& attributes, std::string_view name) {
   for (Attribute& attribute : attributes) {
@@ -23,7 +23,7 @@ Attribute* Find(std::vector<Attribute>& attributes, std::string_view name) {
 
 void FillInPixels(std::vector<Attribute>& attributes) {
   const Attribute* width = Find(attributes, "width");
-  const double pixels = width != nullptr ? width->numbers[0] : kPixels;
+  const Traced<double> pixels = width != nullptr ? width->numbers[0] : kPixels;
   for (const std::string_view name : {"width", "height"}) {
     if (Find(attributes, name) != nullptr) continue;
     Attribute& attribute = attributes.emplace_back();

@@ -90,7 +90,8 @@ class Proportions {
       twice += CheckOverlap(body, solids);
       CheckPieces(body, solids);
     }
-    return object_.mass_properties.mass > 0 ? twice / object_.mass_properties.mass : 0;
+    const double mass = object_.mass_properties.mass;
+    return mass > 0 ? twice / mass : 0;
   }
 
  private:

@@ -162,8 +162,9 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
             kDisk);
   Rod(foot, head, 1.5 * thin, kMark, scene);
   Ball(root, 8 * thin, kMark, scene);
-  scene.AddToFrame({.solid = {model::GeomType::kBox, (max - min) / 2}, .p_WS = (min + max) / 2});
-  scene.AddToFrame({.solid = {model::GeomType::kCylinder, {reach, thin, 0}}, .p_WS = foot});
+  scene.AddToFrame(
+      {.solid = {model::GeomType::kBox, Vector3d((max - min) / 2)}, .p_WS = (min + max) / 2});
+  scene.AddToFrame({.solid = {model::GeomType::kCylinder, Vector3d(reach, thin, 0)}, .p_WS = foot});
   const Vector3d size = max - min;
   scene.AddLabel(head, fmt::format("top {:.4g} m", max.z() - root.z()));
   scene.AddLabel(foot, fmt::format("bottom {:.4g} m", min.z() - root.z()));

@@ -1,8 +1,10 @@
 // The part of Evaluator that draws: numbers, options, rotations, points, colours.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -27,138 +29,213 @@ bool IsRounded(Distribution distribution) {
          distribution != Distribution::kBernoulli;
 }
 
-bool HasNan(std::span<const double> numbers) {
-  for (const double number : numbers) {
-    if (std::isnan(number)) return true;
+bool HasNan(const Numbers& numbers) {
+  return std::ranges::any_of(numbers, [](double number) { return std::isnan(number); });
+}
+
+// The numbers that a draw takes.
+class Arguments {
+ public:
+  Arguments(const Numbers& arguments, const Numbers& limits) : count_(arguments.size()) {
+    std::copy(arguments.begin(), arguments.end(), numbers_.begin());
+    std::copy(limits.begin(), limits.end(), numbers_.begin() + count_);
+    has_limits_ = !limits.empty();
   }
-  return false;
+  // The first `count` are arguments, the others limits.
+  Arguments(std::span<const double* const> places, std::size_t count)
+      : count_(count), has_limits_(places.size() > count) {
+    for (std::size_t i = 0; i < places.size(); ++i) numbers_[i] = *places[i];
+  }
+
+  std::span<const double> numbers() const { return {numbers_.data(), count_}; }
+  std::optional<Interval> limits() const {
+    if (!has_limits_) return std::nullopt;
+    return Interval{numbers_[count_], numbers_[count_ + 1]};
+  }
+
+ private:
+  std::array<double, 5> numbers_;  // a triangular draw has three, and limits are two
+  std::size_t count_;
+  bool has_limits_;
+};
+
+std::string_view WhatIsWrong(std::span<const double> weights) {
+  if (weights.empty()) return {};
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  if (!(std::ranges::min(weights) >= 0)) return "a weight of the choice is negative";
+  if (std::isinf(sum)) return "the sum of the choice's weights is infinite";
+  return sum > 0 ? "" : "all weights of the choice are 0; one must be positive";
+}
+
+template <std::size_t n>
+void Append(const Traced<std::array<double, n>>& numbers, Numbers& out) {
+  for (std::size_t i = 0; i < n; ++i) out.push_back(Element(numbers, i));
 }
 
 }  // namespace
 
-double Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId path) {
+Traced<double> Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId path) {
   Numbers arguments;
   for (std::size_t i = 0; i < draw.arguments.size(); ++i) {
     arguments.push_back(Number(draw.arguments[i], ItemStream(draw.arguments[i], path, i)));
   }
-  std::optional<Interval> limits;
-  if (draw.limits.size() == 2) {
-    const StreamId limits_path = Child(path, Info(draw.distribution).option);
-    limits = Interval{Number(draw.limits[0], Child(limits_path, std::size_t{0})),
-                      Number(draw.limits[1], Child(limits_path, std::size_t{1}))};
-    if (std::isnan(limits->lo) || std::isnan(limits->hi)) return limits->lo + limits->hi;
+  Numbers limits;
+  const StreamId limits_path =
+      draw.limits.empty() ? path : Child(path, Info(draw.distribution).option);
+  for (std::size_t i = 0; i < draw.limits.size(); ++i) {
+    limits.push_back(Number(draw.limits[i], Child(limits_path, i)));
   }
-  const std::span<const double> numbers(arguments.data(), arguments.size());
-  if (HasNan(numbers)) return std::numeric_limits<double>::quiet_NaN();
-  return DrawFrom(draw.distribution, numbers, limits, mark, path);
-}
-
-double Evaluator::DrawFrom(Distribution distribution, std::span<const double> arguments,
-                           std::optional<Interval> limits, SourceMark mark, StreamId path) {
-  if (auto wrong = CheckArguments(distribution, arguments, limits)) {
-    const auto stated = StatedInterval(distribution, arguments, limits);
+  if (HasNan(arguments) || HasNan(limits)) return std::numeric_limits<double>::quiet_NaN();
+  const Arguments plain(arguments, limits);
+  if (auto wrong = CheckArguments(draw.distribution, plain.numbers(), plain.limits())) {
+    const auto stated = StatedInterval(draw.distribution, plain.numbers(), plain.limits());
     const bool empty = stated && stated->lo > stated->hi;
     return Fail(
         empty ? Code::kSampleEmptyRange : Code::kSampleBadArgument, mark, std::move(*wrong),
         empty ? "write the lower end first, or keep the ends apart with min() and max()" : "");
   }
-  const double u = Uniforms(path)[0];
-  const double value = Quantile(distribution, arguments, limits, u);
+  const double value = Drawn(draw.distribution, plain.numbers(), plain.limits(), path);
   if (!std::isfinite(value)) {
     return Fail(Code::kSampleBadArgument, mark,
-                fmt::format("'{}' drew a value that is not finite", Info(distribution).key));
+                fmt::format("'{}' drew a value that is not finite", Info(draw.distribution).key));
   }
-  if (!IsRounded(distribution)) return value;
+  if (tape_ == nullptr) return value;
+  return NoteDraw(draw.distribution, arguments, limits, path, value);
+}
+
+double Evaluator::Drawn(Distribution distribution, std::span<const double> arguments,
+                        std::optional<Interval> limits, StreamId path) const {
+  const double value = Quantile(distribution, arguments, limits, Uniforms(path)[0]);
+  if (!std::isfinite(value) || !IsRounded(distribution)) return value;
   const Interval support = Support(distribution, arguments, limits);
   return RoundDraw(value, support.lo, support.hi);
 }
 
+Traced<double> Evaluator::NoteDraw(Distribution distribution, const Numbers& arguments,
+                                   const Numbers& limits, StreamId path, double value) {
+  double& at = tape_->Keep(value);
+  std::vector<const double*> places;
+  for (const Numbers* numbers : {&arguments, &limits}) {
+    for (const Traced<double>& number : *numbers) places.push_back(&PlaceOf(*tape_, number));
+  }
+  tape_->Add([this, distribution, path, &at, places = std::move(places), count = arguments.size()] {
+    const Arguments plain(places, count);
+    if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
+    at = Drawn(distribution, plain.numbers(), plain.limits(), path);
+    return std::isfinite(at);
+  });
+  return {value, *tape_, at};
+}
+
 const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, StreamId& path) {
-  const std::size_t count = draw.arguments.size();
-  std::size_t option;
-  if (draw.distribution == Distribution::kCycle) {
-    option = static_cast<std::size_t>(key_.index % count);
-  } else if (!draw.weights.empty() || IsExact(draw)) {
-    option = WeightedOption(draw, mark, path);
-  } else {
-    option = static_cast<std::size_t>(Uniforms(path)[0] * static_cast<double>(count));
+  const std::optional<Numbers> weights = Weights(draw, mark, path);
+  std::size_t option = 0;
+  if (weights) option = Option(draw, std::vector<double>(weights->begin(), weights->end()), path);
+  if (weights && tape_ != nullptr) {
+    std::vector<const double*> places;
+    for (const Traced<double>& weight : *weights) places.push_back(&PlaceOf(*tape_, weight));
+    tape_->Add([this, &draw, path, option, places = std::move(places)] {
+      std::vector<double> numbers;
+      for (const double* place : places) numbers.push_back(*place);
+      return WhatIsWrong(numbers).empty() && Option(draw, numbers, path) == option;
+    });
   }
   path = Child(Child(path, Info(draw.distribution).key), option);
   return draw.arguments[option];
 }
 
-std::size_t Evaluator::WeightedOption(const spec::Draw& draw, SourceMark mark, StreamId path) {
-  Numbers weights;
-  const StreamId weights_path = Child(path, "weights");
-  double sum = 0;
-  for (std::size_t i = 0; i < draw.weights.size(); ++i) {
-    const double weight = Number(draw.weights[i], ItemStream(draw.weights[i], weights_path, i));
-    if (weight < 0) {
-      Fail(Code::kSampleBadArgument, draw.weights[i].mark,
-           fmt::format("weight {} of the choice is {}; it must not be negative", i + 1,
-                       NumberText(weight)));
-      return 0;
-    }
-    weights.push_back(weight);
-    sum += weight;
-  }
-  if (draw.weights.empty()) {  // of an exact choice
-    weights.assign(draw.arguments.size(), 1);
-    sum = 1;
-  }
-  if (std::isnan(sum)) return 0;
-  if (sum <= 0 || std::isinf(sum)) {
-    Fail(Code::kSampleBadArgument, mark,
-         sum <= 0 ? "all weights of the choice are 0; one must be positive"
-                  : "the sum of the choice's weights is infinite");
-    return 0;
+std::size_t Evaluator::Option(const spec::Draw& draw, std::span<const double> weights,
+                              StreamId path) const {
+  const std::size_t count = draw.arguments.size();
+  if (draw.distribution == Distribution::kCycle) {
+    return static_cast<std::size_t>(key_.index % count);
   }
   if (IsExact(draw)) {
-    return sampler_->ExactOption({weights.data(), weights.size()}, key_, path);
+    const std::vector<double> same(count, 1);
+    return sampler_->ExactOption(weights.empty() ? same : weights, key_, path);
   }
-  return WeightedIndex({weights.data(), weights.size()}, Uniforms(path)[0]);
+  const double u = Uniforms(path)[0];
+  return weights.empty() ? static_cast<std::size_t>(u * static_cast<double>(count))
+                         : WeightedIndex(weights, u);
+}
+
+std::optional<Numbers> Evaluator::Weights(const spec::Draw& draw, SourceMark mark, StreamId path) {
+  Numbers weights;
+  if (draw.weights.empty()) return weights;
+  const StreamId weights_path = Child(path, "weights");
+  for (std::size_t i = 0; i < draw.weights.size(); ++i) {
+    weights.push_back(Number(draw.weights[i], ItemStream(draw.weights[i], weights_path, i)));
+    if (!(weights.back().value() < 0)) continue;
+    Fail(Code::kSampleBadArgument, draw.weights[i].mark,
+         fmt::format("weight {} of the choice is {}; it must not be negative", i + 1,
+                     NumberText(weights.back())));
+    return std::nullopt;
+  }
+  if (HasNan(weights)) return std::nullopt;  // reported where it was computed
+  const std::string_view wrong = WhatIsWrong(std::vector<double>(weights.begin(), weights.end()));
+  if (wrong.empty()) return weights;
+  Fail(Code::kSampleBadArgument, mark, std::string(wrong));
+  return std::nullopt;
+}
+
+void Evaluator::AppendRotation(StreamId path, Numbers& out) {
+  const auto rotation = [this, path] {
+    const std::array<double, 4> u = Uniforms(path);
+    return UniformRotation(u[0], u[1], u[2]);
+  };
+  Append(tape::Note(tape_, rotation), out);
 }
 
 void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, StreamId path,
                             Numbers& out) {
+  using Axis = std::array<double, 3>;
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
-  double length = 0;
-  for (const double component : axis) length = std::hypot(length, component);
-  if (length == 0) {
+  const auto length = [](const Axis& a) { return std::hypot(std::hypot(a[0], a[1]), a[2]); };
+  const Traced<Axis> direction = tape::Gather<Axis>({axis.data(), axis.size()});
+  if (tape::Test([length](const Axis& a) { return length(a) == 0; }, direction)) {
     Fail(Code::kSampleBadArgument, mark, "the axis to turn about is 0 0 0; it needs a direction");
   }
-  // From -pi/2 to pi/2, so that w is not negative.
-  const double half_angle = std::numbers::pi * (Uniforms(path)[0] - 0.5);
-  out.push_back(std::cos(half_angle));
-  for (const double component : axis) out.push_back(std::sin(half_angle) * (component / length));
+  const auto rotation = [this, path, length](const Axis& a) {
+    // From -pi/2 to pi/2, so that w is not negative.
+    const double half_angle = std::numbers::pi * (Uniforms(path)[0] - 0.5);
+    std::array<double, 4> q = {std::cos(half_angle), 0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) q[i + 1] = std::sin(half_angle) * (a[i] / length(a));
+    return q;
+  };
+  Append(tape::Note(tape_, rotation, direction), out);
 }
 
 void Evaluator::AppendOnSphere(const spec::PointOnSphere& point, SourceMark mark, StreamId path,
                                Numbers& out) {
-  const double radius = Number(*point.radius, Child(path, "on_sphere"));
+  const Traced<double> radius = Number(*point.radius, Child(path, "on_sphere"));
   if (radius < 0) {
     Fail(
         Code::kSampleBadArgument, mark,
         fmt::format("the radius of the sphere is {}; it must not be negative", NumberText(radius)));
   }
-  const std::array<double, 4> u = Uniforms(path);
-  for (const double component : UniformDirection(u[0], u[1])) out.push_back(radius * component);
+  const auto place = [this, path](double r) {
+    const std::array<double, 4> u = Uniforms(path);
+    std::array<double, 3> at = UniformDirection(u[0], u[1]);
+    for (double& component : at) component *= r;
+    return at;
+  };
+  Append(tape::Note(tape_, place, radius), out);
 }
 
 void Evaluator::AppendColor(const spec::HsvColor& color, SourceMark mark, StreamId path,
                             Numbers& out) {
   static constexpr std::array<std::string_view, 4> kNames = {"hue", "saturation", "value", "alpha"};
-  std::array<double, 4> items = {0, 0, 0, 1};  // opaque unless said
+  Numbers items = {0.0, 0.0, 0.0, 1.0};  // opaque unless said
   for (std::size_t i = 0; i < color.items.size(); ++i) {
     items[i] = Number(color.items[i], ItemStream(color.items[i], path, i));
     if (items[i] < 0 || items[i] > 1) {
       Fail(Code::kSampleBadArgument, color.items[i].mark ? color.items[i].mark : mark,
            fmt::format("{} is {}; it must be between 0 and 1", kNames[i], NumberText(items[i])));
     }
-    if (!(items[i] >= 0 && items[i] <= 1)) items[i] = 0;
+    if (!(items[i].value() >= 0 && items[i].value() <= 1)) items[i] = 0.0;
   }
-  for (const double channel : HsvToRgb(items[0], items[1], items[2])) out.push_back(channel);
+  Append(tape::Apply(HsvToRgb, items[0], items[1], items[2]), out);
   out.push_back(items[3]);
 }
 

@@ -21,10 +21,15 @@ bool IsPick(const spec::Draw& draw) {
          draw.distribution == spec::Distribution::kCycle;
 }
 
+// False for a failed number.
+bool IsTrue(const Traced<double>& number) {
+  return tape::Test([](double value) { return std::abs(value) > 0; }, number);
+}
+
 }  // namespace
 
 double Evaluator::Fail(Code code, SourceMark mark, std::string message, std::string hint) {
-  diag::Finding& finding = findings_.Add(code, mark, std::move(message), std::move(hint));
+  diag::Finding& finding = findings_->Add(code, mark, std::move(message), std::move(hint));
   finding.seed = key_.seed;
   finding.index = key_.index;
   failed_ = true;
@@ -47,9 +52,9 @@ std::string Evaluator::InputsText(const expr::Expression& expression) const {
   return text;
 }
 
-double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceMark mark) {
+Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression, SourceMark mark) {
   const double result = expression.Evaluate(variables_);
-  if (std::isfinite(result)) return result;
+  if (std::isfinite(result)) return NoteExpression(expression, result);
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (!std::isnan(variables_[static_cast<std::size_t>(input.slot)])) continue;
     // The failure of the input is the cause; it has its finding already, unless
@@ -67,18 +72,73 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
                           inputs.empty() ? "" : ": ", inputs));
 }
 
-void Evaluator::SetVariable(int slot, const ParameterValue& value) {
+Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, double value) {
+  if (tape_ == nullptr || expression.constant()) return value;
+  bool varies = false;
+  std::vector<std::pair<const double*, double>> inputs;
+  for (const expr::Expression::Input& input : expression.inputs()) {
+    const auto slot = static_cast<std::size_t>(input.slot);
+    varies |= places_[slot] != nullptr;
+    inputs.emplace_back(places_[slot], places_[slot] != nullptr ? 0 : variables_[slot]);
+  }
+  if (!varies) return value;
+  const double*& noted = noted_[{&expression, inputs}];
+  if (noted != nullptr) return {value, *tape_, *noted};
+  double& at = tape_->Keep(value);
+  noted = &at;
+  tape_->Add([&expression, &at, &all = *inputs_, inputs = std::move(inputs)] {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const auto& [place, constant] = inputs[i];
+      all[static_cast<std::size_t>(expression.inputs()[i].slot)] = place ? *place : constant;
+    }
+    at = expression.Evaluate(all);
+    return std::isfinite(at);
+  });
+  return {value, *tape_, at};
+}
+
+void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies) {
+  tape_ = &tape;
+  noted_.clear();
+  inputs_ = &tape.Keep(std::vector<double>(variables_.size()));
+  places_.assign(variables_.size(), nullptr);
+  if (!places_.empty()) places_[0] = &variables_[0];
+  const auto slot_varies = [this](int slot) {
+    return places_[static_cast<std::size_t>(slot)] != nullptr;
+  };
+  for (const int i : spec_.evaluation_order) {
+    const spec::Parameter& parameter = spec_.parameters[static_cast<std::size_t>(i)];
+    if (!spec::Varies(parameter.value, slot_varies) && !varies(parameter.name)) continue;
+    for (int k = 0; k < std::max(parameter.value.components, 1); ++k) {
+      const auto slot = static_cast<std::size_t>(parameter.slot + k);
+      places_[slot] = &variables_[slot];
+    }
+  }
+}
+
+Traced<double> Evaluator::Variable(int slot) const {
+  const auto i = static_cast<std::size_t>(slot);
+  if (tape_ == nullptr || places_[i] == nullptr) return variables_[i];
+  return {variables_[i], *tape_, *places_[i]};
+}
+
+void Evaluator::SetVariable(int slot, const Traced<double>& value) {
+  const auto i = static_cast<std::size_t>(slot);
+  variables_[i] = value;
+  if (tape_ != nullptr) places_[i] = value.at();
+}
+
+void Evaluator::SetVariable(int slot, std::string_view text) {
+  texts_[static_cast<std::size_t>(slot)] = text;
+  SetVariable(slot, expr::TextKey(text));
+}
+
+void Evaluator::SetVariable(int slot, const Evaluator& other, std::size_t i) {
+  const spec::Parameter& parameter = other.spec_.parameters[i];
   const auto first = static_cast<std::size_t>(slot);
-  if (const auto* text = std::get_if<std::string>(&value)) {
-    texts_[first] = *text;
-    variables_[first] = expr::TextKey(*text);
-  } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-    std::copy(numbers->begin(), numbers->end(),
-              variables_.begin() + static_cast<std::ptrdiff_t>(first));
-  } else if (const auto* boolean = std::get_if<bool>(&value)) {
-    variables_[first] = *boolean ? 1 : 0;
-  } else {
-    variables_[first] = std::get<double>(value);
+  texts_[first] = other.texts_[static_cast<std::size_t>(parameter.slot)];
+  for (int k = 0; k < std::max(parameter.value.components, 1); ++k) {
+    SetVariable(slot + k, other.Variable(parameter.slot + k));
   }
 }
 
@@ -86,13 +146,13 @@ StreamId Evaluator::ItemStream(const spec::Value& item, StreamId path, std::size
   return std::holds_alternative<spec::Draw>(item.form) ? Child(path, i) : path;
 }
 
-double Evaluator::Number(const spec::Value& value, StreamId path) {
+Traced<double> Evaluator::Number(const spec::Value& value, StreamId path) {
   if (const auto* number = std::get_if<double>(&value.form)) return *number;
   if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
     return EvaluateExpression(*expression, value.mark);
   }
   if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
-    return variables_[static_cast<std::size_t>(variable->slot)];
+    return Variable(variable->slot);
   }
   if (const auto* boolean = std::get_if<bool>(&value.form)) return *boolean ? 1 : 0;
   if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
@@ -104,23 +164,28 @@ double Evaluator::Number(const spec::Value& value, StreamId path) {
 }
 
 bool Evaluator::Boolean(const spec::Value& value, StreamId path) {
-  return std::abs(Number(value, path)) > 0;  // false for a failed one
+  return IsTrue(Number(value, path));
 }
 
 bool Evaluator::Condition(const expr::Expression& expression, SourceMark mark) {
-  return std::abs(EvaluateExpression(expression, mark)) > 0;  // false for a failed one
+  return IsTrue(EvaluateExpression(expression, mark));
 }
 
 void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::string& out) {
   out += piece.literal;
-  if (piece.text_slot >= 0) out += texts_[static_cast<std::size_t>(piece.text_slot)];
+  if (piece.text_slot >= 0) out += TextIn(piece.text_slot);
   if (!piece.expression) return;
-  const double result = EvaluateExpression(*piece.expression, mark);
+  const double result = tape::Fixed(EvaluateExpression(*piece.expression, mark));
   if (piece.expression->type() == expr::Type::kBoolean) {
     out += result != 0 ? "true" : "false";
   } else if (std::isfinite(result)) {
     expr::AppendNumber(out, result);
   }
+}
+
+const std::string& Evaluator::TextIn(int slot) const {
+  tape::Fixed(Variable(slot));  // its key
+  return texts_[static_cast<std::size_t>(slot)];
 }
 
 std::string Evaluator::Text(const spec::Value& value, StreamId path) {
@@ -135,9 +200,9 @@ std::string Evaluator::Text(const spec::Value& value, StreamId path) {
   }
   if (const auto* variable = std::get_if<spec::VariableReference>(&value.form);
       variable && value.type == expr::Type::kText) {
-    return texts_[static_cast<std::size_t>(variable->slot)];
+    return TextIn(variable->slot);
   }
-  const double number = Number(value, path);
+  const double number = tape::Fixed(Number(value, path));
   if (value.type == expr::Type::kBoolean) return number != 0 ? "true" : "false";
   return std::isfinite(number) ? expr::NumberText(number) : std::string();
 }
@@ -153,15 +218,12 @@ void Evaluator::AppendVector(const spec::Value& value, StreamId path, Numbers& o
       out.push_back(Number(list->items[i], ItemStream(list->items[i], path, i)));
     }
   } else if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
-    const auto first = variables_.begin() + variable->slot;
-    out.insert(out.end(), first, first + value.components);
+    for (int i = 0; i < value.components; ++i) out.push_back(Variable(variable->slot + i));
   } else if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
     const spec::Value& chosen = Chosen(*draw, value.mark, path);
     AppendVector(chosen, path, out);
   } else if (std::holds_alternative<spec::RandomRotation>(value.form)) {
-    const std::array<double, 4> u = Uniforms(path);
-    const std::array<double, 4> rotation = UniformRotation(u[0], u[1], u[2]);
-    out.insert(out.end(), rotation.begin(), rotation.end());
+    AppendRotation(path, out);
   } else if (const auto* about = std::get_if<spec::RotationAbout>(&value.form)) {
     AppendAbout(*about, value.mark, path, out);
   } else if (const auto* point = std::get_if<spec::PointOnSphere>(&value.form)) {
@@ -173,7 +235,7 @@ void Evaluator::AppendVector(const spec::Value& value, StreamId path, Numbers& o
   }
 }
 
-std::vector<double> Evaluator::Points(const spec::Value& value, StreamId path) {
+std::vector<Traced<double>> Evaluator::Points(const spec::Value& value, StreamId path) {
   if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
     const spec::Value& chosen = Chosen(*draw, value.mark, path);
     return Points(chosen, path);

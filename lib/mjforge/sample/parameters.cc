@@ -36,7 +36,7 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
     : spec_(spec),
       key_(key),
       root_(root == kRootStream ? RootStream(spec) : root),
-      findings_(findings),
+      findings_(&findings),
       sampler_(sampler),
       variables_(static_cast<std::size_t>(spec.names.slot_count())),
       texts_(variables_.size()) {
@@ -70,7 +70,7 @@ void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
   } else if (IsVector(value)) {
     Numbers components;
     AppendVector(value, path, components);
-    SetComponents(parameter, {components.data(), components.size()});
+    SetComponents(parameter, std::vector<double>(components.begin(), components.end()));
   } else {
     variables_[Slot(parameter)] = Number(value, path);
   }
@@ -98,8 +98,7 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
   }
 }
 
-bool Evaluator::SampleParameters(
-    std::span<const std::pair<std::string, ParameterValue>> overrides) {
+bool Evaluator::SampleParameters(Overrides overrides) {
   rejected_by_ = -1;
   for (const int position : spec_.evaluation_order) {
     const auto i = static_cast<std::size_t>(position);
@@ -122,13 +121,12 @@ bool Evaluator::SampleParameters(
   return true;
 }
 
-ParameterValue Evaluator::Any(const spec::Value& value, StreamId path) {
+ParameterValue Evaluator::Any(const spec::Value& value, StreamId path, Numbers& numbers) {
   if (value.type == Type::kText) return Text(value, path);
   if (value.type == Type::kBoolean) return Boolean(value, path);
-  if (!IsVector(value)) return Number(value, path);
-  Numbers components;
-  AppendVector(value, path, components);
-  return std::vector<double>(components.begin(), components.end());
+  Vector(value, path, numbers);
+  if (!IsVector(value)) return numbers.front().value();
+  return std::vector<double>(numbers.begin(), numbers.end());
 }
 
 ParameterValue Evaluator::Parameter(std::size_t i) const {

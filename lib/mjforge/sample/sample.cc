@@ -8,7 +8,7 @@ namespace mjforge::sample {
 namespace {
 
 using diag::Code;
-using Overrides = std::span<const std::pair<std::string, ParameterValue>>;
+using Overrides = Evaluator::Overrides;
 
 // Whether values may differ from one attempt to the next.
 class Redraw {
@@ -97,7 +97,7 @@ class Attempts {
                        fmt::format("'{}' rejected {} {}", requirements[i].expression.text(),
                                    rejected_[i], rejected_[i] == 1 ? "time" : "times")});
     }
-    diag::Finding& finding = evaluator_.findings_.Add(
+    diag::Finding& finding = evaluator_.findings_->Add(
         Code::kSampleRejected, requirements[static_cast<std::size_t>(worst)].mark,
         fmt::format("no draw in {} attempts met all requirements", kMaxAttempts),
         "loosen a requirement, or narrow the ranges it compares");
@@ -112,11 +112,19 @@ class Attempts {
   std::vector<std::uint64_t> rejected_;  // by requirement
 };
 
+bool Evaluator::Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings) {
+  key_ = key;
+  findings_ = &findings;
+  failed_ = false;
+  if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
+  return Attempts(*this, overrides).Run();
+}
+
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler) {
   std::optional<Evaluator> evaluator(std::in_place, spec, key, root, findings, sampler);
-  if (!Attempts(*evaluator, overrides).Run()) evaluator.reset();
+  if (!evaluator->Sample(key, overrides, findings)) evaluator.reset();
   return evaluator;
 }
 

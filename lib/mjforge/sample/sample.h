@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +23,7 @@
 #include "mjforge/sample/sampler.h"
 #include "mjforge/sample/streams.h"
 #include "mjforge/spec/spec.h"
+#include "mjforge/tape/tape.h"
 
 namespace mjforge::sample {
 
@@ -31,7 +34,8 @@ double RoundDraw(double value, double lo, double hi);
 class Attempts;
 struct Interval;  // distributions.h
 
-using Numbers = boost::container::small_vector<double, 6>;
+using tape::Traced;
+using Numbers = boost::container::small_vector<Traced<double>, 6>;
 
 /// A parameter's value: a number, a boolean, a text, or a vector.
 using ParameterValue = std::variant<double, bool, std::string, std::vector<double>>;
@@ -41,28 +45,45 @@ using ParameterValue = std::variant<double, bool, std::string, std::vector<doubl
 /// everything is drawn at random; a sampler must outlive the evaluator.
 class Evaluator {
  public:
+  using Overrides = std::span<const std::pair<std::string, ParameterValue>>;
+
   Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings,
             const Sampler* sampler = nullptr);
 
   /// Draws all parameters and tests the requirements. False: some requirement
   /// does not hold (`rejected_by()`), or there was an error (`failed()`).
   /// Overrides replace the parameters' own values.
-  bool SampleParameters(std::span<const std::pair<std::string, ParameterValue>> overrides = {});
+  bool SampleParameters(Overrides overrides = {});
+  /// Begins anew with another key, and draws the parameters until they meet the requirements:
+  /// key.attempt counts up until they do. False, and a finding, when that takes more than
+  /// kMaxAttempts or a draw fails.
+  bool Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings);
 
-  double Number(const spec::Value& value, StreamId path);
+  /// From now on values are noted on the tape: what is drawn, and what is computed from it. To run
+  /// the tape, call Sample first, with another key; the evaluator must not move. `varies` says of
+  /// a parameter that was overridden whether its value differs between variants.
+  void NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies);
+  /// Notes nothing more.
+  void EndNotes() { tape_ = nullptr; }
+  tape::Tape* tape() const { return tape_; }
+
+  Traced<double> Number(const spec::Value& value, StreamId path);
   bool Boolean(const spec::Value& value, StreamId path);
   std::string Text(const spec::Value& value, StreamId path);
-  /// Replaces the content of `out` with the vector's components.
+  /// Replaces the content of `out` with the vector's components, of a number the one.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
+  /// The value as its type says; a vector is a list or has several components. `numbers` gets what
+  /// a number or a vector is made of.
+  ParameterValue Any(const spec::Value& value, StreamId path, Numbers& numbers);
   /// A list of points, two numbers each, one after the other.
-  std::vector<double> Points(const spec::Value& value, StreamId path);
-  /// The value as its type says; a vector is a list or has several components.
-  ParameterValue Any(const spec::Value& value, StreamId path);
+  std::vector<Traced<double>> Points(const spec::Value& value, StreamId path);
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
 
-  void SetVariable(int slot, double value) { variables_[static_cast<std::size_t>(slot)] = value; }
-  /// Sets the value of a name that the assembly defines; `slot` is the first slot of the name.
-  void SetVariable(int slot, const ParameterValue& value);
+  void SetVariable(int slot, const Traced<double>& value);
+  void SetVariable(int slot, std::string_view text);
+  /// Sets the value of a name that the assembly defines, by its first slot, to the value of
+  /// other.spec().parameters[i].
+  void SetVariable(int slot, const Evaluator& other, std::size_t i);
   StreamId root() const { return root_; }
   const DrawKey& key() const { return key_; }
   const Sampler* sampler() const { return sampler_; }
@@ -79,17 +100,26 @@ class Evaluator {
   void DrawParameter(const spec::Parameter& parameter, StreamId path);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
   void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
-  double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
-  double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  double DrawFrom(spec::Distribution distribution, std::span<const double> arguments,
-                  std::optional<Interval> limits, diag::SourceMark mark, StreamId path);
+  Traced<double> Variable(int slot) const;
+  Traced<double> EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
+  Traced<double> NoteExpression(const expr::Expression& expression, double value);
+  Traced<double> DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  /// The draw's value, rounded as it is; not finite if the draw fails.
+  double Drawn(spec::Distribution distribution, std::span<const double> arguments,
+               std::optional<Interval> limits, StreamId path) const;
+  Traced<double> NoteDraw(spec::Distribution distribution, const Numbers& arguments,
+                          const Numbers& limits, StreamId path, double value);
   const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   /// Whether the draw is planned over the batch rather than made for each item.
   bool IsExact(const spec::Draw& draw) const {
     return draw.exact && sampler_ != nullptr && sampler_->batch() > 0;
   }
-  std::size_t WeightedOption(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  std::optional<Numbers> Weights(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  std::size_t Option(const spec::Draw& draw, std::span<const double> weights, StreamId path) const;
   void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
+  /// The text in the slot; only variants with the same text go this way.
+  const std::string& TextIn(int slot) const;
+  void AppendRotation(StreamId path, Numbers& out);
   void AppendAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
                    Numbers& out);
   void AppendOnSphere(const spec::PointOnSphere& point, diag::SourceMark mark, StreamId path,
@@ -108,23 +138,28 @@ class Evaluator {
   const spec::ObjectSpec& spec_;
   DrawKey key_;
   StreamId root_;
-  diag::Findings& findings_;
+  diag::Findings* findings_;
   const Sampler* sampler_;
   std::vector<double> variables_;   // by slot
   std::vector<std::string> texts_;  // by slot
   std::vector<StreamId> streams_;   // by parameter
   bool failed_ = false;
   int rejected_by_ = -1;
+
+  tape::Tape* tape_ = nullptr;
+  std::vector<const double*> places_;      // by slot, on the tape; null: the same in all variants
+  std::vector<double>* inputs_ = nullptr;  // by slot, of the expression at hand; on the tape
+  /// The result of each expression that was noted, by it and the places or values of its inputs.
+  std::map<std::pair<const void*, std::vector<std::pair<const double*, double>>>, const double*>
+      noted_;
 };
 
 /// The most redraws before a variant counts as impossible.
 inline constexpr std::uint64_t kMaxAttempts = 1000;
 
-/// An Evaluator whose parameters are drawn and meet the requirements; key.attempt
-/// counts up until they do. Nothing, and a finding, when that takes more than
-/// kMaxAttempts or a draw fails.
+/// An Evaluator after its Sample(); nothing, and a finding, when that fails.
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
-                                std::span<const std::pair<std::string, ParameterValue>> overrides,
-                                diag::Findings& findings, const Sampler* sampler = nullptr);
+                                Evaluator::Overrides overrides, diag::Findings& findings,
+                                const Sampler* sampler = nullptr);
 
 }  // namespace mjforge::sample

@@ -16,11 +16,30 @@ bool IsOddCondim(const FieldInfo& field, double number) {
 }  // namespace
 
 bool HasDraw(const Value& value) {
+  return Varies(value, [](int) { return false; });
+}
+
+bool Varies(const Value& value, const std::function<bool(int)>& variable_varies) {
+  const auto item_varies = [&](const Value& item) { return Varies(item, variable_varies); };
+  const auto uses = [&](const expr::Expression& expression) {
+    return std::ranges::any_of(expression.inputs(), variable_varies,
+                               &expr::Expression::Input::slot);
+  };
+  if (const auto* expression = std::get_if<expr::Expression>(&value.form)) return uses(*expression);
+  if (const auto* variable = std::get_if<VariableReference>(&value.form)) {
+    return variable_varies(variable->slot);
+  }
+  if (const auto* text = std::get_if<Text>(&value.form)) {
+    return std::ranges::any_of(text->pieces, [&](const TextPiece& piece) {
+      return (piece.text_slot >= 0 && variable_varies(piece.text_slot)) ||
+             (piece.expression && uses(*piece.expression));
+    });
+  }
   if (const auto* list = std::get_if<List>(&value.form)) {
-    return std::ranges::any_of(list->items, HasDraw);
+    return std::ranges::any_of(list->items, item_varies);
   }
   if (const auto* color = std::get_if<HsvColor>(&value.form)) {
-    return std::ranges::any_of(color->items, HasDraw);
+    return std::ranges::any_of(color->items, item_varies);
   }
   return std::holds_alternative<Draw>(value.form) ||
          std::holds_alternative<RandomRotation>(value.form) ||

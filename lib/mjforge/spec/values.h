@@ -2,6 +2,7 @@
 
 // The value of a slot of a spec, parsed and type-checked but not drawn.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,6 +70,8 @@ struct Value {
 
 /// Is any number in it drawn?
 bool HasDraw(const Value& value);
+/// Is any number in it drawn, or computed from a variable that varies, given by its slot?
+bool Varies(const Value& value, const std::function<bool(int)>& variable_varies);
 
 /// The number of a literal, or of an expression without names.
 std::optional<double> ConstantOf(const Value& value);

@@ -43,11 +43,9 @@ inline void Weigh(model::Object& object) {
     for (const model::Part& part : body.parts) {
       object.bounds.aabb.Add(model::BoundsOf(part.shape, part.X_BG));
       if (part.mass <= 0) continue;
-      model::MassProperties one = model::MassOf(part.shape, 1);
+      const model::MassProperties one = model::MassOf(part.shape, 1);
       const double scale = part.mass / one.mass;
-      one.mass *= scale;
-      one.I_Cm_F *= scale;
-      const model::MassProperties in_body = model::InFrame(part.X_BG, one);
+      const model::MassProperties in_body = model::InFrame(part.X_BG, model::Scaled(one, scale));
       body.mass_properties =
           body.mass_properties.mass > 0 ? model::Combine(body.mass_properties, in_body) : in_body;
     }

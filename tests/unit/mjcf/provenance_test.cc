@@ -31,9 +31,9 @@ TEST_CASE("the opening comment says what made the file") {
   provenance.index = 41;
   provenance.target = "mujoco";
   provenance.settings = {{"radius", "1 .. 2"}};
-  std::string out;
+  MjcfDocument out;
   AppendProvenance(provenance, out);
-  CHECK(out ==
+  CHECK(out.text ==
         "<!-- mjforge 0.1.0 spec=my%20specs/a-%2Db.yaml sha256=ab12 seed=7 index=41 target=mujoco "
         "set:radius=1%20..%202 -->");
 }
@@ -44,9 +44,9 @@ TEST_CASE("the opening comment names a sampler and a batch's size where the file
   provenance.target = "mjx";
   provenance.sampler = "latin";
   provenance.batch = 1000;
-  std::string out;
+  MjcfDocument out;
   AppendProvenance(provenance, out);
-  CHECK(out ==
+  CHECK(out.text ==
         "<!-- mjforge 0.1.0 spec= sha256= seed=0 index=0 target=mjx sampler=latin batch=1000 -->");
   CHECK_FALSE(ReadProvenance("<!-- mjforge 1 seed=1 index=2 batch=many --><mujoco/>"));
 }
@@ -66,8 +66,9 @@ TEST_CASE("any provenance reads back from a valid comment as it was") {
         text(),   text(), text(), {},     random() * (std::uint64_t{1} << 32) + random(),
         random(), text(), text(), text(), random()};
     for (auto n = random() % 4; n > 0; --n) provenance.settings.emplace_back(text(), text());
-    std::string out;
-    AppendProvenance(provenance, out);
+    MjcfDocument written;
+    AppendProvenance(provenance, written);
+    std::string& out = written.text;
     const std::string inside = out.substr(4, out.size() - 7);
     REQUIRE(inside.find("--") == std::string::npos);
     out += "\n<mujoco/>\n";

@@ -28,7 +28,7 @@ model::Object Of(std::vector<Part> solids) {
   model::MassProperties& mass = body.mass_properties;
   mass.I_Cm_F = 1e-3 * Eigen::Matrix3d::Identity();
   for (const Part& solid : body.parts) {
-    mass.mass += solid.mass;
+    mass.mass = mass.mass + solid.mass;
     mass.p_FCm += solid.mass * solid.X_BG.p;
     object.bounds.aabb.Add(model::BoundsOf(solid.shape, solid.X_BG));
   }

@@ -73,7 +73,8 @@ TEST_CASE("points are given one after the other, each with its own streams") {
                        "polygon: [[0, 1], p, [0 .. 1, 3]]}]");
   const DrawKey key = {.seed = 2};
   Evaluator evaluator = family.Evaluator(key);
-  const Vector points = evaluator.Points(family.PartValue("polygon"), 50);
+  const auto made = evaluator.Points(family.PartValue("polygon"), 50);
+  const Vector points(made.begin(), made.end());
   const double drawn =
       RoundDraw(Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0], 0, 1);
   CHECK(points == Vector{0, 1, 4, 5, drawn, 3});
@@ -119,12 +120,15 @@ TEST_CASE("independent failures are all found") {
 TEST_CASE("Any gives a value as its type says") {
   Family family = Load("{a: 2, b: 1 < 2, c: box, d: [1, 2], e: d}");
   Evaluator evaluator = family.Evaluator();
-  const auto& parameters = family.spec->parameters;
-  CHECK(evaluator.Any(parameters[0].value, 1) == ParameterValue(2.0));
-  CHECK(evaluator.Any(parameters[1].value, 1) == ParameterValue(true));
-  CHECK(evaluator.Any(parameters[2].value, 1) == ParameterValue(std::string("box")));
-  CHECK(evaluator.Any(parameters[3].value, 1) == ParameterValue(Vector{1, 2}));
-  CHECK(evaluator.Any(parameters[4].value, 1) == ParameterValue(Vector{1, 2}));
+  const auto any = [&](std::size_t i) {
+    Numbers numbers;
+    return evaluator.Any(family.spec->parameters[i].value, 1, numbers);
+  };
+  CHECK(any(0) == ParameterValue(2.0));
+  CHECK(any(1) == ParameterValue(true));
+  CHECK(any(2) == ParameterValue(std::string("box")));
+  CHECK(any(3) == ParameterValue(Vector{1, 2}));
+  CHECK(any(4) == ParameterValue(Vector{1, 2}));
 }
 
 TEST_CASE("a value of another kind than asked for is found, not guessed") {

@@ -1,0 +1,60 @@
+#include "mjforge/forge/mould.h"
+
+#include <algorithm>
+
+namespace mjforge::forge {
+namespace {
+
+constexpr std::size_t kMostMoulds = 64;
+// Steps of all moulds together; a step takes about 100 bytes.
+constexpr std::size_t kMostSteps = 250'000;
+// A family whose variants seldom go the same way is made without moulds.
+constexpr std::uint64_t kTrials = 200;
+
+}  // namespace
+
+void Mould::Close(model::Object object, mjcf::MjcfDocument document, diag::Findings findings) {
+  object_ = std::make_shared<model::Object>(std::move(object));
+  model::TakeOffTape(*object_, links_);
+  form_.emplace(std::move(document));
+  findings_ = std::move(findings);
+}
+
+bool Mould::Make(Variant& variant) {
+  if (object_.use_count() > 1 || !tape_.Run()) return false;
+  links_.Update();
+  form_->Fill(variant.record.index, variant.document);
+  variant.object = object_;
+  variant.findings.Append(diag::Findings(findings_));
+  return true;
+}
+
+bool Moulds::Make(Variant& variant) {
+  const auto found =
+      std::ranges::find_if(moulds_, [&](const auto& mould) { return mould->Make(variant); });
+  if (found == moulds_.end()) {
+    ++misses_;
+    return false;
+  }
+  ++hits_;
+  std::rotate(moulds_.begin(), found, found + 1);
+  return true;
+}
+
+std::unique_ptr<Mould> Moulds::Begin() const {
+  if (misses_ > kTrials && hits_ < misses_) return nullptr;
+  return std::make_unique<Mould>();
+}
+
+void Moulds::Add(std::unique_ptr<Mould> mould) {
+  moulds_.insert(moulds_.begin(), std::move(mould));
+  std::size_t steps = 0;
+  const auto last = std::ranges::find_if(moulds_, [&](const auto& one) {
+    steps += one->tape().size();
+    return steps > kMostSteps;
+  });
+  const auto most = moulds_.begin() + std::min(kMostMoulds, moulds_.size());
+  moulds_.erase(std::min(last, most), moulds_.end());
+}
+
+}  // namespace mjforge::forge

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::forge {
+
+/// What variants have in common for which all conditions, counts and choices come out alike: the
+/// steps that make their numbers, the object that holds them, the text around them.
+class Mould {
+ public:
+  /// To make the first variant on.
+  tape::Tape& tape() { return tape_; }
+  /// The first variant is made.
+  void Close(model::Object object, mjcf::MjcfDocument document, diag::Findings findings);
+  std::shared_ptr<const model::Object> object() const { return object_; }
+
+  /// Makes the variant whose parameters were drawn last. False if it goes another way, or if
+  /// someone still has the object of an earlier one.
+  bool Make(Variant& variant);
+
+ private:
+  tape::Tape tape_;
+  std::shared_ptr<model::Object> object_;
+  tape::Links links_;
+  std::optional<mjcf::Form> form_;
+  diag::Findings findings_;
+};
+
+/// The moulds of one family, the one used last first.
+class Moulds {
+ public:
+  bool Make(Variant& variant);
+  /// A mould to make the variant on that none of them could make; null if that is of no use.
+  std::unique_ptr<Mould> Begin() const;
+  void Add(std::unique_ptr<Mould> mould);
+
+ private:
+  std::vector<std::unique_ptr<Mould>> moulds_;
+  std::uint64_t hits_ = 0;
+  std::uint64_t misses_ = 0;
+};
+
+}  // namespace mjforge::forge
