@@ -86,6 +86,9 @@ struct Variant {
   std::shared_ptr<const model::Object> object;
   mjcf::MjcfDocument document;  // means nothing without an object
   diag::Findings findings;
+  /// Which of the generator's moulds made it, from 1 up in the order of their making; 0: none, it
+  /// was made from the spec.
+  std::uint64_t mould = 0;
 
   bool ok() const { return record.status == manifest::Status::kOk; }
 };

@@ -60,6 +60,7 @@ Generator::~Generator() = default;
 
 void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
+  variant.mould = 0;
   variant.findings.clear();
   variant.record = common_;
   variant.record.index = index;
@@ -147,12 +148,16 @@ bool Generator::Assemble(Variant& variant) {
                finding.code == diag::Code::kAttachNotCarried;
       });
   if (!mould || !same_warnings) {
+    // Nothing is on a tape that is gone.
     tape::Links links;
-    model::TakeOffTape(*object, links);
+    if (mould) model::TakeOffTape(*object, links);
     variant.object = std::make_shared<const model::Object>(*std::move(object));
+    variant.document.lift.Release();
     return true;
   }
   mould->Close(*std::move(object), variant.document, variant.findings);
+  variant.document.slots.clear();
+  variant.document.lift.Release();
   variant.object = mould->object();
   moulds_->Add(std::move(mould));
   return true;

@@ -26,6 +26,7 @@ bool Mould::Make(Variant& variant) {
   form_->Fill(variant.record.index, variant.document);
   variant.object = object_;
   variant.findings.Append(diag::Findings(findings_));
+  variant.mould = number;
   return true;
 }
 
@@ -47,6 +48,7 @@ std::unique_ptr<Mould> Moulds::Begin() const {
 }
 
 void Moulds::Add(std::unique_ptr<Mould> mould) {
+  mould->number = ++made_;
   moulds_.insert(moulds_.begin(), std::move(mould));
   std::size_t steps = 0;
   const auto last = std::ranges::find_if(moulds_, [&](const auto& one) {

@@ -21,6 +21,8 @@ class Mould {
   /// someone still has the object of an earlier one.
   bool Make(Variant& variant);
 
+  std::uint64_t number = 0;  // from 1 up, in the order of their making
+
  private:
   tape::Tape tape_;
   std::shared_ptr<model::Object> object_;
@@ -39,6 +41,7 @@ class Moulds {
 
  private:
   std::vector<std::unique_ptr<Mould>> moulds_;
+  std::uint64_t made_ = 0;  // moulds
   std::uint64_t hits_ = 0;
   std::uint64_t misses_ = 0;
 };

@@ -36,6 +36,8 @@ std::optional<Provenance> ReadProvenance(std::string_view mjcf);
 struct LineOrigin {
   int line = 0;  // 1-based
   diag::SourceMark mark;
+
+  bool operator==(const LineOrigin&) const = default;
 };
 
 /// A number in a text that differs between variants.
