@@ -1,6 +1,16 @@
 #include "mjforge/diag/json.h"
 
+#include <algorithm>
+
 namespace mjforge::diag {
+
+namespace {
+
+bool NeedsEscape(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\';
+}
+
+}  // namespace
 
 void Json::Value(std::string_view text) {
   constexpr std::string_view kEscaped = "\"\\\b\f\n\r\t";
@@ -8,11 +18,15 @@ void Json::Value(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   Separate();
   text_ += '"';
-  for (const char c : text) {
+  // Up to the next one to escape.
+  for (auto from = text.begin(); from != text.end();) {
+    const auto found = std::find_if(from, text.end(), NeedsEscape);
+    text_.append(from, found);
+    from = found;
+    if (from == text.end()) break;
+    const char c = *from++;
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && c != '"' && c != '\\') {
-      text_ += c;
-    } else if (const std::size_t at = kEscaped.find(c); at != kEscaped.npos) {
+    if (const std::size_t at = kEscaped.find(c); at != kEscaped.npos) {
       text_ += {'\\', kLetters[at]};
     } else {
       text_ += {'\\', 'u', '0', '0', kDigits[byte >> 4], kDigits[byte & 15]};

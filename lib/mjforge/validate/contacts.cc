@@ -8,7 +8,7 @@
 namespace mjforge::validate {
 namespace {
 
-constexpr int kContactsAtFirst = 200;
+constexpr int kContactsAtFirst = 25;
 // MuJoCo's contact has about 600 bytes: at most some 120 MB.
 constexpr int kMostContacts = 200'000;
 

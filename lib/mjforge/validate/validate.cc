@@ -41,14 +41,19 @@ int CountConstraints(const model::Body& body) {
   return rows;
 }
 
-/// Default-sized arenas take most of a load's time to clear. One body alone
-/// makes no contacts, and MuJoCo's stack follows njmax. Of several bodies the
-/// contacts are not known beforehand, nor are the rows of equalities and
-/// tendons, so they get MuJoCo's own sizes. Without a line end, to keep the line
-/// numbers.
+/// Default-sized arenas take most of a load's time to clear, and MuJoCo's stack follows njmax. One
+/// body alone makes no contacts. Several seldom make more than a few; if they do, MuJoCo warns.
+/// Without a line end, to keep the line numbers; empty where the object says sizes of its own.
 std::string SizeHint(const model::Object& object) {
-  if (object.bodies.size() != 1 || !object.sections.empty()) return {};
-  return fmt::format("<size njmax=\"{}\" nconmax=\"0\"/>", CountConstraints(object.bodies.front()));
+  constexpr int kContacts = 12;
+  constexpr int kRowsOfContact = 10;  // condim 6, pyramidal
+  if (!model::ElementsOf(object, "size").empty()) return {};
+  const int contacts = object.bodies.size() > 1 ? kContacts : 0;
+  int rows = kRowsOfContact * contacts;
+  for (const model::Body& body : object.bodies) rows += CountConstraints(body);
+  rows += 6 * static_cast<int>(model::ElementsOf(object, "equality").size() +
+                               model::ElementsOf(object, "tendon").size());
+  return fmt::format("<size njmax=\"{}\" nconmax=\"{}\"/>", rows, contacts);
 }
 
 int LineOf(std::string_view text, std::string_view needle) {
@@ -173,8 +178,9 @@ std::string MujocoVersion() {
 struct Loader::State {
   Engine engine;
 
-  /// What MuJoCo says to `text`, which has the lines of the document's; a refusal is a finding.
-  Loaded LoadDocument(const std::string& text, const mjcf::MjcfDocument& document,
+  /// What MuJoCo says to the document; a refusal is a finding. It is loaded with the sizes of
+  /// `hint` if MuJoCo has nothing to say about that.
+  Loaded LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
                       const model::Object& object, diag::Findings& findings);
   /// Without a model there is a finding. `start` is set once the file is read.
   engine::Model LoadFile(const std::filesystem::path& file, diag::Sources& sources,
@@ -184,7 +190,7 @@ struct Loader::State {
 Loader::Loader() : state_(std::make_unique<State>()) {}
 Loader::~Loader() = default;
 
-Loaded Loader::State::LoadDocument(const std::string& text, const mjcf::MjcfDocument& document,
+Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
                                    const model::Object& object, diag::Findings& findings) {
   if (const auto problem = engine.SetAssets(document.assets)) {
     const std::string& name = document.assets[problem->asset].first;
@@ -192,7 +198,13 @@ Loaded Loader::State::LoadDocument(const std::string& text, const mjcf::MjcfDocu
                  document.Origin(LineOf(document.text, '"' + name + '"')), problem->message);
     return {};
   }
-  Loaded loaded = engine.LoadText(text);
+  if (!hint.empty() && document.size_position != std::string::npos) {
+    std::string text = document.text;
+    text.insert(document.size_position, hint);
+    Loaded loaded = engine.LoadText(text);
+    if (loaded.model && loaded.warnings.empty()) return loaded;
+  }
+  Loaded loaded = engine.LoadText(document.text);
   if (loaded.model) return loaded;
   AddWarnings(loaded.warnings, false, MarkOf(object), findings);
   const Refusal refusal = engine::ParseRefusal(loaded.error);
@@ -209,11 +221,7 @@ Loaded Loader::State::LoadDocument(const std::string& text, const mjcf::MjcfDocu
 
 bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                       diag::Findings& findings) {
-  std::string text = document.text;
-  if (document.size_position != std::string::npos) {
-    text.insert(document.size_position, SizeHint(object));
-  }
-  const Loaded loaded = state_->LoadDocument(text, document, object, findings);
+  const Loaded loaded = state_->LoadDocument(document, SizeHint(object), object, findings);
   if (!loaded.model) return false;
   diag::Findings found;
   Comparison(*loaded.model, object, found).Run(document.lift);
@@ -226,7 +234,7 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
 
 std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
                                          const model::Object& object, diag::Findings& findings) {
-  const Loaded loaded = state_->LoadDocument(document.text, document, object, findings);
+  const Loaded loaded = state_->LoadDocument(document, {}, object, findings);
   if (!loaded.model) return std::nullopt;
   constexpr int kRoot = 1;
   return TrySweep(*loaded.model, kRoot, MarkOf(object), findings);
