@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
@@ -284,7 +284,8 @@ class Author {
 
   std::string Part(const std::string& name, const std::string& indent) {
     std::string text = indent + "- {name: " + name;
-    if (OneIn(3)) text += Pick({", if: on", ", if: x > 0.03", ", if: kind == 'box'", ", if: y < x"});
+    if (OneIn(3))
+      text += Pick({", if: on", ", if: x > 0.03", ", if: kind == 'box'", ", if: y < x"});
     switch (random_() % 7) {
       case 0:
         text += ", type: box, size: [" + Number() + ", " + Number() + ", 0.02]";
@@ -325,16 +326,24 @@ class Author {
     std::string text =
         "bodies:\n"
         "  - name: arm\n"
-        "    pos: [0, 0, " + Number() + "]\n"
-        "    parts:\n" + Part("q", "      ") +
+        "    pos: [0, 0, " +
+        Number() +
+        "]\n"
+        "    parts:\n" +
+        Part("q", "      ") +
         "      - {name: end, type: sphere, size: 0.02}\n"
         "    joints:\n"
-        "      - {name: j, type: hinge, axis: [0, " + Number() + ", 1], range: [0, " + Number() +
-        "], damping: " + Number() + "}\n"
-        "    sites: [{name: s, size: " + Number() + ", pos: [0, 0, " + Number() + "]}]\n"
-        "  - {name: hand, parent: arm, pos: [0, 0, 'arm.top + arm.half_x'], mass: " + Number() +
+        "      - {name: j, type: hinge, axis: [0, " +
+        Number() + ", 1], range: [0, " + Number() + "], damping: " + Number() +
+        "}\n"
+        "    sites: [{name: s, size: " +
+        Number() + ", pos: [0, 0, " + Number() +
+        "]}]\n"
+        "  - {name: hand, parent: arm, pos: [0, 0, 'arm.top + arm.half_x'], mass: " +
+        Number() +
         ",\n     parts: [{name: f, type: box, size: [0.01, 0.01, arm.radius]}],\n"
-        "     joints: [{name: k, type: slide, range: [" + Number() + ", 0.5]}]}\n";
+        "     joints: [{name: k, type: slide, range: [" +
+        Number() + ", 0.5]}]}\n";
     if (OneIn(2)) text += "  - {name: more, spec: inner.yaml, params: {r: " + Number() + "}}\n";
     if (OneIn(2)) {
       text += "mjcf:\n  sensor: [{jointpos: {name: angle, joint: j, noise: " + Number() + "}}]\n";

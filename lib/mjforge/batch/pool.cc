@@ -55,11 +55,20 @@ bool ReadAll(int descriptor, char* bytes, std::size_t count) {
   return true;
 }
 
+// In place of a length: the message is in the worker's slot.
+constexpr std::uint64_t kMail = ~std::uint64_t{0};
+
+bool WriteLength(int descriptor, std::uint64_t size) {
+  return WriteAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
+}
+
 // A message is its length, eight bytes, and itself.
 bool WriteMessage(int descriptor, const std::string& message) {
-  const std::uint64_t size = message.size();
-  return WriteAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)}) &&
-         WriteAll(descriptor, message);
+  return WriteLength(descriptor, message.size()) && WriteAll(descriptor, message);
+}
+
+bool WriteResult(int channel, Slot& slot, const std::string& message) {
+  return slot.Leave(message) ? WriteLength(channel, kMail) : WriteMessage(channel, message);
 }
 
 std::optional<std::string> ReadMessage(int descriptor) {
@@ -95,7 +104,7 @@ Channel MakeChannel() {
   try {
     const Work work = make_work();
     while (const std::optional<std::string> message = ReadMessage(channel)) {
-      if (!WriteMessage(channel, Encode(work(DecodeTask(*message), slot)))) break;
+      if (!WriteResult(channel, slot, Encode(work(DecodeTask(*message), slot)))) break;
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error in a worker: {}\n", error.what());
@@ -147,7 +156,7 @@ Pool::Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
         ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED)
       throw std::system_error(errno, std::generic_category(), "cannot share memory");
-    worker->slot = new (memory) Slot();
+    worker->slot = new (memory) Slot;  // not Slot(), which would fill the room for mail
     workers_.push_back(std::move(worker));
   }
 }
@@ -168,7 +177,7 @@ void Pool::Start(Worker& worker) {
   const Channel channel = MakeChannel();
   const ::pid_t leader = ::getpid();
   worker.slot->~Slot();
-  new (worker.slot) Slot();
+  new (worker.slot) Slot;
   const ::pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
@@ -255,9 +264,13 @@ void Pool::Receive(Worker& worker) {
   std::uint64_t size = 0;
   while (worker.buffer.size() - at >= sizeof(size)) {
     std::memcpy(&size, worker.buffer.data() + at, sizeof(size));
+    const bool is_mail = size == kMail;
+    if (is_mail) size = 0;
     if (worker.buffer.size() - at - sizeof(size) < size) break;
     results_.push_back(
-        DecodeResult(std::string_view(worker.buffer).substr(at + sizeof(size), size)));
+        DecodeResult(is_mail ? worker.slot->mail()
+                             : std::string_view(worker.buffer).substr(at + sizeof(size), size)));
+    if (is_mail) worker.slot->RemoveMail();
     worker.given.pop_front();
     fruitless_deaths_ = 0;
     at += sizeof(size) + size;

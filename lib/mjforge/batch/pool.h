@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mjforge/batch/message.h"
@@ -28,11 +30,28 @@ class Slot {
   void AskToStop() { stop_.store(true, std::memory_order_relaxed); }
   bool IsAskedToStop() const { return stop_.load(std::memory_order_relaxed); }
 
+  /// Leaves a message, which saves two copies through a channel; false if it is too long, or the
+  /// last one was not taken yet.
+  bool Leave(std::string_view message) {
+    if (message.size() > mail_.size() || mail_size_.load(std::memory_order_acquire) != 0)
+      return false;
+    message.copy(mail_.data(), message.size());
+    mail_size_.store(message.size(), std::memory_order_release);
+    return true;
+  }
+  /// The message that was left. It stays until it is removed.
+  std::string_view mail() const {
+    return {mail_.data(), mail_size_.load(std::memory_order_acquire)};
+  }
+  void RemoveMail() { mail_size_.store(0, std::memory_order_release); }
+
  private:
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
   std::atomic<std::uint64_t> index_ = 0;
   std::atomic<std::uint64_t> turn_ = 0;
   std::atomic<bool> stop_ = false;
+  std::atomic<std::uint64_t> mail_size_ = 0;
+  std::array<char, std::size_t{2} << 20> mail_;  // most results of a chunk fit
 };
 
 /// Does tasks, in the worker.

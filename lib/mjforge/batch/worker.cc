@@ -79,12 +79,17 @@ class Worker {
   // The variant's bytes and its record to where they go; false if that fails.
   bool Write(Result& result) {
     if (request_.destination.kind == Kind::kNowhere) return true;
+    line_.clear();
     const manifest::Record& record = variant_.record;
     if (variant_.ok() && !WriteObject(result)) {
       result.output_findings.SetVariant(record.seed, record.index);
       return false;
     }
-    AppendRecord(result.lines, record);
+    if (line_.empty()) {
+      AppendRecord(result.lines, record);
+    } else {
+      manifest::AppendWithPlaces(result.lines, line_, archive_, record.spec_file);
+    }
     return true;
   }
 
@@ -113,13 +118,11 @@ class Worker {
     const std::string stem = output::VariantStem(record.name, record.index);
     record.file = stem + ".xml";
     // The record there says nothing of places: two archives of the same variants are the same.
-    std::string line;
-    const std::string spec_file = std::exchange(record.spec_file, {});
-    AppendRecord(line, record);
-    record.spec_file = spec_file;
-    record.archive = archive_;
+    std::string spec_file = std::exchange(record.spec_file, {});
+    AppendRecord(line_, record);
+    record.spec_file = std::move(spec_file);
     return segment_.Add(record.file, variant_.document.text, findings) &&
-           segment_.Add(stem + ".json", line, findings);
+           segment_.Add(stem + ".json", line_, findings);
   }
 
   void Tell(Result& result) {
@@ -161,6 +164,7 @@ class Worker {
   output::Segment segment_;
   forge::Variant variant_;
   std::string archive_;          // the name of the one that the chunk goes to
+  std::string line_;             // the record in the archive; empty: it is not there
   std::size_t usual_lines_ = 0;  // bytes of a chunk's records
 };
 

@@ -130,7 +130,7 @@ bool Generator::Assemble(Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
   std::unique_ptr<Mould> mould = moulds_ ? moulds_->Begin() : nullptr;
-  if (mould) values_->NoteOn(mould->tape(), [](std::string_view) { return false; });
+  if (mould) values_->NoteOn(mould->tape());
   std::optional<model::Object> object = assembler_.Assemble(
       *values_, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
       variant.findings);

@@ -7,13 +7,16 @@ namespace {
 
 constexpr std::size_t kMostMoulds = 64;
 // Steps of all moulds together; a step takes about 100 bytes.
-constexpr std::size_t kMostSteps = 250'000;
-// A family whose variants seldom go the same way is made without moulds.
-constexpr std::uint64_t kTrials = 200;
+constexpr std::size_t kMostSteps = 80'000;
+// Making a mould takes as long as several variants, so a family has to earn them: it gets some in
+// advance, and one more for so many variants that came from one.
+constexpr std::uint64_t kAdvance = 32;
+constexpr std::uint64_t kPrice = 10;
 
 }  // namespace
 
 void Mould::Close(model::Object object, mjcf::MjcfDocument document, diag::Findings findings) {
+  tape_.Close();
   object_ = std::make_shared<model::Object>(std::move(object));
   model::TakeOffTape(*object_, links_);
   form_.emplace(std::move(document));
@@ -33,18 +36,14 @@ bool Mould::Make(Variant& variant) {
 bool Moulds::Make(Variant& variant) {
   const auto found =
       std::ranges::find_if(moulds_, [&](const auto& mould) { return mould->Make(variant); });
-  if (found == moulds_.end()) {
-    ++misses_;
-    return false;
-  }
+  if (found == moulds_.end()) return false;
   ++hits_;
   std::rotate(moulds_.begin(), found, found + 1);
   return true;
 }
 
 std::unique_ptr<Mould> Moulds::Begin() const {
-  if (misses_ > kTrials && hits_ < misses_) return nullptr;
-  return std::make_unique<Mould>();
+  return made_ < kAdvance + hits_ / kPrice ? std::make_unique<Mould>() : nullptr;
 }
 
 void Moulds::Add(std::unique_ptr<Mould> mould) {

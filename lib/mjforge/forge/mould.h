@@ -42,8 +42,7 @@ class Moulds {
  private:
   std::vector<std::unique_ptr<Mould>> moulds_;
   std::uint64_t made_ = 0;  // moulds
-  std::uint64_t hits_ = 0;
-  std::uint64_t misses_ = 0;
+  std::uint64_t hits_ = 0;  // variants from them
 };
 
 }  // namespace mjforge::forge

@@ -97,6 +97,11 @@ struct Record : mjcf::Provenance {
 /// Appends one JSON object and a line end.
 void AppendRecord(std::string& out, const Record& record);
 
+/// Appends `line`, a record as AppendRecord writes it, with the two members that it lacks:
+/// `archive` and, unless that is empty, `spec_file`.
+void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
+                      const std::string& spec_file);
+
 /// What was measured, as a record's `physics` has it.
 std::string PhysicsJson(const physics::Result& result);
 

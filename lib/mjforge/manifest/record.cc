@@ -18,6 +18,24 @@ void AppendRecord(std::string& out, const Record& record) {
   out += '\n';
 }
 
+void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
+                      const std::string& spec_file) {
+  // A quote within a value has a backslash before it, so that only a key is found.
+  const auto insert = [&](std::string_view key, const std::string& value, std::string_view next) {
+    const std::size_t at = line.find(next);
+    out += line.substr(0, at);
+    line.remove_prefix(at);
+    if (value.empty()) return;
+    out += key;
+    diag::Json json(expr::AppendExactNumber, std::move(out) + ':');
+    json.Value(value);
+    out = json.Take();
+  };
+  insert(R"(,"archive")", archive, R"(,"name":)");
+  insert(R"(,"spec_file")", spec_file, R"(,"spec_sha256":)");
+  out += line;
+}
+
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   rapidjson::Document document;
   document.Parse<rapidjson::kParseIterativeFlag>(line.data(), line.size());

@@ -7,6 +7,7 @@
 
 #include "mjforge/model/names.h"
 #include "mjforge/model/pose_reader.h"
+#include "mjforge/model/sums.h"
 
 namespace mjforge::model {
 
@@ -64,15 +65,15 @@ bool HasErrorsSince(const diag::Findings& findings, std::size_t first) {
       [](const diag::Finding& finding) { return finding.severity == diag::Severity::kError; });
 }
 
-std::optional<std::string> Assembly::ReadName(Scope& scope, const spec::Entry& entry,
-                                              sample::StreamId list) {
-  const std::size_t before = findings_.size();
+std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
+                                    diag::Findings& findings) {
+  const std::size_t before = findings.size();
   std::string name = scope.values.Text(entry.name, list);
-  if (findings_.size() != before) return std::nullopt;
+  if (findings.size() != before) return std::nullopt;
   if (IsName(name)) return name;
-  findings_.Add(Code::kModelBadName, entry.name.mark,
-                fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(name)),
-                std::string(kNameRule));
+  findings.Add(Code::kModelBadName, entry.name.mark,
+               fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(name)),
+               std::string(kNameRule));
   return std::nullopt;
 }
 
@@ -84,7 +85,7 @@ void Assembly::AddSpec(Scope& scope) {
   AddParts(scope, spec.parts, Pose());
   AddSites(scope, spec.sites, sample::Child(scope.values.root(), "sites"));
   if (!spec.bodies.empty()) AddBodies(scope);
-  if (!spec.sections.empty()) AddSections(scope);
+  if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
 }
 
@@ -125,7 +126,7 @@ void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF
 }
 
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
-  const std::optional<std::string> name = ReadName(scope, entry, scope.parts);
+  const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
   if (!name) return;
   const sample::StreamId path = sample::Child(scope.parts, std::string_view(*name));
   FieldReader reader(scope.values, findings_, "part", *name, path);
@@ -177,7 +178,7 @@ void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t fir
     reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
     return;
   }
-  ScaleMass(*mass / sum, first_part, first_body);
+  ScaleMass(*mass / sum, object_.bodies, at_, first_part, first_body);
 }
 
 }  // namespace mjforge::model

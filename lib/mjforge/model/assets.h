@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <memory_resource>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,10 +21,8 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
 /// The meshes and textures of one object; equal ones are shared.
 class Assets {
  public:
-  /// `scratch` is memory that must outlive this.
-  Assets(Assembler& assembler, Object& object, diag::Findings& findings,
-         std::pmr::memory_resource& scratch)
-      : assembler_(assembler), object_(object), findings_(findings), textures_(&scratch) {}
+  Assets(Assembler& assembler, Object& object, diag::Findings& findings)
+      : assembler_(assembler), object_(object), findings_(findings) {}
 
   /// Sets the part's mesh and shape from polygon, height and scale.
   bool ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part);
@@ -71,7 +68,7 @@ class Assets {
   TriangleMesh* made_ = nullptr;  // on the tape: the prism at hand
   std::vector<Source> sources_;   // as Object::meshes
   std::unordered_multimap<std::size_t, int> by_hash_;
-  std::pmr::unordered_multimap<std::string_view, int> textures_;  // by own name
+  std::unordered_multimap<std::string, int> textures_;  // by own name
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

@@ -1,11 +1,8 @@
-// A body of an MJCF file becomes one of the object: names get the prefix,
-// assets are shared.
+#include "mjforge/model/attached.h"
 
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "mjforge/model/assembly.h"
 
 namespace mjforge::model {
 
@@ -58,35 +55,36 @@ class Renamer {
   std::string root_;  // the bodies move while the copy is made
 };
 
-void Assembly::AddAttachment(Scope& scope, FieldReader& reader, const spec::Entry& entry,
-                             const std::string& name, std::size_t index) {
+std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                          const std::string& name, std::size_t index) {
   const spec::Field& field = *entry.Find(Key::kMjcf);
   const std::optional<std::string> file = reader.Text(field);
   std::optional<std::string> body_name = std::string();
   if (const spec::Field* body = entry.Find(Key::kBody)) body_name = reader.Text(*body);
-  if (!file || !body_name) return;
+  if (!file || !body_name) return 0;
   const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
   // Findings come once an object, however often the file is in it.
   const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
-  if (is_new && attachments_ == nullptr) {
+  if (is_new && source_ == nullptr) {
     reader.Report(Code::kAttachNoBody, field,
                   "cannot be read: reading MJCF files is not enabled here");
   } else if (is_new) {
-    found->second = attachments_->Attach(path, *body_name, asked->value.mark, findings_);
+    found->second = source_->Attach(path, *body_name, asked->value.mark, findings_);
   }
-  if (found->second == nullptr) return;
+  if (found->second == nullptr) return 0;
   const Attachment& attachment = *found->second;
   Renamer renamer(attachment, scope.prefix + name + "_", object_.bodies[index].name);
   CopyAssets(attachment, renamer);
-  CopyBodies(attachment, renamer, index);
+  const std::size_t parts = CopyBodies(attachment, renamer, index);
   for (const std::string& joint : attachment.root_joints) {
     references_.TakeAway(renamer.Name(joint), fmt::format("'{}'", *file));
   }
   CopySections(attachment, renamer);
+  return parts;
 }
 
-void Assembly::CopyAssets(const Attachment& attachment, Renamer& renamer) {
+void Attacher::CopyAssets(const Attachment& attachment, Renamer& renamer) {
   std::vector<int> textures;
   for (const Texture& own : attachment.textures) {
     Texture texture = own;
@@ -99,14 +97,16 @@ void Assembly::CopyAssets(const Attachment& attachment, Renamer& renamer) {
     Material material = own;
     material.name = renamer.Name(own.name);
     if (own.texture >= 0) material.texture = textures[static_cast<std::size_t>(own.texture)];
-    renamer.materials.push_back(ShareMaterial(own.name, std::move(material)));
+    renamer.materials.push_back(materials_.Share(own.name, std::move(material)));
   }
   for (const auto& mesh : attachment.meshes) {
     renamer.meshes.push_back(assets_.ShareMesh(*mesh, renamer.Name(mesh->name)));
   }
 }
 
-void Assembly::CopyBodies(const Attachment& attachment, const Renamer& renamer, std::size_t index) {
+std::size_t Attacher::CopyBodies(const Attachment& attachment, const Renamer& renamer,
+                                 std::size_t index) {
+  std::size_t parts = 0;
   for (const Body& own : attachment.bodies) {
     Body body = own;
     renamer.Rename(body);
@@ -115,7 +115,7 @@ void Assembly::CopyBodies(const Attachment& attachment, const Renamer& renamer, 
       if (part.mesh >= 0)
         part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
     }
-    part_count_ += body.parts.size();
+    parts += body.parts.size();
     if (&own == &attachment.bodies.front()) {
       Body& entry = object_.bodies[index];
       body.name = entry.name;
@@ -129,11 +129,12 @@ void Assembly::CopyBodies(const Attachment& attachment, const Renamer& renamer, 
       object_.bodies.push_back(std::move(body));
     }
   }
+  return parts;
 }
 
-void Assembly::CopySections(const Attachment& attachment, const Renamer& renamer) {
+void Attacher::CopySections(const Attachment& attachment, const Renamer& renamer) {
   for (const Section& section : attachment.sections) {
-    std::vector<Element>& elements = SectionOf(*section.info);
+    std::vector<Element>& elements = sections_.Of(*section.info);
     for (const Element& own : section.elements) {
       const References::Place place = {section.info, elements.size()};
       Element& element = elements.emplace_back(own);
@@ -146,7 +147,7 @@ void Assembly::CopySections(const Attachment& attachment, const Renamer& renamer
   }
 }
 
-void Assembly::AddReferences(References::Place place, const Element& own, const Element& element) {
+void Attacher::AddReferences(References::Place place, const Element& own, const Element& element) {
   for (std::size_t i = 0; i < own.attributes.size(); ++i) {
     const Attribute& attribute = own.attributes[i];
     if (attribute.refers.empty()) continue;

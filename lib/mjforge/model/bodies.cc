@@ -8,6 +8,7 @@
 #include "mjforge/model/assembly.h"
 #include "mjforge/model/names.h"
 #include "mjforge/model/pose_reader.h"
+#include "mjforge/model/sums.h"
 
 namespace mjforge::model {
 namespace {
@@ -63,7 +64,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
                   fmt::format("the object has more than {} bodies", kMaxParts));
     return;
   }
-  const std::optional<std::string> name = ReadName(scope, entry.head, bodies);
+  const std::optional<std::string> name = ReadName(scope, entry.head, bodies, findings_);
   if (!name) return;
   const sample::StreamId path = sample::Child(bodies, std::string_view(*name));
   FieldReader reader(scope.values, findings_, "body", *name, path);
@@ -82,7 +83,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   const Pose X_BS = std::exchange(scope.X_BS, Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
   Fill(scope, entry, reader, *name, index, path);
-  const Bounds bounds = BoundsFrom(index);
+  const Bounds bounds = BoundsFrom(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
@@ -106,20 +107,20 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
       if (slot >= 0) scope.values.SetVariable(slot, *nested, i);
     }
   } else if (entry.head.Find(Key::kMjcf) != nullptr) {
-    AddAttachment(scope, reader, entry.head, name, index);
+    part_count_ += attacher_.Add(scope, reader, entry.head, name, index);
   } else {
     const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
     AddParts(scope, entry.parts, Pose());
     scope.parts = outer;
   }
-  SetMass(index);
+  SumMass(object_.bodies[index], assets_);
   const spec::Field* field = entry.head.Find(Key::kMass);
   if (field == nullptr) return;
   const std::optional<Traced<double>> mass = reader.Number(*field);
   if (!mass) return;
-  const Traced<double> sum = MassFrom(index).mass;
+  const Traced<double> sum = MassFrom(object_.bodies, index).mass;
   if (sum > 0) {
-    ScaleMass(*mass / sum, body().parts.size(), index);
+    ScaleMass(*mass / sum, object_.bodies, at_, body().parts.size(), index);
   } else {
     reader.Report(Code::kModelNoMass, *field, "cannot be reached: no part has mass");
   }
@@ -153,10 +154,13 @@ void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const B
   if (entry.first_property < 0) return;
   Traced<Eigen::Vector3d> half = Eigen::Vector3d::Zero();
   if (!bounds.aabb.empty()) half = bounds.half_size();
-  const Traced<double> values[] = {bounds.top_offset,        bounds.bottom_offset,
-                                   bounds.horizontal_radius, tape::Element(half, 0),
-                                   tape::Element(half, 1),   tape::Element(half, 2),
-                                   MassFrom(index).mass};
+  const Traced<double> values[] = {bounds.top_offset,
+                                   bounds.bottom_offset,
+                                   bounds.horizontal_radius,
+                                   tape::Element(half, 0),
+                                   tape::Element(half, 1),
+                                   tape::Element(half, 2),
+                                   MassFrom(object_.bodies, index).mass};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
   }

@@ -102,14 +102,14 @@ void Assembly::TakeAwayJoints(Scope& scope) {
   }
   for (const spec::Entry& entry : spec.joints) {
     repetition_.ForEach(entry, scope.values, [&] {
-      const auto name = ReadName(scope, entry, scope.values.root());
+      const auto name = ReadName(scope, entry, scope.values.root(), findings_);
       if (name) references_.TakeAway(scope.prefix + *name, origin);
     });
   }
 }
 
 void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints) {
-  const std::optional<std::string> name = ReadName(scope, entry, joints);
+  const std::optional<std::string> name = ReadName(scope, entry, joints, findings_);
   if (!name) return;
   FieldReader reader(scope.values, findings_, "joint", *name,
                      sample::Child(joints, std::string_view(*name)));

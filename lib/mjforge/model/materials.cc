@@ -1,8 +1,9 @@
+#include "mjforge/model/materials.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "mjforge/model/assembly.h"
 #include "mjforge/model/names.h"
 
 namespace mjforge::model {
@@ -10,8 +11,7 @@ namespace mjforge::model {
 using diag::Code;
 using spec::Key;
 
-const MaterialState* Assembly::UseMaterial(Scope& scope, FieldReader& reader,
-                                           const spec::Field& field) {
+const MaterialState* Materials::Use(Scope& scope, FieldReader& reader, const spec::Field& field) {
   const std::optional<std::string> name = reader.Text(field);
   if (!name) return nullptr;
   const std::vector<spec::Material>& materials = scope.values.spec().materials;
@@ -25,13 +25,12 @@ const MaterialState* Assembly::UseMaterial(Scope& scope, FieldReader& reader,
     return nullptr;
   }
   MaterialState& state = scope.materials[static_cast<std::size_t>(found - materials.begin())];
-  if (!state.ready) EvaluateMaterial(scope, *found, state);
+  if (!state.ready) Evaluate(scope, *found, state);
   return &state;
 }
 
 // Once an object: all parts of a material share what is drawn in it.
-void Assembly::EvaluateMaterial(Scope& scope, const spec::Material& material,
-                                MaterialState& state) {
+void Materials::Evaluate(Scope& scope, const spec::Material& material, MaterialState& state) {
   state.ready = true;
   FieldReader reader(scope.values, findings_, "material", material.name,
                      MaterialPath(scope.values, material));
@@ -53,11 +52,11 @@ void Assembly::EvaluateMaterial(Scope& scope, const spec::Material& material,
     look.texture = assets_.AddTexture(scope.values, material, look.name).value_or(-1);
   }
   if (look.attributes.empty() && look.texture < 0) return;
-  state.index = ShareMaterial(material.name, std::move(look));
+  state.index = Share(material.name, std::move(look));
 }
 
-int Assembly::ShareMaterial(const std::string& own_name, Material material) {
-  const auto [begin, end] = materials_.equal_range(own_name);
+int Materials::Share(const std::string& own_name, Material material) {
+  const auto [begin, end] = by_name_.equal_range(own_name);
   for (auto it = begin; it != end; ++it) {
     const Material& other = object_.materials[static_cast<std::size_t>(it->second)];
     if (other.texture == material.texture && other.attributes == material.attributes) {
@@ -66,7 +65,7 @@ int Assembly::ShareMaterial(const std::string& own_name, Material material) {
   }
   const int index = static_cast<int>(object_.materials.size());
   object_.materials.push_back(std::move(material));
-  materials_.emplace(own_name, index);
+  by_name_.emplace(own_name, index);
   return index;
 }
 

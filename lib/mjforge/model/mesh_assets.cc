@@ -109,7 +109,7 @@ void Assets::NotePrism(std::span<const Traced<double>> points, const Traced<doub
   for (const Traced<double>& point : points) places.push_back(&PlaceOf(*tape, point));
   mesh.tape = tape;
   made_ = &tape->Keep(mesh);
-  tape->Add([made = made_, places = std::move(places), &z = PlaceOf(*tape, height),
+  tape->Add([made = made_, places = tape->KeepAll(places), &z = PlaceOf(*tape, height),
              &by = PlaceOf(*tape, scale)] {
     std::vector<double> corners;
     for (const double* place : places) corners.push_back(*place);

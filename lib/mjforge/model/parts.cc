@@ -69,7 +69,7 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
                   fmt::format("the object has more than {} parts", kMaxParts));
     return;
   }
-  const std::optional<std::string> name = ReadName(scope, entry, scope.parts);
+  const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
   if (!name) return;
   FieldReader reader(scope.values, findings_, "part", *name,
                      sample::Child(scope.parts, std::string_view(*name)));
@@ -102,7 +102,7 @@ bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry
                             const MaterialState*& material) {
   const spec::Field* field = entry.Find(Key::kMaterial);
   if (field == nullptr) return true;
-  material = UseMaterial(scope, reader, *field);
+  material = materials_.Use(scope, reader, *field);
   if (material == nullptr) return false;
   part.material = material->index;
   return true;

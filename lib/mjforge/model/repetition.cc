@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/model/assembly.h"
+#include "mjforge/model/scope.h"
 
 namespace mjforge::model {
 namespace {
@@ -18,8 +18,8 @@ constexpr long kMaxSteps = 10L * kMaxParts;
 }  // namespace
 
 long Repetition::CountOf(const spec::Loop& loop, sample::Evaluator& values) {
-  const double count = tape::Fixed(
-      values.Number(loop.count, sample::Child(values.root(), std::string_view(loop.variable))));
+  const double count =
+      values.FixedNumber(loop.count, sample::Child(values.root(), std::string_view(loop.variable)));
   if (!std::isfinite(count)) return -1;  // reported where it was computed
   if (count < 0 || count != std::floor(count)) {
     findings_.Add(Code::kModelBadCount, loop.count.mark,

@@ -1,11 +1,10 @@
-// contact: and mjcf:, once the bodies are there.
+#include "mjforge/model/sections.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "mjforge/model/assembly.h"
 #include "mjforge/model/names.h"
 
 namespace mjforge::model {
@@ -39,19 +38,19 @@ void SayLimits(const spec::ElementInfo& info, std::vector<Attribute>& attributes
 
 }  // namespace
 
-std::vector<Element>& Assembly::SectionOf(const spec::SectionInfo& info) {
+std::vector<Element>& Sections::Of(const spec::SectionInfo& info) {
   const auto found = std::ranges::find(object_.sections, &info, &Section::info);
   if (found != object_.sections.end()) return found->elements;
   return object_.sections.emplace_back(Section{&info, {}}).elements;
 }
 
-void Assembly::AddSections(Scope& scope) {
+void Sections::Add(Scope& scope, bool outermost) {
   const spec::ObjectSpec& spec = scope.values.spec();
   const sample::StreamId mjcf = sample::Child(scope.values.root(), "mjcf");
   for (const spec::Section& section : spec.sections) {
     const sample::StreamId path = sample::Child(mjcf, section.info->name);
     // Settings of the whole model are the outermost object's to make.
-    if (section.info->is_element && !IsOutermost(scope)) {
+    if (section.info->is_element && !outermost) {
       diag::Finding& finding = findings_.Add(
           Code::kAttachNotCarried, section.entries.front().mark,
           fmt::format("'{}' of spec '{}' is left out: it would apply to the whole object",
@@ -61,25 +60,25 @@ void Assembly::AddSections(Scope& scope) {
       continue;
     }
     for (const spec::Entry& entry : section.entries) {
-      if (!repetition_.Count(entry, scope.values, SectionOf(*section.info).size())) continue;
+      if (!repetition_.Count(entry, scope.values, Of(*section.info).size())) continue;
       repetition_.ForEach(entry, scope.values,
                           [&] { AddElement(scope, *section.info, entry, path); });
     }
   }
 }
 
-void Assembly::AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,
+void Sections::AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,
                           sample::StreamId path) {
   std::string name;
   const auto* text = std::get_if<spec::Text>(&entry.name.form);
   if (text != nullptr && !text->pieces.empty()) {
-    const std::optional<std::string> read = ReadName(scope, entry, path);
+    const std::optional<std::string> read = ReadName(scope, entry, path, findings_);
     if (!read) return;
     name = *read;
   }
   FieldReader reader(scope.values, findings_, entry.element->name, name,
                      sample::Child(path, std::string_view(name)));
-  std::vector<Element>& elements = SectionOf(section);
+  std::vector<Element>& elements = Of(section);
   Element element;
   if (!name.empty()) element.name = scope.prefix + name;
   if (ReadElement(scope, reader, entry, element, {&section, elements.size()})) {
@@ -87,7 +86,7 @@ void Assembly::AddElement(Scope& scope, const spec::SectionInfo& section, const 
   }
 }
 
-bool Assembly::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+bool Sections::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                            Element& element, References::Place place) {
   element.tag = entry.element->name;
   element.mark = entry.mark;
@@ -103,7 +102,8 @@ bool Assembly::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry&
     const std::string_view kind = KindOf(attribute, element);
     std::string shown = attribute.text;
     const bool is_root = kind.ends_with("body") && shown == spec.name;
-    attribute.text = is_root ? BodyAt(scope.body).name : scope.prefix + shown;
+    attribute.text =
+        is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name : scope.prefix + shown;
     references_.Add(place, kind, attribute.text, std::move(shown),
                     fmt::format("{} of {}", attribute.name, reader.Owner()),
                     entry.fields[i].value.mark);

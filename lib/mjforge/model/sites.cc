@@ -17,7 +17,7 @@ void Assembly::AddSites(Scope& scope, const std::vector<spec::Entry>& entries,
 }
 
 void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites) {
-  const std::optional<std::string> name = ReadName(scope, entry, sites);
+  const std::optional<std::string> name = ReadName(scope, entry, sites, findings_);
   if (!name) return;
   FieldReader reader(scope.values, findings_, "site", *name,
                      sample::Child(sites, std::string_view(*name)));
@@ -41,7 +41,7 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   if (pose) site.X_BS = scope.X_BS * *pose;
   good &= pose.has_value();
   if (const spec::Field* field = entry.Find(Key::kMaterial)) {
-    const MaterialState* material = UseMaterial(scope, reader, *field);
+    const MaterialState* material = materials_.Use(scope, reader, *field);
     if (material != nullptr) site.material = material->index;
     good &= material != nullptr;
   }

@@ -24,11 +24,14 @@ std::string Hexadecimal(const unsigned char* bytes, unsigned int count) {
 std::string Sha256(std::string_view bytes) {
   // Looking the algorithm up and making a context cost more than hashing an
   // object's few kilobytes, so each thread does it once.
-  thread_local const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(
-      EVP_MD_CTX_new(), EVP_MD_CTX_free);
+  thread_local const auto context = [] {
+    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> made(EVP_MD_CTX_new(), EVP_MD_CTX_free);
+    EVP_DigestInit_ex(made.get(), EVP_sha256(), nullptr);
+    return made;
+  }();
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int size = 0;
-  EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
+  EVP_DigestInit_ex(context.get(), nullptr, nullptr);  // the same algorithm again
   EVP_DigestUpdate(context.get(), bytes.data(), bytes.size());
   EVP_DigestFinal_ex(context.get(), digest.data(), &size);
   return Hexadecimal(digest.data(), size);

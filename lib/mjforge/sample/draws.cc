@@ -118,12 +118,13 @@ Traced<double> Evaluator::NoteDraw(Distribution distribution, const Numbers& arg
   for (const Numbers* numbers : {&arguments, &limits}) {
     for (const Traced<double>& number : *numbers) places.push_back(&PlaceOf(*tape_, number));
   }
-  tape_->Add([this, distribution, path, &at, places = std::move(places), count = arguments.size()] {
-    const Arguments plain(places, count);
-    if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
-    at = Drawn(distribution, plain.numbers(), plain.limits(), path);
-    return std::isfinite(at);
-  });
+  tape_->Add(
+      [this, distribution, path, &at, places = tape_->KeepAll(places), count = arguments.size()] {
+        const Arguments plain(places, count);
+        if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
+        at = Drawn(distribution, plain.numbers(), plain.limits(), path);
+        return std::isfinite(at);
+      });
   return {value, *tape_, at};
 }
 
@@ -132,13 +133,22 @@ const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, St
   std::size_t option = 0;
   if (weights) option = Option(draw, std::vector<double>(weights->begin(), weights->end()), path);
   if (weights && tape_ != nullptr) {
+    bool vary = false;
     std::vector<const double*> places;
-    for (const Traced<double>& weight : *weights) places.push_back(&PlaceOf(*tape_, weight));
-    tape_->Add([this, &draw, path, option, places = std::move(places)] {
+    for (const Traced<double>& weight : *weights) {
+      vary |= weight.tape() != nullptr;
+      places.push_back(&PlaceOf(*tape_, weight));
+    }
+    const auto test = [this, &draw, path, option, places = tape_->KeepAll(places)] {
       std::vector<double> numbers;
       for (const double* place : places) numbers.push_back(*place);
       return WhatIsWrong(numbers).empty() && Option(draw, numbers, path) == option;
-    });
+    };
+    if (is_sampled_first_ && !vary) {
+      tape_->AddEarly(test);
+    } else {
+      tape_->Add(test);
+    }
   }
   path = Child(Child(path, Info(draw.distribution).key), option);
   return draw.arguments[option];

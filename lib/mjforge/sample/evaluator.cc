@@ -22,9 +22,7 @@ bool IsPick(const spec::Draw& draw) {
 }
 
 // False for a failed number.
-bool IsTrue(const Traced<double>& number) {
-  return tape::Test([](double value) { return std::abs(value) > 0; }, number);
-}
+bool Truth(double number) { return std::abs(number) > 0; }
 
 }  // namespace
 
@@ -86,7 +84,12 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   if (noted != nullptr) return {value, *tape_, *noted};
   double& at = tape_->Keep(value);
   noted = &at;
-  tape_->Add([&expression, &at, &all = *inputs_, inputs = std::move(inputs)] {
+  const bool of_parameters = std::ranges::all_of(expression.inputs(), [this](const auto& input) {
+    const auto slot = static_cast<std::size_t>(input.slot);
+    return places_[slot] == &variables_[slot];
+  });
+  if (of_parameters) early_[&at] = &expression;
+  tape_->Add([&expression, &at, &all = *inputs_, inputs = tape_->KeepAll(inputs)] {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const auto& [place, constant] = inputs[i];
       all[static_cast<std::size_t>(expression.inputs()[i].slot)] = place ? *place : constant;
@@ -97,9 +100,50 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   return {value, *tape_, at};
 }
 
+template <typename IsAsGood>
+void Evaluator::Decide(const Traced<double>& number, IsAsGood is_as_good) {
+  const double* at = number.at();
+  const auto test = [at, is_as_good] { return is_as_good(*at); };
+  const auto expression = early_.find(at);
+  const bool is_parameter = at >= variables_.data() && at < variables_.data() + variables_.size();
+  if (!is_sampled_first_ || (!is_parameter && expression == early_.end())) {
+    tape_->Add(test);
+  } else if (is_parameter) {
+    tape_->AddEarly(test);
+  } else {
+    tape_->AddEarly([this, is_as_good, &of = *expression->second] {
+      return is_as_good(of.Evaluate(variables_));
+    });
+  }
+}
+
+bool Evaluator::IsTrue(const Traced<double>& number) {
+  const bool truth = Truth(number);
+  if (number.at() != nullptr && decided_.emplace(number.at(), true).second) {
+    Decide(number, [truth](double other) { return Truth(other) == truth; });
+  }
+  return truth;
+}
+
+double Evaluator::Fixed(const Traced<double>& number) {
+  const double value = number;
+  if (number.at() != nullptr && decided_.emplace(number.at(), false).second) {
+    Decide(number, [value](double other) { return other == value; });
+  }
+  return value;
+}
+
+void Evaluator::NoteOn(tape::Tape& tape) {
+  NoteOn(tape, [](std::string_view) { return false; });
+  is_sampled_first_ = true;
+}
+
 void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies) {
   tape_ = &tape;
+  is_sampled_first_ = false;
   noted_.clear();
+  early_.clear();
+  decided_.clear();
   inputs_ = &tape.Keep(std::vector<double>(variables_.size()));
   places_.assign(variables_.size(), nullptr);
   if (!places_.empty()) places_[0] = &variables_[0];
@@ -163,6 +207,10 @@ Traced<double> Evaluator::Number(const spec::Value& value, StreamId path) {
   return Fail(Code::kSampleBadArgument, value.mark, "this value is not a number");
 }
 
+double Evaluator::FixedNumber(const spec::Value& value, StreamId path) {
+  return Fixed(Number(value, path));
+}
+
 bool Evaluator::Boolean(const spec::Value& value, StreamId path) {
   return IsTrue(Number(value, path));
 }
@@ -175,7 +223,7 @@ void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::
   out += piece.literal;
   if (piece.text_slot >= 0) out += TextIn(piece.text_slot);
   if (!piece.expression) return;
-  const double result = tape::Fixed(EvaluateExpression(*piece.expression, mark));
+  const double result = Fixed(EvaluateExpression(*piece.expression, mark));
   if (piece.expression->type() == expr::Type::kBoolean) {
     out += result != 0 ? "true" : "false";
   } else if (std::isfinite(result)) {
@@ -183,8 +231,8 @@ void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::
   }
 }
 
-const std::string& Evaluator::TextIn(int slot) const {
-  tape::Fixed(Variable(slot));  // its key
+const std::string& Evaluator::TextIn(int slot) {
+  Fixed(Variable(slot));  // its key
   return texts_[static_cast<std::size_t>(slot)];
 }
 
@@ -202,7 +250,7 @@ std::string Evaluator::Text(const spec::Value& value, StreamId path) {
       variable && value.type == expr::Type::kText) {
     return TextIn(variable->slot);
   }
-  const double number = tape::Fixed(Number(value, path));
+  const double number = FixedNumber(value, path);
   if (value.type == expr::Type::kBoolean) return number != 0 ? "true" : "false";
   return std::isfinite(number) ? expr::NumberText(number) : std::string();
 }

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,14 +61,18 @@ class Evaluator {
   bool Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings);
 
   /// From now on values are noted on the tape: what is drawn, and what is computed from it. To run
-  /// the tape, call Sample first, with another key; the evaluator must not move. `varies` says of
-  /// a parameter that was overridden whether its value differs between variants.
+  /// the tape, call Sample first, with another key; the evaluator must not move.
+  void NoteOn(tape::Tape& tape);
+  /// The same where a step of the tape calls Sample. `varies` says of a parameter that was
+  /// overridden whether its value differs between variants.
   void NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies);
   /// Notes nothing more.
   void EndNotes() { tape_ = nullptr; }
   tape::Tape* tape() const { return tape_; }
 
   Traced<double> Number(const spec::Value& value, StreamId path);
+  /// A number by which variants go different ways.
+  double FixedNumber(const spec::Value& value, StreamId path);
   bool Boolean(const spec::Value& value, StreamId path);
   std::string Text(const spec::Value& value, StreamId path);
   /// Replaces the content of `out` with the vector's components, of a number the one.
@@ -103,6 +108,11 @@ class Evaluator {
   Traced<double> Variable(int slot) const;
   Traced<double> EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
   Traced<double> NoteExpression(const expr::Expression& expression, double value);
+  /// Only variants whose number is as good go this way.
+  template <typename IsAsGood>
+  void Decide(const Traced<double>& number, IsAsGood is_as_good);
+  bool IsTrue(const Traced<double>& number);
+  double Fixed(const Traced<double>& number);
   Traced<double> DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
   /// The draw's value, rounded as it is; not finite if the draw fails.
   double Drawn(spec::Distribution distribution, std::span<const double> arguments,
@@ -118,7 +128,7 @@ class Evaluator {
   std::size_t Option(const spec::Draw& draw, std::span<const double> weights, StreamId path) const;
   void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
   /// The text in the slot; only variants with the same text go this way.
-  const std::string& TextIn(int slot) const;
+  const std::string& TextIn(int slot);
   void AppendRotation(StreamId path, Numbers& out);
   void AppendAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
                    Numbers& out);
@@ -149,6 +159,10 @@ class Evaluator {
   tape::Tape* tape_ = nullptr;
   std::vector<const double*> places_;      // by slot, on the tape; null: the same in all variants
   std::vector<double>* inputs_ = nullptr;  // by slot, of the expression at hand; on the tape
+  bool is_sampled_first_ = false;          // before the tape runs
+  /// The expressions of parameters alone, by their results on the tape.
+  std::map<const double*, const expr::Expression*> early_;
+  std::set<std::pair<const double*, bool>> decided_;  // the number, and whether only its truth
   /// The result of each expression that was noted, by it and the places or values of its inputs.
   std::map<std::pair<const void*, std::vector<std::pair<const double*, double>>>, const double*>
       noted_;

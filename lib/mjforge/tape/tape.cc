@@ -5,7 +5,8 @@
 namespace mjforge::tape {
 
 bool Tape::Run() const {
-  return std::ranges::all_of(steps_, [](const Step& step) { return step.take(step.state); });
+  const auto take = [](const Step& step) { return step.take(step.state); };
+  return std::ranges::all_of(early_, take) && std::ranges::all_of(steps_, take);
 }
 
 void Tape::SetOrigin(const double* copy, const double* original) {

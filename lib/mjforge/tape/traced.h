@@ -3,11 +3,12 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <memory_resource>
 #include <new>
+#include <span>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,16 @@ class Tape {
     }
   }
 
+  /// The same of a list of plain values.
+  template <typename List>
+  auto KeepAll(const List& values) {
+    using T = typename List::value_type;
+    static_assert(std::is_trivially_destructible_v<T>);
+    T* first = static_cast<T*>(memory_.allocate(values.size() * sizeof(T), alignof(T)));
+    std::uninitialized_copy(values.begin(), values.end(), first);
+    return std::span<T>(first, values.size());
+  }
+
   /// Adds a step: `take` is called without arguments. If it returns false, the variant goes another
   /// way than the one that was noted, and the tape is of no use for it.
   template <typename Take>
@@ -40,10 +51,20 @@ class Tape {
     steps_.push_back({[](void* step) { return (*static_cast<Take*>(step))(); }, &kept});
   }
 
+  /// Adds a step that needs no result of another, to be taken before them: most variants that go
+  /// another way are told by these.
+  template <typename Take>
+  void AddEarly(Take take) {
+    Take& kept = Keep(std::move(take));
+    early_.push_back({[](void* step) { return (*static_cast<Take*>(step))(); }, &kept});
+  }
+
   /// Takes all steps in order; false as soon as one of them goes another way.
   bool Run() const;
 
-  std::size_t size() const { return steps_.size(); }
+  std::size_t size() const { return early_.size() + steps_.size(); }
+  /// No step is added any more: what only helps to add them goes.
+  void Close() { origins_.clear(); }
 
   /// Notes that the number at `copy` always equals the one at `original`; null: is constant.
   void SetOrigin(const double* copy, const double* original);
@@ -58,8 +79,9 @@ class Tape {
 
   std::pmr::monotonic_buffer_resource memory_;
   std::vector<std::shared_ptr<void>> kept_;
+  std::vector<Step> early_;
   std::vector<Step> steps_;
-  std::map<const double*, const double*> origins_;
+  std::unordered_map<const double*, const double*> origins_;
 };
 
 /// A value, and where a tape finds that of another variant: nowhere if it is the same for all. It

@@ -1,0 +1,55 @@
+#pragma once
+
+// What the readers of an object's elements share.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mjforge/model/field_reader.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::model {
+
+/// A material of a spec, evaluated when the first part asks for it.
+struct MaterialState {
+  bool ready = false;
+  int index = -1;  // in Object::materials; -1: it has no look
+  std::optional<Traced<double>> density;
+  const spec::Field* density_field = nullptr;
+  std::vector<Attribute> contact;
+};
+
+/// One spec in the object: its own, one welded into a body, or one that is a body.
+struct Scope {
+  Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, const Pose& X_BodyS);
+
+  sample::Evaluator& values;
+  std::string prefix;  // of its elements' names
+  int body;            // in Object::bodies, that holds the spec's root
+  Pose X_BS;           // of the spec's root S in the body B at hand
+  sample::StreamId parts;
+  std::vector<MaterialState> materials;  // as spec.materials
+  std::optional<Traced<Eigen::Vector3d>> total_size;
+};
+
+/// The entry's own name, checked; nothing after a finding.
+std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
+                                    diag::Findings& findings);
+
+/// Reads an element's own attributes into `out`, then adds those of its material and of the
+/// defaults that it lacks; false after a finding.
+bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
+                    std::span<const Attribute> of_material = {});
+
+/// placement: corner. `p` is where the lower corner of something should be, counted from that of
+/// the declared box, with half sizes `total_size`; `lower` is the corner seen from the thing's
+/// origin. Where the origin is then.
+Traced<Eigen::Vector3d> FromCorner(const Traced<Eigen::Vector3d>& p,
+                                   const Traced<Eigen::Vector3d>& total_size,
+                                   const Traced<Eigen::Vector3d>& lower);
+
+bool HasErrorsSince(const diag::Findings& findings, std::size_t first);
+
+}  // namespace mjforge::model

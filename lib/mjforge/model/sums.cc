@@ -1,0 +1,146 @@
+#include "mjforge/model/sums.h"
+
+#include <algorithm>
+
+namespace mjforge::model {
+namespace {
+
+/// X_FB of the bodies from `first`, F, on, all below it.
+std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) {
+  std::vector<Pose> X_FB(bodies.size() - first);
+  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
+    X_FB[i - first] = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
+  }
+  return X_FB;
+}
+
+/// `for_each` calls what it is given with every part and its pose X_FG.
+template <typename ForEach>
+Bounds BoundsOfAll(const ForEach& for_each) {
+  bool some_collide = false;
+  for_each([&](const Part& part, const Pose&) { some_collide |= part.role != Role::kVisual; });
+  Bounds bounds;
+  for_each([&](const Part& part, const Pose& X_FG) {
+    if (some_collide && part.role == Role::kVisual) return;
+    bounds.aabb.Add(BoundsOf(part.shape, X_FG));
+    bounds.horizontal_radius =
+        tape::Apply([](double a, double b) { return std::max(a, b); }, bounds.horizontal_radius,
+                    HorizontalRadius(part.shape, X_FG));
+  });
+  if (bounds.aabb.empty()) return bounds;
+  bounds.top_offset = tape::Element(bounds.aabb.max, 2);
+  bounds.bottom_offset = tape::Element(bounds.aabb.min, 2);
+  return bounds;
+}
+
+}  // namespace
+
+Bounds DeclaredBounds(const Traced<Eigen::Vector3d>& total_size) {
+  using Eigen::Vector3d;
+  Bounds bounds;
+  bounds.aabb.min = tape::Apply([](const Vector3d& size) { return Vector3d(-size); }, total_size);
+  bounds.aabb.max = total_size;
+  bounds.top_offset = tape::Element(bounds.aabb.max, 2);
+  bounds.bottom_offset = tape::Element(bounds.aabb.min, 2);
+  bounds.horizontal_radius =
+      tape::Apply([](const Vector3d& size) { return size.head<2>().norm(); }, total_size);
+  return bounds;
+}
+
+Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first) {
+  return BoundsOfAll([&](const auto& visit) {
+    for (std::size_t i = first; i < parts.size(); ++i) visit(parts[i], parts[i].X_BG);
+  });
+}
+
+void SumMass(Body& body, Assets& assets) {
+  if (body.explicit_inertial) return;  // an attached file's
+  MassProperties sum;
+  for (const Part& part : body.parts) {
+    if (!(part.mass > 0)) continue;
+    const MassProperties unit = *assets.UnitMassOf(part.shape, part.mesh);
+    MassProperties properties = Scaled(unit, part.mass / unit.mass);
+    properties.mass = part.mass;
+    sum = Combine(sum, InFrame(part.X_BG, properties));
+    body.explicit_inertial |= part.shape.type == GeomType::kMesh;
+  }
+  body.mass_properties = sum;
+}
+
+void ScaleMass(const Traced<double>& factor, std::vector<Body>& bodies, std::size_t body,
+               std::size_t first_part, std::size_t first_body) {
+  const auto scale = [&factor](std::vector<Part>& parts, std::size_t first) {
+    for (std::size_t i = first; i < parts.size(); ++i) {
+      parts[i].mass = parts[i].mass * factor;
+      parts[i].density = 0.0;  // no longer the number that says it
+    }
+  };
+  scale(bodies[body].parts, first_part);
+  for (std::size_t i = first_body; i < bodies.size(); ++i) {
+    scale(bodies[i].parts, 0);
+    bodies[i].mass_properties = Scaled(bodies[i].mass_properties, factor);
+  }
+}
+
+Bounds BoundsFrom(const std::vector<Body>& bodies, std::size_t first) {
+  if (first + 1 == bodies.size()) return BoundsOf(bodies[first].parts);
+  const std::vector<Pose> X_FB = PosesFrom(bodies, first);
+  return BoundsOfAll([&](const auto& visit) {
+    for (std::size_t i = first; i < bodies.size(); ++i) {
+      for (const Part& part : bodies[i].parts) visit(part, X_FB[i - first] * part.X_BG);
+    }
+  });
+}
+
+MassProperties MassFrom(const std::vector<Body>& bodies, std::size_t first) {
+  MassProperties sum = bodies[first].mass_properties;
+  if (first + 1 == bodies.size()) return sum;
+  const std::vector<Pose> X_FB = PosesFrom(bodies, first);
+  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
+    sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
+  }
+  return sum;
+}
+
+// MuJoCo moves a body by the mass of what is fixed to it. Other simulators have a joint there, and
+// want some mass on both of its sides.
+void ShareMass(std::vector<Body>& bodies) {
+  std::vector<std::size_t> movers(bodies.size());  // M, the body that each moves with
+  std::vector<Pose> X_MB(bodies.size());
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    movers[i] = i;
+    if (!bodies[i].joints.empty()) continue;
+    const auto parent = static_cast<std::size_t>(bodies[i].parent);
+    movers[i] = movers[parent];
+    X_MB[i] = X_MB[parent] * bodies[i].X_PB;
+    Body& mover = bodies[movers[i]];
+    if (mover.joints.empty() || mover.mass_properties.mass > 0) continue;
+    if (!(bodies[i].mass_properties.mass > 0)) continue;
+    bodies[i].mass_properties = Scaled(bodies[i].mass_properties, 0.5);
+    mover.mass_properties = InFrame(X_MB[i], bodies[i].mass_properties);
+    mover.explicit_inertial = bodies[i].explicit_inertial = true;
+  }
+}
+
+Traced<Eigen::Vector3d> Bounds::half_size() const {
+  using Eigen::Vector3d;
+  return tape::Apply([](const Vector3d& lo, const Vector3d& hi) { return Vector3d((hi - lo) / 2); },
+                     aabb.min, aabb.max);
+}
+
+std::vector<Pose> BodyPoses(const Object& object) { return PosesFrom(object.bodies, 0); }
+
+std::size_t GeomCount(const Body& body) {
+  std::size_t count = 0;
+  for (const Part& part : body.parts) count += part.role == Role::kBoth && !part.as_is ? 2 : 1;
+  return count;
+}
+
+std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
+  for (const Section& one : object.sections) {
+    if (one.info->name == section) return one.elements;
+  }
+  return {};
+}
+
+}  // namespace mjforge::model
