@@ -105,14 +105,10 @@ class BodyWriter {
 
   void Part(const model::Part& part) {
     if (part.as_is) return AsItIs(part);
-    std::size_t shape_begin = 0;
-    std::size_t shape_end = 0;
     if (part.role != Role::kVisual) {
       writer_.Open("geom", part.mark);
       writer_.Text("name", part.name);
-      shape_begin = writer_.position();
       Shape(part);
-      shape_end = writer_.position();
       Mass(part);
       CollisionRest(part);
       writer_.Close();
@@ -120,11 +116,7 @@ class BodyWriter {
     if (part.role == Role::kCollision) return;
     writer_.Open("geom", part.mark);
     writer_.Text("name", part.name, kVisualSuffix);
-    if (part.role == Role::kBoth) {
-      writer_.Repeat(shape_begin, shape_end);
-    } else {
-      Shape(part);
-    }
+    Shape(part);
     VisualRest(part);
     writer_.Close();
   }

@@ -147,19 +147,6 @@ void ElementWriter::Pose(const model::Pose& pose) {
   text_ += '"';
 }
 
-void ElementWriter::Repeat(std::size_t begin, std::size_t end) {
-  const std::size_t shift = text_.size() - begin;
-  text_.append(text_, begin, end - begin);
-  const auto first = std::ranges::lower_bound(slots_, begin, {}, &Slot::begin);
-  const std::vector<Slot> again(first, slots_.end());
-  for (Slot slot : again) {
-    if (slot.begin >= end) break;
-    slot.begin += shift;
-    slot.end += shift;
-    slots_.push_back(slot);
-  }
-}
-
 void ElementWriter::Attribute(const model::Attribute& attribute) {
   if (attribute.numbers.empty()) {
     Text(attribute.name, attribute.text);

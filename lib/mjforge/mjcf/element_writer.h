@@ -64,11 +64,6 @@ class ElementWriter {
   void Pose(const model::Pose& pose);
   void Attribute(const model::Attribute& attribute);
 
-  /// The current end of the text, and a way to repeat what was written between two positions: a
-  /// visual geom has the shape of its collision twin.
-  std::size_t position() const { return text_.size(); }
-  void Repeat(std::size_t begin, std::size_t end);
-
  private:
   void Indent();
   /// An attribute up to and including the opening quote.

@@ -13,16 +13,6 @@ namespace mjforge::model {
 
 using diag::Code;
 
-namespace {
-
-// Without making every entry of a long list move all parts.
-void MakeRoom(std::size_t count, std::vector<Part>& parts) {
-  if (parts.size() + count <= parts.capacity()) return;
-  parts.reserve(std::max(parts.size() + count, 2 * parts.capacity()));
-}
-
-}  // namespace
-
 Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, const Pose& X_BodyS)
     : values(evaluator),
       prefix(std::move(name_prefix)),
@@ -50,7 +40,6 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::
   } else if (!spec.bodies.empty()) {
     root.mark = spec.bodies.front().head.mark;
   }
-  root.parts.reserve(spec.parts.size());
   AddSpec(scope);
   AddRootJoints(scope);
   ReadChecks(scope);
@@ -98,10 +87,7 @@ void Assembly::ReadTotalSize(Scope& scope) {
 
 void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF) {
   for (const spec::Entry& entry : entries) {
-    const bool is_plain = !entry.is_frame && entry.nested == nullptr;
-    const auto count = repetition_.Count(entry, scope.values, part_count_);
-    if (!count) continue;
-    if (is_plain && !entry.condition) MakeRoom(*count, body().parts);
+    if (!repetition_.Count(entry, scope.values, part_count_)) continue;
     repetition_.ForEach(entry, scope.values, [&] {
       if (entry.is_frame) {
         AddFrame(scope, entry, X_SF);

@@ -1,10 +1,7 @@
 #include "mjforge/model/names.h"
 
-#include <bit>
-#include <cstdint>
-#include <functional>
 #include <map>
-#include <vector>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -23,9 +20,7 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
   if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 
-// The named elements of an object by kind and name. A flat hash table, made once
-// in its full size: looking up the twenty names of a small object in node-based
-// maps costs more than giving it all its parts.
+// The named elements of an object by kind and name.
 class NameTable {
  public:
   struct Place {
@@ -35,67 +30,36 @@ class NameTable {
     const Part* part = nullptr;
   };
 
-  /// Takes up to `count` names.
-  NameTable(std::size_t count, diag::Findings& findings)
-      : findings_(findings), slots_(std::bit_ceil(2 * count + 1), kNone) {
-    places_.reserve(count);
-  }
+  explicit NameTable(diag::Findings& findings) : findings_(findings) {}
 
   /// Repeats are reported, one for each place in the spec.
   void Add(const Place& place) {
     if (place.name.empty()) return;
-    std::uint32_t& slot = SlotOf(place.kind, place.name);
-    if (slot == kNone) {
-      slot = static_cast<std::uint32_t>(places_.size());
-      places_.push_back(place);
-      return;
-    }
+    const auto [known, is_new] = places_[place.kind].try_emplace(place.name, place);
+    if (is_new) return;
     diag::SourceMark& reported = reported_[place.kind];
     if (reported && reported == place.mark) return;
     reported = place.mark;
-    ReportTwice(place.kind, std::string(place.name), place.mark, places_[slot].mark, {}, findings_);
+    ReportTwice(place.kind, std::string(place.name), place.mark, known->second.mark, {}, findings_);
   }
   template <typename Elements>
   void AddAll(std::string_view kind, const Elements& elements) {
     for (const auto& element : elements) Add({kind, element.name, element.mark});
   }
-  const Place* Find(std::string_view kind, std::string_view name) {
-    const std::uint32_t slot = SlotOf(kind, name);
-    return slot == kNone ? nullptr : &places_[slot];
+  const Place* Find(std::string_view kind, std::string_view name) const {
+    const auto& places = places_.find(kind)->second;
+    const auto found = places.find(name);
+    return found == places.end() ? nullptr : &found->second;
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
-
-  // Where the name is, or is to be.
-  std::uint32_t& SlotOf(std::string_view kind, std::string_view name) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t at = std::hash<std::string_view>()(name) & mask;
-    while (slots_[at] != kNone) {
-      const Place& place = places_[slots_[at]];
-      if (place.name == name && place.kind == kind) break;
-      at = (at + 1) & mask;
-    }
-    return slots_[at];
-  }
-
   diag::Findings& findings_;
-  std::vector<std::uint32_t> slots_;  // positions in places_
-  std::vector<Place> places_;
+  std::map<std::string_view, std::unordered_map<std::string_view, Place>> places_;
   std::map<std::string_view, diag::SourceMark> reported_;  // the last one of a kind
 };
 
-std::size_t CountNames(const Object& object) {
-  std::size_t count = object.materials.size() + object.textures.size() + object.meshes.size();
-  for (const Body& body : object.bodies) {
-    count += 1 + body.joints.size() + body.sites.size() + body.parts.size() + body.elements.size();
-  }
-  for (const Section& section : object.sections) count += section.elements.size();
-  return count;
-}
-
 // A part whose name is that of another part's visual twin.
-void CheckTwins(const Object& object, NameTable& names, diag::Findings& findings) {
+void CheckTwins(const Object& object, const NameTable& names, diag::Findings& findings) {
   for (const Body& body : object.bodies) {
     for (const Part& part : body.parts) {
       if (!part.name.ends_with(kTwin)) continue;
@@ -129,7 +93,7 @@ std::string Quoted(std::string_view text) {
 }
 
 void CheckUniqueNames(const Object& object, diag::Findings& findings) {
-  NameTable names(CountNames(object), findings);
+  NameTable names(findings);
   names.AddAll("material", object.materials);
   names.AddAll("texture", object.textures);
   for (const auto& mesh : object.meshes) names.Add({"mesh", mesh->name, mesh->mark});

@@ -5,8 +5,10 @@
 // as that one goes the same way.
 
 #include <array>
+#include <compare>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -163,46 +165,24 @@ concept TracedScalars = Scalar<A> && Scalar<B> &&
     (!std::is_arithmetic_v<A> || !std::is_arithmetic_v<B>);
 
 template <typename A, typename B>
-requires TracedScalars<A, B> Traced<double>
-operator+(const A& a, const B& b) {
-  return Apply([](double x, double y) { return x + y; }, a, b);
-}
+requires TracedScalars<A, B>
+auto operator+(const A& a, const B& b) { return Apply(std::plus<double>(), a, b); }
 template <typename A, typename B>
-requires TracedScalars<A, B> Traced<double>
-operator-(const A& a, const B& b) {
-  return Apply([](double x, double y) { return x - y; }, a, b);
-}
+requires TracedScalars<A, B>
+auto operator*(const A& a, const B& b) { return Apply(std::multiplies<double>(), a, b); }
 template <typename A, typename B>
-requires TracedScalars<A, B> Traced<double>
-operator*(const A& a, const B& b) {
-  return Apply([](double x, double y) { return x * y; }, a, b);
-}
-template <typename A, typename B>
-requires TracedScalars<A, B> Traced<double>
-operator/(const A& a, const B& b) {
-  return Apply([](double x, double y) { return x / y; }, a, b);
-}
+requires TracedScalars<A, B>
+auto operator/(const A& a, const B& b) { return Apply(std::divides<double>(), a, b); }
+
 // Comparisons are tests.
 template <typename A, typename B>
 requires TracedScalars<A, B>
-bool operator==(const A& a, const B& b) {
-  return Test([](double x, double y) { return x == y; }, a, b);
+bool operator==(const A& a, const B& b) { return Test(std::equal_to<double>(), a, b); }
+template <typename A, typename B>
+requires TracedScalars<A, B> std::partial_ordering operator<=>(const A& a, const B& b) {
+  const std::partial_ordering order = static_cast<double>(a) <=> static_cast<double>(b);
+  Test([order](double x, double y) { return (x <=> y) == order; }, a, b);
+  return order;
 }
-template <typename A, typename B>
-requires TracedScalars<A, B>
-bool operator<(const A& a, const B& b) {
-  return Test([](double x, double y) { return x < y; }, a, b);
-}
-template <typename A, typename B>
-requires TracedScalars<A, B>
-bool operator>(const A& a, const B& b) { return b < a; }
-template <typename A, typename B>
-requires TracedScalars<A, B>
-bool operator<=(const A& a, const B& b) {
-  return Test([](double x, double y) { return x <= y; }, a, b);
-}
-template <typename A, typename B>
-requires TracedScalars<A, B>
-bool operator>=(const A& a, const B& b) { return b <= a; }
 
 }  // namespace mjforge::tape
