@@ -57,6 +57,41 @@ TEST_CASE("every task is done once, by any number of workers") {
   }
 }
 
+TEST_CASE("results of any length arrive whole and in order") {
+  constexpr std::size_t kLong = std::size_t{5} << 20;
+  Pool pool(1, std::chrono::seconds(10), [] {
+    return [](const Task& task, Slot&) {
+      Result result;
+      result.chunk = task.chunk;
+      const std::size_t length = task.chunk.first % 2 == 0 ? 10 : kLong;
+      result.text = std::string(length, static_cast<char>('a' + task.chunk.first));
+      return result;
+    };
+  });
+  std::string order;
+  for (std::uint64_t next = 0; next < 8 || pool.IsBusy();) {
+    for (; next < 8 && pool.HasRoom(); ++next) pool.Submit({{next, 1, 0}, {}});
+    const auto result = pool.Wait();
+    if (!result) continue;
+    order += result->text.front();
+    CHECK(result->text.size() == (result->chunk.first % 2 == 0 ? 10 : kLong));
+    CHECK(result->text.find_first_not_of(result->text.front()) == std::string::npos);
+  }
+  CHECK(order == "abcdefgh");
+}
+
+TEST_CASE("a slot holds one message until it is removed") {
+  const auto slot = std::make_unique<Slot>();
+  CHECK(slot->mail().empty());
+  CHECK(slot->Leave("first"));
+  CHECK_FALSE(slot->Leave("second"));
+  CHECK(slot->mail() == "first");
+  slot->RemoveMail();
+  CHECK_FALSE(slot->Leave(std::string(std::size_t{3} << 20, 'x')));
+  CHECK(slot->Leave("third"));
+  CHECK(slot->mail() == "third");
+}
+
 TEST_CASE("a worker that a signal kills costs the variant it was at, and no other") {
   for (const int signal : {SIGSEGV, SIGKILL, SIGABRT}) {
     Pool pool = MakePool(2, std::chrono::seconds(10), [signal](std::uint64_t index) {

@@ -45,6 +45,19 @@ std::string LineOf(const Record& record) {
   return line;
 }
 
+TEST_CASE("a line gets its archive and its spec's file as if it had been written with them") {
+  Record record = WholeRecord();
+  record.spec = R"(a","spec_sha256":"b)";
+  const std::string without = LineOf(record);
+  record.archive = "mugs \"1\".tar";
+  for (const std::string file : {"", "../mug.yaml"}) {
+    record.spec_file = file;
+    std::string with = "before ";
+    AppendWithPlaces(with, without, record.archive, record.spec_file);
+    CHECK(with == "before " + LineOf(record));
+  }
+}
+
 TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
   CHECK(
       LineOf(WholeRecord()) ==

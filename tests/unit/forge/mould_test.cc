@@ -1,0 +1,113 @@
+#include "mjforge/forge/mould.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "loaded_recipe.h"
+
+namespace mjforge::forge {
+namespace {
+
+Options Seeded() {
+  Options options;
+  options.seed = 7;
+  options.validation = Validation::kNone;
+  return options;
+}
+
+TEST_CASE("the first variant of a kind makes a mould, and later ones come from it") {
+  LoadedRecipe loaded(kBoxSpec);
+  Generator generator(loaded.recipe, loaded.sources, Seeded());
+  Variant variant;
+  generator.Make(0, variant);
+  CHECK(variant.mould == 0);
+  generator.Make(1, variant);
+  CHECK(variant.mould == 1);
+  Options plain = Seeded();
+  plain.moulds = false;
+  Generator without(loaded.recipe, loaded.sources, plain);
+  for (int i = 0; i < 3; ++i) {
+    without.Make(1, variant);
+    CHECK(variant.mould == 0);
+  }
+}
+
+TEST_CASE("an object that someone still has does not change") {
+  LoadedRecipe loaded(kBoxSpec);
+  Generator generator(loaded.recipe, loaded.sources, Seeded());
+  Variant first;
+  generator.Make(0, first);
+  const double mass = first.object->mass_properties.mass;
+  Variant second;
+  generator.Make(1, second);
+  CHECK(second.mould == 0);
+  CHECK(second.object != first.object);
+  CHECK(first.object->mass_properties.mass == mass);
+  CHECK(second.object->mass_properties.mass != mass);
+  first = Variant();
+  second = Variant();
+  generator.Make(2, second);
+  CHECK(second.mould > 0);
+}
+
+TEST_CASE("an object outlives the generator that made it") {
+  LoadedRecipe loaded(kBoxSpec);
+  Variant variant;
+  {
+    Generator generator(loaded.recipe, loaded.sources, Seeded());
+    generator.Make(0, variant);
+    generator.Make(1, variant);
+  }
+  REQUIRE(variant.object);
+  CHECK(variant.object->bounds.top_offset > 0.1);
+  CHECK(variant.object->mass_properties.mass > 0);
+}
+
+TEST_CASE("a name with the index in it makes no moulds") {
+  LoadedRecipe loaded(kBoxSpec);
+  Options options = Seeded();
+  options.name = "crate_${index}";
+  Generator generator(loaded.recipe, loaded.sources, options);
+  Variant variant;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    generator.Make(i, variant);
+    CHECK(variant.mould == 0);
+    CHECK(variant.object->name == "crate_" + std::to_string(i));
+  }
+}
+
+TEST_CASE("a family whose variants never go the same way stops making moulds") {
+  LoadedRecipe loaded(
+      "mjforge: 1\n"
+      "name: crate\n"
+      "params: {n: {integer: [1, 1000000000]}}\n"
+      "parts: [{name: 'p${n}', type: sphere, size: 0.1}]\n");
+  Generator generator(loaded.recipe, loaded.sources, Seeded());
+  Variant variant;
+  std::set<std::uint64_t> moulds;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    generator.Make(i, variant);
+    moulds.insert(variant.mould);
+    REQUIRE(variant.ok());
+  }
+  CHECK(moulds == std::set<std::uint64_t>{0});
+}
+
+TEST_CASE("moulds are tried from the one that was used last, and the oldest goes first") {
+  LoadedRecipe loaded(
+      "mjforge: 1\n"
+      "name: crate\n"
+      "params: {n: {cycle: [1, 2, 3]}, r: 0.1 .. 0.2}\n"
+      "parts: [{name: 'p_${i}', for: {i: n}, type: sphere, size: r}]\n");
+  Generator generator(loaded.recipe, loaded.sources, Seeded());
+  Variant variant;
+  std::vector<std::uint64_t> moulds;
+  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 6, 8}) {
+    generator.Make(i, variant);
+    moulds.push_back(variant.mould);
+  }
+  CHECK(moulds == std::vector<std::uint64_t>{0, 0, 0, 1, 2, 3, 1, 1, 3});
+}
+
+}  // namespace
+}  // namespace mjforge::forge
