@@ -161,6 +161,15 @@ bool AppendShortDecimal(std::string& out, double value) {
   return true;
 }
 
+// Writes 0 to 9, which many numbers are; false for any other.
+bool AppendDigit(std::string& out, double value) {
+  if (!(value >= 0 && value <= 9)) return false;
+  const int digit = static_cast<int>(value);
+  if (digit != value) return false;
+  out += static_cast<char>('0' + digit);
+  return true;
+}
+
 // The length of the decimal number without sign at the start of `text`, 0 if none.
 std::size_t DecimalLength(std::string_view text) {
   const auto digits = [text](std::size_t i) {
@@ -200,13 +209,10 @@ std::optional<double> ParseInteger(std::string_view digits, int base) {
 // Most values of a model need no rounding in doubt, which saves to_chars' search.
 void AppendNumber(std::string& out, double value) {
   const double magnitude = std::abs(value);
+  if (AppendDigit(out, value)) return;
   if (magnitude < kPowers[kDigits]) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value) {
-      if (whole < 0 || whole > 9) return AppendChars(out, whole);
-      out += static_cast<char>('0' + whole);
-      return;
-    }
+    if (static_cast<double>(whole) == value) return AppendChars(out, whole);
   }
   if (const std::optional<Decimal> decimal = Rounded(magnitude)) {
     const Digits digits(decimal->digits * 1'000'000);
@@ -232,6 +238,8 @@ std::string NumberText(double value) {
 // Drawn values have few digits. A decimal of at most 15 is the only one of that
 // length that reads back as the value, hence the shortest.
 void AppendExactNumber(std::string& out, double value) {
+  const bool minus_zero = value == 0 && std::signbit(value);
+  if (!minus_zero && AppendDigit(out, value)) return;
   if (!AppendShortDecimal(out, value)) AppendChars(out, value);
 }
 

@@ -51,6 +51,10 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
       assembler_(&attachments_) {
+  // Their names: copying a record into another then needs no new memory.
+  for (const spec::Parameter& parameter : recipe.spec->parameters) {
+    common_.params.emplace_back(parameter.name, 0.0);
+  }
   // A name with the index in it makes each variant one of its own.
   const bool same_name = ExpandName(options.name, 0) == ExpandName(options.name, 1);
   if (options.moulds && same_name) moulds_ = std::make_unique<Moulds>();
@@ -79,6 +83,7 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
 
 void Generator::Fail(std::uint64_t index, diag::Finding finding, Variant& variant) {
   Begin(index, options_.attempt, variant);
+  variant.record.params.clear();
   variant.findings.Add(std::move(finding));
   End(Outcome::kFailed, variant);
 }
@@ -110,6 +115,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   const sample::DrawKey key = {options_.seed, index, attempt};
   if (!values_) values_.emplace(spec, key, sample::kRootStream, variant.findings, &sampler_);
   if (!values_->Sample(key, {}, variant.findings)) {
+    record.params.clear();
     // Where a thousand draws met no requirement, more of them will not either.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
@@ -117,7 +123,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   }
   record.attempt = values_->key().attempt;
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    record.params.emplace_back(spec.parameters[i].name, values_->Parameter(i));
+    record.params[i].second = values_->Parameter(i);
   }
   const bool made = (moulds_ && moulds_->Make(variant)) || Assemble(variant);
   if (!made) return Outcome::kFailed;

@@ -83,7 +83,9 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   const Pose X_BS = std::exchange(scope.X_BS, Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
   Fill(scope, entry, reader, *name, index, path);
-  const Bounds bounds = BoundsFrom(object_.bodies, index);
+  Bounds bounds;
+  const bool corner = total_size && scope.values.spec().placement == spec::Placement::kCorner;
+  if (corner || entry.first_property >= 0) bounds = BoundsFrom(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));

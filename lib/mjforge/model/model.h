@@ -2,6 +2,10 @@
 
 // ObjectSpec + drawn values -> Object: bodies, parts, poses and masses, as numbers only. Checks
 // everything that MuJoCo would not notice or would not explain.
+//
+// An Assembler asks an Evaluator for one value after the other, and every number of the Object is
+// computed from these. If they are traced, the numbers are, too, and what the Object looks like
+// apart from its numbers is noted as tests on the tape.
 
 #include <filesystem>
 #include <map>

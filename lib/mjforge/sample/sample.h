@@ -3,6 +3,10 @@
 // ObjectSpec + (seed, index) -> values. Every draw is a pure function of the
 // seed, the variant's index, the attempt and the path of the value in the spec
 // (and of the batch's size, where a Sampler is told it).
+//
+// An Evaluator first draws the parameters and tests the requirements. Then it gives the model the
+// values of the spec one by one, in the order in which the model asks. If it is given a tape, these
+// are traced: another variant's parameters lead to another variant's values.
 
 #include <array>
 #include <cstdint>

@@ -110,6 +110,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadChecks(root.Find("checks"), settings, reading);
     ReadWhole(root, reading);
+    DropUnusedProperties(reading);
     // Who welds a spec in may well need less of it.
     if (shared_.open.size() == 1) ReportUnused(root.Find("materials"), reading);
     if (reading.values.has_exact_choice()) spec.has_exact_choice = true;

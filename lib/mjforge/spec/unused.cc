@@ -8,6 +8,13 @@
 
 namespace mjforge::spec {
 
+void DropUnusedProperties(Reading& reading) {
+  for (BodyEntry& body : reading.spec.bodies) {
+    const auto name = LiteralText(body.head.name);
+    if (name && !reading.values.uses().names.contains(std::string(*name))) body.first_property = -1;
+  }
+}
+
 void ReportUnused(const YamlNode* materials, Reading& reading) {
   // After an error, what was not read counts as unused.
   if (reading.findings.HasErrors()) return;
