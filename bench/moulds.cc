@@ -20,7 +20,8 @@ namespace {
 /// One way of making variants, and the time it took so far.
 class Maker {
  public:
-  Maker(LoadedRecipe& loaded, bool moulds) : generator_(loaded.recipe, loaded.sources, Of(moulds)) {}
+  Maker(LoadedRecipe& loaded, bool moulds)
+      : generator_(loaded.recipe, loaded.sources, Of(moulds)) {}
 
   void Make(std::uint64_t index) {
     const auto start = std::chrono::steady_clock::now();

@@ -1,6 +1,9 @@
 # Flags for our own code only; they are not exported.
 add_library(mjforge_options INTERFACE)
 target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
+# A step is compiled where it is noted and where it is taken again. Both must round alike, on
+# processors that can multiply and add at once, too.
+target_compile_options(mjforge_options INTERFACE -ffp-contract=off)
 # GCC 12 sees overlaps in every `"text" + std::string` (its bug 105651), and ends of arrays where
 # std::string comes from a precompiled header. AddressSanitizer sees the real ones.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

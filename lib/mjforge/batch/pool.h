@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -15,7 +16,8 @@
 
 namespace mjforge::batch {
 
-/// What a worker shows of itself while it works, in memory that both processes see.
+/// What a worker shows of itself while it works, and its results, in memory that both processes
+/// see.
 class Slot {
  public:
   void Begin(std::uint64_t index) {
@@ -41,7 +43,8 @@ class Slot {
   }
   /// The message that was left. It stays until it is removed.
   std::string_view mail() const {
-    return {mail_.data(), mail_size_.load(std::memory_order_acquire)};
+    // A worker that crashes may have written anywhere.
+    return {mail_.data(), std::min(mail_size_.load(std::memory_order_acquire), mail_.size())};
   }
   void RemoveMail() { mail_size_.store(0, std::memory_order_release); }
 

@@ -127,7 +127,7 @@ class Generator {
   Generator(const Recipe& recipe, diag::Sources& sources, const Options& options);
   ~Generator();
 
-  /// Replaces the content of `variant`. A pure function of the index.
+  /// Replaces the content of `variant`. A pure function of the index, except for Variant::mould.
   void Make(std::uint64_t index, Variant& variant);
 
   /// Instead of making it, describes a failed variant with this finding.

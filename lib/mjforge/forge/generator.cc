@@ -5,6 +5,13 @@
 namespace mjforge::forge {
 namespace {
 
+// The tape that it may be on goes.
+void KeepPlain(model::Object object, Variant& variant) {
+  tape::Links links;
+  model::TakeOffTape(object, links);
+  variant.object = std::make_shared<const model::Object>(std::move(object));
+}
+
 // From one folder to a file, both whole. Empty if the way leads over the root: it would be
 // another one on every machine.
 std::string WayTo(const std::filesystem::path& file, const std::filesystem::path& folder) {
@@ -140,32 +147,30 @@ bool Generator::Assemble(Variant& variant) {
   std::optional<model::Object> object = assembler_.Assemble(
       *values_, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
       variant.findings);
-  values_->EndNotes();
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
-  if (variant.findings.HasErrors()) return false;
+  if (variant.findings.HasErrors()) {
+    KeepPlain(*std::move(object), variant);
+    return false;
+  }
   mjcf::Provenance provenance = record;
   if (record.name == recipe_.spec->name) provenance.name.clear();
   mjcf::WriteMjcf(*object, options_.target, provenance, variant.document);
-  // Warnings say what all variants of a mould share, except where they are about numbers.
+  // These warnings are about what all variants of a mould share. Others may name numbers.
   const bool same_warnings =
       std::ranges::all_of(variant.findings, [](const diag::Finding& finding) {
         return finding.code == diag::Code::kTargetDropped ||
                finding.code == diag::Code::kAttachNotCarried;
       });
-  if (!mould || !same_warnings) {
-    // Nothing is on a tape that is gone.
-    tape::Links links;
-    if (mould) model::TakeOffTape(*object, links);
-    variant.object = std::make_shared<const model::Object>(*std::move(object));
-    variant.document.lift.Release();
-    return true;
+  if (mould && same_warnings) {
+    mould->Close(*std::move(object), variant.document, variant.findings);
+    variant.object = mould->object();
+    moulds_->Add(std::move(mould));
+  } else {
+    KeepPlain(*std::move(object), variant);
   }
-  mould->Close(*std::move(object), variant.document, variant.findings);
   variant.document.slots.clear();
   variant.document.lift.Release();
-  variant.object = mould->object();
-  moulds_->Add(std::move(mould));
   return true;
 }
 

@@ -8,8 +8,8 @@ namespace {
 constexpr std::size_t kMostMoulds = 64;
 // Steps of all moulds together; a step takes about 100 bytes.
 constexpr std::size_t kMostSteps = 80'000;
-// Making a mould takes as long as several variants, so a family has to earn them: it gets some in
-// advance, and one more for so many variants that came from one.
+// Making a mould takes as long as several variants, so a family has to earn them: it may make some
+// in advance, and then one more for each kPrice variants that came from moulds.
 constexpr std::uint64_t kAdvance = 32;
 constexpr std::uint64_t kPrice = 10;
 
@@ -42,11 +42,15 @@ bool Moulds::Make(Variant& variant) {
   return true;
 }
 
-std::unique_ptr<Mould> Moulds::Begin() const {
-  return made_ < kAdvance + hits_ / kPrice ? std::make_unique<Mould>() : nullptr;
+std::unique_ptr<Mould> Moulds::Begin() {
+  if (too_large_ || begun_ >= kAdvance + hits_ / kPrice) return nullptr;
+  ++begun_;
+  return std::make_unique<Mould>();
 }
 
 void Moulds::Add(std::unique_ptr<Mould> mould) {
+  too_large_ = mould->tape().size() > kMostSteps;
+  if (too_large_) return;
   mould->number = ++made_;
   moulds_.insert(moulds_.begin(), std::move(mould));
   std::size_t steps = 0;

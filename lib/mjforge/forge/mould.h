@@ -7,8 +7,8 @@
 
 namespace mjforge::forge {
 
-/// What variants have in common for which all conditions, counts and choices come out alike: the
-/// steps that make their numbers, the object that holds them, the text around them.
+/// What variants share if all conditions, counts and choices come out alike: the steps that make
+/// their numbers, the object that holds them, the text around them.
 class Mould {
  public:
   /// To make the first variant on.
@@ -35,14 +35,16 @@ class Mould {
 class Moulds {
  public:
   bool Make(Variant& variant);
-  /// A mould to make the variant on that none of them could make; null if that is of no use.
-  std::unique_ptr<Mould> Begin() const;
+  /// A mould for a variant that none of them could make; null if another one would not pay.
+  std::unique_ptr<Mould> Begin();
   void Add(std::unique_ptr<Mould> mould);
 
  private:
   std::vector<std::unique_ptr<Mould>> moulds_;
-  std::uint64_t made_ = 0;  // moulds
-  std::uint64_t hits_ = 0;  // variants from them
+  bool too_large_ = false;   // a mould of this family
+  std::uint64_t begun_ = 0;  // moulds
+  std::uint64_t made_ = 0;   // of those
+  std::uint64_t hits_ = 0;   // variants from them
 };
 
 }  // namespace mjforge::forge

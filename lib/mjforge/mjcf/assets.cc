@@ -3,7 +3,6 @@
 #include <string_view>
 #include <utility>
 
-#include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/sections.h"
 
 namespace mjforge::mjcf {

@@ -47,12 +47,13 @@ struct Slot {
   std::size_t begin = 0;  // bytes of the text
   std::size_t end = 0;
   Spelling spelling = Spelling::kNumber;
-  const double* number = nullptr;  // on the tape; null: the variant's index
+  const double* number = nullptr;  // where a run of the tape leaves it; null: the variant's index
 };
 
 struct MjcfDocument {
   std::string text;
-  std::vector<Slot> slots;          // in the order of the text; of an object on a tape
+  /// In the order of the text: of the index, and of the numbers of an object on a tape.
+  std::vector<Slot> slots;
   std::vector<LineOrigin> origins;  // by line
   /// Byte where a <size> element may be inserted; npos if MuJoCo must get the text unchanged (a
   /// scene has contacts).
@@ -73,7 +74,7 @@ struct MjcfDocument {
 /// A document whose text is taken over for other variants, with other numbers in the slots.
 class Form {
  public:
-  /// The tape of the slots must outlive the form.
+  /// The places of the slots' numbers must outlive the form: tape, object, parameters.
   explicit Form(MjcfDocument document);
 
   /// Replaces the content of `document`, reusing its memory.

@@ -9,7 +9,10 @@ namespace {
 
 // Names of the scene's own elements have a hyphen, which an object's cannot have.
 
-bool Finite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
+bool Finite(const model::Box3& box) {
+  const auto finite = [](const Eigen::Vector3d& corner) { return corner.allFinite(); };
+  return tape::Test(finite, box.min) && tape::Test(finite, box.max);
+}
 
 /// Looking from `eye` at `target`, upright: a camera looks along its -z, its y is up.
 Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
@@ -40,7 +43,9 @@ View ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
 }  // namespace
 
 Traced<double> LiftOntoFloor(const model::Object& object) {
-  if (object.bodies.empty() || !std::isfinite(object.bounds.aabb.min.z())) return 0;
+  if (object.bodies.empty()) return 0;
+  const auto finite = [](double z) { return std::isfinite(z); };
+  if (!tape::Test(finite, tape::Element(object.bounds.aabb.min, 2))) return 0;
   const auto lift = [](const Eigen::Vector3d& lowest, const Eigen::Vector3d& root) {
     return -lowest.z() - root.z();
   };

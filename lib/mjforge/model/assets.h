@@ -65,7 +65,7 @@ class Assets {
   Assembler& assembler_;
   Object& object_;
   diag::Findings& findings_;
-  TriangleMesh* made_ = nullptr;  // on the tape: the prism at hand
+  TriangleMesh* made_ = nullptr;  // the prism at hand, as the tape makes it
   std::vector<Source> sources_;   // as Object::meshes
   std::unordered_multimap<std::size_t, int> by_hash_;
   std::unordered_multimap<std::string, int> textures_;  // by own name

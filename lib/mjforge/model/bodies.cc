@@ -20,8 +20,8 @@ constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 // Until its body is there a property has no value: `if` may leave the body out.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
-  if (entry.first_property < 0) return;
-  const int count = static_cast<int>(spec::BodyPropertyNames().size());
+  const int count =
+      entry.first_property < 0 ? 0 : static_cast<int>(spec::BodyPropertyNames().size());
   for (int i = 0; i < count; ++i) values.SetVariable(entry.first_property + i, kNoValue);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
     const int slot = entry.parameter_slots[i];

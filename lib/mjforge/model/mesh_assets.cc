@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -130,9 +129,9 @@ void Assets::AddPrism(TriangleMesh mesh, Part& part) {
     if (!sources_[index].file.empty() || other.vertices != mesh.vertices) continue;
     if (other.triangles != mesh.triangles) continue;
     if (mesh.tape != nullptr) {
-      mesh.tape->Add([&other, made = made_] { return made->vertices == other.vertices; });
+      mesh.tape->Add([&other, made = made_] { return HashOf(*made) == HashOf(other); });
     } else if (other.tape != nullptr) {
-      other.tape->Add([&other, mesh] { return mesh.vertices == other.vertices; });
+      other.tape->Add([&other, hash] { return HashOf(other) == hash; });
     }
     return Share(it->second, part);
   }

@@ -19,7 +19,7 @@ namespace mjforge::model {
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;
-  /// On which a step moves the vertices; null if they are the same in all variants.
+  /// The tape that moves the vertices; null if they are the same in all variants.
   tape::Tape* tape = nullptr;
 };
 

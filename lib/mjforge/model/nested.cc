@@ -61,7 +61,6 @@ std::shared_ptr<sample::Evaluator> Assembly::SampleNested(Scope& scope, const sp
     nested->NoteOn(*tape, [&](std::string_view parameter) { return overrides.Varies(parameter); });
     tape->Add([nested, &outer = scope.values, overrides]() mutable {
       diag::Findings findings;  // whatever they say, the variant goes another way
-      nested->EndNotes();
       overrides.Update();
       return nested->Sample(outer.key(), overrides.values(), findings);
     });

@@ -27,7 +27,7 @@ struct Shape {
   Traced<Eigen::Vector3d> size = Eigen::Vector3d::Zero();
   const TriangleMesh* mesh = nullptr;  // kMesh only; closed; not owned
 
-  /// On which its size or its vertices are; null if they are the same in all variants.
+  /// The tape that its size or its vertices are on; null if they are the same in all variants.
   tape::Tape* tape() const { return mesh != nullptr ? mesh->tape : size.tape(); }
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -74,13 +75,16 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   if (tape_ == nullptr || expression.constant()) return value;
   bool varies = false;
   std::vector<std::pair<const double*, double>> inputs;
+  std::vector<std::uint64_t> bits;
   for (const expr::Expression::Input& input : expression.inputs()) {
     const auto slot = static_cast<std::size_t>(input.slot);
     varies |= places_[slot] != nullptr;
-    inputs.emplace_back(places_[slot], places_[slot] != nullptr ? 0 : variables_[slot]);
+    inputs.emplace_back(places_[slot], variables_[slot]);
+    bits.push_back(places_[slot] != nullptr ? reinterpret_cast<std::uintptr_t>(places_[slot]) : 0);
+    bits.push_back(places_[slot] != nullptr ? 0 : std::bit_cast<std::uint64_t>(variables_[slot]));
   }
   if (!varies) return value;
-  const double*& noted = noted_[{&expression, inputs}];
+  const double*& noted = noted_[{&expression, bits}];
   if (noted != nullptr) return {value, *tape_, *noted};
   double& at = tape_->Keep(value);
   noted = &at;
@@ -100,10 +104,10 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   return {value, *tape_, at};
 }
 
-template <typename IsAsGood>
-void Evaluator::Decide(const Traced<double>& number, IsAsGood is_as_good) {
+template <typename IsMet>
+void Evaluator::Decide(const Traced<double>& number, IsMet is_met) {
   const double* at = number.at();
-  const auto test = [at, is_as_good] { return is_as_good(*at); };
+  const auto test = [at, is_met] { return is_met(*at); };
   const auto expression = early_.find(at);
   const bool is_parameter = at >= variables_.data() && at < variables_.data() + variables_.size();
   if (!is_sampled_first_ || (!is_parameter && expression == early_.end())) {
@@ -111,9 +115,8 @@ void Evaluator::Decide(const Traced<double>& number, IsAsGood is_as_good) {
   } else if (is_parameter) {
     tape_->AddEarly(test);
   } else {
-    tape_->AddEarly([this, is_as_good, &of = *expression->second] {
-      return is_as_good(of.Evaluate(variables_));
-    });
+    tape_->AddEarly(
+        [this, is_met, &of = *expression->second] { return is_met(of.Evaluate(variables_)); });
   }
 }
 

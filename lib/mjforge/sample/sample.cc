@@ -116,6 +116,10 @@ bool Evaluator::Sample(const DrawKey& key, Overrides overrides, diag::Findings& 
   key_ = key;
   findings_ = &findings;
   failed_ = false;
+  tape_ = nullptr;
+  // Nothing of an earlier variant is left in what the assembly sets.
+  std::ranges::fill(variables_, 0);
+  for (std::string& text : texts_) text.clear();
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
   return Attempts(*this, overrides).Run();
 }

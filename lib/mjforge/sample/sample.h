@@ -64,18 +64,16 @@ class Evaluator {
   /// kMaxAttempts or a draw fails.
   bool Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings);
 
-  /// From now on values are noted on the tape: what is drawn, and what is computed from it. To run
-  /// the tape, call Sample first, with another key; the evaluator must not move.
+  /// Until the next Sample(), values are noted on the tape: what is drawn, and what is computed
+  /// from it. To run the tape, call Sample first, with another key; the evaluator must not move.
   void NoteOn(tape::Tape& tape);
   /// The same where a step of the tape calls Sample. `varies` says of a parameter that was
   /// overridden whether its value differs between variants.
   void NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies);
-  /// Notes nothing more.
-  void EndNotes() { tape_ = nullptr; }
   tape::Tape* tape() const { return tape_; }
 
   Traced<double> Number(const spec::Value& value, StreamId path);
-  /// A number by which variants go different ways.
+  /// A number that all variants of a tape share.
   double FixedNumber(const spec::Value& value, StreamId path);
   bool Boolean(const spec::Value& value, StreamId path);
   std::string Text(const spec::Value& value, StreamId path);
@@ -112,9 +110,9 @@ class Evaluator {
   Traced<double> Variable(int slot) const;
   Traced<double> EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
   Traced<double> NoteExpression(const expr::Expression& expression, double value);
-  /// Only variants whose number is as good go this way.
-  template <typename IsAsGood>
-  void Decide(const Traced<double>& number, IsAsGood is_as_good);
+  /// Notes a test: other variants must have a number for which it is true.
+  template <typename IsMet>
+  void Decide(const Traced<double>& number, IsMet is_met);
   bool IsTrue(const Traced<double>& number);
   double Fixed(const Traced<double>& number);
   Traced<double> DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
@@ -160,16 +158,17 @@ class Evaluator {
   bool failed_ = false;
   int rejected_by_ = -1;
 
-  tape::Tape* tape_ = nullptr;
+  tape::Tape* tape_ = nullptr;             // null: nothing is noted
   std::vector<const double*> places_;      // by slot, on the tape; null: the same in all variants
   std::vector<double>* inputs_ = nullptr;  // by slot, of the expression at hand; on the tape
   bool is_sampled_first_ = false;          // before the tape runs
   /// The expressions of parameters alone, by their results on the tape.
   std::map<const double*, const expr::Expression*> early_;
-  std::set<std::pair<const double*, bool>> decided_;  // the number, and whether only its truth
-  /// The result of each expression that was noted, by it and the places or values of its inputs.
-  std::map<std::pair<const void*, std::vector<std::pair<const double*, double>>>, const double*>
-      noted_;
+  /// Numbers that are tested already; true: only whether they are zero.
+  std::set<std::pair<const double*, bool>> decided_;
+  /// The result of each expression that was noted, by it and the places or values of its inputs,
+  /// as bits: not every number equals itself.
+  std::map<std::pair<const void*, std::vector<std::uint64_t>>, const double*> noted_;
 };
 
 /// The most redraws before a variant counts as impossible.

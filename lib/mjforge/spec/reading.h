@@ -83,7 +83,8 @@ inline constexpr std::string_view kChecksPrefix = "checks.";
 inline constexpr std::string_view kRootJoints = "root.joints";
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading);
 
-/// Takes the properties off bodies for which no expression asks: they are computed for nothing.
+/// Forgets the properties (NAME.top) of bodies that no expression asks for: they need not be
+/// computed.
 void DropUnusedProperties(Reading& reading);
 
 /// Warns of parameters, and of materials of the spec itself, that nothing uses. `materials` may be

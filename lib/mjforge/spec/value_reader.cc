@@ -184,7 +184,7 @@ std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::
     return expression;
   }
   for (const auto& input : expression->inputs()) {
-    uses_.names.emplace(input.name.substr(0, input.name.find('.')));
+    uses_.AddName(input.name);
   }
   return expression;
 }
@@ -269,7 +269,7 @@ const expr::Names::Variable* ValueReader::LoneName(const YamlNode& node) const {
 }
 
 Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNode& node) {
-  uses_.names.insert(variable.name);
+  uses_.AddName(variable.name);
   return Value{.mark = node.mark,
                .type = variable.type,
                .components = variable.components,

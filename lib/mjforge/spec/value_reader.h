@@ -23,6 +23,8 @@ struct Uses {
   bool any_material = false;                     // a material's name is composed
 
   void Add(const Uses& other);
+  /// A name as an expression writes it: "r", "size.x", "arm.top".
+  void AddName(std::string_view name) { names.emplace(name.substr(0, name.find('.'))); }
 };
 
 /// Reads values in the scope of `names`. A value that is wrong adds a finding and comes back as

@@ -9,7 +9,6 @@
 #include <concepts>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -70,23 +69,6 @@ auto Note(Tape* tape, F f, const Args&... args) {
     return true;
   });
   return Traced<Result>(std::move(result), *tape, at);
-}
-
-/// The same for a function that may have no result: a variant where it has none goes another way.
-template <typename F, typename... Args>
-auto Try(Tape* tape, F f, const Args&... args) {
-  if (tape == nullptr) tape = TapeOfAny(args...);
-  using Result = typename std::remove_cvref_t<decltype(f(ValueOf(args)...))>::value_type;
-  std::optional<Result> result = f(ValueOf(args)...);
-  if (!result) return std::optional<Traced<Result>>();
-  if (tape == nullptr) return std::optional<Traced<Result>>(*result);
-  Result& at = tape->Keep(*result);
-  tape->Add([f, &at, places = Places<Args...>(PlaceOf(*tape, args)...)] {
-    std::optional<Result> again = std::apply(f, places);
-    if (again) at = *std::move(again);
-    return again.has_value();
-  });
-  return std::optional<Traced<Result>>(std::in_place, *std::move(result), *tape, at);
 }
 
 /// f(args...), noted if an argument is on a tape. `f` must depend on nothing else that differs
@@ -167,6 +149,9 @@ concept TracedScalars = Scalar<A> && Scalar<B> &&
 template <typename A, typename B>
 requires TracedScalars<A, B>
 auto operator+(const A& a, const B& b) { return Apply(std::plus<double>(), a, b); }
+template <typename A, typename B>
+requires TracedScalars<A, B>
+auto operator-(const A& a, const B& b) { return Apply(std::minus<double>(), a, b); }
 template <typename A, typename B>
 requires TracedScalars<A, B>
 auto operator*(const A& a, const B& b) { return Apply(std::multiplies<double>(), a, b); }

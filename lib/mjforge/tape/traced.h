@@ -52,7 +52,7 @@ class Tape {
   }
 
   /// Adds a step that needs no result of another, to be taken before them: most variants that go
-  /// another way are told by these.
+  /// another way are recognised by these.
   template <typename Take>
   void AddEarly(Take take) {
     Take& kept = Keep(std::move(take));
@@ -63,10 +63,11 @@ class Tape {
   bool Run() const;
 
   std::size_t size() const { return early_.size() + steps_.size(); }
-  /// No step is added any more: what only helps to add them goes.
+  /// After the last step was added: frees what only adding needs.
   void Close() { origins_.clear(); }
 
-  /// Notes that the number at `copy` always equals the one at `original`; null: is constant.
+  /// Notes that the number at `copy` always equals the one at `original`, or, if that is null, is
+  /// constant.
   void SetOrigin(const double* copy, const double* original);
   /// Where a number on the tape was first made; null if it is constant.
   const double* OriginOf(const double* number) const;
@@ -85,8 +86,8 @@ class Tape {
 };
 
 /// A value, and where a tape finds that of another variant: nowhere if it is the same for all. It
-/// reads as the value itself. To change it, assign a whole one: what is done to its base or to an
-/// element alone, no tape notices.
+/// reads as the value itself. To change it, assign a whole one: no tape notices a change of an
+/// element alone.
 template <typename T>
 class Traced : public T {
  public:

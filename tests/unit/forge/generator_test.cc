@@ -47,6 +47,25 @@ TEST_CASE("a variant is a file's text and a record of what it is") {
   CHECK(record.ngeom == 2);
 }
 
+TEST_CASE("what has no value yet has none of an earlier variant's") {
+  LoadedRecipe loaded(
+      "mjforge: 1\n"
+      "name: thing\n"
+      "params: {s: 0.1 .. 0.2}\n"
+      "total_size: [arm.half_x, 1, 1]\n"
+      "bodies: [{name: arm, parts: [{name: a, type: box, size: [s, s, s]}]}]\n");
+  for (const bool moulds : {false, true}) {
+    Options options = Seeded(7);
+    options.moulds = moulds;
+    Generator generator(loaded.recipe, loaded.sources, options);
+    Variant variant;
+    for (std::uint64_t i = 0; i < 4; ++i) {
+      generator.Make(i, variant);
+      CHECK_FALSE(variant.ok());
+    }
+  }
+}
+
 TEST_CASE("a variant does not depend on those made before it") {
   LoadedRecipe loaded(kBoxSpec);
   Generator generator(loaded.recipe, loaded.sources, Seeded(7));

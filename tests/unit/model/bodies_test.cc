@@ -36,6 +36,16 @@ TEST_CASE("bodies hang on the root or on earlier ones") {
   CHECK(BodyPoses(thing.object())[2].p == Eigen::Vector3d(1, 2, 0));
 }
 
+TEST_CASE("a property of a body may stand alone") {
+  const Assembling thing(
+      "bodies:\n"
+      "- {name: a, parts: [{name: g, type: sphere, size: 0.25}]}\n"
+      "- {name: b, parts: [{name: h, type: sphere, size: a.top}]}\n"
+      "- {name: c, parts: [{name: k, type: box, size: [{choice: [a.radius]}, 1, 1]}]}\n");
+  CHECK(thing.object().bodies[2].parts[0].shape.size.x() == 0.25);
+  CHECK(thing.object().bodies[3].parts[0].shape.size.x() == 0.25);
+}
+
 TEST_CASE("parents are found by composed names, too") {
   const Assembling thing(
       "bodies:\n"

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace mjforge::tape {
@@ -23,10 +22,10 @@ struct Drawn {
 
 TEST_CASE("what is computed from a number on a tape follows it") {
   Drawn drawn;
-  const Traced<double> result = (drawn.number + 1) * 3 / drawn.number;
-  CHECK(result.value() == 4.5);
+  const Traced<double> result = (drawn.number + 1) * 3 / (drawn.number - 1);
+  CHECK(result.value() == 9);
   CHECK(drawn.Run(3));
-  CHECK(*result.at() == 4);
+  CHECK(*result.at() == 6);
 }
 
 TEST_CASE("what is computed from plain numbers is plain") {
@@ -63,19 +62,6 @@ TEST_CASE("a fixed number is the same in all variants of a tape") {
   CHECK(Fixed(drawn.number) == 2);
   CHECK(drawn.Run(2));
   CHECK_FALSE(drawn.Run(2.5));
-}
-
-TEST_CASE("a function without a result ends a run") {
-  Drawn drawn;
-  const auto root = [](double x) {
-    return x < 0 ? std::optional<double>() : std::optional(std::sqrt(x));
-  };
-  const auto result = Try(nullptr, root, drawn.number);
-  REQUIRE(result);
-  CHECK(drawn.Run(9));
-  CHECK(*result->at() == 3);
-  CHECK_FALSE(drawn.Run(-1));
-  CHECK_FALSE(Try(nullptr, root, -1.0));
 }
 
 TEST_CASE("early steps are taken before the others") {
