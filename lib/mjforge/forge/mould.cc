@@ -58,7 +58,8 @@ void Moulds::Add(std::unique_ptr<Mould> mould) {
     steps += one->tape().size();
     return steps > kMostSteps;
   });
-  const auto most = moulds_.begin() + std::min(kMostMoulds, moulds_.size());
+  const auto most =
+      moulds_.begin() + static_cast<std::ptrdiff_t>(std::min(kMostMoulds, moulds_.size()));
   moulds_.erase(std::min(last, most), moulds_.end());
 }
 

@@ -240,7 +240,7 @@ class Replacement {
         return same;
       });
     }
-    sizes_.push_back({part.shape.type, size});
+    sizes_.emplace_back(part.shape.type, size);
     object_.meshes.push_back(std::move(asset));
     return found->second;
   }

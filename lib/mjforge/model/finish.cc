@@ -66,7 +66,8 @@ void Assembly::Finish(const Scope& scope) {
   for (Section& section : object_.sections) {
     // MuJoCo 2.2 wants actuators with a state behind those without.
     if (section.info->name == "actuator")
-      std::ranges::stable_partition(section.elements, std::not_fn(HasState));
+      std::stable_partition(section.elements.begin(), section.elements.end(),
+                            std::not_fn(HasState));
   }
 }
 

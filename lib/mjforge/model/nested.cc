@@ -54,8 +54,8 @@ std::shared_ptr<sample::Evaluator> Assembly::SampleNested(Scope& scope, const sp
   }
   if (findings_.size() != before) return nullptr;
   // Its own requirements are retried on their own, from this attempt on.
-  const auto nested = std::make_shared<sample::Evaluator>(*entry.nested, scope.values.key(), path,
-                                                          findings_, scope.values.sampler());
+  auto nested = std::make_shared<sample::Evaluator>(*entry.nested, scope.values.key(), path,
+                                                    findings_, scope.values.sampler());
   if (!nested->Sample(scope.values.key(), overrides.values(), findings_)) return nullptr;
   if (tape::Tape* tape = scope.values.tape()) {
     nested->NoteOn(*tape, [&](std::string_view parameter) { return overrides.Varies(parameter); });

@@ -156,8 +156,8 @@ void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_vi
   for (const int i : spec_.evaluation_order) {
     const spec::Parameter& parameter = spec_.parameters[static_cast<std::size_t>(i)];
     if (!spec::Varies(parameter.value, slot_varies) && !varies(parameter.name)) continue;
-    for (int k = 0; k < std::max(parameter.value.components, 1); ++k) {
-      const auto slot = static_cast<std::size_t>(parameter.slot + k);
+    auto slot = static_cast<std::size_t>(parameter.slot);
+    for (int k = std::max(parameter.value.components, 1); k > 0; --k, ++slot) {
       places_[slot] = &variables_[slot];
     }
   }

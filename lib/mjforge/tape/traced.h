@@ -150,9 +150,10 @@ class Links {
     const T* from = traced.at();
     T* const to = traced.Release();
     if (from == nullptr) return;
-    static_assert(sizeof(T) % sizeof(double) == 0);
+    constexpr std::size_t kNumber = sizeof(double);
+    static_assert(sizeof(T) % kNumber == 0);
     links_.push_back({reinterpret_cast<const double*>(from), reinterpret_cast<double*>(to),
-                      sizeof(T) / sizeof(double)});
+                      sizeof(T) / kNumber});
   }
   /// After a run of the tape.
   void Update() const;
