@@ -135,16 +135,15 @@ class Author {
 TEST_CASE("random specs are the same from moulds") {
   const Written written;
   int moulded = 0;
-  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+  for (std::uint32_t seed = 0; seed < 80; ++seed) {
     const std::string text = Author(seed).Spec();
     INFO(text);
     Loaded loaded = written.Load(text);
     Options options = Seeded(seed);
     options.target = mjcf::Targets()[seed % mjcf::Targets().size()].target;
-    if (seed % 3 == 0) options.on_invalid = OnInvalid::kResample;
-    moulded += Compare(loaded, options, 0, 40);
+    moulded += Compare(loaded, options, 0, 30);
   }
-  CHECK(moulded > 1000);
+  CHECK(moulded > 300);
 }
 
 }  // namespace
