@@ -106,7 +106,7 @@ struct Options {
   std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
   Validation validation = Validation::kLoad;
   /// Whether variants that go the same way are made by one mould; without, each is made from the
-  /// spec. Their bytes are the same.
+  /// spec. Their bytes are the same. For a single variant, making a mould is wasted.
   bool moulds = true;
   /// Of the manifest: records name the spec's file from here. Nothing: they do not.
   std::optional<std::filesystem::path> folder;

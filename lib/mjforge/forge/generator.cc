@@ -5,13 +5,6 @@
 namespace mjforge::forge {
 namespace {
 
-// The tape that it may be on goes.
-void KeepPlain(model::Object object, Variant& variant) {
-  tape::Links links;
-  model::TakeOffTape(object, links);
-  variant.object = std::make_shared<const model::Object>(std::move(object));
-}
-
 // From one folder to a file, both whole. Empty if the way leads over the root: it would be
 // another one on every machine.
 std::string WayTo(const std::filesystem::path& file, const std::filesystem::path& folder) {
@@ -149,8 +142,13 @@ bool Generator::Assemble(Variant& variant) {
       variant.findings);
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
+  const auto keep = [&] {  // without the tape, which goes with the mould
+    tape::Links links;
+    if (mould) model::TakeOffTape(*object, links);
+    variant.object = std::make_shared<const model::Object>(*std::move(object));
+  };
   if (variant.findings.HasErrors()) {
-    KeepPlain(*std::move(object), variant);
+    keep();
     return false;
   }
   mjcf::Provenance provenance = record;
@@ -167,7 +165,7 @@ bool Generator::Assemble(Variant& variant) {
     variant.object = mould->object();
     moulds_->Add(std::move(mould));
   } else {
-    KeepPlain(*std::move(object), variant);
+    keep();
   }
   variant.document.slots.clear();
   variant.document.lift.Release();

@@ -36,9 +36,6 @@ void Put(Json& json, const Members<T>& members) {
   json.EndObject();
 }
 
-template <typename T>
-void Put(Json& json, const tape::Traced<T>& traced);
-
 // In the order of MJCF's fullinertia.
 inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};

@@ -116,12 +116,6 @@ void ElementWriter::Numbers(std::string_view name, std::span<const Traced<double
   text_ += '"';
 }
 
-void ElementWriter::Point(std::string_view name, const Traced<Eigen::Vector3d>& value) {
-  Begin(name);
-  for (std::size_t i = 0; i < 3; ++i) Append(tape::Element(value, i), Spelling::kWithoutNoise);
-  text_ += '"';
-}
-
 void ElementWriter::Append(const Traced<double>& number, Spelling spelling) {
   if (text_.back() != '"') text_ += ' ';
   const std::size_t begin = text_.size();

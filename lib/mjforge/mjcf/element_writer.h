@@ -52,12 +52,14 @@ class ElementWriter {
   /// The first `count` elements.
   template <typename V>
   void Vector(std::string_view name, const Traced<V>& value,
-              std::size_t count = V::SizeAtCompileTime) {
+              std::size_t count = V::SizeAtCompileTime, Spelling spelling = Spelling::kNumber) {
     Begin(name);
-    for (std::size_t i = 0; i < count; ++i) Append(tape::Element(value, i), Spelling::kNumber);
+    for (std::size_t i = 0; i < count; ++i) Append(tape::Element(value, i), spelling);
     text_ += '"';
   }
-  void Point(std::string_view name, const Traced<Eigen::Vector3d>& value);
+  void Point(std::string_view name, const Traced<Eigen::Vector3d>& value) {
+    Vector(name, value, 3, Spelling::kWithoutNoise);
+  }
   /// One more number of the attribute at hand.
   void Append(const Traced<double>& number, Spelling spelling = Spelling::kNumber);
   /// `pos`, and `quat` where it is not the identity.

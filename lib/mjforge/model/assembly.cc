@@ -123,7 +123,7 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   if (nested == nullptr) return;
 
   const Pose X_SW = X_SF * *X_FW;
-  const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
+  const bool corner = scope.places_corners();
   Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(at_),
               corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
   const std::size_t first_part = body().parts.size();

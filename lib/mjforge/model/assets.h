@@ -53,9 +53,8 @@ class Assets {
     std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
-  void NotePrism(std::span<const Traced<double>> points, const Traced<double>& height,
-                 const Traced<Eigen::Vector2d>& scale, TriangleMesh& mesh);
-  void AddPrism(TriangleMesh mesh, Part& part);
+  /// `made` is the prism on its tape, null if it is on none.
+  void AddPrism(TriangleMesh mesh, const TriangleMesh* made, Part& part);
   void AddFile(const std::filesystem::path& file, const Traced<Eigen::Vector3d>& scale,
                const Assembler::CachedMesh& content, Part& part);
   void Share(int index, Part& part);
@@ -65,8 +64,7 @@ class Assets {
   Assembler& assembler_;
   Object& object_;
   diag::Findings& findings_;
-  TriangleMesh* made_ = nullptr;  // the prism at hand, as the tape makes it
-  std::vector<Source> sources_;   // as Object::meshes
+  std::vector<Source> sources_;  // as Object::meshes
   std::unordered_multimap<std::size_t, int> by_hash_;
   std::unordered_multimap<std::string, int> textures_;  // by own name
   std::map<std::filesystem::path, std::string> output_names_;

@@ -79,13 +79,13 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
 
   // The parts, sites and joints that follow go into this body.
+  const bool by_corner = scope.places_corners();
   const std::size_t outer = std::exchange(at_, index);
   const Pose X_BS = std::exchange(scope.X_BS, Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
   Fill(scope, entry, reader, *name, index, path);
   Bounds bounds;
-  const bool corner = total_size && scope.values.spec().placement == spec::Placement::kCorner;
-  if (corner || entry.first_property >= 0) bounds = BoundsFrom(object_.bodies, index);
+  if (by_corner || entry.first_property >= 0) bounds = BoundsFrom(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
@@ -174,8 +174,7 @@ void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& e
   if (!X_PB) return;
   body.X_PB = *X_PB;
   if (body.parent != scope.body) return;
-  const bool corner = scope.total_size && scope.values.spec().placement == spec::Placement::kCorner;
-  if (corner && !bounds.aabb.empty()) {
+  if (scope.places_corners() && !bounds.aabb.empty()) {
     body.X_PB.p = tape::Apply(OriginFromCorner, X_PB->p, X_PB->q, *scope.total_size,
                               bounds.aabb.min, bounds.aabb.max);
   }

@@ -58,6 +58,29 @@ std::vector<double> ScaledCorners(std::vector<double> corners, const Eigen::Vect
   return corners;
 }
 
+// Notes a step that makes the prism again. Returns where it leaves it; null if nothing varies.
+const TriangleMesh* NotePrism(std::span<const Traced<double>> points, const Traced<double>& height,
+                              const Traced<Eigen::Vector2d>& scale, TriangleMesh& mesh) {
+  tape::Tape* tape = tape::TapeOfAny(height, scale);
+  for (const Traced<double>& point : points) tape = tape != nullptr ? tape : point.tape();
+  if (tape == nullptr) return nullptr;
+  std::vector<const double*> places;
+  for (const Traced<double>& point : points) places.push_back(&PlaceOf(*tape, point));
+  mesh.tape = tape;
+  TriangleMesh& made = tape->Keep(mesh);
+  tape->Add([&made, places = tape->KeepAll(places), &z = PlaceOf(*tape, height),
+             &by = PlaceOf(*tape, scale)] {
+    std::vector<double> corners;
+    for (const double* place : places) corners.push_back(*place);
+    std::string why_not;
+    std::optional<TriangleMesh> again = MakePrism(ScaledCorners(corners, by), z, why_not);
+    if (!again || again->vertices.size() != made.vertices.size()) return false;
+    made.vertices = std::move(again->vertices);
+    return true;
+  });
+  return &made;
+}
+
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
                             std::string_view key, diag::SourceMark mark) {
   const spec::Field* field = entry.Find(id);
@@ -93,34 +116,12 @@ bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part
                                                     : "build it from several convex prisms");
     return false;
   }
-  NotePrism(*points, *z, *scale, *mesh);
-  AddPrism(*std::move(mesh), part);
+  const TriangleMesh* made = NotePrism(*points, *z, *scale, *mesh);
+  AddPrism(*std::move(mesh), made, part);
   return true;
 }
 
-// A step that makes the prism again, and leaves it on the tape.
-void Assets::NotePrism(std::span<const Traced<double>> points, const Traced<double>& height,
-                       const Traced<Eigen::Vector2d>& scale, TriangleMesh& mesh) {
-  tape::Tape* tape = tape::TapeOfAny(height, scale);
-  for (const Traced<double>& point : points) tape = tape != nullptr ? tape : point.tape();
-  if (tape == nullptr) return;
-  std::vector<const double*> places;
-  for (const Traced<double>& point : points) places.push_back(&PlaceOf(*tape, point));
-  mesh.tape = tape;
-  made_ = &tape->Keep(mesh);
-  tape->Add([made = made_, places = tape->KeepAll(places), &z = PlaceOf(*tape, height),
-             &by = PlaceOf(*tape, scale)] {
-    std::vector<double> corners;
-    for (const double* place : places) corners.push_back(*place);
-    std::string why_not;
-    std::optional<TriangleMesh> again = MakePrism(ScaledCorners(corners, by), z, why_not);
-    if (!again || again->vertices.size() != made->vertices.size()) return false;
-    made->vertices = std::move(again->vertices);
-    return true;
-  });
-}
-
-void Assets::AddPrism(TriangleMesh mesh, Part& part) {
+void Assets::AddPrism(TriangleMesh mesh, const TriangleMesh* made, Part& part) {
   const std::size_t hash = HashOf(mesh);
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
@@ -129,7 +130,7 @@ void Assets::AddPrism(TriangleMesh mesh, Part& part) {
     if (!sources_[index].file.empty() || other.vertices != mesh.vertices) continue;
     if (other.triangles != mesh.triangles) continue;
     if (mesh.tape != nullptr) {
-      mesh.tape->Add([&other, made = made_] { return HashOf(*made) == HashOf(other); });
+      mesh.tape->Add([&other, made] { return HashOf(*made) == HashOf(other); });
     } else if (other.tape != nullptr) {
       other.tape->Add([&other, hash] { return HashOf(other) == hash; });
     }
@@ -141,7 +142,7 @@ void Assets::AddPrism(TriangleMesh mesh, Part& part) {
   asset->is_hull = true;
   asset->mark = part.mark;
   if (asset->mesh.tape != nullptr) {
-    asset->mesh.tape->Add([&mesh = asset->mesh, made = made_] {
+    asset->mesh.tape->Add([&mesh = asset->mesh, made] {
       std::ranges::copy(made->vertices, mesh.vertices.begin());  // texts know their places
       return true;
     });
@@ -247,22 +248,27 @@ std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
 
 void Assets::KeepDistinct() {
   tape::Tape* tape = nullptr;
-  std::vector<std::pair<const MeshAsset*, const Eigen::Vector3d*>> meshes;  // and scales
-  for (const auto& mesh : object_.meshes) {
-    if (mesh->mesh.tape != nullptr) tape = mesh->mesh.tape;
-  }
+  for (const auto& asset : object_.meshes) tape = tape != nullptr ? tape : asset->mesh.tape;
   if (tape == nullptr) return;
-  for (const auto& mesh : object_.meshes) {
+  // By what they are shared by: vertices, or file and scale.
+  std::vector<std::function<std::size_t()>> hashes;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const MeshAsset& asset = *object_.meshes[i];
     // Those with attributes come from attached files, and do not vary.
-    if (mesh->attributes.empty()) meshes.emplace_back(mesh.get(), &PlaceOf(*tape, mesh->scale));
-  }
-  tape->Add([meshes = std::move(meshes)] {
-    std::vector<std::size_t> hashes;
-    for (const auto& [mesh, scale] : meshes) {
-      hashes.push_back(mesh->is_hull ? HashOf(mesh->mesh) : HashOf(mesh->file, *scale));
+    if (!asset.attributes.empty()) continue;
+    if (asset.is_hull) {
+      hashes.emplace_back([&mesh = asset.mesh] { return HashOf(mesh); });
+    } else {
+      hashes.emplace_back([file = sources_[i].file, &scale = PlaceOf(*tape, asset.scale)] {
+        return HashOf(file, scale);
+      });
     }
-    std::ranges::sort(hashes);
-    return std::ranges::adjacent_find(hashes) == hashes.end();
+  }
+  tape->Add([hashes = std::move(hashes)] {
+    std::vector<std::size_t> now;
+    for (const auto& hash : hashes) now.push_back(hash());
+    std::ranges::sort(now);
+    return std::ranges::adjacent_find(now) == now.end();
   });
 }
 

@@ -89,7 +89,7 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
                                              : std::span<const Attribute>());
   if (!good) return;
   Pose X_SG = X_SF * X_FG;
-  if (scope.total_size && scope.values.spec().placement == spec::Placement::kCorner) {
+  if (scope.places_corners()) {
     const Box3 box = BoundsOf(part.shape, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
     X_SG.p = FromCorner(X_SG.p, *scope.total_size, box.min);
   }

@@ -32,6 +32,11 @@ struct Scope {
   sample::StreamId parts;
   std::vector<MaterialState> materials;  // as spec.materials
   std::optional<Traced<Eigen::Vector3d>> total_size;
+
+  /// placement: corner, in a declared box.
+  bool places_corners() const {
+    return total_size && values.spec().placement == spec::Placement::kCorner;
+  }
 };
 
 /// The entry's own name, checked; nothing after a finding.

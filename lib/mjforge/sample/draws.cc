@@ -99,7 +99,7 @@ Traced<double> Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, St
     return Fail(Code::kSampleBadArgument, mark,
                 fmt::format("'{}' drew a value that is not finite", Info(draw.distribution).key));
   }
-  if (tape_ == nullptr) return value;
+  if (!notes_) return value;
   return NoteDraw(draw.distribution, arguments, limits, path, value);
 }
 
@@ -113,41 +113,43 @@ double Evaluator::Drawn(Distribution distribution, std::span<const double> argum
 
 Traced<double> Evaluator::NoteDraw(Distribution distribution, const Numbers& arguments,
                                    const Numbers& limits, StreamId path, double value) {
-  double& at = tape_->Keep(value);
+  tape::Tape& tape = notes_->tape;
+  double& at = tape.Keep(value);
   std::vector<const double*> places;
   for (const Numbers* numbers : {&arguments, &limits}) {
-    for (const Traced<double>& number : *numbers) places.push_back(&PlaceOf(*tape_, number));
+    for (const Traced<double>& number : *numbers) places.push_back(&PlaceOf(tape, number));
   }
-  tape_->Add(
-      [this, distribution, path, &at, places = tape_->KeepAll(places), count = arguments.size()] {
+  tape.Add(
+      [this, distribution, path, &at, places = tape.KeepAll(places), count = arguments.size()] {
         const Arguments plain(places, count);
         if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
         at = Drawn(distribution, plain.numbers(), plain.limits(), path);
         return std::isfinite(at);
       });
-  return {value, *tape_, at};
+  return {value, tape, at};
 }
 
 const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, StreamId& path) {
   const std::optional<Numbers> weights = Weights(draw, mark, path);
   std::size_t option = 0;
   if (weights) option = Option(draw, std::vector<double>(weights->begin(), weights->end()), path);
-  if (weights && tape_ != nullptr) {
+  if (weights && notes_) {
+    tape::Tape& tape = notes_->tape;
     bool vary = false;
     std::vector<const double*> places;
     for (const Traced<double>& weight : *weights) {
       vary |= weight.tape() != nullptr;
-      places.push_back(&PlaceOf(*tape_, weight));
+      places.push_back(&PlaceOf(tape, weight));
     }
-    const auto test = [this, &draw, path, option, places = tape_->KeepAll(places)] {
+    const auto test = [this, &draw, path, option, places = tape.KeepAll(places)] {
       std::vector<double> numbers;
       for (const double* place : places) numbers.push_back(*place);
       return WhatIsWrong(numbers).empty() && Option(draw, numbers, path) == option;
     };
-    if (is_sampled_first_ && !vary) {
-      tape_->AddEarly(test);
+    if (notes_->is_sampled_first && !vary) {
+      tape.AddEarly(test);
     } else {
-      tape_->Add(test);
+      tape.Add(test);
     }
   }
   path = Child(Child(path, Info(draw.distribution).key), option);
@@ -161,7 +163,7 @@ std::size_t Evaluator::Option(const spec::Draw& draw, std::span<const double> we
     return static_cast<std::size_t>(key_.index % count);
   }
   if (IsExact(draw)) {
-    const std::vector<double> same(count, 1);
+    const std::vector<double> same(weights.empty() ? count : 0, 1);
     return sampler_->ExactOption(weights.empty() ? same : weights, key_, path);
   }
   const double u = Uniforms(path)[0];
@@ -193,7 +195,7 @@ void Evaluator::AppendRotation(StreamId path, Numbers& out) {
     const std::array<double, 4> u = Uniforms(path);
     return UniformRotation(u[0], u[1], u[2]);
   };
-  Append(tape::Note(tape_, rotation), out);
+  Append(tape::Note(tape(), rotation), out);
 }
 
 void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, StreamId path,
@@ -213,7 +215,7 @@ void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, S
     for (std::size_t i = 0; i < 3; ++i) q[i + 1] = std::sin(half_angle) * (a[i] / length(a));
     return q;
   };
-  Append(tape::Note(tape_, rotation, direction), out);
+  Append(tape::Note(tape(), rotation, direction), out);
 }
 
 void Evaluator::AppendOnSphere(const spec::PointOnSphere& point, SourceMark mark, StreamId path,
@@ -230,7 +232,7 @@ void Evaluator::AppendOnSphere(const spec::PointOnSphere& point, SourceMark mark
     for (double& component : at) component *= r;
     return at;
   };
-  Append(tape::Note(tape_, place, radius), out);
+  Append(tape::Note(tape(), place, radius), out);
 }
 
 void Evaluator::AppendColor(const spec::HsvColor& color, SourceMark mark, StreamId path,

@@ -72,57 +72,55 @@ Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression,
 }
 
 Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, double value) {
-  if (tape_ == nullptr || expression.constant()) return value;
+  if (!notes_ || expression.constant()) return value;
+  auto& [tape, is_sampled_first, all, places, early, decided, results] = *notes_;
   bool varies = false;
-  std::vector<std::pair<const double*, double>> inputs;
-  std::vector<std::uint64_t> bits;
+  bool of_parameters = true;
+  std::vector<Input> inputs;
   for (const expr::Expression::Input& input : expression.inputs()) {
     const auto slot = static_cast<std::size_t>(input.slot);
-    varies |= places_[slot] != nullptr;
-    inputs.emplace_back(places_[slot], variables_[slot]);
-    bits.push_back(places_[slot] != nullptr ? reinterpret_cast<std::uintptr_t>(places_[slot]) : 0);
-    bits.push_back(places_[slot] != nullptr ? 0 : std::bit_cast<std::uint64_t>(variables_[slot]));
+    const double* place = places[slot];
+    varies |= place != nullptr;
+    of_parameters &= place == &variables_[slot];
+    inputs.emplace_back(place, place ? 0 : std::bit_cast<std::uint64_t>(variables_[slot]));
   }
   if (!varies) return value;
-  const double*& noted = noted_[{&expression, bits}];
-  if (noted != nullptr) return {value, *tape_, *noted};
-  double& at = tape_->Keep(value);
+  const double*& noted = results[{&expression, inputs}];
+  if (noted != nullptr) return {value, tape, *noted};
+  double& at = tape.Keep(value);
   noted = &at;
-  const bool of_parameters = std::ranges::all_of(expression.inputs(), [this](const auto& input) {
-    const auto slot = static_cast<std::size_t>(input.slot);
-    return places_[slot] == &variables_[slot];
-  });
-  if (of_parameters) early_[&at] = &expression;
-  tape_->Add([&expression, &at, &all = *inputs_, inputs = tape_->KeepAll(inputs)] {
+  if (of_parameters) early[&at] = &expression;
+  tape.Add([&expression, &at, &all = all, inputs = tape.KeepAll(inputs)] {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const auto& [place, constant] = inputs[i];
-      all[static_cast<std::size_t>(expression.inputs()[i].slot)] = place ? *place : constant;
+      const auto& [place, bits] = inputs[i];
+      all[static_cast<std::size_t>(expression.inputs()[i].slot)] =
+          place ? *place : std::bit_cast<double>(bits);
     }
     at = expression.Evaluate(all);
     return std::isfinite(at);
   });
-  return {value, *tape_, at};
+  return {value, tape, at};
 }
 
 template <typename IsMet>
 void Evaluator::Decide(const Traced<double>& number, IsMet is_met) {
   const double* at = number.at();
   const auto test = [at, is_met] { return is_met(*at); };
-  const auto expression = early_.find(at);
+  const auto expression = notes_->early.find(at);
   const bool is_parameter = at >= variables_.data() && at < variables_.data() + variables_.size();
-  if (!is_sampled_first_ || (!is_parameter && expression == early_.end())) {
-    tape_->Add(test);
+  if (!notes_->is_sampled_first || (!is_parameter && expression == notes_->early.end())) {
+    notes_->tape.Add(test);
   } else if (is_parameter) {
-    tape_->AddEarly(test);
+    notes_->tape.AddEarly(test);
   } else {
-    tape_->AddEarly(
+    notes_->tape.AddEarly(
         [this, is_met, &of = *expression->second] { return is_met(of.Evaluate(variables_)); });
   }
 }
 
 bool Evaluator::IsTrue(const Traced<double>& number) {
   const bool truth = Truth(number);
-  if (number.at() != nullptr && decided_.emplace(number.at(), true).second) {
+  if (number.at() != nullptr && notes_->decided.emplace(number.at(), true).second) {
     Decide(number, [truth](double other) { return Truth(other) == truth; });
   }
   return truth;
@@ -130,7 +128,7 @@ bool Evaluator::IsTrue(const Traced<double>& number) {
 
 double Evaluator::Fixed(const Traced<double>& number) {
   const double value = number;
-  if (number.at() != nullptr && decided_.emplace(number.at(), false).second) {
+  if (number.at() != nullptr && notes_->decided.emplace(number.at(), false).second) {
     Decide(number, [value](double other) { return other == value; });
   }
   return value;
@@ -138,41 +136,40 @@ double Evaluator::Fixed(const Traced<double>& number) {
 
 void Evaluator::NoteOn(tape::Tape& tape) {
   NoteOn(tape, [](std::string_view) { return false; });
-  is_sampled_first_ = true;
+  notes_->is_sampled_first = true;
 }
 
 void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies) {
-  tape_ = &tape;
-  is_sampled_first_ = false;
-  noted_.clear();
-  early_.clear();
-  decided_.clear();
-  inputs_ = &tape.Keep(std::vector<double>(variables_.size()));
-  places_.assign(variables_.size(), nullptr);
-  if (!places_.empty()) places_[0] = &variables_[0];
-  const auto slot_varies = [this](int slot) {
-    return places_[static_cast<std::size_t>(slot)] != nullptr;
+  std::vector<double>& inputs = tape.Keep(std::vector<double>(variables_.size()));
+  notes_.reset(new Notes{.tape = tape,
+                         .is_sampled_first = false,
+                         .inputs = inputs,
+                         .places = std::vector<const double*>(variables_.size())});
+  std::vector<const double*>& places = notes_->places;
+  if (!places.empty()) places[0] = &variables_[0];
+  const auto slot_varies = [&places](int slot) {
+    return places[static_cast<std::size_t>(slot)] != nullptr;
   };
   for (const int i : spec_.evaluation_order) {
     const spec::Parameter& parameter = spec_.parameters[static_cast<std::size_t>(i)];
     if (!spec::Varies(parameter.value, slot_varies) && !varies(parameter.name)) continue;
     auto slot = static_cast<std::size_t>(parameter.slot);
     for (int k = std::max(parameter.value.components, 1); k > 0; --k, ++slot) {
-      places_[slot] = &variables_[slot];
+      places[slot] = &variables_[slot];
     }
   }
 }
 
 Traced<double> Evaluator::Variable(int slot) const {
   const auto i = static_cast<std::size_t>(slot);
-  if (tape_ == nullptr || places_[i] == nullptr) return variables_[i];
-  return {variables_[i], *tape_, *places_[i]};
+  if (!notes_ || notes_->places[i] == nullptr) return variables_[i];
+  return {variables_[i], notes_->tape, *notes_->places[i]};
 }
 
 void Evaluator::SetVariable(int slot, const Traced<double>& value) {
   const auto i = static_cast<std::size_t>(slot);
   variables_[i] = value;
-  if (tape_ != nullptr) places_[i] = value.at();
+  if (notes_) notes_->places[i] = value.at();
 }
 
 void Evaluator::SetVariable(int slot, std::string_view text) {

@@ -116,7 +116,7 @@ bool Evaluator::Sample(const DrawKey& key, Overrides overrides, diag::Findings& 
   key_ = key;
   findings_ = &findings;
   failed_ = false;
-  tape_ = nullptr;
+  notes_.reset();
   // Nothing of an earlier variant is left in what the assembly sets.
   std::ranges::fill(variables_, 0);
   for (std::string& text : texts_) text.clear();

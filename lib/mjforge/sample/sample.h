@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -70,7 +71,8 @@ class Evaluator {
   /// The same where a step of the tape calls Sample. `varies` says of a parameter that was
   /// overridden whether its value differs between variants.
   void NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies);
-  tape::Tape* tape() const { return tape_; }
+  /// Null while nothing is noted.
+  tape::Tape* tape() const { return notes_ ? &notes_->tape : nullptr; }
 
   Traced<double> Number(const spec::Value& value, StreamId path);
   /// A number that all variants of a tape share.
@@ -146,6 +148,9 @@ class Evaluator {
   /// Adds a finding of this variant and returns NaN, the value of a failed number.
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
   friend class Attempts;
+  /// Of an expression: its place on the tape, or null and the bits of what is the same in all
+  /// variants (not every number equals itself).
+  using Input = std::pair<const double*, std::uint64_t>;
 
   const spec::ObjectSpec& spec_;
   DrawKey key_;
@@ -158,17 +163,20 @@ class Evaluator {
   bool failed_ = false;
   int rejected_by_ = -1;
 
-  tape::Tape* tape_ = nullptr;             // null: nothing is noted
-  std::vector<const double*> places_;      // by slot, on the tape; null: the same in all variants
-  std::vector<double>* inputs_ = nullptr;  // by slot, of the expression at hand; on the tape
-  bool is_sampled_first_ = false;          // before the tape runs
-  /// The expressions of parameters alone, by their results on the tape.
-  std::map<const double*, const expr::Expression*> early_;
-  /// Numbers that are tested already; true: only whether they are zero.
-  std::set<std::pair<const double*, bool>> decided_;
-  /// The result of each expression that was noted, by it and the places or values of its inputs,
-  /// as bits: not every number equals itself.
-  std::map<std::pair<const void*, std::vector<std::uint64_t>>, const double*> noted_;
+  /// What it takes to note on a tape.
+  struct Notes {
+    tape::Tape& tape;
+    bool is_sampled_first;              // before the tape runs
+    std::vector<double>& inputs;        // by slot, of the expression at hand; on the tape
+    std::vector<const double*> places;  // by slot, on the tape; null: the same in all variants
+    /// The expressions of parameters alone, by their results on the tape.
+    std::map<const double*, const expr::Expression*> early = {};
+    /// Numbers that are tested already; true: only whether they are zero.
+    std::set<std::pair<const double*, bool>> decided = {};
+    /// The result of each expression that was noted, by it and its inputs.
+    std::map<std::pair<const void*, std::vector<Input>>, const double*> results = {};
+  };
+  std::unique_ptr<Notes> notes_;
 };
 
 /// The most redraws before a variant counts as impossible.

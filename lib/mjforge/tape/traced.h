@@ -47,16 +47,14 @@ class Tape {
   /// way than the one that was noted, and the tape is of no use for it.
   template <typename Take>
   void Add(Take take) {
-    Take& kept = Keep(std::move(take));
-    steps_.push_back({[](void* step) { return (*static_cast<Take*>(step))(); }, &kept});
+    steps_.push_back(StepOf(std::move(take)));
   }
 
   /// Adds a step that needs no result of another, to be taken before them: most variants that go
   /// another way are recognised by these.
   template <typename Take>
   void AddEarly(Take take) {
-    Take& kept = Keep(std::move(take));
-    early_.push_back({[](void* step) { return (*static_cast<Take*>(step))(); }, &kept});
+    early_.push_back(StepOf(std::move(take)));
   }
 
   /// Takes all steps in order; false as soon as one of them goes another way.
@@ -77,6 +75,10 @@ class Tape {
     bool (*take)(void*);
     void* state;
   };
+  template <typename Take>
+  Step StepOf(Take take) {
+    return {[](void* step) { return (*static_cast<Take*>(step))(); }, &Keep(std::move(take))};
+  }
 
   std::pmr::monotonic_buffer_resource memory_;
   std::vector<std::shared_ptr<void>> kept_;

@@ -14,13 +14,6 @@ Variant MakeOne(LoadedRecipe& loaded, const Options& options, std::uint64_t inde
   return variant;
 }
 
-Options Seeded(std::uint64_t seed) {
-  Options options;
-  options.seed = seed;
-  options.validation = Validation::kNone;
-  return options;
-}
-
 TEST_CASE("a variant is a file's text and a record of what it is") {
   LoadedRecipe loaded(kBoxSpec);
   Options options = Seeded(7);

@@ -17,4 +17,11 @@ LoadedRecipe::LoadedRecipe(const std::string& text, spec::LoadOptions options,
   recipe = *std::move(loaded);
 }
 
+Options Seeded(std::uint64_t seed) {
+  Options options;
+  options.seed = seed;
+  options.validation = Validation::kNone;
+  return options;
+}
+
 }  // namespace mjforge::forge

@@ -49,4 +49,7 @@ struct LoadedRecipe {
   Recipe recipe;
 };
 
+/// Variants that MuJoCo does not look at.
+Options Seeded(std::uint64_t seed);
+
 }  // namespace mjforge::forge
