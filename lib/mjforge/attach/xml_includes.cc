@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "mjforge/attach/xml_tree.h"
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
@@ -50,7 +51,7 @@ class TreeReader {
 
   std::optional<XmlElement> Read() {
     std::string why_not;
-    std::optional<std::string> text = engine::ReadText(main_, why_not);
+    std::optional<std::string> text = bytes::Read(main_, bytes::kMaxMjcf, why_not);
     if (!text) {
       AddError(findings_, Code::kModelFileNotFound, {},
                fmt::format("cannot read '{}': {}", main_.string(), why_not));
@@ -126,7 +127,7 @@ class TreeReader {
     const fs::path file = main_.parent_path() / name;
     if (!IsNew(file, name, place)) return false;
     std::string why_not;
-    std::optional<std::string> text = engine::ReadText(file, why_not);
+    std::optional<std::string> text = bytes::Read(file, bytes::kMaxMjcf, why_not);
     if (!text) {
       return Bad(place, fmt::format("includes '{}', which cannot be read: {}", name, why_not),
                  open_.size() > 1

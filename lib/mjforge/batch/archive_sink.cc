@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "mjforge/batch/sink.h"
+#include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
 namespace {
@@ -210,7 +211,7 @@ class ArchiveSink : public Sink {
   bool AppendAssets(const Result& result, std::string& journal, diag::Findings& findings) {
     for (const auto& [name, source] : result.assets) {
       if (position_.assets.contains(name)) continue;
-      const std::optional<std::string> bytes = output::ReadFile(source, findings);
+      const std::optional<std::string> bytes = output::ReadFile(source, bytes::kMaxAsset, findings);
       output::Segment segment(destination_.format);
       if (!bytes || !segment.Add(name, *bytes, findings) ||
           !archive_->Append(segment.Take(), findings)) {

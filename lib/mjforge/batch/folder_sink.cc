@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "mjforge/batch/sink.h"
+#include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
 namespace {
@@ -59,8 +60,9 @@ class FolderSink : public Sink {
   // changed since is made again.
   bool IsThere(const manifest::Record& record) const {
     if (record.status != Status::kOk) return true;
-    const auto bytes = output::ReadStart(folder_ / record.file, std::string::npos);
-    return bytes && output::Sha256(*bytes) == record.sha256;
+    std::string why_not;
+    const auto text = bytes::Read(folder_ / record.file, bytes::kMaxMjcf, why_not);
+    return text && bytes::Sha256Of(*text) == record.sha256;
   }
 
   std::optional<Kept> Continue(diag::Findings& findings) {

@@ -10,6 +10,10 @@
 
 namespace mjforge::diag {
 
+/// Readers of JSON that call themselves for each value within another refuse what is nested deeper.
+inline constexpr int kMaxJsonDepth = 64;
+bool IsNestedTooDeep(std::string_view json);
+
 /// Appends JSON to a text without checking its structure: writing a record took a fifth of a
 /// variant's time, and half of that was a general writer's bookkeeping. Objects and lists must be
 /// ended in order, texts be valid UTF-8.

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
+
 namespace mjforge::engine {
 namespace {
 
@@ -57,8 +59,8 @@ const std::string* Engine::ReadOnce(const std::filesystem::path& file) {
   const auto found = files_.find(file);
   if (found != files_.end()) return &found->second;
   std::string why_not;
-  std::optional<std::string> bytes = ReadText(file, why_not);
-  return bytes ? &files_.emplace(file, *std::move(bytes)).first->second : nullptr;
+  std::optional<std::string> content = bytes::Read(file, bytes::kMaxAsset, why_not);
+  return content ? &files_.emplace(file, *std::move(content)).first->second : nullptr;
 }
 
 void Engine::SetFile(int slot, std::string_view name, const std::string& bytes) {
@@ -111,9 +113,14 @@ Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string
 }
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) {
-  if (file != kStandardInput) return Load(file.c_str(), nullptr);
-  std::string why_not;
-  return LoadTextIn(".", ReadText(kStandardInputFile, why_not).value_or(""));
+  Loaded failed;
+  if (file == bytes::kStandardInput) {
+    const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);
+    if (text) return LoadTextIn(".", *text);
+  } else if (bytes::MayRead(file, bytes::kMaxMjcf, failed.error)) {
+    return Load(file.c_str(), nullptr);
+  }
+  return failed;
 }
 
 }  // namespace mjforge::engine

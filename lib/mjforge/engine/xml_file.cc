@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/engine/refusal.h"
 
 namespace mjforge::engine {
@@ -29,24 +28,6 @@ std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
 }
 
 }  // namespace
-
-std::optional<std::string> ReadText(const std::filesystem::path& file, std::string& why_not) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    why_not = "it is a folder";
-    return std::nullopt;
-  }
-  std::optional<std::string> text;
-  std::ifstream stream(file, std::ios::binary);
-  if (stream)
-    text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  if (!stream || stream.bad()) {
-    const bool exists = std::filesystem::exists(file, error);
-    why_not = exists ? "permission denied or a read error" : "No such file or directory";
-    return std::nullopt;
-  }
-  return text;
-}
 
 std::optional<XmlFault> WhyNotXml(std::string_view text) {
   pugi::xml_document document;
@@ -72,10 +53,9 @@ std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes) {
 
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings) {
-  const bool standard_input = file == kStandardInput;
-  const std::string name = standard_input ? "<stdin>" : file.string();
+  const std::string name = file == bytes::kStandardInput ? "<stdin>" : file.string();
   std::string why_not;
-  std::optional<std::string> text = ReadText(standard_input ? kStandardInputFile : file, why_not);
+  std::optional<std::string> text = bytes::Read(file, bytes::kMaxMjcf, why_not);
   if (!text) {
     findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", name, why_not));
     return std::nullopt;

@@ -27,15 +27,6 @@ std::optional<XmlFault> WhyNotXml(std::string_view text);
 /// The same for a text whose root element must be <mujoco>.
 std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes = nullptr);
 
-/// The name of standard input on a command line, and its file. A file that is redirected there is
-/// read from its start.
-inline constexpr const char* kStandardInput = "-";
-inline constexpr const char* kStandardInputFile = "/dev/stdin";
-
-/// The whole file; nothing, and the reason ("No such file or directory"), if it
-/// cannot be read.
-std::optional<std::string> ReadText(const std::filesystem::path& file, std::string& why_not);
-
 /// Reads a file or standard input into `sources`; nothing and a finding if it is not MJCF.
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/forge/mould.h"
 
 namespace mjforge::forge {
@@ -95,7 +96,7 @@ void Generator::End(Outcome outcome, Variant& variant) {
     record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
   } else {
     record.file = output::PlaceInFolder(record.name, record.index);
-    record.sha256 = output::Sha256(variant.document.text);
+    record.sha256 = bytes::Sha256Of(variant.document.text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
   while (record_sources_.size() < sources_.size()) {  // attached files are added as they are read

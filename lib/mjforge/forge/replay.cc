@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
@@ -52,7 +53,7 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
 }
 
 std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findings& findings) {
-  const std::optional<std::string> text = output::ReadFile(file, findings);
+  const std::optional<std::string> text = output::ReadFile(file, bytes::kMaxMjcf, findings);
   if (!text) return std::nullopt;
   const std::optional<mjcf::Provenance> provenance = mjcf::ReadProvenance(*text);
   if (!provenance) {
@@ -81,7 +82,7 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
   }
   std::optional<std::string> present =
       original.archive.empty()
-          ? output::ReadFile(original.file, findings)
+          ? output::ReadFile(original.file, bytes::kMaxMjcf, findings)
           : output::ReadMember(original.archive, original.file.string(), findings);
   if (!present) return false;
   if (*present == variant.document.text) return true;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -117,9 +117,10 @@ class RecordReader {
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings);
 
-  enum class Outcome { kRecord, kBadLine, kEnd };
+  enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
   /// Replaces `record` with the one on the next line. A bad line is only a finding; the next call
-  /// continues with the line after it. Beyond kMaxBadLines, bad lines are only counted.
+  /// continues with the line after it. Beyond kMaxBadLines, bad lines are only counted. Where the
+  /// file cannot be read on, there is a finding.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
   std::uint64_t bad_lines() const { return bad_lines_; }
@@ -128,15 +129,15 @@ class RecordReader {
   std::uint32_t number() const { return number_; }
   const std::string& text() const { return text_; }
   /// Whether that line has no line end, because it was still being written.
-  bool torn() const { return lines_.eof(); }
+  bool torn() const { return lines_.torn(); }
   /// The place of that line, for further findings about it.
   diag::SourceMark Mark() const;
 
  private:
-  RecordReader(std::ifstream lines, std::string name, diag::Sources& sources,
+  RecordReader(bytes::Lines lines, std::string name, diag::Sources& sources,
                diag::Findings& findings);
 
-  std::ifstream lines_;
+  bytes::Lines lines_;
   std::string name_;
   diag::Sources* sources_;
   diag::Findings* findings_;

@@ -37,6 +37,10 @@ void AppendWithPlaces(std::string& out, std::string_view line, const std::string
 }
 
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
+  if (diag::IsNestedTooDeep(line)) {
+    why_not = fmt::format("values are nested more than {} deep", diag::kMaxJsonDepth);
+    return std::nullopt;
+  }
   rapidjson::Document document;
   document.Parse<rapidjson::kParseIterativeFlag>(line.data(), line.size());
   if (document.HasParseError() || !document.IsObject()) {

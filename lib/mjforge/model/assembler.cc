@@ -1,6 +1,4 @@
-#include <array>
-#include <fstream>
-
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/model/assembly.h"
 #include "mjforge/model/mesh_files.h"
 #include "mjforge/model/model.h"
@@ -35,10 +33,10 @@ const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::pa
   cached.exists = std::filesystem::exists(file, error);
   if (!std::filesystem::is_regular_file(file, error)) return cached;
   // The first 8 bytes of every PNG file (ISO/IEC 15948, 5.2).
-  constexpr std::array<char, 8> kSignature = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
-  std::array<char, 8> start{};
-  std::ifstream(file, std::ios::binary).read(start.data(), start.size());
-  cached.is_png = start == kSignature;
+  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+  std::string why_not;
+  cached.is_png =
+      bytes::ReadStart(file, kSignature.size(), why_not) == std::string_view(kSignature);
   return cached;
 }
 

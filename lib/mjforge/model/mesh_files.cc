@@ -15,13 +15,13 @@
 #include <tiny_obj_loader.h>
 #include <assimp/Importer.hpp>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 
 namespace mjforge::model {
 namespace {
 
 // A file of this size has millions of triangles, where MuJoCo allows 200,000.
-constexpr std::uintmax_t kMaxFileSize = 256u << 20;
 
 struct VertexHash {
   std::size_t operator()(const Eigen::Vector3d& v) const {
@@ -66,26 +66,6 @@ class MeshBuilder {
   std::unordered_map<Eigen::Vector3d, int, VertexHash> numbers_;
   bool finite_ = true;
 };
-
-std::optional<std::string> ReadContent(const std::filesystem::path& file, std::string& why_not) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error || !std::filesystem::is_regular_file(file, error)) {
-    why_not = "not a readable file";
-    return std::nullopt;
-  }
-  if (size > kMaxFileSize) {
-    why_not = fmt::format("the file has {} MB; the limit is {} MB", size >> 20, kMaxFileSize >> 20);
-    return std::nullopt;
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::string content(size, '\0');
-  if (!stream.read(content.data(), static_cast<std::streamsize>(size))) {
-    why_not = "not a readable file";
-    return std::nullopt;
-  }
-  return content;
-}
 
 // The loader's words on one line, without their end.
 std::string FirstLine(std::string_view text) {
@@ -204,7 +184,7 @@ std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::str
     why_not = fmt::format("ending '{}' is neither .obj nor .stl", ending);
     return std::nullopt;
   }
-  const std::optional<std::string> content = ReadContent(file, why_not);
+  const std::optional<std::string> content = bytes::Read(file, bytes::kMaxAsset, why_not);
   if (!content) return std::nullopt;
   if (content->empty()) {
     why_not = "empty file";

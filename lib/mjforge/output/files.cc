@@ -1,11 +1,8 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <system_error>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
@@ -17,40 +14,23 @@ constexpr std::size_t kCommentBytes = 64 * 1024;
 
 }  // namespace
 
-std::optional<std::string> ReadStart(const std::filesystem::path& file, std::size_t limit) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return std::nullopt;
-  std::string bytes;
-  std::array<char, 64 * 1024> buffer;
-  ssize_t count = 0;
-  while (bytes.size() < limit) {
-    count = ::read(descriptor, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    bytes.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  const int error = errno;
-  ::close(descriptor);
-  errno = error;
-  if (count < 0) return std::nullopt;
-  return bytes;
-}
-
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings) {
-  if (if_changed && ReadStart(file, bytes.size() + 1) == bytes) return true;
+  std::string ignored;
+  if (if_changed && bytes::Read(file, bytes.size(), ignored) == bytes) return true;
   const std::unique_ptr<AtomicFile> target = AtomicFile::Create(file, findings);
   return target && target->Append(bytes, findings) && target->Commit(findings);
 }
 
-std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Findings& findings) {
-  std::optional<std::string> bytes = ReadStart(file, std::string::npos);
-  if (!bytes) {
-    findings.Add(
-        diag::Code::kYamlCannotRead, {},
-        fmt::format("cannot read '{}': {}", file.string(), std::generic_category().message(errno)));
+std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
+                                    diag::Findings& findings) {
+  std::string why_not;
+  std::optional<std::string> content = bytes::Read(file, limit, why_not);
+  if (!content) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", file.string(), why_not));
   }
-  return bytes;
+  return content;
 }
 
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
@@ -65,7 +45,8 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
     return false;
   }
   if (force) return true;
-  const std::optional<std::string> opening = ReadStart(file, bytes);
+  std::string why_not;
+  const std::optional<std::string> opening = bytes::ReadStart(file, bytes, why_not);
   if (opening && is_ours(*opening)) return true;
   AddForeign(file, findings);
   return false;

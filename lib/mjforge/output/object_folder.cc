@@ -4,6 +4,7 @@
 
 #include <cerrno>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
@@ -13,10 +14,10 @@ namespace {
 // Keeps a copy that is there with the same bytes.
 bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path& target,
                bool replace, diag::Findings& findings) {
-  const std::optional<std::string> bytes = ReadFile(source, findings);
+  const std::optional<std::string> bytes = ReadFile(source, bytes::kMaxAsset, findings);
   if (!bytes) return false;
   if (std::error_code ignored; std::filesystem::exists(target, ignored)) {
-    const std::optional<std::string> present = ReadFile(target, findings);
+    const std::optional<std::string> present = ReadFile(target, bytes::kMaxAsset, findings);
     if (!present) return false;
     if (*present == *bytes) return true;
     if (!replace) {

@@ -20,9 +20,6 @@
 
 namespace mjforge::output {
 
-/// SHA-256 in hexadecimal.
-std::string Sha256(std::string_view bytes);
-
 /// What may happen to files that are there already.
 struct Overwrite {
   bool force = false;       // replace files that mjforge did not make
@@ -36,12 +33,10 @@ struct Overwrite {
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings);
 
-/// The whole content of a file; nothing and a finding if it cannot be read.
-std::optional<std::string> ReadFile(const std::filesystem::path& file, diag::Findings& findings);
-
-/// The first `limit` bytes of a file, or a little more; nothing, with errno
-/// set, if it cannot be read.
-std::optional<std::string> ReadStart(const std::filesystem::path& file, std::size_t limit);
+/// The whole content of a file; nothing and a finding if it cannot be read or has more than `limit`
+/// bytes.
+std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
+                                    diag::Findings& findings);
 
 /// Whether `file` may get other bytes: it is not there, `is_ours` says so of its first bytes, or
 /// `force`. A pipe or a device never may. False, and a finding, if it may not.

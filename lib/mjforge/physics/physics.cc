@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/behaviour.h"
@@ -83,16 +84,17 @@ std::string FloorName(const mjModel& m) {
   return name;
 }
 
-/// The file as it is, with a floor. The file's name is one of its folder.
-std::string WithFloor(const std::filesystem::path& file, const std::string& floor) {
-  std::string path = file.filename().string();
-  if (file == engine::kStandardInput) {  // MuJoCo takes every name for one below the folder
-    std::error_code ignored;
-    const std::filesystem::path here = std::filesystem::current_path(ignored);
-    path = std::filesystem::path(engine::kStandardInputFile).lexically_relative(here).string();
+/// The file as it is, with a floor, as a text in the file's folder.
+std::string WithFloor(const std::filesystem::path& file, std::string text,
+                      const std::string& floor) {
+  const std::string world = fmt::format("<worldbody>{}</worldbody>", FloorElement(floor));
+  if (file != bytes::kStandardInput) {
+    return fmt::format(R"(<mujoco><include file="{}"/>{}</mujoco>)",
+                       engine::EscapeXml(file.filename().string()), world);
   }
-  return fmt::format(R"(<mujoco><include file="{}"/><worldbody>{}</worldbody></mujoco>)",
-                     engine::EscapeXml(path), FloorElement(floor));
+  const std::size_t end = text.rfind("</mujoco");
+  if (end != text.npos) text.insert(end, world);
+  return text;
 }
 
 }  // namespace
@@ -166,7 +168,7 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   if (LacksFloor(*loaded.model)) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     const std::string floor = FloorName(*loaded.model);
-    loaded = state_->engine.LoadTextIn(folder, WithFloor(file, floor));
+    loaded = state_->engine.LoadTextIn(folder, WithFloor(file, sources.Text(xml->source), floor));
     if (!loaded.model)
       return refused(" with a floor", loaded, "a plane in the file would be used instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));

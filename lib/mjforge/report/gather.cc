@@ -46,6 +46,7 @@ bool IsSlower(const Record& a, const Record& b) {
 std::vector<RecordedFinding> FindingsOf(const Record& record) {
   std::vector<RecordedFinding> findings;
   for (const std::string& json : record.findings) {
+    if (diag::IsNestedTooDeep(json)) continue;
     rapidjson::Document document;
     document.Parse<rapidjson::kParseIterativeFlag>(json.data(), json.size());
     if (document.HasParseError() || !document.IsObject()) continue;
@@ -146,10 +147,15 @@ std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_
   Gathered gathered(shown);
   Record record;
   bool is_cut_off = false;
-  for (Outcome outcome = reader->Next(record); outcome != Outcome::kEnd;
+  Outcome outcome = reader->Next(record);
+  for (; outcome == Outcome::kRecord || outcome == Outcome::kBadLine;
        outcome = reader->Next(record)) {
     if (outcome == Outcome::kRecord) gathered.Add(record);
     is_cut_off = is_part && outcome == Outcome::kBadLine && reader->torn();
+  }
+  if (outcome == Outcome::kUnreadable) {
+    findings.Append(std::move(found));
+    return std::nullopt;
   }
   bad_lines = reader->bad_lines() - (is_cut_off ? 1 : 0);
   for (std::size_t i = 0; i < found.size() && i < bad_lines; ++i) {

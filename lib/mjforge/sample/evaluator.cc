@@ -141,10 +141,10 @@ void Evaluator::NoteOn(tape::Tape& tape) {
 
 void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies) {
   std::vector<double>& inputs = tape.Keep(std::vector<double>(variables_.size()));
-  notes_.reset(new Notes{.tape = tape,
-                         .is_sampled_first = false,
-                         .inputs = inputs,
-                         .places = std::vector<const double*>(variables_.size())});
+  notes_ = std::make_unique<Notes>(Notes{.tape = tape,
+                                         .is_sampled_first = false,
+                                         .inputs = inputs,
+                                         .places = std::vector<const double*>(variables_.size())});
   std::vector<const double*>& places = notes_->places;
   if (!places.empty()) places[0] = &variables_[0];
   const auto slot_varies = [&places](int slot) {

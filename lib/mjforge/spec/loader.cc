@@ -1,14 +1,13 @@
 // Files -> ObjectSpec: the spec itself, its imports, the specs it welds in, and
 // the settings given from outside.
 
-#include <openssl/evp.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/spec/locate.h"
 #include "mjforge/spec/reading.h"
 
@@ -20,19 +19,9 @@ using diag::Code;
 using diag::SourceMark;
 
 std::string Sha256OfAll(std::span<const std::uint32_t> files, const diag::Sources& sources) {
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
-                                                                  EVP_MD_CTX_free);
-  EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
-  for (const std::uint32_t file : files) {
-    const std::string& text = sources.Text(file);
-    EVP_DigestUpdate(context.get(), text.data(), text.size());
-  }
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  EVP_DigestFinal_ex(context.get(), digest.data(), &size);
-  std::string out;
-  for (unsigned i = 0; i < size; ++i) out += fmt::format("{:02x}", digest[i]);
-  return out;
+  bytes::Sha256 sha256;
+  for (const std::uint32_t file : files) sha256.Add(sources.Text(file));
+  return sha256.Take();
 }
 
 // What a load reads and must not read twice, shared with the specs welded in.
@@ -228,7 +217,7 @@ class SpecLoader : public NestedLoader {
       return shared_.source_ids[static_cast<std::size_t>(known - shared_.files.begin())];
     }
     std::string why_not;
-    auto text = ReadText(file, kMaxYamlBytes, why_not);
+    auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
     if (!text) {
       shared_.findings.Add(Code::kYamlCannotRead, mark,
                            fmt::format("cannot read '{}': {}", DisplayName(file), why_not));
@@ -261,7 +250,7 @@ void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sou
 void ParseParameterFile(const fs::path& file, std::vector<NamedNode>& out, diag::Sources& sources,
                         diag::Findings& findings) {
   std::string why_not;
-  auto text = ReadText(file, kMaxYamlBytes, why_not);
+  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
   if (!text) {
     findings.Add(Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': {}", file.string(), why_not));
@@ -339,7 +328,7 @@ std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOpt
     }
   }
   std::string why_not;
-  auto text = ReadText(file, kMaxYamlBytes, why_not);
+  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
   if (!text) {
     findings.Add(Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': {}", reference, why_not));

@@ -1,15 +1,11 @@
 #include "mjforge/spec/locate.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/spec/yaml.h"
@@ -46,20 +42,6 @@ std::vector<fs::path> YamlFilesBelow(const fs::path& folder) {
   return files;
 }
 
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int fd) : fd_(fd) {}
-  ~FileDescriptor() {
-    if (fd_ > STDIN_FILENO) ::close(fd_);
-  }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
 }  // namespace
 
 std::optional<fs::path> Locate(const std::string& reference, const fs::path& folder,
@@ -91,37 +73,8 @@ std::string NotFoundHint(const std::string& reference, std::span<const fs::path>
   return hint.empty() ? "`mjforge catalogue` lists the bundled specs" : hint;
 }
 
-std::optional<std::string> ReadText(const fs::path& file, std::size_t limit, std::string& why_not) {
-  const bool standard_input = file == "-";
-  std::error_code error;
-  if (!standard_input && fs::is_directory(file, error)) {
-    why_not = "it is a folder";
-    return std::nullopt;
-  }
-  // Not blocking: opening a pipe without a writer must not hang.
-  const FileDescriptor input(
-      standard_input ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (input.get() < 0) {
-    why_not = std::generic_category().message(errno);
-    return std::nullopt;
-  }
-  std::string text;
-  std::array<char, 1 << 16> buffer{};
-  while (text.size() <= limit) {
-    const ssize_t count = ::read(input.get(), buffer.data(), buffer.size());
-    if (count == 0) break;
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      why_not = std::generic_category().message(errno);
-      return std::nullopt;
-    }
-    text.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  return text;
-}
-
 std::string DisplayName(const fs::path& file) {
-  if (file == "-") return "<stdin>";
+  if (file == bytes::kStandardInput) return "<stdin>";
   std::error_code error;
   const fs::path here = fs::current_path(error);
   if (error || !file.is_absolute()) return file.lexically_normal().string();
@@ -134,7 +87,7 @@ std::vector<std::string> ListSpecs(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::path& file : YamlFilesBelow(folder)) {
     std::string why_not;
-    const auto text = ReadText(file, kMaxYamlBytes, why_not);
+    const auto text = bytes::ReadStart(file, kMaxYamlBytes, why_not);
     // A library of materials makes no object.
     if (!text) continue;
     if (text->find("\nparts:") == std::string::npos &&

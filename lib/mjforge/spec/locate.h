@@ -1,6 +1,6 @@
 #pragma once
 
-// Finds specs and imports, and reads their texts.
+// Finds specs and imports.
 
 #include <filesystem>
 #include <optional>
@@ -20,11 +20,6 @@ std::optional<std::filesystem::path> Locate(const std::string& reference,
 /// A hint for a reference that was not found: the nearest bundled name, or how to list them all.
 std::string NotFoundHint(const std::string& reference,
                          std::span<const std::filesystem::path> search_path);
-
-/// The content of a file, or of standard input for "-", at most `limit` + 1
-/// bytes. Nothing, and why, if it cannot be read.
-std::optional<std::string> ReadText(const std::filesystem::path& file, std::size_t limit,
-                                    std::string& why_not);
 
 /// The path as findings show it: relative to the working folder where it is below it.
 std::string DisplayName(const std::filesystem::path& file);

@@ -2,6 +2,8 @@
 
 #include "crate_batch.h"
 
+#include "mjforge/bytes/bytes.h"
+
 namespace mjforge::batch {
 namespace {
 
@@ -125,7 +127,7 @@ TEST_CASE("the manifest has a line for each variant, failed ones too") {
     CHECK(record->index == index);
     CHECK(record->file.empty() == (record->status == Status::kFailed));
     if (!record->file.empty()) {
-      CHECK(output::Sha256(test.folder.Read("out/" + record->file)) == record->sha256);
+      CHECK(bytes::Sha256Of(test.folder.Read("out/" + record->file)) == record->sha256);
     }
     rest.remove_prefix(rest.find('\n') + 1);
   }

@@ -39,5 +39,17 @@ TEST_CASE("texts are escaped where JSON wants it") {
                        "\xc3\xa9\"");
 }
 
+TEST_CASE("JSON that is nested too deep is told before it is read") {
+  const auto nested = [](int depth) {
+    return std::string(static_cast<std::size_t>(depth), '[') +
+           std::string(static_cast<std::size_t>(depth), ']');
+  };
+  CHECK_FALSE(IsNestedTooDeep(nested(kMaxJsonDepth)));
+  CHECK(IsNestedTooDeep(nested(kMaxJsonDepth + 1)));
+  CHECK(IsNestedTooDeep(std::string(200'000, '{')));
+  CHECK_FALSE(IsNestedTooDeep(R"({"a":")" + std::string(100, '[') + R"(\"[[[[[[[[[["})"));
+  CHECK_FALSE(IsNestedTooDeep("[" + std::string(1000, ' ') + "[],[],[]]"));
+}
+
 }  // namespace
 }  // namespace mjforge::diag

@@ -4,6 +4,8 @@
 
 #include "loaded_recipe.h"
 
+#include "mjforge/bytes/bytes.h"
+
 namespace mjforge::forge {
 namespace {
 
@@ -29,7 +31,7 @@ TEST_CASE("a variant is a file's text and a record of what it is") {
   CHECK(record.spec == "crate.yaml");
   CHECK(record.spec_sha256 == loaded.recipe.spec->sha256);
   CHECK(record.target == "mujoco");
-  CHECK(record.sha256 == output::Sha256(variant.document.text));
+  CHECK(record.sha256 == bytes::Sha256Of(variant.document.text));
   REQUIRE(record.params.size() == 2);
   CHECK(record.params[0].first == "height");
   const double height = std::get<double>(record.params[0].second);

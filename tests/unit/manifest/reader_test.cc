@@ -99,7 +99,7 @@ TEST_CASE_METHOD(ReaderTest, "what cannot be read is a finding") {
   REQUIRE(findings.size() == 2);
   CHECK(findings[0].message ==
         "cannot read '" + (folder / "none.jsonl").string() + "': No such file or directory");
-  CHECK(findings[1].message == "cannot read '" + folder.path().string() + "': Is a directory");
+  CHECK(findings[1].message == "cannot read '" + folder.path().string() + "': it is a folder");
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST_CASE("files that cannot be meshes are refused with a reason") {
     return why_not;
   };
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  CHECK(reason(folder / "mjforge_nowhere.obj") == "not a readable file");
+  CHECK(reason(folder / "mjforge_nowhere.obj") == "No such file or directory");
   CHECK(reason(TemporaryFile("a.ply", "ply").path()) == "ending '.ply' is neither .obj nor .stl");
   CHECK(reason(TemporaryFile("empty.stl", "").path()) == "empty file");
   CHECK(reason(TemporaryFile("words.obj", "these are words\n").path()) == "no triangles");
@@ -159,7 +159,7 @@ TEST_CASE("a folder is not a mesh") {
   std::filesystem::create_directory(folder);
   std::string why_not;
   CHECK_FALSE(ReadMesh(folder, Eigen::Vector3d::Ones(), why_not));
-  CHECK(why_not == "not a readable file");
+  CHECK(why_not == "it is a folder");
   std::filesystem::remove(folder);
 }
 

@@ -46,14 +46,14 @@ TEST_CASE("what is written can be read back") {
   diag::Findings findings;
   const std::string text(300'000, 'x');
   REQUIRE(WriteFile(folder / "big", text, false, findings));
-  CHECK(ReadFile(folder / "big", findings) == text);
+  CHECK(ReadFile(folder / "big", text.size(), findings) == text);
 }
 
 TEST_CASE("a file that cannot be read is a finding") {
   const TemporaryFolder folder;
   diag::Findings findings;
   const auto file = folder / "none";
-  CHECK_FALSE(ReadFile(file, findings).has_value());
+  CHECK_FALSE(ReadFile(file, 1, findings).has_value());
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kYamlCannotRead);
   CHECK(findings[0].message == "cannot read '" + file.string() + "': No such file or directory");

@@ -1,0 +1,101 @@
+#pragma once
+
+// Bytes of files, read within limits, and their hashes. Only regular files are read: a pipe may
+// never end, and a device may hold anything. Standard input, which the user chose, is the
+// exception.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mjforge::bytes {
+
+/// The name of standard input.
+inline constexpr const char* kStandardInput = "-";
+
+/// More than any of these is not read: a file of MJCF; an asset (mesh, texture); a line of a
+/// manifest, of a journal. (YAML: spec::kMaxYamlBytes.)
+inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
+inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
+inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;
+
+/// An open file, read from its start on.
+class File {
+ public:
+  /// Nothing, and why ("No such file or directory", "it is a pipe"), if it is not a regular file or
+  /// cannot be opened.
+  static std::optional<File> Open(const std::filesystem::path& file, std::string& why_not);
+
+  File(File&& other) noexcept;
+  File& operator=(File&& other) noexcept;
+  ~File();
+
+  /// Fills `buffer` unless the file ends before, and returns how many bytes were read; nothing, and
+  /// why, if reading fails.
+  std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
+
+ private:
+  explicit File(int descriptor) : descriptor_(descriptor) {}
+
+  int descriptor_;
+};
+
+/// The content of a file or of standard input (the same each time); nothing, and why, if it cannot
+/// be read or has more than `limit` bytes.
+std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t limit,
+                                std::string& why_not);
+/// At most the first `limit` bytes.
+std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
+                                     std::string& why_not);
+
+/// Whether it is a regular file (or standard input) of at most `limit` bytes; else why not.
+bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);
+
+/// The lines of a file one after the other, in constant memory.
+class Lines {
+ public:
+  static std::optional<Lines> Open(const std::filesystem::path& file, std::string& why_not);
+
+  /// Replaces `line` with the next one, without its end. False at the end of the file, and where it
+  /// cannot be read on: then `why_not` says why.
+  bool Next(std::string& line, std::string& why_not);
+  /// Whether the last line has no line end, because it was still being written.
+  bool torn() const { return torn_; }
+
+ private:
+  explicit Lines(File file);
+
+  File file_;
+  std::string buffer_;
+  std::size_t begin_ = 0;  // of what is left in the buffer
+  std::size_t end_ = 0;
+  bool at_end_ = false;
+  bool torn_ = false;
+};
+
+/// SHA-256 of bytes that come piece by piece.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void Add(std::string_view bytes);
+  /// In hexadecimal; starts anew.
+  std::string Take();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Of all bytes, in hexadecimal.
+std::string Sha256Of(std::string_view bytes);
+
+}  // namespace mjforge::bytes

@@ -1,0 +1,147 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "mjforge/bytes/bytes.h"
+
+namespace mjforge::bytes {
+namespace {
+
+std::string Words(int error) { return std::generic_category().message(error); }
+
+// Empty for a regular file.
+std::string_view KindOf(::mode_t mode) {
+  if (S_ISREG(mode)) return {};
+  if (S_ISDIR(mode)) return "it is a folder";
+  if (S_ISFIFO(mode)) return "it is a pipe; '-' stands for standard input";
+  if (S_ISSOCK(mode)) return "it is a socket";
+  return "it is a device";
+}
+
+bool IsRegular(const struct stat& status, std::string& why_not) {
+  why_not = KindOf(status.st_mode);
+  return why_not.empty();
+}
+
+std::string TooLong(std::uint64_t limit) {
+  return limit >= 1 << 20 ? fmt::format("it has more than {} MiB", limit >> 20)
+                          : fmt::format("it has more than {} bytes", limit);
+}
+
+std::optional<std::size_t> ReadFrom(int descriptor, std::span<char> buffer, std::string& why_not) {
+  std::size_t count = 0;
+  while (count < buffer.size()) {
+    const ssize_t got = ::read(descriptor, buffer.data() + count, buffer.size() - count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) {
+      why_not = Words(errno);
+      return std::nullopt;
+    }
+    if (got == 0) break;
+    count += static_cast<std::size_t>(got);
+  }
+  return count;
+}
+
+// Up to `limit` bytes in all. What was read is kept: several readers may ask for it.
+std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& why_not) {
+  static std::string text;
+  static bool at_end = false;
+  while (!at_end && text.size() < limit) {
+    std::array<char, 16 * 1024> buffer;
+    const std::size_t wanted = std::min<std::uint64_t>(buffer.size(), limit - text.size());
+    const std::optional<std::size_t> count =
+        ReadFrom(STDIN_FILENO, std::span(buffer).first(wanted), why_not);
+    if (!count) return std::nullopt;
+    text.append(buffer.data(), *count);
+    at_end = *count < wanted;
+  }
+  return text.substr(0, limit);
+}
+
+}  // namespace
+
+std::optional<File> File::Open(const std::filesystem::path& file, std::string& why_not) {
+  // Opening a pipe waits, and opening a device may do something.
+  struct stat status;
+  if (::stat(file.c_str(), &status) != 0) {
+    why_not = Words(errno);
+    return std::nullopt;
+  }
+  if (!IsRegular(status, why_not)) return std::nullopt;
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor < 0) {
+    why_not = Words(errno);
+    return std::nullopt;
+  }
+  File opened(descriptor);
+  // It may have become something else in between.
+  if (::fstat(descriptor, &status) != 0 || !IsRegular(status, why_not)) return std::nullopt;
+  return opened;
+}
+
+File::File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+File& File::operator=(File&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+File::~File() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::optional<std::size_t> File::Read(std::span<char> buffer, std::string& why_not) {
+  return ReadFrom(descriptor_, buffer, why_not);
+}
+
+std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
+                                     std::string& why_not) {
+  if (file == kStandardInput) return ReadStandardInput(limit, why_not);
+  std::optional<File> opened = File::Open(file, why_not);
+  if (!opened) return std::nullopt;
+  std::string text;
+  while (text.size() < limit) {
+    constexpr std::uint64_t kLeast = 16 * 1024;
+    const std::size_t size = text.size();
+    text.resize(std::min(limit, size + std::max<std::uint64_t>(size, kLeast)));
+    const std::span<char> room = std::span(text).subspan(size);
+    const std::optional<std::size_t> count = opened->Read(room, why_not);
+    if (!count) return std::nullopt;
+    text.resize(size + *count);
+    if (*count < room.size()) break;
+  }
+  return text;
+}
+
+std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t limit,
+                                std::string& why_not) {
+  std::optional<std::string> text = ReadStart(file, limit + 1, why_not);
+  if (text && text->size() > limit) {
+    why_not = TooLong(limit);
+    return std::nullopt;
+  }
+  return text;
+}
+
+bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not) {
+  if (file == kStandardInput) return true;
+  struct stat status;
+  if (::stat(file.c_str(), &status) != 0) {
+    why_not = Words(errno);
+    return false;
+  }
+  if (!IsRegular(status, why_not)) return false;
+  if (static_cast<std::uint64_t>(status.st_size) <= limit) return true;
+  why_not = TooLong(limit);
+  return false;
+}
+
+}  // namespace mjforge::bytes
