@@ -30,6 +30,7 @@ struct GenerateOptions : ManyOptions {
   std::string validate = "load";
   std::string on_invalid = "fail";
   std::string sampler = "random";
+  std::string durability = "batch";
   bool verbose = false;
   MakeOptions make;
 };
@@ -101,6 +102,10 @@ void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--shard", options.shard, "Part I (from 0) of the N parts of the batch")
       ->option_text("I/N");
   command.add_flag("--resume", options.request.resume, "Continue what an earlier run left");
+  command.add_flag("--verify", options.request.verify,
+                   "With --resume: read finished archives, too");
+  AddWord(command, "--durability", options.durability, output::kDurabilities,
+          "What outlives a power cut");
   command.add_flag("--if-changed", options.request.if_changed, "Leave unchanged files alone");
   command.add_flag("--force", options.request.force, "Overwrite files that mjforge did not make");
 }
@@ -130,6 +135,8 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   request.variant.sampler = *sample::FindMethod(options.sampler);
   request.variant.validation = *manifest::Find<forge::Validation>(options.validate);
   request.variant.on_invalid = *manifest::Find<forge::OnInvalid>(options.on_invalid);
+  request.durability =
+      options.durability == "none" ? output::Durability::kNone : output::Durability::kBatch;
   request.all_or_nothing = options.make.wanted();
   const auto destination = output::ParseDestination(options.output, options.per_archive, why_not);
   if (!destination) {

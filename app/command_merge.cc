@@ -10,7 +10,7 @@
 namespace mjforge::app {
 namespace {
 
-ExitStatus Merge(const std::string& place, Console& console) {
+ExitStatus Merge(const std::string& place, bool verify, Console& console) {
   using Kind = output::Destination::Kind;
   std::string why_not;
   const auto destination = output::ParseDestination(place, 1, why_not);
@@ -19,7 +19,7 @@ ExitStatus Merge(const std::string& place, Console& console) {
     return WrongUsage(fmt::format("'{}' is neither a folder nor a series of archives", place),
                       "merge");
   }
-  const auto count = batch::Merge(*destination, console.sources, console.findings);
+  const auto count = batch::Merge(*destination, verify, console.sources, console.findings);
   const ExitStatus status = console.Tell();
   if (count)
     console.Say(fmt::format("{} variants in {}", *count, destination->Manifest({}).string()));
@@ -29,11 +29,16 @@ ExitStatus Merge(const std::string& place, Console& console) {
 }  // namespace
 
 Action AddMerge(CLI::App& command) {
-  auto output = std::make_shared<std::string>();
-  command.add_option("OUT", *output, "Where the shards went: the value of generate's -o")
+  struct Options {
+    std::string output;
+    bool verify = false;
+  };
+  auto options = std::make_shared<Options>();
+  command.add_option("OUT", options->output, "Where the shards went: the value of generate's -o")
       ->required()
       ->option_text(" ");
-  return [output](Console& console) { return Merge(*output, console); };
+  command.add_flag("--verify", options->verify, "Read archives and objects, too");
+  return [options](Console& console) { return Merge(options->output, options->verify, console); };
 }
 
 }  // namespace mjforge::app

@@ -49,6 +49,10 @@ constexpr Command kCommands[] = {
     {"merge", "Join the manifests of all shards of a batch", AddMerge,
      "  mjforge merge out/\n"
      "  mjforge merge 'hammers_%05d.tar.zst'"},
+    {"verify", "Read a batch again: is all as it was made?", AddVerify,
+     "  mjforge verify out/\n"
+     "  mjforge verify hammers.manifest.jsonl\n"
+     "  mjforge verify hammers_00003.tar.zst"},
     {"replay", "Regenerate a variant and compare the bytes", AddReplay,
      "  mjforge replay out/manifest.jsonl:42\n"
      "  mjforge replay out/hammer_000042.xml --spec old/hammer.yaml"},

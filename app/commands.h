@@ -23,6 +23,7 @@ Action AddValidate(CLI::App& command);
 Action AddPreview(CLI::App& command);
 Action AddView(CLI::App& command);
 Action AddMerge(CLI::App& command);
+Action AddVerify(CLI::App& command);
 Action AddReplay(CLI::App& command);
 Action AddReport(CLI::App& command);
 Action AddCatalogue(CLI::App& command);

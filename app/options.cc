@@ -1,15 +1,13 @@
 #include "options.h"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <limits>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::app {
@@ -54,34 +52,6 @@ CLI::Option* AddBounded(CLI::App& command, const std::string& flags,
   return command.add_option_function<std::string>(flags, set, doc)->check(check);
 }
 
-// More is neither a spec nor a model, but something that does not end.
-constexpr std::size_t kMost = std::size_t{1} << 28;
-
-std::string ReadAll() {
-  std::string text;
-  std::array<char, 1 << 16> buffer;
-  while (text.size() < kMost) {
-    const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    text.append(buffer.data(), static_cast<std::size_t>(got));
-  }
-  return text;
-}
-
-// Puts a file of the same content, in memory, in its place.
-bool KeepAndLook() {
-  const std::string text = ReadAll();
-  const int file = ::memfd_create("stdin", 0);
-  if (file < 0 || ::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
-      ::lseek(file, 0, SEEK_SET) != 0 || ::dup2(file, STDIN_FILENO) < 0) {
-    return false;
-  }
-  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // and the mark of UTF-8
-  const std::size_t first = text.find_first_not_of(kBlank);
-  return first != text.npos && text[first] == '<';
-}
-
 }  // namespace
 
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
@@ -116,8 +86,11 @@ std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptio
 
 bool IsMjcf(const std::string& what) {
   if (what != "-") return what.ends_with(".xml");
-  static const bool is_mjcf = KeepAndLook();
-  return is_mjcf;
+  std::string why_not;
+  const auto text = bytes::ReadStart(what, bytes::kMaxMjcf, why_not);
+  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // and the mark of UTF-8
+  const std::size_t first = text ? text->find_first_not_of(kBlank) : std::string::npos;
+  return first != std::string::npos && (*text)[first] == '<';
 }
 
 void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc) {

@@ -20,7 +20,7 @@ TEST_CASE_METHOD(CrateTest, "without -o a batch goes into a folder of the object
   CHECK(result.out.empty());
   CHECK(WithoutSeconds(result.err) == "2 variants of crate in crate/: 2 ok (T s)\n");
   CHECK(folder().Files() == Files{"crate.yaml", "crate/crate_000000.xml", "crate/crate_000001.xml",
-                                  "crate/manifest.jsonl"});
+                                  "crate/manifest.jsonl", "crate/manifest.seal.json"});
 }
 
 TEST_CASE_METHOD(CrateTest, "with -o x.xml writes exactly that file") {
@@ -50,8 +50,9 @@ TEST_CASE_METHOD(CrateTest, "several specs give one folder each") {
                  "mjforge: 1\nname: ball\nparts: [{name: a, type: sphere, size: 1}]\n");
   REQUIRE(Run({"generate", "crate.yaml", "ball.yaml", "-q", "-o", "out"}).status == 0);
   CHECK(folder().Files() == Files{"ball.yaml", "crate.yaml", "out/ball/ball_000000.xml",
-                                  "out/ball/manifest.jsonl", "out/crate/crate_000000.xml",
-                                  "out/crate/manifest.jsonl"});
+                                  "out/ball/manifest.jsonl", "out/ball/manifest.seal.json",
+                                  "out/crate/crate_000000.xml", "out/crate/manifest.jsonl",
+                                  "out/crate/manifest.seal.json"});
 }
 
 TEST_CASE_METHOD(CrateTest, "if one of several specs has a mistake nothing is written") {
@@ -94,7 +95,7 @@ TEST_CASE_METHOD(CrateTest, "with --set pins and re-ranges a parameter, --params
 TEST_CASE_METHOD(CrateTest, "with --name renames the object and its files") {
   REQUIRE(Run({"generate", "crate.yaml", "-q", "-n", "2", "--name", "b${index}x"}).status == 0);
   CHECK(folder().Files() == Files{"crate.yaml", "crate/b0x_000000.xml", "crate/b1x_000001.xml",
-                                  "crate/manifest.jsonl"});
+                                  "crate/manifest.jsonl", "crate/manifest.seal.json"});
   CHECK(folder().Read("crate/b1x_000001.xml").find("\"b1x_body\"") != std::string::npos);
 }
 
@@ -144,7 +145,7 @@ TEST_CASE_METHOD(UnluckyCrateTest, "with --on-invalid resample draws them again"
       Run({"generate", "crate.yaml", "-q", "-n", "20", "-o", "out", "--on-invalid", "resample"});
   CHECK(result.status == 0);
   CHECK(result.err.empty());
-  CHECK(folder().Files().size() == 22);
+  CHECK(folder().Files().size() == 23);
 }
 
 TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its records") {

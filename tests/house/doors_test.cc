@@ -46,8 +46,8 @@ const std::array kRooms = {
     Room{"picture", {"diag", "model", "engine", "compiled"}},
     Room{"report", {"diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
     Room{"app",
-         {"diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics", "manifest",
-          "output", "forge", "batch", "picture", "report"}},
+         {"bytes", "diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics",
+          "manifest", "output", "forge", "batch", "picture", "report"}},
 };
 
 struct Library {
@@ -87,7 +87,7 @@ const std::array kLibraries = {
     Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},
     Library{"webp/", {"picture"}},
-    Library{"xxhash.h", {"expr", "sample"}},
+    Library{"xxhash.h", {"bytes", "expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},
     Library{"zlib.h", {"picture"}},
 };

@@ -1,54 +1,15 @@
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
+#include <span>
 
+#include "mjforge/batch/ledger.h"
+#include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
 namespace {
-
-// How far manifest and archives are at the end of a chunk. The journal has a line
-// for each; before it, lines "+ NAME" of the assets that came into the archive.
-struct Position {
-  std::uint64_t next = 0;  // index
-  std::uint64_t manifest_bytes = 0;
-  std::uint64_t archive = 0;
-  std::uint64_t archive_bytes = 0;
-  std::set<std::string> assets;  // in the archive
-};
-
-std::string Line(const Position& position) {
-  return fmt::format("{} {} {} {}\n", position.next, position.manifest_bytes, position.archive,
-                     position.archive_bytes);
-}
-
-std::vector<Position> ReadJournal(const std::filesystem::path& file) {
-  std::vector<Position> positions;
-  std::set<std::string> assets;
-  std::ifstream journal(file, std::ios::binary);
-  std::string line;
-  while (std::getline(journal, line) && !journal.eof()) {
-    if (line.starts_with("+ ")) {
-      assets.insert(line.substr(2));
-      continue;
-    }
-    Position position;
-    std::istringstream words(line);
-    words.imbue(std::locale::classic());
-    if (!(words >> position.next >> position.manifest_bytes >> position.archive >>
-          position.archive_bytes)) {
-      break;
-    }
-    if (position.archive_bytes == 0) assets.clear();
-    position.assets = assets;
-    positions.push_back(std::move(position));
-  }
-  return positions;
-}
 
 class ArchiveSink : public Sink {
  public:
@@ -56,22 +17,21 @@ class ArchiveSink : public Sink {
       : options_(options),
         request_(options.request),
         destination_(request_.destination),
-        file_(destination_.Manifest(request_.shard)) {}
+        ledger_(options) {}
 
   std::optional<Kept> Open(diag::Findings& findings) override {
-    if (!folders_.Make(destination_.Folder(), findings)) return std::nullopt;
-    if (!MayReplaceManifest(file_, request_.force, findings)) return std::nullopt;
-    std::error_code ignored;
-    ours_ = request_.force || output::PartFile::Exists(file_) ||
-            std::filesystem::exists(file_, ignored) ||
-            std::filesystem::exists(destination_.Manifest({}), ignored);
-    manifest_ = output::PartFile::Open(file_, findings);
-    if (!manifest_) return std::nullopt;
-    journal_ = output::PartFile::Open(file_.string() + ".journal", findings);
-    if (!journal_) return std::nullopt;
-    const bool is_begun = manifest_->size() > 0 || journal_->size() > 0;
-    const bool is_finished = !is_begun && std::filesystem::exists(file_, ignored);
-    return request_.resume && is_finished ? ContinueFinished(findings) : Continue(findings);
+    if (!folders_.Make(destination_.Folder(), findings) || !ledger_.Open(findings))
+      return std::nullopt;
+    position_.next = options_.range.first;
+    position_.archive = FirstArchive();
+    Kept nothing;
+    std::optional<Kept> kept = !request_.resume     ? nothing
+                               : ledger_.is_begun() ? Continue(findings)
+                               : ledger_.former()   ? ContinueFinished(findings)
+                                                    : nothing;
+    if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
+    if (!kept || (kept->done() == 0 && !Start(findings))) return std::nullopt;
+    return kept;
   }
 
   bool Take(Result& result, diag::Findings& findings) override {
@@ -85,13 +45,14 @@ class ArchiveSink : public Sink {
     if (result.chunk.archive != position_.archive && !NextArchive(result.chunk.archive, findings))
       return false;
     if (!archive_ && !OpenArchive(0, findings)) return false;
-    std::string journal;
-    if (!AppendAssets(result, journal, findings)) return false;
-    if (!archive_->Append(result.segment, findings) || !manifest_->Append(result.lines, findings)) {
+    std::vector<std::string> assets;
+    if (!AppendAssets(result, assets, findings) || !archive_->Append(result.segment, findings) ||
+        !ledger_.Append(result.lines, findings)) {
       return false;
     }
     position_.next = result.chunk.end();
-    return Note(journal, findings);
+    position_.part = {archive_->size(), archive_->checksum()};
+    return ledger_.Note(position_, assets, findings);
   }
 
   bool Finish(diag::Findings& findings) override {
@@ -99,16 +60,13 @@ class ArchiveSink : public Sink {
       Drop();
       return true;
     }
-    if (options_.range.count > 0 && !CloseArchive(findings)) return false;
-    if (!manifest_->Commit(request_.if_changed || request_.resume, findings)) return false;
-    journal_->Drop();
-    return true;
+    const bool is_open = options_.range.count > 0 && !has_closed_last_;
+    return (!is_open || CloseArchive(findings)) && ledger_.Finish(findings);
   }
 
   void Drop() override {
     if (archive_) archive_->Drop();
-    manifest_->Drop();
-    journal_->Drop();
+    ledger_.Drop();
   }
 
  private:
@@ -117,73 +75,115 @@ class ArchiveSink : public Sink {
     return destination_.per_archive == 0 ? 0 : before / destination_.per_archive;
   }
 
-  // Of a finished batch nothing is left to do, or everything: where an archive is gone.
+  bool Start(diag::Findings& findings) {
+    return ledger_.Start(findings) && ledger_.Note(position_, {}, findings);
+  }
+
+  // Of a finished batch nothing is left to do, or everything: where something was changed.
   std::optional<Kept> ContinueFinished(diag::Findings& findings) {
-    const auto is_there = [&](const manifest::Record& record) {
-      std::error_code ignored;
-      return record.status != Status::kOk ||
-             std::filesystem::exists(destination_.Folder() / record.archive, ignored);
-    };
-    const std::optional<Kept> kept = ReadKept(file_, options_, is_there, findings);
-    if (!kept) {
-      Drop();  // made just now
+    const manifest::Seal& seal = *ledger_.former();
+    if (const std::string difference = ledger_.DifferenceOfFormer(); !difference.empty()) {
+      AddDiffers(ledger_.file(), difference, findings);
       return std::nullopt;
     }
+    std::string why_not;
+    const bool is_sound =
+        bytes::IsSound(ledger_.file(), seal.manifest.whole, why_not) &&
+        std::ranges::all_of(seal.archives, [&](const auto& file) { return IsThere(file); });
+    if (!is_sound) return Kept();
+    const auto is_good = [](const manifest::Record&) { return true; };
+    const std::optional<Kept> kept = ReadKept(ledger_.file(), options_, is_good, findings);
+    if (!kept) return std::nullopt;
     is_complete_ = kept->done() == options_.range.count;
-    return is_complete_ ? kept : Continue(findings);
+    return is_complete_ ? kept : Kept();
   }
 
+  // From the last position that manifest, archives and records bear out.
   std::optional<Kept> Continue(diag::Findings& findings) {
-    position_ = {.next = options_.range.first, .archive = FirstArchive(), .assets = {}};
-    Kept kept;
-    if (request_.resume) {
-      const auto is_good = [](const manifest::Record&) { return true; };
-      const std::optional<Kept> whole =
-          ReadKept(manifest_->temporary(), options_, is_good, findings);
-      if (!whole) return std::nullopt;
-      GoBackTo(options_.range.first + whole->done());
-      // Again, for the counts at that place.
-      kept =
-          *ReadKept(manifest_->temporary(), options_, is_good, findings, position_.manifest_bytes);
+    const std::vector<Position>& positions = ledger_.positions();
+    if (positions.empty()) return Kept();
+    const auto is_good = [](const manifest::Record&) { return true; };
+    const std::optional<Kept> whole =
+        ReadKept(ledger_.part(), options_, is_good, findings, positions.back().manifest.size);
+    if (!whole) return std::nullopt;
+    const std::optional<Position> position = LastSound(options_.range.first + whole->done());
+    if (!position || position->next == options_.range.first) return Kept();
+    // Again, for the counts at that place.
+    const std::optional<Kept> kept =
+        ReadKept(ledger_.part(), options_, is_good, findings, position->manifest.size);
+    has_closed_last_ = IsClosed(*position);
+    const manifest::SealedFile last =
+        has_closed_last_ ? ledger_.closed().back() : manifest::SealedFile();
+    if (!ledger_.GoBackTo(*position, findings)) return std::nullopt;
+    position_ = *position;
+    if (has_closed_last_) return ledger_.NoteClosed(last, findings) ? kept : std::nullopt;
+    for (const Position& start : positions) {
+      if (start.archive != position_.archive || start.next > position_.next) continue;
+      assets_.insert(ledger_.assets().begin() + static_cast<std::ptrdiff_t>(start.assets),
+                     ledger_.assets().end());
+      break;
     }
-    if (!manifest_->Truncate(position_.manifest_bytes, findings)) return std::nullopt;
-    if (position_.archive_bytes > 0 && !OpenArchive(position_.archive_bytes, findings))
-      return std::nullopt;
-    // The journal is written anew: what came after the place is not so any more.
-    std::string lines;
-    for (const std::string& name : position_.assets) lines += fmt::format("+ {}\n", name);
-    lines += Line(position_);
-    if (!journal_->Truncate(0, findings) || !journal_->Append(lines, findings)) return std::nullopt;
-    return kept;
+    const bool is_open = position_.part.size == 0 || OpenArchive(position_.part.size, findings);
+    return is_open ? kept : std::nullopt;
   }
 
-  // The last place in the journal that files and records bear out.
-  void GoBackTo(std::uint64_t most) {
-    const std::vector<Position> positions = ReadJournal(journal_->temporary());
-    for (auto position = positions.rbegin(); position != positions.rend(); ++position) {
-      if (position->next <= most && position->manifest_bytes <= manifest_->size() &&
-          IsThere(*position)) {
-        position_ = *position;
-        return;
-      }
+  std::optional<Position> LastSound(std::uint64_t most) const {
+    std::vector<Position> candidates;  // of one archive, the last that can be gone on with
+    for (const Position& position : ledger_.positions()) {
+      if (position.next > most || !IsEndOfSegment(position)) continue;
+      if (!AreClosedThere(position)) break;
+      if (!candidates.empty() && candidates.back().archive != position.archive) candidates.clear();
+      candidates.push_back(position);
     }
+    if (!candidates.empty() && IsClosed(candidates.back())) return candidates.back();
+    std::vector<bytes::Prefix> prefixes;
+    for (const Position& position : candidates) prefixes.push_back(position.part);
+    // The first is the archive's start, which needs nothing.
+    if (candidates.empty()) return std::nullopt;
+    const std::filesystem::path part =
+        output::PartFile::NameOf(destination_.Archive(candidates.front().archive));
+    const std::size_t sound =
+        bytes::CountSound(part, std::span<const bytes::Prefix>(prefixes).subspan(1));
+    return candidates[sound];
   }
 
-  bool IsThere(const Position& position) const {
-    std::error_code error;
-    for (std::uint64_t i = FirstArchive(); i < position.archive; ++i) {
-      if (!std::filesystem::exists(destination_.Archive(i), error)) return false;
-    }
-    if (position.archive_bytes == 0) return true;
-    const auto size = std::filesystem::file_size(
-        output::PartFile::NameOf(destination_.Archive(position.archive)), error);
-    return !error && size >= position.archive_bytes;
+  // A larger batch goes on where a whole segment of it ends.
+  bool IsEndOfSegment(const Position& position) const {
+    if (position.next == options_.range.first + options_.range.count) return true;
+    const std::uint64_t made = position.next - options_.all.first;
+    const std::uint64_t in_archive =
+        destination_.per_archive == 0 ? made : made % destination_.per_archive;
+    return in_archive % kSegmentVariants == 0;
+  }
+
+  bool AreClosedThere(const Position& position) const {
+    const std::vector<manifest::SealedFile>& closed = ledger_.closed();
+    return position.closed == position.archive - FirstArchive() &&
+           std::all_of(closed.begin(),
+                       closed.begin() + static_cast<std::ptrdiff_t>(position.closed),
+                       [&](const auto& file) { return IsThere(file); });
+  }
+
+  // Whether it is the last of all, and its archive has its name, too.
+  bool IsClosed(const Position& position) const {
+    const std::vector<manifest::SealedFile>& closed = ledger_.closed();
+    return position.next == options_.range.first + options_.range.count &&
+           closed.size() == position.closed + 1 && IsThere(closed.back());
+  }
+
+  bool IsThere(const manifest::SealedFile& archive) const {
+    const std::filesystem::path file = destination_.Folder() / archive.file;
+    std::string why_not;
+    if (request_.verify) return bytes::IsSound(file, archive.whole, why_not);
+    return bytes::HasSize(file, archive.whole.size, why_not);
   }
 
   bool OpenArchive(std::uint64_t bytes, diag::Findings& findings) {
     const std::filesystem::path file = destination_.Archive(position_.archive);
     std::error_code ignored;
-    if (!ours_ && std::filesystem::exists(file, ignored)) {
+    if (!request_.force &&
+        std::filesystem::exists(std::filesystem::symlink_status(file, ignored)) &&
+        !ledger_.HasMade(file.filename().string())) {
       output::AddForeign(file, findings);
       return false;
     }
@@ -193,8 +193,11 @@ class ArchiveSink : public Sink {
 
   bool CloseArchive(diag::Findings& findings) {
     if (!archive_ && !OpenArchive(0, findings)) return false;
-    const bool closed = archive_->Append(output::ArchiveEnd(destination_.format), findings) &&
-                        archive_->Commit(request_.if_changed, findings);
+    if (!archive_->Append(output::ArchiveEnd(destination_.format), findings)) return false;
+    const std::string name = destination_.Archive(position_.archive).filename().string();
+    const bool closed =
+        ledger_.NoteClosed({name, {archive_->size(), archive_->checksum()}}, findings) &&
+        archive_->Commit(request_.if_changed, request_.durability, findings);
     if (closed) archive_.reset();
     return closed;
   }
@@ -202,44 +205,38 @@ class ArchiveSink : public Sink {
   bool NextArchive(std::uint64_t number, diag::Findings& findings) {
     if (!CloseArchive(findings)) return false;
     position_.archive = number;
-    position_.archive_bytes = 0;
-    position_.assets.clear();
-    return journal_->Append(Line(position_), findings);
+    position_.part = {};
+    assets_.clear();
+    return ledger_.Note(position_, {}, findings);
   }
 
   // Before the first object that refers to them.
-  bool AppendAssets(const Result& result, std::string& journal, diag::Findings& findings) {
+  bool AppendAssets(const Result& result, std::vector<std::string>& added,
+                    diag::Findings& findings) {
     for (const auto& [name, source] : result.assets) {
-      if (position_.assets.contains(name)) continue;
+      if (assets_.contains(name)) continue;
       const std::optional<std::string> bytes = output::ReadFile(source, bytes::kMaxAsset, findings);
       output::Segment segment(destination_.format);
       if (!bytes || !segment.Add(name, *bytes, findings) ||
           !archive_->Append(segment.Take(), findings)) {
         return false;
       }
-      position_.assets.insert(name);
-      journal += fmt::format("+ {}\n", name);
+      assets_.insert(name);
+      added.push_back(name);
     }
     return true;
-  }
-
-  bool Note(const std::string& journal, diag::Findings& findings) {
-    position_.manifest_bytes = manifest_->size();
-    position_.archive_bytes = archive_->size();
-    return journal_->Append(journal + Line(position_), findings);
   }
 
   SinkOptions options_;
   const Request& request_;
   const output::Destination& destination_;
-  std::filesystem::path file_;
-  output::MadeFolders folders_;
-  std::unique_ptr<output::PartFile> manifest_;
-  std::unique_ptr<output::PartFile> journal_;
+  output::MadeFolders folders_;  // goes after what is in them
+  Ledger ledger_;
   std::unique_ptr<output::PartFile> archive_;
   Position position_;
-  bool ours_ = false;         // an older batch was here, whose archives may be replaced
-  bool is_complete_ = false;  // by an earlier run
+  std::set<std::string> assets_;  // in the archive at hand
+  bool is_complete_ = false;      // by an earlier run
+  bool has_closed_last_ = false;  // by an earlier run, which did not get further
 };
 
 }  // namespace

@@ -29,6 +29,8 @@ struct Request {
   bool force = false;       // replace files that mjforge did not make
   bool if_changed = false;  // leave files that would get the same bytes alone
   bool resume = false;      // go on with what an earlier run left
+  bool verify = false;      // to resume: read finished archives again, too
+  output::Durability durability = output::Durability::kBatch;
   /// A manifest or archive gets its name only if no variant failed, as Make expects of a target.
   bool all_or_nothing = false;
 
@@ -89,9 +91,24 @@ struct Range {
 Range RangeOf(const output::Shard& shard, const Range& all, const output::Destination& destination);
 
 /// Joins the manifests of all shards beside or in `destination` into one, if they belong to one
-/// batch and none is missing. Returns the number of variants; nothing, and findings, if that cannot
-/// be done.
-std::optional<std::uint64_t> Merge(const output::Destination& destination, diag::Sources& sources,
-                                   diag::Findings& findings);
+/// batch and none is missing. What the shards' seals vouch for is checked: manifests and that all
+/// files are there, archives with their size; with `verify`, the bytes of all. Returns the number
+/// of variants; nothing, and findings, if that cannot be done.
+std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
+                                   diag::Sources& sources, diag::Findings& findings);
+
+/// What was read and found as it was when its batch was done.
+struct Verified {
+  std::uint64_t batches = 0;  // shards count as batches
+  std::uint64_t variants = 0;
+  std::uint64_t files = 0;  // manifests, archives, objects
+  std::uint64_t more_findings = 0;
+};
+
+/// Reads everything that seals vouch for: all batches in a folder, the batch of a manifest or of
+/// its seal, or one archive. What is missing or was changed is a finding, up to kMaxFindings of
+/// them.
+Verified Verify(const std::filesystem::path& what, diag::Sources& sources,
+                diag::Findings& findings);
 
 }  // namespace mjforge::batch

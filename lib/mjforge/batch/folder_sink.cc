@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "mjforge/batch/ledger.h"
 #include "mjforge/batch/sink.h"
 #include "mjforge/bytes/bytes.h"
 
@@ -15,19 +15,18 @@ class FolderSink : public Sink {
       : options_(options),
         request_(options.request),
         folder_(request_.destination.Folder()),
-        file_(request_.destination.Manifest(request_.shard)) {}
+        ledger_(options) {}
 
   std::optional<Kept> Open(diag::Findings& findings) override {
     if (!folders_.Make(folder_, findings)) return std::nullopt;
-    if (!MayReplaceManifest(file_, request_.force, findings)) return std::nullopt;
     std::error_code ignored;
-    replaces_ = std::filesystem::exists(file_, ignored) || output::PartFile::Exists(file_);
-    part_ = output::PartFile::Open(file_, findings);
-    if (!part_) return std::nullopt;
-    if (request_.resume || part_->size() > 0) RemoveHalfWritten();
+    replaces_ = std::filesystem::exists(ledger_.file(), ignored) ||
+                output::PartFile::Exists(ledger_.file());
+    if (!ledger_.Open(findings)) return std::nullopt;
+    if (request_.resume || ledger_.is_begun()) RemoveHalfWritten();
     std::optional<Kept> kept = request_.resume ? Continue(findings) : Kept();
-    if (!kept && part_->size() == 0) part_->Drop();  // made just now
-    if (!kept || !part_->Truncate(kept->bytes, findings)) return std::nullopt;
+    if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
+    if (!kept || (kept->done() == 0 && !ledger_.Start(findings))) return std::nullopt;
     return kept;
   }
 
@@ -38,14 +37,18 @@ class FolderSink : public Sink {
   }
 
   bool Take(Result& result, diag::Findings& findings) override {
-    return part_->Append(result.lines, findings);
+    position_.next = result.chunk.first + result.done;
+    return ledger_.Append(result.lines, findings) && ledger_.Note(position_, {}, findings);
   }
 
   bool Finish(diag::Findings& findings) override {
-    return part_->Commit(request_.if_changed || request_.resume, findings);
+    // The objects first; workers only wrote them.
+    return (request_.durability == output::Durability::kNone ||
+            output::SyncFolder(folder_, true, findings)) &&
+           ledger_.Finish(findings);
   }
 
-  void Drop() override { part_->Drop(); }
+  void Drop() override { ledger_.Drop(); }
 
  private:
   // Nobody else makes this range. Assets may be another shard's.
@@ -67,32 +70,61 @@ class FolderSink : public Sink {
 
   std::optional<Kept> Continue(diag::Findings& findings) {
     const auto is_there = [this](const manifest::Record& record) { return IsThere(record); };
-    if (part_->size() > 0) return ReadKept(part_->temporary(), options_, is_there, findings);
+    if (ledger_.is_begun()) {
+      const std::vector<Position>& positions = ledger_.positions();
+      const std::uint64_t sound = positions.empty() ? 0 : positions.back().manifest.size;
+      const auto kept = ReadKept(ledger_.part(), options_, is_there, findings, sound);
+      return kept && GoBackTo(*kept, findings) ? kept : std::nullopt;
+    }
     // A finished batch: its manifest is checked, and gone on with where it ends.
-    const std::optional<Kept> kept = ReadKept(file_, options_, is_there, findings);
-    return kept && Copy(kept->bytes, findings) ? kept : std::nullopt;
+    std::string why_not;
+    const std::optional<manifest::Seal>& seal = ledger_.former();
+    if (!seal || !bytes::IsSound(ledger_.file(), seal->manifest.whole, why_not)) return Kept();
+    if (const std::string difference = ledger_.DifferenceOfFormer(); !difference.empty()) {
+      AddDiffers(ledger_.file(), difference, findings);
+      return std::nullopt;
+    }
+    const std::optional<Kept> kept = ReadKept(ledger_.file(), options_, is_there, findings);
+    if (!kept || kept->done() == 0) return kept;
+    return ledger_.Start(findings) && Copy(*kept, findings) ? kept : std::nullopt;
   }
 
-  bool Copy(std::uint64_t bytes, diag::Findings& findings) {
-    std::ifstream manifest(file_, std::ios::binary);
-    std::string buffer(1 << 20, '\0');
-    while (bytes > 0) {
-      manifest.read(buffer.data(),
-                    static_cast<std::streamsize>(std::min<std::uint64_t>(bytes, buffer.size())));
-      const auto count = static_cast<std::uint64_t>(manifest.gcount());
-      if (count == 0 || !part_->Append(std::string_view(buffer).substr(0, count), findings))
-        return false;
-      bytes -= count;
+  // A file that is gone may be in the middle of a chunk.
+  bool GoBackTo(const Kept& kept, diag::Findings& findings) {
+    if (kept.done() == 0) return true;
+    Position last = ledger_.begin();
+    for (const Position& position : ledger_.positions()) {
+      if (position.manifest.size <= kept.bytes) last = position;
     }
-    return true;
+    last.manifest.size = kept.bytes;
+    return ledger_.GoBackTo(last, findings) && Note(kept, findings);
+  }
+
+  bool Note(const Kept& kept, diag::Findings& findings) {
+    position_.next = options_.range.first + kept.done();
+    return ledger_.Note(position_, {}, findings);
+  }
+
+  bool Copy(const Kept& kept, diag::Findings& findings) {
+    std::string why_not;
+    std::optional<bytes::File> manifest = bytes::File::Open(ledger_.file(), why_not);
+    std::string buffer(1 << 20, '\0');
+    for (std::uint64_t left = kept.bytes; manifest && left > 0;) {
+      const auto count = manifest->Read(
+          std::span(buffer).first(std::min<std::uint64_t>(left, buffer.size())), why_not);
+      if (count.value_or(0) == 0) return false;
+      if (!ledger_.Append(std::string_view(buffer).substr(0, *count), findings)) return false;
+      left -= *count;
+    }
+    return Note(kept, findings);
   }
 
   SinkOptions options_;
   const Request& request_;
   std::filesystem::path folder_;
-  std::filesystem::path file_;
-  output::MadeFolders folders_;  // goes after the part file
-  std::unique_ptr<output::PartFile> part_;
+  output::MadeFolders folders_;  // goes after what is in them
+  Ledger ledger_;
+  Position position_;
   bool replaces_ = false;  // an older batch, whose assets may differ
 };
 

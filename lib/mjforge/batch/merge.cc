@@ -4,6 +4,7 @@
 
 #include "mjforge/batch/batch.h"
 #include "mjforge/batch/sink.h"
+#include "mjforge/batch/vouched.h"
 
 namespace mjforge::batch {
 namespace {
@@ -29,15 +30,20 @@ std::optional<output::Shard> ShardOf(std::string_view name, std::string_view man
 
 class Joining {
  public:
-  Joining(const output::Destination& destination, diag::Sources& sources, diag::Findings& findings)
+  Joining(const output::Destination& destination, bool verify, diag::Sources& sources,
+          diag::Findings& findings)
       : destination_(destination),
+        verify_(verify),
         sources_(sources),
         findings_(findings),
         file_(destination.Manifest({})) {}
 
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
-    if (!count || !MayReplaceManifest(file_, false, findings_)) return std::nullopt;
+    if (!count || !CheckSeals(*count) || !MayReplaceManifest(file_, false, findings_) ||
+        !MayReplaceManifest(output::PartFile::NameOf(file_), false, findings_)) {
+      return std::nullopt;
+    }
     std::unique_ptr<output::PartFile> part = output::PartFile::Open(file_, findings_);
     if (!part || !part->Truncate(0, findings_)) return std::nullopt;
     for (std::uint64_t i = 0; i < *count; ++i) {
@@ -46,7 +52,7 @@ class Joining {
         return std::nullopt;
       }
     }
-    if (!part->Commit(true, findings_)) return std::nullopt;
+    if (!Finish(*part)) return std::nullopt;
     return records_;
   }
 
@@ -94,6 +100,55 @@ class Joining {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 
+  // Whether each shard is there as it was when it was done, and all belong to one batch.
+  bool CheckSeals(std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
+      const std::filesystem::path file = destination_.Manifest({i, count});
+      std::string why_not;
+      std::optional<manifest::Seal> seal = ReadSealOf(file, why_not);
+      if (!seal || seal->shard != i || seal->shards != count) {
+        AddMissing(
+            fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
+                        manifest::SealOf(file).string(), seal ? "it is another shard's" : why_not),
+            fmt::format("make it with --shard {}/{} --resume", i, count));
+        continue;
+      }
+      if (i == 0) whole_ = *seal;
+      std::string difference = manifest::DifferenceOfOutput(*seal, whole_);
+      if (difference.empty() && seal->count != whole_.count)
+        difference = fmt::format("count is '{}', not '{}'", seal->count, whole_.count);
+      if (!difference.empty()) {
+        findings_.Add(diag::Code::kBatchDiffers, {},
+                      fmt::format("'{}' belongs to another batch: {}", file.string(), difference),
+                      "make all shards with the same spec and options");
+        continue;
+      }
+      CheckSealed(destination_.Folder(), seal->manifest, true, findings_);
+      for (const manifest::SealedFile& archive : seal->archives) {
+        CheckSealed(destination_.Folder(), archive, verify_, findings_);
+        if (i > 0) whole_.archives.push_back(archive);
+      }
+    }
+    return !findings_.HasErrors();
+  }
+
+  bool Finish(output::PartFile& part) {
+    if (records_ != whole_.count) {
+      AddMissing(
+          fmt::format("the shards have {} variants, and their batch {}", records_, whole_.count),
+          "were all shards made with the same -n, --first and --per-archive?");
+      part.Drop();
+      return false;
+    }
+    whole_.shard = 0;
+    whole_.shards = 1;
+    whole_.records = records_;
+    whole_.manifest = {file_.filename().string(), {part.size(), part.checksum()}};
+    return output::WriteFile(manifest::SealOf(file_), manifest::SealText(whole_), true, findings_,
+                             output::Durability::kBatch) &&
+           part.Commit(true, output::Durability::kBatch, findings_);
+  }
+
   bool Append(const std::filesystem::path& shard, output::PartFile& part) {
     using Outcome = manifest::RecordReader::Outcome;
     std::optional<manifest::RecordReader> reader =
@@ -124,7 +179,7 @@ class Joining {
                     "make all shards with the same spec and options");
       return false;
     }
-    const std::uint64_t expected = first_->index + records_;
+    const std::uint64_t expected = whole_.first + records_;
     if (record.index != expected) {
       AddMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
                              record.index, expected),
@@ -135,39 +190,25 @@ class Joining {
       return false;
     }
     ++records_;
-    return IsThere(record);
-  }
-
-  bool IsThere(const manifest::Record& record) {
-    if (record.status != Status::kOk) return true;
-    const std::string& name = record.archive.empty() ? record.file : record.archive;
-    if (name == last_seen_) return true;
-    std::error_code ignored;
-    const std::filesystem::path file = destination_.Folder() / name;
-    if (!std::filesystem::exists(file, ignored)) {
-      AddMissing(
-          fmt::format("'{}', which holds variant {}, is missing", file.string(), record.index),
-          "run its shard again with --resume");
-      return false;
-    }
-    last_seen_ = name;
-    return true;
+    return record.status != Status::kOk || !record.archive.empty() ||
+           CheckObject(destination_.Folder(), record, verify_, findings_);
   }
 
   const output::Destination& destination_;
+  bool verify_;
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::filesystem::path file_;
+  manifest::Seal whole_;  // of the joined batch
   std::optional<manifest::Record> first_;
   std::uint64_t records_ = 0;
-  std::string last_seen_;
 };
 
 }  // namespace
 
-std::optional<std::uint64_t> Merge(const output::Destination& destination, diag::Sources& sources,
-                                   diag::Findings& findings) {
-  return Joining(destination, sources, findings)();
+std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
+                                   diag::Sources& sources, diag::Findings& findings) {
+  return Joining(destination, verify, sources, findings)();
 }
 
 }  // namespace mjforge::batch

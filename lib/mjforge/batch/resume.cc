@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "mjforge/batch/sink.h"
 
@@ -15,15 +14,22 @@ bool FailedByChance(const manifest::Record& record) {
       [&](const std::string& finding) { return finding.find(died) != finding.npos; });
 }
 
+void AddDiffers(const std::filesystem::path& file, const std::string& difference,
+                diag::Findings& findings) {
+  findings.Add(diag::Code::kBatchDiffers, {},
+               fmt::format("'{}' belongs to another batch: {}", file.string(), difference),
+               "use the options of that batch, or start over without --resume");
+}
+
 std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOptions& options,
                              const std::function<bool(const manifest::Record&)>& is_good,
                              diag::Findings& findings, std::uint64_t bytes) {
   Kept kept;
-  std::ifstream file(manifest, std::ios::binary);
+  std::string why_not;
+  std::optional<bytes::Lines> lines = bytes::Lines::Open(manifest, why_not);
   std::string line;
-  while (kept.done() < options.range.count && std::getline(file, line) && !file.eof()) {
-    if (kept.bytes + line.size() + 1 > bytes) break;
-    std::string why_not;
+  while (lines && kept.done() < options.range.count && lines->Next(line, why_not)) {
+    if (lines->torn() || kept.bytes + line.size() + 1 > bytes) break;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) break;  // a crash of the machine may leave anything
     std::string difference = manifest::DifferenceOfBatch(*record, options.batch);
@@ -31,9 +37,7 @@ std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOp
     if (difference.empty() && record->index != expected)
       difference = fmt::format("index is {}, not {}", record->index, expected);
     if (!difference.empty()) {
-      findings.Add(diag::Code::kBatchDiffers, {},
-                   fmt::format("'{}' belongs to another batch: {}", manifest.string(), difference),
-                   "use the options of that batch, or start over without --resume");
+      AddDiffers(manifest, difference, findings);
       return std::nullopt;
     }
     if (FailedByChance(*record) || !is_good(*record)) break;

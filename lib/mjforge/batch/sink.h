@@ -56,6 +56,10 @@ std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOp
                              diag::Findings& findings,
                              std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
 
+/// Adds that `file` belongs to another batch, and how that differs.
+void AddDiffers(const std::filesystem::path& file, const std::string& difference,
+                diag::Findings& findings);
+
 /// The sink of the request's destination. `text` takes the object for standard output.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
 

@@ -78,6 +78,40 @@ class Lines {
   bool torn_ = false;
 };
 
+/// XXH3 with 128 bits of bytes that come piece by piece, as `xxh128sum` prints it: it finds what a
+/// disk or a power cut does, at the speed of memory. It does not keep anyone from forging bytes.
+class Checksum {
+ public:
+  Checksum();
+  ~Checksum();
+  Checksum(const Checksum&) = delete;
+  Checksum& operator=(const Checksum&) = delete;
+
+  void Add(std::string_view bytes);
+  /// Of all bytes so far, in hexadecimal.
+  std::string Text() const;
+  void Clear();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The first bytes of a file, and their checksum.
+struct Prefix {
+  std::uint64_t size = 0;
+  std::string checksum;
+};
+/// How many of the prefixes, in ascending order of size, the file really begins with, before the
+/// first that it does not. 0 if it cannot be read.
+std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
+
+/// Whether it is a regular file of this size; else why not ("it has 12 bytes, not 40").
+bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
+
+/// Whether the file has this size and this checksum; else why not ("it has 12 bytes, not 40").
+bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
+
 /// SHA-256 of bytes that come piece by piece.
 class Sha256 {
  public:

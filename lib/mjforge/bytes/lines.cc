@@ -8,11 +8,11 @@
 namespace mjforge::bytes {
 namespace {
 
-constexpr std::size_t kBufferBytes = 256 * 1024;
+constexpr std::size_t kLineBufferBytes = 256 * 1024;
 
 }  // namespace
 
-Lines::Lines(File file) : file_(std::move(file)), buffer_(kBufferBytes, '\0') {}
+Lines::Lines(File file) : file_(std::move(file)), buffer_(kLineBufferBytes, '\0') {}
 
 std::optional<Lines> Lines::Open(const std::filesystem::path& file, std::string& why_not) {
   std::optional<File> opened = File::Open(file, why_not);

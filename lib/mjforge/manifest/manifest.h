@@ -14,6 +14,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/manifest/seal.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/physics/physics.h"

@@ -87,19 +87,17 @@ bool AtomicFile::Append(std::string_view bytes, diag::Findings& findings) {
   return written;
 }
 
-// No fsync: it would cost more than making the object does, and what it guards
-// against is a crash of the whole machine, after which the same command makes
-// the same bytes again.
-bool AtomicFile::Commit(diag::Findings& findings) {
+bool AtomicFile::Commit(Durability durability, diag::Findings& findings) {
   // On a network disk or at a quota, only close() says that writing failed.
-  if (::close(std::exchange(descriptor_, -1)) != 0 ||
+  if ((durability == Durability::kBatch && ::fdatasync(descriptor_) != 0) ||
+      ::close(std::exchange(descriptor_, -1)) != 0 ||
       std::rename(temporary_.c_str(), file_.c_str()) != 0) {
     AddCannotWrite(file_, errno, findings);
     Drop();
     return false;
   }
   temporary_.clear();
-  return true;
+  return durability == Durability::kNone || SyncFolder(file_.parent_path(), false, findings);
 }
 
 }  // namespace mjforge::output

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/output/durability.h"
 
 namespace mjforge::output {
 
@@ -22,7 +23,8 @@ class AtomicFile {
   ~AtomicFile();
 
   bool Append(std::string_view bytes, diag::Findings& findings);
-  bool Commit(diag::Findings& findings);
+  /// With kBatch, once its bytes are on the disk, and waits until the name is there as well.
+  bool Commit(Durability durability, diag::Findings& findings);
 
  private:
   AtomicFile(std::filesystem::path file, std::string temporary, int descriptor);

@@ -15,11 +15,11 @@ constexpr std::size_t kCommentBytes = 64 * 1024;
 }  // namespace
 
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
-               diag::Findings& findings) {
+               diag::Findings& findings, Durability durability) {
   std::string ignored;
   if (if_changed && bytes::Read(file, bytes.size(), ignored) == bytes) return true;
   const std::unique_ptr<AtomicFile> target = AtomicFile::Create(file, findings);
-  return target && target->Append(bytes, findings) && target->Commit(findings);
+  return target && target->Append(bytes, findings) && target->Commit(durability, findings);
 }
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
@@ -55,7 +55,12 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
   return MayReplace(
       file, force, kCommentBytes,
-      [](std::string_view opening) { return mjcf::ReadProvenance(opening).has_value(); }, findings);
+      [](std::string_view opening) {
+        // After a power cut there may be nothing in a file, or zeros.
+        const bool is_blank = opening.find_first_not_of('\0') == opening.npos;
+        return is_blank || mjcf::ReadProvenance(opening).has_value();
+      },
+      findings);
 }
 
 void AddForeign(const std::filesystem::path& file, diag::Findings& findings) {

@@ -31,7 +31,7 @@ struct Overwrite {
 /// is added. The folder must exist. With `if_changed` a file with these bytes is
 /// left as it is.
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
-               diag::Findings& findings);
+               diag::Findings& findings, Durability durability = Durability::kNone);
 
 /// The whole content of a file; nothing and a finding if it cannot be read or has more than `limit`
 /// bytes.
@@ -43,8 +43,8 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
-/// True if nothing would be lost by writing `file`: it does not exist, it is an
-/// object that mjforge wrote, or `force` says so. Else a finding.
+/// True if nothing would be lost by writing `file`: it does not exist, it is empty or all zeros, it
+/// is an object that mjforge wrote, or `force` says so. Else a finding.
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 /// Adds "'FILE' exists and was not made by mjforge".

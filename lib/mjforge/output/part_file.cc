@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <thread>
 #include <utility>
 
 #include "mjforge/output/atomic_file.h"
@@ -18,23 +18,19 @@
 namespace mjforge::output {
 namespace {
 
+// Writing goes on while the next bytes are made: then there is little left to wait for.
+constexpr std::uint64_t kBeginEvery = std::uint64_t{8} << 20;
+constexpr std::size_t kBufferBytes = std::size_t{256} << 10;
+
+// Another process may be dying at the moment, its workers with it.
+constexpr int kLockTries = 20;
+constexpr auto kLockPause = std::chrono::milliseconds(50);
+
 bool IsSameFile(int descriptor, const std::filesystem::path& path) {
   struct stat opened;
   struct stat named;
   return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
-}
-
-bool HaveSameBytes(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(b, error) ||
-      std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error)) {
-    return false;
-  }
-  using Bytes = std::istreambuf_iterator<char>;
-  std::ifstream file_a(a, std::ios::binary);
-  std::ifstream file_b(b, std::ios::binary);
-  return file_a && file_b && std::equal(Bytes(file_a), Bytes(), Bytes(file_b), Bytes());
 }
 
 }  // namespace
@@ -62,15 +58,26 @@ bool PartFile::Exists(const std::filesystem::path& file) {
 std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                                          diag::Findings& findings) {
   const std::filesystem::path temporary = NameOf(file);
-  while (true) {
-    const int descriptor =
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  for (int tries = 1;;) {
+    const int descriptor = ::open(
+        temporary.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (descriptor < 0) {
-      AddCannotWrite(file, errno, findings);
+      AddCannotWrite(errno == ELOOP ? temporary : file, errno, findings);
+      return nullptr;
+    }
+    struct stat status;
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+      ::close(descriptor);
+      findings.Add(diag::Code::kOutputCannotWrite, {},
+                   fmt::format("cannot write '{}': it is not a file", temporary.string()));
       return nullptr;
     }
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor);
+      if (++tries <= kLockTries) {
+        std::this_thread::sleep_for(kLockPause);
+        continue;
+      }
       findings.Add(diag::Code::kOutputCannotWrite, {},
                    fmt::format("cannot write '{}': another mjforge is writing it", file.string()),
                    "wait for it, or choose another place");
@@ -81,44 +88,70 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
       ::close(descriptor);
       continue;
     }
-    const ::off_t size = ::lseek(descriptor, 0, SEEK_END);
     return std::unique_ptr<PartFile>(
-        new PartFile(file, temporary, descriptor, static_cast<std::uint64_t>(size)));
+        new PartFile(file, temporary, descriptor, static_cast<std::uint64_t>(status.st_size)));
   }
 }
 
 bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
-  const bool written = WriteAll(descriptor_, bytes, file_, findings);
-  if (written) size_ += bytes.size();
-  return written;
-}
-
-bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
-  if (::ftruncate(descriptor_, static_cast<::off_t>(size)) != 0) {
-    AddCannotWrite(file_, errno, findings);
-    return false;
+  if (!WriteAll(descriptor_, bytes, file_, findings)) return false;
+  size_ += bytes.size();
+  checksum_.Add(bytes);
+  if (size_ - begun_ >= kBeginEvery) {
+    // Only a hint.
+    ::sync_file_range(descriptor_, static_cast<::off64_t>(begun_),
+                      static_cast<::off64_t>(size_ - begun_), SYNC_FILE_RANGE_WRITE);
+    begun_ = size_;
   }
-  size_ = size;
   return true;
 }
 
-// The lock goes last: until then nobody else opens the file under its old name.
-bool PartFile::Commit(bool if_changed, diag::Findings& findings) {
-  if (if_changed && HaveSameBytes(temporary_, file_)) {
+bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
+  const auto failed = [&](int error) {
+    AddCannotWrite(file_, error, findings);
+    return false;
+  };
+  if (::ftruncate(descriptor_, static_cast<::off_t>(size)) != 0) return failed(errno);
+  size_ = size;
+  begun_ = size;
+  checksum_.Clear();
+  std::string buffer(std::min<std::uint64_t>(kBufferBytes, size), '\0');
+  for (std::uint64_t at = 0; at < size;) {
+    const ssize_t count =
+        ::pread(descriptor_, buffer.data(), std::min<std::uint64_t>(buffer.size(), size - at),
+                static_cast<::off_t>(at));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return failed(count == 0 ? EIO : errno);
+    checksum_.Add({buffer.data(), static_cast<std::size_t>(count)});
+    at += static_cast<std::uint64_t>(count);
+  }
+  return true;
+}
+
+bool PartFile::Sync(diag::Findings& findings) {
+  if (::fdatasync(descriptor_) == 0) return true;
+  AddCannotWrite(file_, errno, findings);
+  return false;
+}
+
+bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& findings) {
+  std::string why_not;
+  if (if_changed && bytes::IsSound(file_, {size_, checksum()}, why_not)) {
     Drop();
     return true;
   }
+  if (durability == Durability::kBatch && !Sync(findings)) return false;
   if (std::rename(temporary_.c_str(), file_.c_str()) != 0) {
     AddCannotWrite(file_, errno, findings);
     return false;
   }
-  // On a network disk or at a quota, only close() says that writing failed.
+  // The lock goes after the name: until then nobody else opens the file under its old one. On a
+  // network disk or at a quota, only close() says that writing failed.
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     AddCannotWrite(file_, errno, findings);
-    ::unlink(file_.c_str());
     return false;
   }
-  return true;
+  return durability == Durability::kNone || SyncFolder(file_.parent_path(), false, findings);
 }
 
 void PartFile::Drop() {

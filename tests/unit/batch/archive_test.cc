@@ -87,9 +87,9 @@ TEST_CASE("a series has so many variants in each archive, and says where each on
   Request request = test.Of(25, "out/x-%03d.tar", 10);
   request.first = 7;
   test.Make(request);
-  CHECK(test.folder.Files() == std::vector<std::string>{"crate.yaml", "out/x-000.tar",
-                                                        "out/x-001.tar", "out/x-002.tar",
-                                                        "out/x.manifest.jsonl"});
+  CHECK(test.folder.Files() ==
+        std::vector<std::string>{"crate.yaml", "out/x-000.tar", "out/x-001.tar", "out/x-002.tar",
+                                 "out/x.manifest.jsonl", "out/x.manifest.seal.json"});
   const auto members = Members(test.folder / "out/x-002.tar");
   REQUIRE(members.size() == 10);
   CHECK(members.front() == "crate_000027.xml");

@@ -18,9 +18,9 @@ struct ShardTest : CrateBatch {
     for (std::uint64_t i = 0; i < 4; ++i) Make(ShardOf(*this, i));
   }
 
-  std::optional<std::uint64_t> Merge() {
+  std::optional<std::uint64_t> Merge(bool verify = false) {
     findings.clear();
-    return batch::Merge(Of(kCount, "out").destination, sources, findings);
+    return batch::Merge(Of(kCount, "out").destination, verify, sources, findings);
   }
   std::string Manifest(int index) const {
     return "out/manifest-0000" + std::to_string(index) + "-of-00004.jsonl";
@@ -37,7 +37,7 @@ TEST_CASE_METHOD(ShardTest, "shards joined are the batch as one run makes it") {
   auto joined = Bytes("out");
   CHECK(std::erase_if(joined, [](const auto& file) {
           return file.first.find("-of-") != std::string::npos;
-        }) == 4);
+        }) == 8);
   CHECK(joined == Bytes("whole"));
   CHECK(Merge() == kCount);  // again
 }
@@ -52,7 +52,8 @@ TEST_CASE("shards of a series joined are the series as one run makes it") {
   }
   diag::Sources sources;
   diag::Findings findings;
-  CHECK(Merge(test.Of(kCount, "out/x_%03d.tar.zst").destination, sources, findings) == kCount);
+  CHECK(Merge(test.Of(kCount, "out/x_%03d.tar.zst").destination, true, sources, findings) ==
+        kCount);
   auto joined = test.Bytes("out");
   std::erase_if(joined,
                 [](const auto& file) { return file.first.find("-of-") != std::string::npos; });
@@ -80,30 +81,63 @@ TEST_CASE_METHOD(ShardTest, "a shard of another batch is noticed") {
   CHECK_FALSE(std::filesystem::exists(folder / "out/manifest.jsonl"));
 }
 
-TEST_CASE_METHOD(ShardTest, "a gap and a variant that is there twice are noticed") {
+TEST_CASE_METHOD(ShardTest, "a manifest that is not as it was is noticed") {
   const std::string lines = folder.Read(Manifest(1));
-  const std::size_t end = lines.find('\n') + 1;
-  folder.Write(Manifest(1), lines.substr(end));
+  for (const std::string& other :
+       {std::string(), std::string("{}\n"), lines.substr(lines.find('\n') + 1), lines + lines}) {
+    folder.Write(Manifest(1), other);
+    CHECK_FALSE(Merge());
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].code == diag::Code::kBatchChanged);
+    CHECK(findings[0].message.starts_with("'" + (folder / Manifest(1)).string() +
+                                          "' was changed: it has "));
+  }
+  std::string changed = lines;
+  changed[lines.size() / 2] ^= 1;
+  folder.Write(Manifest(1), changed);
   CHECK_FALSE(Merge());
-  CHECK(findings[0].message.ends_with("has index 26; expected 25"));
-  folder.Write(Manifest(1), lines.substr(0, end) + lines);
-  CHECK_FALSE(Merge());
-  CHECK(findings[0].message.ends_with("has index 25; expected 26"));
+  CHECK(findings[0].message.ends_with("was changed: its bytes are others"));
 }
 
-TEST_CASE_METHOD(ShardTest, "an object that is gone is noticed") {
+TEST_CASE_METHOD(ShardTest, "an object that is gone, empty or changed is noticed") {
   const std::string lines = folder.Read(Manifest(3));
   const std::size_t at = lines.find("crate_");
   const std::string file = "out/" + lines.substr(at, lines.find('"', at) - at);
+  std::string bytes = folder.Read(file);
+  bytes[0] ^= 1;
+  folder.Write(file, bytes);
+  CHECK(Merge());
+  CHECK_FALSE(Merge(true));
+  CHECK(findings[0].message.ends_with("was changed: its bytes are others"));
+  folder.Write(file, "");
+  CHECK_FALSE(Merge());
+  CHECK(findings[0].message.ends_with("was changed: it is empty"));
   std::filesystem::remove(folder / file);
   CHECK_FALSE(Merge());
-  CHECK(findings[0].message.starts_with("'" + (folder / file).string() + "', which holds variant"));
+  CHECK(findings[0].message == "'" + (folder / file).string() + "' is missing");
 }
 
-TEST_CASE_METHOD(ShardTest, "a manifest that is damaged is noticed") {
-  folder.Write(Manifest(0), "{}\n");
+TEST_CASE_METHOD(ShardTest, "a shard that nothing vouches for is noticed") {
+  const auto seal = manifest::SealOf(folder / Manifest(2));
+  std::filesystem::remove(seal);
   CHECK_FALSE(Merge());
-  CHECK(findings[0].code == diag::Code::kOutputBadManifest);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kBatchMissing);
+  CHECK(findings[0].message ==
+        "nothing vouches for shard 2/4: '" + seal.string() + "': No such file or directory");
+}
+
+TEST_CASE("shards of batches of other sizes are not joined") {
+  CrateBatch test(kBoxSpec);
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    Request request = test.Of(100 + i, "out");
+    request.shard = {i, 2};
+    test.Make(request);
+  }
+  diag::Sources sources;
+  diag::Findings findings;
+  CHECK_FALSE(Merge(test.Of(100, "out").destination, false, sources, findings));
+  CHECK(findings[0].message.ends_with("belongs to another batch: count is '101', not '100'"));
 }
 
 TEST_CASE("where there are no shards, or of two batches, nothing is joined") {
@@ -111,12 +145,12 @@ TEST_CASE("where there are no shards, or of two batches, nothing is joined") {
   diag::Sources sources;
   diag::Findings findings;
   const output::Destination destination = test.Of(kCount, "out").destination;
-  CHECK_FALSE(Merge(destination, sources, findings));
+  CHECK_FALSE(Merge(destination, false, sources, findings));
   CHECK(findings[0].code == diag::Code::kYamlCannotRead);
   test.folder.Write("out/manifest-1-of-2.jsonl", "");
   test.folder.Write("out/manifest-1-of-3.jsonl", "");
   findings.clear();
-  CHECK_FALSE(Merge(destination, sources, findings));
+  CHECK_FALSE(Merge(destination, false, sources, findings));
   CHECK(findings[0].code == diag::Code::kBatchDiffers);
 }
 
@@ -129,7 +163,7 @@ TEST_CASE("a shard without variants has an empty manifest") {
   }
   diag::Sources sources;
   diag::Findings findings;
-  CHECK(Merge(test.Of(2, "out").destination, sources, findings) == 2u);
+  CHECK(Merge(test.Of(2, "out").destination, false, sources, findings) == 2u);
 }
 
 }  // namespace

@@ -110,18 +110,70 @@ TEST_CASE("a batch of other options is not gone on with") {
   }
 }
 
-TEST_CASE("a line that a crash cut short is made again") {
+TEST_CASE("what is under construction was damaged: the same bytes, or an honest error") {
+  const std::string output = GENERATE("", "/x.tar", "/x.tar.zst", "/x_%05d.tar");
+  INFO(output);
   CrateBatch test(kBoxSpec);
-  test.Make(test.Of(30, "out"));
+  test.Make(test.Of(500, "whole" + output, 130));
+  const auto whole = test.Bytes("whole");
+  const Request request = test.Of(500, "broken" + output, 130);
+  REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  const auto broken = test.Bytes("broken");
+  std::uint32_t random = 1;
+  for (const auto& [name, bytes] : broken) {
+    if (name.find(".part") == name.npos && !name.ends_with(".tar")) continue;
+    INFO(name);
+    for (int damage = 0; damage < 8; ++damage) {
+      std::filesystem::remove_all(test.folder / "broken");
+      for (const auto& [other, same] : broken) test.folder.Write("broken/" + other, same);
+      random = random * 1664525 + 1013904223;
+      const std::size_t at = bytes.empty() ? 0 : random % bytes.size();
+      std::string changed = bytes;
+      if (damage % 4 == 0) changed.resize(at);
+      if (damage % 4 == 1 && !changed.empty()) changed[at] = static_cast<char>(changed[at] ^ 4);
+      if (damage % 4 == 2)
+        std::fill(changed.begin() + static_cast<std::ptrdiff_t>(at), changed.end(), '\0');
+      if (damage % 4 == 3) changed.insert(at, "x");
+      test.folder.Write("broken/" + name, changed);
+      Request resuming = Resuming(request);
+      resuming.verify = true;
+      const Summary summary = test.Make(resuming);
+      if (summary.output_failed) continue;
+      CHECK(summary.done() == 500);
+      CHECK(test.Bytes("broken") == whole);
+    }
+  }
+}
+
+TEST_CASE("what is done and was damaged is made again") {
+  const std::string output = GENERATE("", "/x.tar", "/x_%05d.tar.zst");
+  CrateBatch test(kBoxSpec);
+  const Request request = test.Of(100, "out" + output, 40);
+  test.Make(request);
   const auto whole = test.Bytes("out");
-  const std::string manifest = test.folder.Read("out/manifest.jsonl");
-  std::filesystem::remove(test.folder / "out/manifest.jsonl");
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, manifest.find('\n'),
-                                 manifest.find('\n') + 1, manifest.size() - 1, manifest.size()}) {
-    test.folder.Write("out/.manifest.jsonl.part", manifest.substr(0, size));
-    CHECK(test.Make(Resuming(test.Of(30, "out"))).ok == 30);
-    CHECK(test.Bytes("out") == whole);
-    std::filesystem::remove(test.folder / "out/manifest.jsonl");
+  for (const auto& [name, bytes] : whole) {
+    if (name.ends_with(".xml") && name != "crate_000070.xml") continue;
+    INFO(name);
+    std::string changed = bytes;
+    changed[changed.size() / 2] ^= 1;
+    for (const std::string& other : {std::string(), bytes.substr(0, bytes.size() / 2), changed}) {
+      std::filesystem::remove_all(test.folder / "out");
+      for (const auto& [file, same] : whole) test.folder.Write("out/" + file, same);
+      test.folder.Write("out/" + name, other);
+      Request resuming = Resuming(request);
+      resuming.verify = true;
+      const Summary summary = test.Make(resuming);
+      if (summary.output_failed) {
+        // Nothing says any more that the archives are ours, or that it is this batch.
+        CHECK(name.ends_with(".seal.json"));
+        resuming.resume = false;
+        resuming.force = true;
+        CHECK(test.Make(resuming).ok == 100);
+      } else {
+        CHECK(summary.ok == 100);
+      }
+      CHECK(test.Bytes("out") == whole);
+    }
   }
 }
 
@@ -146,10 +198,78 @@ TEST_CASE("a variant whose worker died is tried again") {
   manifest::AppendRecord(failed, *record);
   manifest.replace(line, manifest.find('\n', line) + 1 - line, failed);
   test.folder.Write("out/manifest.jsonl", manifest);
+  auto seal = manifest::ReadSeal(test.folder.Read("out/manifest.seal.json"), why_not);
+  REQUIRE(seal);
+  bytes::Checksum checksum;
+  checksum.Add(manifest);
+  seal->manifest.whole = {manifest.size(), checksum.Text()};
+  test.folder.Write("out/manifest.seal.json", manifest::SealText(*seal));
   std::filesystem::remove(test.folder / "out/crate_000007.xml");
   const Summary summary = test.Make(Resuming(test.Of(30, "out")));
   CHECK(summary.kept == 7);
   CHECK(test.Bytes("out") == whole);
+}
+
+TEST_CASE("a series is not gone on with for another output") {
+  CrateBatch test(kBoxSpec);
+  const bool is_done = GENERATE(false, true);
+  const Request request = test.Of(500, "out/x_%05d.tar", 130);
+  if (is_done) test.Make(request);
+  if (!is_done) REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  const auto before = test.Bytes("out");
+  Request other = Resuming(test.Of(500, "out/x_%05d.tar", 131));
+  const Summary per_archive = test.Make(other);
+  REQUIRE(per_archive.findings.size() == 1);
+  CHECK(per_archive.findings[0].message.ends_with(
+      "belongs to another batch: per_archive is '130', not '131'"));
+  other = Resuming(request);
+  other.variant.name = "box";
+  const Summary name = test.Make(other);
+  REQUIRE(name.findings.size() == 1);
+  CHECK(name.findings[0].message.ends_with("belongs to another batch: name is '', not 'box'"));
+  CHECK(test.Bytes("out") == before);
+}
+
+TEST_CASE("an archive's manifest is not another archive's") {
+  CrateBatch test(kBoxSpec);
+  test.Make(test.Of(10, "x.tar"));
+  const Summary refused = test.Make(test.Of(10, "x.tar.zst"));
+  REQUIRE(refused.output_failed);
+  CHECK(refused.findings[0].code == diag::Code::kOutputExists);
+  CHECK(refused.findings[0].message.ends_with("x.manifest.jsonl' is the manifest of 'x.tar'"));
+  CHECK_FALSE(std::filesystem::exists(test.folder / "x.tar.zst"));
+}
+
+TEST_CASE("what is not ours is not taken for a part of a batch") {
+  const auto [output, part] =
+      GENERATE(table<const char*, const char*>({{"out", "out/.manifest.jsonl.part"},
+                                                {"out/x.tar", "out/.x.manifest.jsonl.part"},
+                                                {"out/x.tar", "out/x.tar"}}));
+  CrateBatch test(kBoxSpec);
+  test.folder.Write(part, "mine");
+  for (const bool resume : {false, true}) {
+    Request request = test.Of(10, output);
+    request.resume = resume;
+    const Summary refused = test.Make(request);
+    REQUIRE(refused.output_failed);
+    CHECK(refused.findings[0].code == diag::Code::kOutputExists);
+    CHECK(test.folder.Read(part) == "mine");
+  }
+}
+
+TEST_CASE("a link in the place of a part is not followed") {
+  const auto [output, part] =
+      GENERATE(table<const char*, const char*>({{"out", "out/.manifest.jsonl.part"},
+                                                {"out", "out/.manifest.jsonl.journal.part"},
+                                                {"out/x.tar", "out/.x.tar.part"}}));
+  CrateBatch test(kBoxSpec);
+  test.folder.Write("elsewhere", "mine");
+  std::filesystem::create_directory(test.folder / "out");
+  std::filesystem::create_symlink(test.folder / "elsewhere", test.folder / part);
+  Request request = test.Of(10, output);
+  request.force = true;
+  CHECK(test.Make(request).output_failed);
+  CHECK(test.folder.Read("elsewhere") == "mine");
 }
 
 TEST_CASE("two runs do not write one batch at the same time") {

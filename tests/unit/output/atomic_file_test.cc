@@ -17,7 +17,7 @@ TEST_CASE("a file has its name only from Commit on") {
   REQUIRE(file->Append("one ", findings));
   CHECK_FALSE(std::filesystem::exists(folder / "x.xml"));
   REQUIRE(file->Append("two", findings));
-  REQUIRE(file->Commit(findings));
+  REQUIRE(file->Commit(Durability::kBatch, findings));
   CHECK(folder.Read("x.xml") == "one two");
   CHECK(folder.Files() == std::vector<std::string>{"x.xml"});
 }
@@ -41,7 +41,7 @@ TEST_CASE("a name that is a folder cannot be taken") {
   diag::Findings findings;
   auto file = AtomicFile::Create(folder / "x.xml", findings);
   REQUIRE(file);
-  CHECK_FALSE(file->Commit(findings));
+  CHECK_FALSE(file->Commit(Durability::kBatch, findings));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message ==
         "cannot write '" + (folder / "x.xml").string() + "': Is a directory");
@@ -55,8 +55,8 @@ TEST_CASE("two files under construction for one name do not disturb each other")
   auto second = AtomicFile::Create(folder / "x", findings);
   REQUIRE((first && second));
   REQUIRE((first->Append("first", findings) && second->Append("second", findings)));
-  REQUIRE(second->Commit(findings));
-  REQUIRE(first->Commit(findings));
+  REQUIRE(second->Commit(Durability::kBatch, findings));
+  REQUIRE(first->Commit(Durability::kBatch, findings));
   CHECK(folder.Read("x") == "first");
   CHECK(folder.Files() == std::vector<std::string>{"x"});
 }

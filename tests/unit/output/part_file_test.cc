@@ -20,7 +20,7 @@ TEST_CASE("a long file has its name only from Commit on") {
   CHECK(PartFile::Exists(folder / "x.tar"));
   REQUIRE(file->Append("two", findings));
   CHECK(file->size() == 7);
-  REQUIRE(file->Commit(false, findings));
+  REQUIRE(file->Commit(false, Durability::kBatch, findings));
   CHECK(folder.Read("x.tar") == "one two");
   CHECK(folder.Files() == Files{"x.tar"});
 }
@@ -34,7 +34,7 @@ TEST_CASE("what a process left is gone on with, from any length") {
   CHECK(file->size() == 7);
   REQUIRE(file->Truncate(4, findings));
   REQUIRE(file->Append("three", findings));
-  REQUIRE(file->Commit(false, findings));
+  REQUIRE(file->Commit(false, Durability::kBatch, findings));
   CHECK(folder.Read("x") == "one three");
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("only one process at a time writes a file") {
   CHECK(findings[0].message ==
         "cannot write '" + (folder / "x").string() + "': another mjforge is writing it");
   REQUIRE(first->Append("first", findings));
-  REQUIRE(first->Commit(false, findings));
+  REQUIRE(first->Commit(false, Durability::kBatch, findings));
   // The next one starts anew, and does not touch what has its name.
   auto second = PartFile::Open(folder / "x", findings);
   REQUIRE(second);
@@ -67,11 +67,11 @@ TEST_CASE("a long file with the same bytes keeps its time where that is asked fo
   std::filesystem::last_write_time(present, old);
   auto file = PartFile::Open(present, findings);
   REQUIRE(file->Append(bytes, findings));
-  REQUIRE(file->Commit(true, findings));
+  REQUIRE(file->Commit(true, Durability::kBatch, findings));
   CHECK(std::filesystem::last_write_time(present) == old);
   auto other = PartFile::Open(present, findings);
   REQUIRE(other->Append(bytes.substr(1) + "y", findings));
-  REQUIRE(other->Commit(true, findings));
+  REQUIRE(other->Commit(true, Durability::kBatch, findings));
   CHECK(std::filesystem::last_write_time(present) != old);
   CHECK(folder.Files() == Files{"x"});
   CHECK(folder.Read("x").back() == 'y');
@@ -94,7 +94,7 @@ TEST_CASE("a folder that is lost on the way is a finding") {
   REQUIRE(file);
   std::filesystem::remove_all(folder / "out");
   CHECK(file->Append("bytes", findings));  // the file lives on without a name
-  CHECK_FALSE(file->Commit(false, findings));
+  CHECK_FALSE(file->Commit(false, Durability::kBatch, findings));
   CHECK(findings.size() == 1);
 }
 

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "commands.h"
+#include "mjforge/batch/batch.h"
+
+namespace mjforge::app {
+namespace {
+
+std::string Counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+ExitStatus Verify(const std::string& place, Console& console) {
+  const batch::Verified verified = batch::Verify(place, console.sources, console.findings);
+  const bool is_good = !console.findings.HasErrors();
+  const ExitStatus status = StatusOf(console.findings);
+  console.Show(console.findings, console.sources, verified.more_findings);
+  if (is_good) {
+    const std::string variants =
+        verified.variants == 0 ? std::string() : ", " + Counted(verified.variants, "variant");
+    console.Say(fmt::format("{}: {}{}: as they were when they were made", place,
+                            Counted(verified.files, "file"), variants));
+  }
+  return status;
+}
+
+}  // namespace
+
+Action AddVerify(CLI::App& command) {
+  auto what = std::make_shared<std::string>();
+  command.add_option("WHAT", *what, "A folder, a manifest, or an archive")
+      ->required()
+      ->option_text(" ");
+  return [what](Console& console) { return Verify(*what, console); };
+}
+
+}  // namespace mjforge::app

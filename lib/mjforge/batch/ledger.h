@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mjforge/batch/sink.h"
+
+namespace mjforge::batch {
+
+/// How far manifest and archives are at the end of a chunk.
+struct Position {
+  std::uint64_t next = 0;  // index
+  bytes::Prefix manifest;
+  std::uint64_t archive = 0;  // the number of the one under construction
+  bytes::Prefix part;         // of it
+  // What the journal had before:
+  std::size_t assets = 0;
+  std::size_t closed = 0;
+  std::uint64_t journal_bytes = 0;
+};
+
+/// The manifest of a batch under construction, and the journal beside it, which says of each chunk
+/// what was written, with checksums. Its lines have checksums as well, so a line that a crash or
+/// anything else has changed is not believed, and neither is what follows it.
+class Ledger {
+ public:
+  explicit Ledger(const SinkOptions& options);
+
+  /// Takes manifest and journal. False, and a finding, if another process has them, what is there
+  /// is not ours, or, to resume, belongs to another output.
+  bool Open(diag::Findings& findings);
+
+  /// Whether an earlier run left a batch under construction.
+  bool is_begun() const { return is_begun_; }
+  /// Where it began: before all positions.
+  const Position& begin() const { return begin_; }
+  /// Its positions that the manifest bears out, in order.
+  const std::vector<Position>& positions() const { return positions_; }
+  /// The assets and closed archives that it noted, in order.
+  const std::vector<std::string>& assets() const { return assets_; }
+  const std::vector<manifest::SealedFile>& closed() const { return closed_; }
+  /// What vouches for an earlier batch that was done; empty if nothing does.
+  const std::optional<manifest::Seal>& former() const { return former_; }
+  /// How the output of that differs from this one's, in words.
+  std::string DifferenceOfFormer() const;
+  /// Whether an earlier run of this output made that archive.
+  bool HasMade(const std::string& archive) const;
+
+  /// The manifest under construction, and its final name.
+  const std::filesystem::path& part() const { return manifest_->temporary(); }
+  const std::filesystem::path& file() const { return file_; }
+  const output::PartFile& manifest() const { return *manifest_; }
+
+  /// Empties both.
+  bool Start(diag::Findings& findings);
+  /// Removes what came after the position.
+  bool GoBackTo(const Position& position, diag::Findings& findings);
+  bool Append(std::string_view lines, diag::Findings& findings);
+  /// Notes a position: how far the archive is; the manifest's part of it is added. `assets` came
+  /// into the archive since the last one.
+  bool Note(Position position, const std::vector<std::string>& assets, diag::Findings& findings);
+  /// Notes an archive that is to get its name: after this, it is known as ours.
+  bool NoteClosed(manifest::SealedFile archive, diag::Findings& findings);
+  /// Seals the batch and gives the manifest its name.
+  bool Finish(diag::Findings& findings);
+  /// Removes both.
+  void Drop();
+
+ private:
+  bool MayTake(diag::Findings& findings) const;
+  void ReadFormer();
+  void ReadJournal();
+  bool ReadLine(std::string_view line);
+  bool AppendMade(diag::Findings& findings);
+  bool AppendLine(const std::string& line, diag::Findings& findings);
+
+  SinkOptions options_;
+  std::filesystem::path file_;
+  manifest::Seal seal_;  // of this run
+  std::unique_ptr<output::PartFile> manifest_;
+  std::unique_ptr<output::PartFile> journal_;
+  std::optional<manifest::Seal> former_;
+  std::optional<manifest::Seal> begun_;  // as the journal has it
+  bool is_begun_ = false;
+  Position begin_;
+  std::vector<Position> positions_;
+  std::vector<std::string> assets_;
+  std::vector<manifest::SealedFile> closed_;
+  std::set<std::string> made_;  // archives that were closed once
+};
+
+}  // namespace mjforge::batch

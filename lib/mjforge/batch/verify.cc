@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "mjforge/batch/batch.h"
+#include "mjforge/batch/vouched.h"
+
+namespace mjforge::batch {
+namespace {
+
+constexpr std::string_view kSealEnding = ".seal.json";
+constexpr std::string_view kManifestEnding = ".jsonl";
+
+class Verification {
+ public:
+  Verification(diag::Sources& sources, diag::Findings& findings)
+      : sources_(sources), findings_(findings) {}
+
+  Verified operator()(const std::filesystem::path& what) {
+    std::error_code ignored;
+    const std::string name = what.filename().string();
+    if (std::filesystem::is_directory(what, ignored)) {
+      CheckFolder(what);
+    } else if (name.ends_with(kSealEnding)) {
+      CheckBatch(ManifestOf(what));
+    } else if (name.ends_with(kManifestEnding)) {
+      CheckBatch(what);
+    } else {
+      CheckArchive(what);
+    }
+    return verified_;
+  }
+
+ private:
+  static std::filesystem::path ManifestOf(const std::filesystem::path& seal) {
+    std::string name = seal.filename().string();
+    name.erase(name.size() - kSealEnding.size());
+    return seal.parent_path() / (name + std::string(kManifestEnding));
+  }
+
+  // The names in a folder, in order.
+  std::vector<std::string> NamesIn(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+    for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
+      names.push_back(at->path().filename().string());
+    if (error) {
+      findings_.Add(diag::Code::kYamlCannotRead, {},
+                    fmt::format("cannot read '{}': {}", folder.string(), error.message()));
+    }
+    std::ranges::sort(names);
+    return names;
+  }
+
+  void CheckFolder(const std::filesystem::path& folder) {
+    bool is_empty = true;
+    for (const std::string& name : NamesIn(folder)) {
+      if (name.ends_with("manifest.jsonl.part")) {
+        AddMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
+                   "the command that began it goes on with --resume");
+      } else if (name.ends_with(kSealEnding)) {
+        CheckBatch(ManifestOf(folder / name));
+      } else if (name.ends_with("manifest.jsonl") &&
+                 !std::filesystem::exists(manifest::SealOf(folder / name))) {
+        CheckBatch(folder / name);  // which says so
+      } else {
+        continue;
+      }
+      is_empty = false;
+    }
+    if (is_empty && findings_.empty())
+      AddMissing(fmt::format("'{}' has no manifest", folder.string()), {});
+  }
+
+  void CheckBatch(const std::filesystem::path& manifest) {
+    ++verified_.batches;
+    std::string why_not;
+    const std::optional<manifest::Seal> seal = ReadSealOf(manifest, why_not);
+    if (!seal) {
+      AddMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
+                             manifest::SealOf(manifest).string(), why_not),
+                 "run the command that made it again with --resume");
+      return;
+    }
+    const std::filesystem::path folder = manifest.parent_path();
+    for (const manifest::SealedFile& archive : seal->archives) Check(folder, archive);
+    if (!Check(folder, seal->manifest)) return;
+    verified_.variants += seal->records;
+    if (seal->output.empty()) CheckObjects(manifest);
+  }
+
+  bool Check(const std::filesystem::path& folder, const manifest::SealedFile& file) {
+    diag::Findings found;
+    const bool is_good = CheckSealed(folder, file, true, found);
+    return Count(is_good, std::move(found));
+  }
+
+  void CheckObjects(const std::filesystem::path& manifest) {
+    using Outcome = manifest::RecordReader::Outcome;
+    auto reader = manifest::RecordReader::Open(manifest, sources_, findings_);
+    manifest::Record record;
+    while (reader && reader->Next(record) == Outcome::kRecord) {
+      if (record.status != Status::kOk) continue;
+      diag::Findings found;
+      const bool is_good = CheckObject(manifest.parent_path(), record, true, found);
+      Count(is_good, std::move(found));
+    }
+  }
+
+  bool Count(bool is_good, diag::Findings found) {
+    if (is_good) {
+      ++verified_.files;
+    } else if (findings_.size() < kMaxFindings) {
+      findings_.Append(std::move(found));
+    } else {
+      ++verified_.more_findings;
+    }
+    return is_good;
+  }
+
+  // The batch that has it.
+  void CheckArchive(const std::filesystem::path& archive) {
+    const std::filesystem::path folder = archive.parent_path();
+    for (const std::string& name : NamesIn(folder)) {
+      if (!name.ends_with(kSealEnding)) continue;
+      std::string why_not;
+      const auto seal = ReadSealOf(ManifestOf(folder / name), why_not);
+      if (!seal) continue;
+      for (const manifest::SealedFile& file : seal->archives) {
+        if (file.file != archive.filename()) continue;
+        ++verified_.batches;
+        Check(folder, file);
+        return;
+      }
+    }
+    AddMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
+               "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
+  }
+
+  void AddMissing(std::string message, std::string hint) {
+    findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
+  }
+
+  diag::Sources& sources_;
+  diag::Findings& findings_;
+  Verified verified_;
+};
+
+}  // namespace
+
+Verified Verify(const std::filesystem::path& what, diag::Sources& sources,
+                diag::Findings& findings) {
+  return Verification(sources, findings)(what);
+}
+
+}  // namespace mjforge::batch

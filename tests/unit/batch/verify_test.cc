@@ -1,0 +1,80 @@
+#include <catch2/catch.hpp>
+
+#include "crate_batch.h"
+
+namespace mjforge::batch {
+namespace {
+
+struct VerifyTest : CrateBatch {
+  VerifyTest() : CrateBatch(kUnluckySpec) {}
+
+  bool IsGood(const std::string& what) {
+    findings.clear();
+    verified = Verify(folder / what, sources, findings);
+    return !findings.HasErrors();
+  }
+
+  diag::Sources sources;
+  diag::Findings findings;
+  Verified verified;
+};
+
+TEST_CASE_METHOD(VerifyTest, "what was just made is as it was") {
+  const Summary summary = Make(Of(100, "out"));
+  Make(Of(100, "series/x_%d.tar.zst", 30));
+  CHECK(IsGood("out"));
+  CHECK(verified.variants == 100);
+  CHECK(verified.files == summary.ok + 1);
+  CHECK(IsGood("series"));
+  CHECK(verified.files == 5);
+  CHECK(IsGood("series/x.manifest.jsonl"));
+  CHECK(IsGood("series/x.manifest.seal.json"));
+  CHECK(IsGood("series/x_2.tar.zst"));
+  CHECK(verified.files == 1);
+}
+
+TEST_CASE_METHOD(VerifyTest, "each file that is missing, short or changed is named") {
+  const std::string output = GENERATE("", "/x.tar", "/x_%d.tar.zst");
+  Make(Of(50, "out" + output, 30));
+  for (const auto& [name, bytes] : Bytes("out")) {
+    INFO(name);
+    std::string changed = bytes;
+    changed[bytes.size() / 2] ^= 1;
+    for (const std::string& other : {std::string(), bytes.substr(1), changed}) {
+      folder.Write("out/" + name, other);
+      CHECK_FALSE(IsGood("out"));
+      CHECK(findings[0].message.find(name) != std::string::npos);
+    }
+    std::filesystem::remove(folder / "out" / name);
+    CHECK_FALSE(IsGood("out"));
+    CHECK(findings[0].code == diag::Code::kBatchMissing);
+    CHECK(findings[0].message.find(name) != std::string::npos);
+    folder.Write("out/" + name, bytes);
+  }
+  CHECK(IsGood("out"));
+}
+
+TEST_CASE_METHOD(VerifyTest, "what nothing vouches for is not good") {
+  folder.Write("empty/x.tar", "");
+  CHECK_FALSE(IsGood("empty"));
+  CHECK(findings[0].message.ends_with("empty' has no manifest"));
+  CHECK_FALSE(IsGood("empty/x.tar"));
+  CHECK_FALSE(IsGood("none"));
+  Make(Of(10, "out"));
+  std::filesystem::rename(folder / "out/manifest.jsonl", folder / "out/.manifest.jsonl.part");
+  CHECK_FALSE(IsGood("out"));
+  CHECK(findings[0].message.ends_with(".manifest.jsonl.part' is of a batch that is not done"));
+}
+
+TEST_CASE_METHOD(VerifyTest, "many faults are counted") {
+  Make(Of(200, "out"));
+  for (const auto& [name, bytes] : Bytes("out")) {
+    if (name.ends_with(".xml")) folder.Write("out/" + name, "x");
+  }
+  CHECK_FALSE(IsGood("out"));
+  CHECK(findings.size() == kMaxFindings);
+  CHECK(verified.more_findings > 0);
+}
+
+}  // namespace
+}  // namespace mjforge::batch
