@@ -1,12 +1,17 @@
 #include "child.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +19,8 @@
 #include <exception>
 #include <new>
 #include <system_error>
+
+#include "mjforge/batch/batch.h"
 
 namespace mjforge::app {
 namespace {
@@ -43,14 +50,42 @@ class SharedProgress {
   Progress* progress_;
 };
 
+// More than any object takes. AddressSanitizer reserves terabytes.
+void LimitMemory() {
+#ifndef __SANITIZE_ADDRESS__
+  constexpr ::rlim_t kMost = ::rlim_t{8} << 30;
+  const ::rlimit limit = {kMost, kMost};
+  ::setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
+// The step that begins may take so much CPU time; then SIGXCPU ends the process.
+void LimitTime(Seconds time) {
+  struct rusage used;
+  ::getrusage(RUSAGE_SELF, &used);
+  const double end = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+                     std::ceil(time.count()) + 1;
+  const ::rlimit limit = {static_cast<::rlim_t>(end), RLIM_INFINITY};
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
+// The exit status of a child that had too little memory.
+constexpr int kOutOfMemory = 71;  // sysexits.h: EX_OSERR
+
 // Ends with the process that waits for it. Never returns.
-[[noreturn]] void BeChild(std::size_t count, const std::function<ExitStatus(std::size_t)>& take,
+[[noreturn]] void BeChild(std::size_t count, Seconds time_limit,
+                          const std::function<ExitStatus(std::size_t)>& take,
                           const SharedProgress& progress, ::pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) std::_Exit(0);  // it ended before that
+  LimitMemory();
   try {
-    for (; progress->step < count; ++progress->step)
+    for (; progress->step < count; ++progress->step) {
+      LimitTime(time_limit);
       progress->status = Worse(progress->status, take(progress->step));
+    }
+  } catch (const std::bad_alloc&) {
+    std::_Exit(kOutOfMemory);
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
     progress->status = ExitStatus::kBug;
@@ -59,23 +94,51 @@ class SharedProgress {
   std::exit(0);
 }
 
+// Waits until the child has ended, or for so long.
+void WaitForEnd(::pid_t child, Seconds time) {
+  const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
+  if (descriptor < 0) return;  // an old kernel: only CPU time is limited
+  ::pollfd polled = {descriptor, POLLIN, 0};
+  ::poll(&polled, 1, static_cast<int>(std::min(time.count() * 1000, 1e9)));
+  ::close(descriptor);
+}
+
 // How a child ended, once it has. Whoever is asked to end by a signal of the terminal or of a
-// batch system passes that on.
-std::string WaitFor(::pid_t child) {
+// batch system passes that on. A child whose step does not go on is killed.
+std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& progress) {
+  const Seconds patience = batch::WallLimit(time_limit);
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (!WIFSIGNALED(status)) return fmt::format("exit status {}", WEXITSTATUS(status));
+  for (bool is_slow = false;;) {
+    const std::size_t step = progress->step;
+    WaitForEnd(child, patience);
+    const ::pid_t ended = ::waitpid(child, &status, WNOHANG);
+    if (ended == 0 && progress->step == step) {
+      is_slow = true;
+      ::kill(child, SIGKILL);
+    }
+    while (ended == 0 && is_slow && ::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    if (is_slow) return fmt::format("took more than {:g} s of wall time", patience.count());
+    if (ended != 0) break;
+  }
+  if (!WIFSIGNALED(status)) {
+    return WEXITSTATUS(status) == kOutOfMemory
+               ? "needs more memory than there is"
+               : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
+  }
   const int signal = WTERMSIG(status);
+  if (signal == SIGXCPU)
+    return fmt::format("took more than {:g} s of CPU time", time_limit.count());
   if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  return fmt::format("SIG{}", ::sigabbrev_np(signal));
+  return fmt::format("made MuJoCo crash (SIG{})", ::sigabbrev_np(signal));
 }
 
 }  // namespace
 
-ExitStatus InChild(std::size_t count, const std::function<ExitStatus(std::size_t)>& take,
+ExitStatus InChild(std::size_t count, Seconds time_limit,
+                   const std::function<ExitStatus(std::size_t)>& take,
                    const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
   const SharedProgress progress;
   while (progress->step < count && !progress->done) {
@@ -83,8 +146,8 @@ ExitStatus InChild(std::size_t count, const std::function<ExitStatus(std::size_t
     const ::pid_t parent = ::getpid();
     const ::pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
-    if (child == 0) BeChild(count, take, progress, parent);
-    const std::string end = WaitFor(child);
+    if (child == 0) BeChild(count, time_limit, take, progress, parent);
+    const std::string end = WaitFor(child, time_limit, progress);
     if (progress->done) break;
     progress->status = Worse(progress->status, crashed(progress->step, end));
     ++progress->step;
@@ -94,14 +157,16 @@ ExitStatus InChild(std::size_t count, const std::function<ExitStatus(std::size_t
 
 void AddCrash(const std::string& what, const std::string& end, diag::Findings& findings) {
   findings.Add(diag::Code::kMujocoError, {},
-               fmt::format("MuJoCo crashed on '{}' ({})", what == "-" ? "<stdin>" : what, end),
-               "see whether indices of meshes (`face`) are in range; a newer MuJoCo may say more");
+               fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, end),
+               end.starts_with("took") ? "raise --time-limit"
+                                       : "see whether indices of meshes (`face`) are in range and "
+                                         "sizes are sensible; a newer MuJoCo may say more");
 }
 
-ExitStatus InChild(const std::string& what, Console& console,
+ExitStatus InChild(const std::string& what, Seconds time_limit, Console& console,
                    const std::function<ExitStatus()>& take) {
   return InChild(
-      1, [&](std::size_t) { return take(); },
+      1, time_limit, [&](std::size_t) { return take(); },
       [&](std::size_t, const std::string& end) {
         AddCrash(what, end, console.findings);
         return console.Tell();

@@ -149,7 +149,8 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     if (!shard) return std::nullopt;
     request.shard = *shard;
   }
-  if (request.count - 1 > std::numeric_limits<std::uint64_t>::max() - request.first) {
+  // The index after the last one must be a number, too.
+  if (request.count > std::numeric_limits<std::uint64_t>::max() - request.first) {
     why_not = "--first and -n go beyond the largest index";
   } else if (request.variant.batch > sample::kMaxBatch) {
     why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
@@ -186,13 +187,19 @@ std::string Counts(const batch::Summary& summary, Clock::time_point start) {
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void OnInterrupt(int) { interrupted = true; }
+extern "C" void OnInterrupt(int signal) {
+  if (interrupted.exchange(true)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
 
-// From now on the first SIGINT or SIGTERM only sets the flag; a second one ends the program.
+// From now on the first SIGINT or SIGTERM only sets the flag; a second one, of either kind, ends
+// the program.
 const std::atomic<bool>& CatchInterrupts() {
   struct sigaction action = {};
   action.sa_handler = OnInterrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = static_cast<int>(SA_NODEFER | SA_RESTART);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   return interrupted;
@@ -276,7 +283,7 @@ class Generation {
     ExitStatus status = StatusOf(summary);
     if (status == ExitStatus::kDone && options_.make.wanted() &&
         !WriteDependencies(options_.make, request.destination, FilesOf(recipe, summary),
-                           std::filesystem::path(options_.specs[0]).is_absolute(),
+                           std::filesystem::path(options_.specs[0]).is_absolute(), request.force,
                            summary.findings)) {
       status = ExitStatus::kInputOutput;
     }

@@ -17,6 +17,7 @@ namespace {
 
 struct InspectOptions : OneOptions {
   std::string contains;
+  double time_limit = 60;
   bool sweep = false;
   bool json = false;
 };
@@ -88,7 +89,7 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
       return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
     return InspectBatch(*manifest, options.json, console);
   }
-  return InChild(options.what, console, [&] {
+  return InChild(options.what, Seconds(options.time_limit), console, [&] {
     return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
   });
 }
@@ -105,6 +106,7 @@ Action AddInspect(CLI::App& command) {
   command.add_flag("--sweep", options->sweep, "Move the joints; show which bodies collide")
       ->option_text(" ")
       ->excludes(contains);
+  AddTimeLimit(command, options->time_limit);
   command.add_flag("--json", options->json, "One JSON object");
   return [options](Console& console) { return Inspect(*options, console); };
 }

@@ -15,6 +15,7 @@ namespace mjforge::app {
 namespace {
 
 struct ValidateOptions {
+  double time_limit = 60;
   std::vector<std::string> files;
   bool physics = false;
   std::vector<std::string> settings;
@@ -123,7 +124,6 @@ ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
   judges.checks = *checks;
   const auto validate = [&](std::size_t i) {
     const std::string& file = options.files[i];
-    if (file == "-") IsMjcf(file);  // keeps it: it is read for every look
     return ValidateFile(file, options, judges, console);
   };
   const auto crashed = [&](std::size_t i, const std::string& end) {
@@ -131,7 +131,7 @@ ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
     AddCrash(options.files[i], end, verdict.findings);
     return Tell(options.files[i], std::move(verdict), {}, options, console);
   };
-  return InChild(options.files.size(), validate, crashed);
+  return InChild(options.files.size(), Seconds(options.time_limit), validate, crashed);
 }
 
 }  // namespace
@@ -145,6 +145,7 @@ Action AddValidate(CLI::App& command) {
       command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSettings(command, options->settings, "Set a threshold: checks.NAME=VALUE");
   command.get_option("--set")->needs(physics);
+  AddTimeLimit(command, options->time_limit);
   command.add_flag("--json", options->json, "One JSON object per file, findings included");
   return [options](Console& console) { return ValidateFiles(*options, console); };
 }

@@ -34,6 +34,15 @@ std::string NameForMake(const std::filesystem::path& file, bool absolute) {
   return (absolute || !below ? whole : relative).string();
 }
 
+// Targets are not longer, together.
+constexpr std::size_t kRuleStart = std::size_t{64} << 10;
+
+// Whether a file that starts so is a rule, as WriteDependencies writes it, or empty.
+bool IsRule(std::string_view start) {
+  const std::string_view line = start.substr(0, start.find('\n'));
+  return start.empty() || line.ends_with(": \\") || line.ends_with(':');
+}
+
 }  // namespace
 
 void AddMakeOptions(CLI::App& command, MakeOptions& options) {
@@ -75,7 +84,7 @@ std::string WithShortMakeOptions(std::string text) {
 }
 
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, bool absolute,
+                       const std::set<std::string>& files, bool absolute, bool force,
                        diag::Findings& findings) {
   std::set<std::string> names;
   for (const std::string& name : files) names.insert(NameForMake(name, absolute));
@@ -83,7 +92,8 @@ bool WriteDependencies(const MakeOptions& options, const output::Destination& de
   if (targets.empty()) targets.push_back(output::EscapeForMake(TargetOf(destination).string()));
   const std::filesystem::path file =
       options.file.empty() ? DependencyFile(destination) : std::filesystem::path(options.file);
-  return output::WriteFile(file, output::MakeRule(targets, names, options.phony), false, findings);
+  return output::MayReplace(file, force, kRuleStart, IsRule, findings) &&
+         output::WriteFile(file, output::MakeRule(targets, names, options.phony), false, findings);
 }
 
 }  // namespace mjforge::app

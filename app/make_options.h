@@ -35,6 +35,7 @@ std::string WithShortMakeOptions(std::string text);
 /// Writes the rule. Files below the current folder get relative paths, or all get absolute ones if
 /// `absolute`. False and a finding if it cannot be written.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, bool absolute, diag::Findings& findings);
+                       const std::set<std::string>& files, bool absolute, bool force,
+                       diag::Findings& findings);
 
 }  // namespace mjforge::app

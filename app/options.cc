@@ -99,6 +99,13 @@ void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& do
   AddSpecOptions(command, options.spec);
 }
 
+void AddTimeLimit(CLI::App& command, double& seconds) {
+  AddNumber(
+      command, "--time-limit", [&seconds](double s) { seconds = s; }, 1e-9, 1e9,
+      "a time in seconds above 0", "CPU time for each, s; wall time 10 S + 5")
+      ->option_text(fmt::format("S [{:g}]", seconds));
+}
+
 void AddManyOptions(CLI::App& command, ManyOptions& options) {
   batch::Request& request = options.request;
   command.add_option("SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)")

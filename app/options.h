@@ -49,6 +49,8 @@ struct OneOptions {
   std::uint64_t index = 0;
   SpecOptions spec;
 };
+/// How long a file or an object may take that MuJoCo looks at in a child process, s.
+void AddTimeLimit(CLI::App& command, double& seconds);
 void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc);
 
 /// Many variants of specs.

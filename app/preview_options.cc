@@ -159,6 +159,7 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
       ->check(CheckBackground)
       ->option_text("COLOR [studio]");
   command.add_flag("--sweep", options.sweep, "Animate all joints, or --joint NAME");
+  AddTimeLimit(command, options.time_limit);
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
 }
 

@@ -21,6 +21,7 @@ struct PreviewOptions {
   std::string background = "studio";
   std::vector<std::string> joints;  // name=expression
   bool sweep = false;
+  double time_limit = 600;
   bool force = false;
   SpecOptions spec;
 

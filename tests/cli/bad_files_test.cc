@@ -1,5 +1,9 @@
 // Files that are no specs.
 
+#include <sys/stat.h>
+
+#include <filesystem>
+
 #include "bad_input.h"
 
 namespace mjforge {
@@ -80,7 +84,7 @@ TEST_CASE_METHOD(BadInputTest, "a file on which MuJoCo crashes is a finding, and
                  "face=\"0 2 1 0 1 3 0 3 2 1 2 90000000\"/></asset><worldbody><body name=\"b\">"
                  "<geom type=\"mesh\" mesh=\"m\"/></body></worldbody></mujoco>\n");
   folder().Write("good.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>\n");
-  const std::string message = "mjforge: error: MuJoCo crashed on 'bad.xml' (";
+  const std::string message = "mjforge: error: 'bad.xml' made MuJoCo crash (SIG";
   const auto both = Run({"validate", "bad.xml", "good.xml"});
   CHECK(both.status == 1);
   CHECK(both.out.starts_with("bad.xml: failed\ngood.xml: ok"));
@@ -93,6 +97,46 @@ TEST_CASE_METHOD(BadInputTest, "a file on which MuJoCo crashes is a finding, and
     CHECK(CountOf(result.err, message) == 1);
   }
   CHECK(folder().Files() == std::vector<std::string>{"bad.xml", "good.xml"});
+}
+
+TEST_CASE_METHOD(BadInputTest, "a file that MuJoCo never comes to an end with is given up") {
+  folder().Write("bad.xml",
+                 "<mujoco><asset><mesh name=\"m\" file=\"m.obj\"/></asset><worldbody>"
+                 "<geom type=\"mesh\" mesh=\"m\"/></worldbody></mujoco>\n");
+  folder().Write("good.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>\n");
+  REQUIRE(::mkfifo((folder().path() / "m.obj").c_str(), 0600) == 0);
+  const auto both = Run({"validate", "--time-limit", "0.01", "bad.xml", "good.xml"});
+  CHECK(both.status == 1);
+  CHECK(both.out.starts_with("bad.xml: failed\ngood.xml: ok"));
+  CHECK(CountOf(both.err, "error: 'bad.xml' took more than 5.1 s of wall time") == 1);
+}
+
+TEST_CASE_METHOD(BadInputTest, "what is not a file is not read") {
+  REQUIRE(::mkfifo((folder().path() / "pipe").c_str(), 0600) == 0);
+  for (const char* what : {"pipe", "/dev/zero"}) {
+    for (const char* command : {"check", "generate", "inspect", "preview", "validate", "replay"}) {
+      const auto result = Run({command, what});
+      INFO(command << ' ' << what << ": " << result.err);
+      CHECK(result.status == 3);
+      CHECK(CountOf(result.err, std::string("cannot read '") + what + "': it is a ") == 1);
+    }
+  }
+  std::filesystem::create_symlink("/dev/zero", folder().path() / "wood.png");
+  folder().Write("crate.yaml",
+                 "mjforge: 1\nname: crate\nmaterials: {wood: {texture: {file: wood.png}}}\n"
+                 "parts: [{name: a, type: sphere, size: 0.1, material: wood}]\n");
+  CHECK(Run({"generate", "crate.yaml", "-n", "2"}).status == 1);
+}
+
+TEST_CASE_METHOD(BadInputTest, "the power of numbers and of nesting in a manifest ends somewhere") {
+  folder().Write("manifest.jsonl", "{\"findings\":" + std::string(200'000, '[') + "\n");
+  for (const char* command : {"report", "inspect"}) {
+    const auto result = Run({command, "manifest.jsonl"});
+    INFO(command << ": " << result.err);
+    CHECK(result.status > 0);
+    CHECK(result.status <= 3);
+    CHECK(result.err.find("values are nested more than 64 deep") != std::string::npos);
+  }
 }
 
 }  // namespace

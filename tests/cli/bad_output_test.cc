@@ -79,6 +79,36 @@ TEST_CASE_METHOD(BadOutputTest, "a pipe is refused at once, by whoever writes a 
   }
 }
 
+TEST_CASE_METHOD(BadOutputTest, "a Make rule replaces a rule and nothing else") {
+  folder().Write("notes.txt", "mine\n");
+  for (const char* file : {"notes.txt", "x.xml", "crate.yaml", "/dev/full"}) {
+    const std::string before = file[0] == '/' ? "" : folder().Read("crate.yaml");
+    const auto result = Run({"generate", "crate.yaml", "-o", "x.xml", "-MD", "-MF", file, "-q"});
+    INFO(file << ": " << result.err);
+    CHECK(result.status == 3);
+  }
+  CHECK(std::filesystem::is_character_file("/dev/full"));
+  CHECK(folder().Read("notes.txt") == "mine\n");
+  CHECK(folder().Read("x.xml").starts_with("<!-- mjforge "));
+  const std::vector<std::string> rule = {"generate", "crate.yaml", "-o",     "x.xml",
+                                         "-MD",      "-MF",        "rule.d", "-q"};
+  CHECK(Run(rule).status == 0);
+  const std::string made = folder().Read("rule.d");
+  CHECK(Run(rule).status == 0);
+  CHECK(folder().Read("rule.d") == made);
+}
+
+TEST_CASE_METHOD(BadOutputTest, "the largest index is one that is made") {
+  CHECK(Run({"generate", "crate.yaml", "--first", "18446744073709551615", "-o", "x.tar"}).status ==
+        2);
+  const auto result =
+      Run({"generate", "crate.yaml", "--first", "18446744073709551613", "-n", "2", "-o", "x.tar"});
+  INFO(result.err);
+  CHECK(result.status == 0);
+  CHECK(folder().Read("x.manifest.jsonl").find("\"index\":18446744073709551614,") !=
+        std::string::npos);
+}
+
 TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {
   std::filesystem::create_directory(folder() / "out");
   std::filesystem::permissions(folder() / "out", std::filesystem::perms(0555));

@@ -22,6 +22,9 @@ class ArchiveSink : public Sink {
   std::optional<Kept> Open(diag::Findings& findings) override {
     if (!folders_.Make(destination_.Folder(), findings) || !ledger_.Open(findings))
       return std::nullopt;
+    const std::string seal = manifest::SealOf(ledger_.file()).filename().string();
+    output::RemoveHalfWritten(destination_.Folder(), false,
+                              [&](const std::string& file) { return file == seal; });
     position_.next = options_.range.first;
     position_.archive = FirstArchive();
     Kept nothing;

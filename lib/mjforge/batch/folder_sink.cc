@@ -51,12 +51,11 @@ class FolderSink : public Sink {
   void Drop() override { ledger_.Drop(); }
 
  private:
-  // Nobody else makes this range. Assets may be another shard's.
   void RemoveHalfWritten() const {
-    const auto is_ours = [range = options_.range](std::uint64_t index) {
-      return index >= range.first && index - range.first < range.count;
-    };
-    output::RemoveHalfWritten(folder_, is_ours, request_.shard.IsWhole());
+    output::RemoveHalfWritten(folder_, true, [range = options_.range](const std::string& file) {
+      const std::optional<std::uint64_t> index = output::IndexOf(file);
+      return !index || (*index >= range.first && *index - range.first < range.count);
+    });
   }
 
   // What is on disk is trusted by its hash, so that a file that was lost or

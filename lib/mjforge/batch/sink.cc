@@ -17,12 +17,15 @@ class FileSink : public Sink {
   bool Take(Result& result, diag::Findings& findings) override {
     if (result.text.empty()) return true;
     const std::filesystem::path& path = request_.destination.path;
+    const std::string name = path.filename().string();
+    output::RemoveHalfWritten(path.parent_path(), false,
+                              [&](const std::string& file) { return file == name; });
     output::ObjectFolder folder(path.parent_path(),
                                 {.force = request_.force, .if_changed = request_.if_changed});
     mjcf::MjcfDocument document;
     document.text = result.text;
     document.assets.assign(result.assets.begin(), result.assets.end());
-    return folder.Write(path.filename().string(), document, findings);
+    return folder.Write(name, document, findings);
   }
 
  private:

@@ -64,6 +64,9 @@ double LargestSize(const Shape& shape) {
 }  // namespace
 
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) {
+  // Products of larger numbers overflow.
+  constexpr double kFar = 1e100;
+  if (p_A.cwiseAbs().maxCoeff() > kFar) return false;
   const Eigen::Vector3d p = X_AG.q.conjugate() * (p_A - X_AG.p);
   const double guard = kRounding * (LargestSize(shape) + X_AG.p.norm() + p_A.norm());
   const Eigen::Vector3d& s = shape.size;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -59,6 +60,7 @@ std::unique_ptr<AtomicFile> AtomicFile::Create(const std::filesystem::path& file
   for (int attempt = 0; attempt < kTriedNames; ++attempt) {
     std::string temporary = TemporaryName(file, attempt);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) ::flock(descriptor, LOCK_EX | LOCK_NB);  // RemoveHalfWritten asks for it
     if (descriptor >= 0)
       return std::unique_ptr<AtomicFile>(new AtomicFile(file, std::move(temporary), descriptor));
     if (errno != EEXIST) break;

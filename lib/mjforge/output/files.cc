@@ -56,9 +56,12 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
   return MayReplace(
       file, force, kCommentBytes,
       [](std::string_view opening) {
-        // After a power cut there may be nothing in a file, or zeros.
-        const bool is_blank = opening.find_first_not_of('\0') == opening.npos;
-        return is_blank || mjcf::ReadProvenance(opening).has_value();
+        // After a power cut a file may end, or have zeros, anywhere.
+        constexpr std::string_view kMark = "<!-- mjforge ";
+        const std::string_view left = opening.substr(0, opening.find('\0'));
+        const bool is_cut = left.find("-->") == left.npos &&
+                            left.substr(0, kMark.size()) == kMark.substr(0, left.size());
+        return is_cut || mjcf::ReadProvenance(opening).has_value();
       },
       findings);
 }

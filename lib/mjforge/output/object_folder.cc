@@ -1,7 +1,10 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 #include "mjforge/bytes/bytes.h"
@@ -31,27 +34,44 @@ bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path&
   return WriteFile(target, *bytes, false, findings);
 }
 
-// "hammer_000042.xml" -> 42.
+// Whether no living process has it, which would hold its lock.
+bool IsLeft(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  const bool left = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  ::close(descriptor);
+  return left;
+}
+
+template <typename Iterator>
+void RemoveHalfWrittenIn(Iterator at, std::error_code& error,
+                         const std::function<bool(const std::string&)>& is_ours) {
+  std::vector<std::filesystem::path> found;
+  for (; !error && at != Iterator(); at.increment(error)) {
+    const std::optional<std::string> file = UnderConstruction(at->path().filename().string());
+    if (file && is_ours(*file) && IsLeft(at->path())) found.push_back(at->path());
+  }
+  for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
+}
+
+}  // namespace
+
 std::optional<std::uint64_t> IndexOf(std::string_view file) {
   const std::size_t start = file.rfind('_');
   if (start == file.npos || !file.ends_with(".xml")) return std::nullopt;
   return ReadIndex(file.substr(start + 1, file.size() - start - 5));
 }
 
-}  // namespace
-
-void RemoveHalfWritten(const std::filesystem::path& folder,
-                       const std::function<bool(std::uint64_t)>& is_ours, bool assets) {
-  std::vector<std::filesystem::path> found;
+void RemoveHalfWritten(const std::filesystem::path& folder, bool below,
+                       const std::function<bool(const std::string&)>& is_ours) {
+  const std::filesystem::path start = folder.empty() ? "." : folder;
   std::error_code error;
-  for (std::filesystem::recursive_directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error)) {
-    const std::optional<std::string> file = UnderConstruction(at->path().filename().string());
-    if (!file) continue;
-    const std::optional<std::uint64_t> index = IndexOf(*file);
-    if (index ? is_ours(*index) : assets) found.push_back(at->path());
+  if (below) {
+    RemoveHalfWrittenIn(std::filesystem::recursive_directory_iterator(start, error), error,
+                        is_ours);
+  } else {
+    RemoveHalfWrittenIn(std::filesystem::directory_iterator(start, error), error, is_ours);
   }
-  for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
 }
 
 MadeFolders::~MadeFolders() {
@@ -59,26 +79,47 @@ MadeFolders::~MadeFolders() {
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
 }
 
+bool MadeFolders::MakeOne(const std::filesystem::path& path, bool follow,
+                          diag::Findings& findings) {
+  const auto is_folder = [&](struct stat& status) {
+    return (follow ? ::stat(path.c_str(), &status) : ::lstat(path.c_str(), &status)) == 0;
+  };
+  struct stat status;
+  if (!is_folder(status)) {
+    if (::mkdir(path.c_str(), 0777) == 0) {
+      made_.push_back(path);
+      return true;
+    }
+    const int error = errno;
+    // Another process may have been quicker.
+    if (error != EEXIST || !is_folder(status)) status.st_mode = 0;
+    errno = error;
+  } else {
+    errno = S_ISLNK(status.st_mode) ? ELOOP : ENOTDIR;
+  }
+  if (S_ISDIR(status.st_mode)) return true;
+  findings.Add(diag::Code::kOutputCannotWrite, {},
+               errno == ELOOP ? fmt::format("'{}' is a link, which is not followed", path.string())
+                              : fmt::format("cannot make folder '{}': {}", path.string(),
+                                            std::generic_category().message(errno)));
+  return false;
+}
+
 bool MadeFolders::Make(const std::filesystem::path& folder, diag::Findings& findings) {
   std::filesystem::path path;
-  for (const std::filesystem::path& name : folder) {
+  return std::all_of(folder.begin(), folder.end(), [&](const std::filesystem::path& name) {
     path /= name;
-    struct stat status;
-    if (::stat(path.c_str(), &status) == 0) {
-      if (S_ISDIR(status.st_mode)) continue;
-      errno = ENOTDIR;
-    } else if (::mkdir(path.c_str(), 0777) == 0) {
-      made_.push_back(path);
-      continue;
-    } else if (errno == EEXIST && ::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
-      continue;  // another process was quicker
-    }
-    findings.Add(diag::Code::kOutputCannotWrite, {},
-                 fmt::format("cannot make folder '{}': {}", path.string(),
-                             std::generic_category().message(errno)));
-    return false;
-  }
-  return true;
+    return MakeOne(path, true, findings);
+  });
+}
+
+bool MadeFolders::MakeBelow(const std::filesystem::path& base, const std::filesystem::path& folder,
+                            diag::Findings& findings) {
+  std::filesystem::path path = base;
+  return std::all_of(folder.begin(), folder.end(), [&](const std::filesystem::path& name) {
+    path /= name;
+    return MakeOne(path, false, findings);
+  });
 }
 
 bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
@@ -86,7 +127,8 @@ bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
   for (const auto& [name, source] : document.assets) {
     const std::filesystem::path target = folder / name;
     if (assets_.contains(target)) continue;
-    if (!folders_.Make(target.parent_path(), findings)) return false;
+    const std::filesystem::path below = std::filesystem::path(name).parent_path();
+    if (!folders_.MakeBelow(folder, below, findings)) return false;
     if (!CopyAsset(source, target, overwrite_.force || overwrite_.assets, findings)) return false;
     assets_.insert(target);
   }
@@ -98,7 +140,9 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
   const std::filesystem::path path = folder_ / file;
   const std::filesystem::path folder = path.parent_path();
   if (folder != known_folder_) {
-    if (!folders_.Make(folder, findings)) return false;
+    const std::filesystem::path below = std::filesystem::path(file).parent_path();
+    if (!folders_.Make(folder_, findings) || !folders_.MakeBelow(folder_, below, findings))
+      return false;
     known_folder_ = folder;
   }
   // Assets first: an object never stands there without what it refers to.

@@ -43,8 +43,9 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
-/// True if nothing would be lost by writing `file`: it does not exist, it is empty or all zeros, it
-/// is an object that mjforge wrote, or `force` says so. Else a finding.
+/// True if nothing would be lost by writing `file`: it does not exist, it is an object that mjforge
+/// wrote or the beginning of one (a power cut may leave nothing but zeros), or `force` says so.
+/// Else a finding.
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 /// Adds "'FILE' exists and was not made by mjforge".
@@ -60,8 +61,13 @@ class MadeFolders {
 
   /// Makes the folder and those above it that are missing.
   bool Make(const std::filesystem::path& folder, diag::Findings& findings);
+  /// The same for a folder below one that is there; there, links to other places are refused.
+  bool MakeBelow(const std::filesystem::path& base, const std::filesystem::path& folder,
+                 diag::Findings& findings);
 
  private:
+  bool MakeOne(const std::filesystem::path& path, bool follow, diag::Findings& findings);
+
   std::vector<std::filesystem::path> made_;  // outermost first
 };
 
@@ -88,10 +94,13 @@ class ObjectFolder {
   std::set<std::filesystem::path> assets_;  // done
 };
 
-/// Removes what a killed process left half-written in a folder and its subfolders: hidden files of
-/// objects whose index `is_ours` accepts, and those of assets if `assets`.
-void RemoveHalfWritten(const std::filesystem::path& folder,
-                       const std::function<bool(std::uint64_t)>& is_ours, bool assets);
+/// Removes what killed processes left half-written in a folder: hidden files whose final names
+/// `is_ours` accepts and that no living process has. With `below`, in its subfolders, too.
+void RemoveHalfWritten(const std::filesystem::path& folder, bool below,
+                       const std::function<bool(const std::string&)>& is_ours);
+
+/// "hammer_000042.xml" -> 42; nothing for other names.
+std::optional<std::uint64_t> IndexOf(std::string_view file);
 
 /// "TARGETS: FILES" for Make, as compilers write it for -MF: one file per line, with spaces, # and
 /// $ escaped. Targets are written as given. With `phony` each file is also a target, so that Make

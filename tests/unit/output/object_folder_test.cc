@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
+#include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
@@ -117,13 +118,42 @@ TEST_CASE("what a killed process left half-written is removed, and nothing else"
   folder.Write("out/.hammer_000042.xml.tmp7-0", "");
   folder.Write("out/0010000/.hammer_000042.xml.tmp123-99", "");
   folder.Write("out/assets/.wood.png.tmp7-0", "");
-  const auto is_ours = [](std::uint64_t index) { return index == 42; };
-  RemoveHalfWritten(folder / "out", is_ours, false);
-  CHECK(folder.Files().size() == kept.size() + 1);
+  diag::Findings findings;
+  const auto living = AtomicFile::Create(folder / "out/hammer_000042.xml", findings);
+  REQUIRE(living);
+  const auto is_ours = [](const std::string& file) { return IndexOf(file) == 42; };
+  RemoveHalfWritten(folder / "out", false, is_ours);
+  CHECK(folder.Files().size() == kept.size() + 3);
+  RemoveHalfWritten(folder / "out", true, is_ours);
+  CHECK(folder.Files().size() == kept.size() + 2);
   CHECK(std::filesystem::exists(folder / "out/assets/.wood.png.tmp7-0"));
-  RemoveHalfWritten(folder / "out", is_ours, true);
-  CHECK(folder.Files() == kept);
-  RemoveHalfWritten(folder / "none", is_ours, true);
+  const auto all = [](const std::string& file) { return IndexOf(file) != 43; };
+  RemoveHalfWritten(folder / "out", true, all);
+  CHECK(folder.Files().size() == kept.size() + 1);
+  CHECK(living->Append("x", findings));
+  CHECK(living->Commit(Durability::kNone, findings));
+  CHECK(folder.Read("out/hammer_000042.xml") == "x");
+  RemoveHalfWritten(folder / "none", true, is_ours);
+}
+
+TEST_CASE("a link in the place of a folder of objects or assets is not followed") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "elsewhere");
+  std::filesystem::create_directories(folder / "out");
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/0010000");
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/assets");
+  std::filesystem::create_directory_symlink(folder / "out", folder / "link");
+  mjcf::MjcfDocument document = DocumentOf("<mujoco/>\n");
+  diag::Findings findings;
+  CHECK_FALSE(ObjectFolder(folder / "out", {}).Write("0010000/x_010000.xml", document, findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message ==
+        "'" + (folder / "out/0010000").string() + "' is a link, which is not followed");
+  // The folder that the user named may be one.
+  CHECK(ObjectFolder(folder / "link", {}).Write("x_000000.xml", document, findings));
+  document.assets = {{"assets/wood.png", folder.Write("wood.png", "pixels")}};
+  CHECK_FALSE(ObjectFolder(folder / "out", {}).Write("x_000001.xml", document, findings));
+  CHECK(std::filesystem::is_empty(folder / "elsewhere"));
 }
 
 }  // namespace
