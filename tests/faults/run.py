@@ -7,7 +7,7 @@ import sys
 
 import harness
 
-SEEDS = 10
+SEEDS = 5
 
 
 def main():

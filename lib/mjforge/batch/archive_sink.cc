@@ -140,6 +140,7 @@ class ArchiveSink : public Sink {
     }
     if (!candidates.empty() && IsClosed(candidates.back())) return candidates.back();
     std::vector<bytes::Prefix> prefixes;
+    prefixes.reserve(candidates.size());
     for (const Position& position : candidates) prefixes.push_back(position.part);
     // The first is the archive's start, which needs nothing.
     if (candidates.empty()) return std::nullopt;

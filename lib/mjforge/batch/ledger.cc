@@ -118,6 +118,7 @@ void Ledger::ReadJournal() {
     if (last.journal_bytes == 0) last.journal_bytes = read;
   }
   std::vector<bytes::Prefix> prefixes;
+  prefixes.reserve(positions_.size());
   for (const Position& position : positions_) prefixes.push_back(position.manifest);
   positions_.resize(bytes::CountSound(manifest_->temporary(), prefixes));
 }
