@@ -1,9 +1,10 @@
-// Cost against the number of parts: sampled, assembled and written by us, and,
+// Cost against the number of parts and parameters: sampled, assembled and written by us, and,
 // apart, loaded by MuJoCo.
 
 #include <mujoco/mujoco.h>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include "recipes.h"
 
@@ -28,6 +29,16 @@ void BM_PartsValidated(benchmark::State& state) {
   for (auto _ : state) generator.Make(index++, variant);
 }
 BENCHMARK(BM_PartsValidated)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+// Reading a spec with so many parameters.
+void BM_Parameters(benchmark::State& state) {
+  std::string yaml = "mjforge: 1\nname: crate\nparams:\n  p0: 0.1 .. 0.2\n";
+  for (std::int64_t i = 1; i < state.range(0); ++i)
+    yaml += fmt::format("  p{}: p{} + 1\n", i, i - 1);
+  yaml += "parts: [{name: a, type: sphere, size: p0}]\n";
+  for (auto _ : state) benchmark::DoNotOptimize(FromText(yaml));
+}
+BENCHMARK(BM_Parameters)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace mjforge::bench

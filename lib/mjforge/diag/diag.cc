@@ -8,20 +8,22 @@
 namespace mjforge::diag {
 
 std::uint32_t Sources::Add(std::string name, std::string text, std::uint32_t first_line) {
-  files_.push_back({std::move(name), std::move(text), first_line});
+  File& file = files_.emplace_back(File{std::move(name), std::move(text), first_line});
+  std::size_t start = 0;
+  do {
+    file.line_starts.push_back(start);
+    start = file.text.find('\n', start) + 1;
+  } while (start != 0);
   return size();
 }
 
 std::string_view Sources::Line(SourceMark mark) const {
   if (mark.file == 0 || mark.file > files_.size()) return {};
   const File& file = files_[mark.file - 1];
-  if (mark.line < file.first_line) return {};
+  if (mark.line < file.first_line || mark.line - file.first_line >= file.line_starts.size())
+    return {};
   std::string_view rest = file.text;
-  for (std::uint32_t line = file.first_line; line < mark.line; ++line) {
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos) return {};
-    rest.remove_prefix(end + 1);
-  }
+  rest.remove_prefix(file.line_starts[mark.line - file.first_line]);
   rest = rest.substr(0, rest.find('\n'));
   if (rest.ends_with('\r')) rest.remove_suffix(1);
   return rest;

@@ -46,6 +46,7 @@ class Sources {
     std::string name;
     std::string text;
     std::uint32_t first_line = 1;
+    std::vector<std::size_t> line_starts = {};
   };
   std::vector<File> files_;
 };
