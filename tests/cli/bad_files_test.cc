@@ -84,7 +84,7 @@ TEST_CASE_METHOD(BadInputTest, "a file on which MuJoCo crashes is a finding, and
                  "face=\"0 2 1 0 1 3 0 3 2 1 2 90000000\"/></asset><worldbody><body name=\"b\">"
                  "<geom type=\"mesh\" mesh=\"m\"/></body></worldbody></mujoco>\n");
   folder().Write("good.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>\n");
-  const std::string message = "mjforge: error: 'bad.xml' made MuJoCo crash (SIG";
+  const std::string message = "mjforge: error: 'bad.xml' made MuJoCo ";
   const auto both = Run({"validate", "bad.xml", "good.xml"});
   CHECK(both.status == 1);
   CHECK(both.out.starts_with("bad.xml: failed\ngood.xml: ok"));
@@ -128,7 +128,7 @@ TEST_CASE_METHOD(BadInputTest, "what is not a file is not read") {
   CHECK(Run({"generate", "crate.yaml", "-n", "2"}).status == 1);
 }
 
-TEST_CASE_METHOD(BadInputTest, "the power of numbers and of nesting in a manifest ends somewhere") {
+TEST_CASE_METHOD(BadInputTest, "a record that is nested too deep is refused") {
   folder().Write("manifest.jsonl", "{\"findings\":" + std::string(200'000, '[') + "\n");
   for (const char* command : {"report", "inspect"}) {
     const auto result = Run({command, "manifest.jsonl"});

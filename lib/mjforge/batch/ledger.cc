@@ -60,11 +60,15 @@ bool Ledger::Open(diag::Findings& findings) {
   manifest_ = output::PartFile::Open(file_, findings);
   if (!manifest_) return false;
   journal_ = output::PartFile::Open(file_.string() + ".journal", findings);
-  if (!journal_) return false;
+  if (!journal_) {
+    if (manifest_->size() == 0) manifest_->Drop();  // made just now
+    return false;
+  }
   is_begun_ = manifest_->size() > 0 || journal_->size() > 0;
   ReadJournal();
   if (manifest_->size() > 0 && !begun_ && !options_.request.force) {
     output::AddForeign(manifest_->temporary(), findings);
+    if (journal_->size() == 0) journal_->Drop();  // made just now
     return false;
   }
   if (!options_.request.resume || !begun_) return true;

@@ -135,6 +135,12 @@ class Verification {
         return;
       }
     }
+    std::error_code error;
+    if (!std::filesystem::exists(archive, error)) {
+      findings_.Add(diag::Code::kYamlCannotRead, {},
+                    fmt::format("cannot read '{}': there is no such file", archive.string()));
+      return;
+    }
     AddMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
                "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
   }

@@ -254,6 +254,7 @@ TEST_CASE("what is not ours is not taken for a part of a batch") {
     REQUIRE(refused.output_failed);
     CHECK(refused.findings[0].code == diag::Code::kOutputExists);
     CHECK(test.folder.Read(part) == "mine");
+    CHECK_FALSE(std::filesystem::exists(test.folder / "out/.manifest.jsonl.journal.part"));
   }
 }
 
@@ -270,6 +271,8 @@ TEST_CASE("a link in the place of a part is not followed") {
   request.force = true;
   CHECK(test.Make(request).output_failed);
   CHECK(test.folder.Read("elsewhere") == "mine");
+  if (std::string_view(part).find("journal") != std::string_view::npos)
+    CHECK_FALSE(output::PartFile::Exists(test.folder / "out/manifest.jsonl"));
 }
 
 TEST_CASE("two runs do not write one batch at the same time") {

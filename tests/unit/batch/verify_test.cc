@@ -60,6 +60,8 @@ TEST_CASE_METHOD(VerifyTest, "what nothing vouches for is not good") {
   CHECK(findings[0].message.ends_with("empty' has no manifest"));
   CHECK_FALSE(IsGood("empty/x.tar"));
   CHECK_FALSE(IsGood("none"));
+  CHECK(findings[0].message ==
+        "cannot read '" + (folder / "none").string() + "': there is no such file");
   Make(Of(10, "out"));
   std::filesystem::rename(folder / "out/manifest.jsonl", folder / "out/.manifest.jsonl.part");
   CHECK_FALSE(IsGood("out"));

@@ -31,7 +31,7 @@ TEST_CASE("a seal is read as it was written") {
   CHECK(seal->archives[1].whole.size == 100);
 }
 
-TEST_CASE("a seal of which a bit was changed or an end is missing is none") {
+TEST_CASE("a seal with a changed bit or a missing end is refused") {
   const std::string text = SealText(SomeSeal());
   std::string why_not;
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {
