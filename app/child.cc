@@ -94,32 +94,33 @@ constexpr int kOutOfMemory = 71;  // sysexits.h: EX_OSERR
   std::exit(0);
 }
 
-// Waits until the child has ended, or for so long.
-void WaitForEnd(::pid_t child, Seconds time) {
+// Waits until the child has ended; false if it has not after so long. True as well where the system
+// cannot tell: then waitpid waits, and only CPU time is limited.
+bool HasEnded(::pid_t child, Seconds time) {
   const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
-  if (descriptor < 0) return;  // an old kernel: only CPU time is limited
+  if (descriptor < 0) return true;
   ::pollfd polled = {descriptor, POLLIN, 0};
-  ::poll(&polled, 1, static_cast<int>(std::min(time.count() * 1000, 1e9)));
+  const int ready = ::poll(&polled, 1, static_cast<int>(std::min(time.count() * 1000, 1e9)));
   ::close(descriptor);
+  return ready != 0;
 }
 
 // How a child ended, once it has. Whoever is asked to end by a signal of the terminal or of a
 // batch system passes that on. A child whose step does not go on is killed.
 std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& progress) {
   const Seconds patience = batch::WallLimit(time_limit);
-  int status = 0;
-  for (bool is_slow = false;;) {
-    const std::size_t step = progress->step;
-    WaitForEnd(child, patience);
-    const ::pid_t ended = ::waitpid(child, &status, WNOHANG);
-    if (ended == 0 && progress->step == step) {
-      is_slow = true;
+  std::size_t step = progress->step;
+  while (!HasEnded(child, patience)) {
+    const std::size_t now = progress->step;
+    if (now == step) {
       ::kill(child, SIGKILL);
+      while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+      return fmt::format("took more than {:g} s of wall time", patience.count());
     }
-    while (ended == 0 && is_slow && ::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (is_slow) return fmt::format("took more than {:g} s of wall time", patience.count());
-    if (ended != 0) break;
+    step = now;
   }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (!WIFSIGNALED(status)) {
     return WEXITSTATUS(status) == kOutOfMemory
                ? "needs more memory than there is"

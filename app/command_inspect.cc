@@ -17,7 +17,7 @@ namespace {
 
 struct InspectOptions : OneOptions {
   std::string contains;
-  double time_limit = 60;
+  Seconds time_limit{60};
   bool sweep = false;
   bool json = false;
 };
@@ -89,7 +89,7 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
       return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
     return InspectBatch(*manifest, options.json, console);
   }
-  return InChild(options.what, Seconds(options.time_limit), console, [&] {
+  return InChild(options.what, options.time_limit, console, [&] {
     return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
   });
 }

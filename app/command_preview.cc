@@ -199,7 +199,7 @@ Action AddPreview(CLI::App& command) {
     if (!why_not.empty()) return WrongUsage(why_not, "preview");
     if (options->output == "-" && ::isatty(STDOUT_FILENO) != 0)
       return WrongUsage("-o -: a terminal cannot show a picture", "preview");
-    return InChild(options->what, Seconds(options->time_limit), console,
+    return InChild(options->what, options->time_limit, console,
                    [&] { return Preview(*options, console)(); });
   };
 }

@@ -15,7 +15,7 @@ namespace mjforge::app {
 namespace {
 
 struct ValidateOptions {
-  double time_limit = 60;
+  Seconds time_limit{60};
   std::vector<std::string> files;
   bool physics = false;
   std::vector<std::string> settings;
@@ -131,7 +131,7 @@ ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
     AddCrash(options.files[i], end, verdict.findings);
     return Tell(options.files[i], std::move(verdict), {}, options, console);
   };
-  return InChild(options.files.size(), Seconds(options.time_limit), validate, crashed);
+  return InChild(options.files.size(), options.time_limit, validate, crashed);
 }
 
 }  // namespace

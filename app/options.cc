@@ -99,11 +99,10 @@ void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& do
   AddSpecOptions(command, options.spec);
 }
 
-void AddTimeLimit(CLI::App& command, double& seconds) {
-  AddNumber(
-      command, "--time-limit", [&seconds](double s) { seconds = s; }, 1e-9, 1e9,
-      "a time in seconds above 0", "CPU time for each, s; wall time 10 S + 5")
-      ->option_text(fmt::format("S [{:g}]", seconds));
+void AddTimeLimit(CLI::App& command, std::chrono::duration<double>& limit, const std::string& doc) {
+  const auto set_limit = [&limit](double s) { limit = std::chrono::duration<double>(s); };
+  AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0", doc)
+      ->option_text(fmt::format("S [{:g}]", limit.count()));
 }
 
 void AddManyOptions(CLI::App& command, ManyOptions& options) {
@@ -118,12 +117,7 @@ void AddManyOptions(CLI::App& command, ManyOptions& options) {
                             fmt::format("a number of processes from 1 to {}", kMostJobs),
                             "Processes that make variants")
       ->option_text("N [cores]");
-  const auto set_limit = [&request](double s) {
-    request.time_limit = std::chrono::duration<double>(s);
-  };
-  AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0",
-            "CPU time per variant, s; wall time 10 S + 5")
-      ->option_text(fmt::format("S [{:g}]", request.time_limit.count()));
+  AddTimeLimit(command, request.time_limit, "CPU time per variant, s; wall time 10 S + 5");
 }
 
 batch::Request RequestOf(const ManyOptions& options) {

@@ -2,6 +2,7 @@
 
 // Options that several commands share.
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -49,8 +50,6 @@ struct OneOptions {
   std::uint64_t index = 0;
   SpecOptions spec;
 };
-/// How long a file or an object may take that MuJoCo looks at in a child process, s.
-void AddTimeLimit(CLI::App& command, double& seconds);
 void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc);
 
 /// Many variants of specs.
@@ -66,6 +65,10 @@ batch::Request RequestOf(const ManyOptions& options);
 /// --set NAME=VALUE
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);
 std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts);
+
+/// --time-limit
+void AddTimeLimit(CLI::App& command, std::chrono::duration<double>& limit,
+                  const std::string& doc = "CPU time for each, s; wall time 10 S + 5");
 
 /// -q --findings --color
 void AddReportOptions(CLI::App& command, ReportOptions& options);

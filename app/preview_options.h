@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@ struct PreviewOptions {
   std::string background = "studio";
   std::vector<std::string> joints;  // name=expression
   bool sweep = false;
-  double time_limit = 600;
+  std::chrono::duration<double> time_limit{600};
   bool force = false;
   SpecOptions spec;
 

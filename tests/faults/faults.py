@@ -6,7 +6,6 @@ must be there), nothing under a final name may be wrong, and --resume must give 
   python3 faults.py PROGRAM SHIM OUTPUT [--every N]
 """
 
-import argparse
 import errno
 import sys
 
@@ -24,8 +23,7 @@ KINDS = {
     "fork": [errno.EAGAIN],
 }
 # What is not a fault: the call is made again, or its failure does not matter.
-HARMLESS = {("write", errno.EINTR), ("write", "short"), ("unlink", errno.EIO),
-            ("truncate", errno.EINTR)}
+HARMLESS = {("write", errno.EINTR), ("write", "short"), ("unlink", errno.EIO)}
 
 
 def what_is_wrong(batch, whole, result, kind, how):
@@ -46,12 +44,7 @@ def what_is_wrong(batch, whole, result, kind, how):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("shim")
-    parser.add_argument("output", choices=harness.OUTPUTS)
-    parser.add_argument("--every", type=int, default=1, help="only every N-th call of a kind")
-    options = parser.parse_args()
+    options = harness.parser("only every N-th call of a kind").parse_args()
     batch = harness.Batch(options.program, options.shim, options.output)
     batch.clear()
     result = batch.run()

@@ -1,5 +1,6 @@
 """What the tests of faults share: the program, the shim, one small batch for each kind of output."""
 
+import argparse
 import os
 import pathlib
 import shutil
@@ -79,6 +80,16 @@ class Batch:
         return {str(path.relative_to(self.out)): path.read_bytes()
                 for path in sorted(self.out.rglob("*"))
                 if path.is_file() and (hidden or not path.name.startswith("."))}
+
+
+def parser(every):
+    """Of the words that all of these tests take."""
+    words = argparse.ArgumentParser()
+    words.add_argument("program")
+    words.add_argument("shim")
+    words.add_argument("output", choices=OUTPUTS)
+    words.add_argument("--every", type=int, default=1, help=every)
+    return words
 
 
 def is_honest(result):

@@ -7,7 +7,6 @@ were made up to any one of them, or any of them. Then --resume must give the sam
   python3 power_cut.py PROGRAM SHIM OUTPUT [--every N] [--seed N]
 """
 
-import argparse
 import pathlib
 import random
 import sys
@@ -114,11 +113,7 @@ def read_record(file):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("shim")
-    parser.add_argument("output", choices=harness.OUTPUTS)
-    parser.add_argument("--every", type=int, default=1, help="only every N-th moment")
+    parser = harness.parser("only every N-th moment")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     batch = harness.Batch(options.program, options.shim, options.output)

@@ -6,6 +6,7 @@
 #include "mjforge/batch/ledger.h"
 #include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
+#include "mjforge/batch/vouched.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
@@ -27,11 +28,7 @@ class ArchiveSink : public Sink {
                               [&](const std::string& file) { return file == seal; });
     position_.next = options_.range.first;
     position_.archive = FirstArchive();
-    Kept nothing;
-    std::optional<Kept> kept = !request_.resume     ? nothing
-                               : ledger_.is_begun() ? Continue(findings)
-                               : ledger_.former()   ? ContinueFinished(findings)
-                                                    : nothing;
+    const std::optional<Kept> kept = KeptOf(findings);
     if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
     if (!kept || (kept->done() == 0 && !Start(findings))) return std::nullopt;
     return kept;
@@ -82,6 +79,12 @@ class ArchiveSink : public Sink {
     return ledger_.Start(findings) && ledger_.Note(position_, {}, findings);
   }
 
+  std::optional<Kept> KeptOf(diag::Findings& findings) {
+    if (!request_.resume) return Kept();
+    if (ledger_.is_begun()) return Continue(findings);
+    return ledger_.former() ? ContinueFinished(findings) : Kept();
+  }
+
   // Of a finished batch nothing is left to do, or everything: where something was changed.
   std::optional<Kept> ContinueFinished(diag::Findings& findings) {
     const manifest::Seal& seal = *ledger_.former();
@@ -113,8 +116,9 @@ class ArchiveSink : public Sink {
     if (!position || position->next == options_.range.first) return Kept();
     // Again, for the counts at that place.
     const std::optional<Kept> kept =
-        ReadKept(ledger_.part(), options_, is_good, findings, position->manifest.size);
-    has_closed_last_ = IsClosed(*position);
+        whole->bytes == position->manifest.size
+            ? whole
+            : ReadKept(ledger_.part(), options_, is_good, findings, position->manifest.size);
     const manifest::SealedFile last =
         has_closed_last_ ? ledger_.closed().back() : manifest::SealedFile();
     if (!ledger_.GoBackTo(*position, findings)) return std::nullopt;
@@ -130,20 +134,28 @@ class ArchiveSink : public Sink {
     return is_open ? kept : std::nullopt;
   }
 
-  std::optional<Position> LastSound(std::uint64_t most) const {
+  // Also says whether the last archive has its name already.
+  std::optional<Position> LastSound(std::uint64_t most) {
+    const std::vector<manifest::SealedFile>& closed = ledger_.closed();
+    const auto there = static_cast<std::size_t>(std::distance(
+        closed.begin(),
+        std::ranges::find_if_not(closed, [&](const auto& file) { return IsThere(file); })));
     std::vector<Position> candidates;  // of one archive, the last that can be gone on with
     for (const Position& position : ledger_.positions()) {
       if (position.next > most || !IsEndOfSegment(position)) continue;
-      if (!AreClosedThere(position)) break;
+      if (position.closed > there || position.closed != position.archive - FirstArchive()) break;
       if (!candidates.empty() && candidates.back().archive != position.archive) candidates.clear();
       candidates.push_back(position);
     }
-    if (!candidates.empty() && IsClosed(candidates.back())) return candidates.back();
+    if (candidates.empty()) return std::nullopt;
+    const Position& last = candidates.back();
+    has_closed_last_ = last.next == options_.range.first + options_.range.count &&
+                       there == closed.size() && there == last.closed + 1;
+    if (has_closed_last_) return last;
     std::vector<bytes::Prefix> prefixes;
     prefixes.reserve(candidates.size());
     for (const Position& position : candidates) prefixes.push_back(position.part);
     // The first is the archive's start, which needs nothing.
-    if (candidates.empty()) return std::nullopt;
     const std::filesystem::path part =
         output::PartFile::NameOf(destination_.Archive(candidates.front().archive));
     const std::size_t sound =
@@ -160,26 +172,9 @@ class ArchiveSink : public Sink {
     return in_archive % kSegmentVariants == 0;
   }
 
-  bool AreClosedThere(const Position& position) const {
-    const std::vector<manifest::SealedFile>& closed = ledger_.closed();
-    return position.closed == position.archive - FirstArchive() &&
-           std::all_of(closed.begin(),
-                       closed.begin() + static_cast<std::ptrdiff_t>(position.closed),
-                       [&](const auto& file) { return IsThere(file); });
-  }
-
-  // Whether it is the last of all, and its archive has its name, too.
-  bool IsClosed(const Position& position) const {
-    const std::vector<manifest::SealedFile>& closed = ledger_.closed();
-    return position.next == options_.range.first + options_.range.count &&
-           closed.size() == position.closed + 1 && IsThere(closed.back());
-  }
-
   bool IsThere(const manifest::SealedFile& archive) const {
-    const std::filesystem::path file = destination_.Folder() / archive.file;
     std::string why_not;
-    if (request_.verify) return bytes::IsSound(file, archive.whole, why_not);
-    return bytes::HasSize(file, archive.whole.size, why_not);
+    return IsAsSealed(destination_.Folder(), archive, request_.verify, why_not);
   }
 
   bool OpenArchive(std::uint64_t bytes, diag::Findings& findings) {

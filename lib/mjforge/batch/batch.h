@@ -99,7 +99,6 @@ std::optional<std::uint64_t> Merge(const output::Destination& destination, bool 
 
 /// What was read and found as it was when its batch was done.
 struct Verified {
-  std::uint64_t batches = 0;  // shards count as batches
   std::uint64_t variants = 0;
   std::uint64_t files = 0;  // manifests, archives, objects
   std::uint64_t more_findings = 0;

@@ -3,6 +3,7 @@
 
 #include "mjforge/batch/ledger.h"
 #include "mjforge/batch/sink.h"
+#include "mjforge/batch/vouched.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
@@ -61,10 +62,8 @@ class FolderSink : public Sink {
   // What is on disk is trusted by its hash, so that a file that was lost or
   // changed since is made again.
   bool IsThere(const manifest::Record& record) const {
-    if (record.status != Status::kOk) return true;
     std::string why_not;
-    const auto text = bytes::Read(folder_ / record.file, bytes::kMaxMjcf, why_not);
-    return text && bytes::Sha256Of(*text) == record.sha256;
+    return record.status != Status::kOk || HasObject(folder_, record, true, why_not);
   }
 
   std::optional<Kept> Continue(diag::Findings& findings) {

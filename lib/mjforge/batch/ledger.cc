@@ -18,17 +18,16 @@ using output::Durability;
 // A line is words, and at its end the checksum of what is before it.
 constexpr std::string_view kBegin = "mjforge-journal 1 ";
 constexpr std::size_t kChecksumDigits = 16;
-std::string ChecksumOf(std::string_view text) {
-  bytes::Checksum checksum;
-  checksum.Add(text);
-  return checksum.Text().substr(0, kChecksumDigits);
+
+std::string ShortChecksumOf(std::string_view text) {
+  return bytes::ChecksumOf(text).substr(0, kChecksumDigits);
 }
 
 // The words of a line; nothing if its checksum is not theirs.
 std::optional<std::string_view> WordsOf(std::string_view line) {
   if (line.size() <= kChecksumDigits) return std::nullopt;
   const std::string_view words = line.substr(0, line.size() - kChecksumDigits - 1);
-  if (line.substr(words.size() + 1) != ChecksumOf(words)) return std::nullopt;
+  if (line.substr(words.size() + 1) != ShortChecksumOf(words)) return std::nullopt;
   return words;
 }
 
@@ -168,7 +167,7 @@ bool Ledger::ReadLine(std::string_view line) {
 }
 
 bool Ledger::AppendLine(const std::string& line, diag::Findings& findings) {
-  return journal_->Append(fmt::format("{} {}\n", line, ChecksumOf(line)), findings);
+  return journal_->Append(fmt::format("{} {}\n", line, ShortChecksumOf(line)), findings);
 }
 
 bool Ledger::Start(diag::Findings& findings) {

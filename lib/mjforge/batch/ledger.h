@@ -53,7 +53,6 @@ class Ledger {
   /// The manifest under construction, and its final name.
   const std::filesystem::path& part() const { return manifest_->temporary(); }
   const std::filesystem::path& file() const { return file_; }
-  const output::PartFile& manifest() const { return *manifest_; }
 
   /// Empties both.
   bool Start(diag::Findings& findings);

@@ -75,7 +75,6 @@ class Verification {
   }
 
   void CheckBatch(const std::filesystem::path& manifest) {
-    ++verified_.batches;
     std::string why_not;
     const std::optional<manifest::Seal> seal = ReadSealOf(manifest, why_not);
     if (!seal) {
@@ -130,7 +129,6 @@ class Verification {
       if (!seal) continue;
       for (const manifest::SealedFile& file : seal->archives) {
         if (file.file != archive.filename()) continue;
-        ++verified_.batches;
         Check(folder, file);
         return;
       }

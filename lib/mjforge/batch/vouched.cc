@@ -28,24 +28,34 @@ std::optional<manifest::Seal> ReadSealOf(const std::filesystem::path& manifest,
   return text ? manifest::ReadSeal(*text, why_not) : std::nullopt;
 }
 
+bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
+                std::string& why_not) {
+  return verify ? bytes::IsSound(folder / file.file, file.whole, why_not)
+                : bytes::HasSize(folder / file.file, file.whole.size, why_not);
+}
+
+bool HasObject(const std::filesystem::path& folder, const manifest::Record& record, bool verify,
+               std::string& why_not) {
+  const auto text = bytes::ReadStart(folder / record.file, verify ? bytes::kMaxMjcf : 1, why_not);
+  if (!text) return false;
+  if (verify ? bytes::Sha256Of(*text) == record.sha256 : !text->empty()) return true;
+  why_not = text->empty() ? "it is empty" : "its bytes are others";
+  return false;
+}
+
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings) {
-  const std::filesystem::path path = folder / file.file;
   std::string why_not;
-  const bool is_good = verify ? bytes::IsSound(path, file.whole, why_not)
-                              : bytes::HasSize(path, file.whole.size, why_not);
-  if (!is_good) AddBroken(path, why_not, findings);
-  return is_good;
+  if (IsAsSealed(folder, file, verify, why_not)) return true;
+  AddBroken(folder / file.file, why_not, findings);
+  return false;
 }
 
 bool CheckObject(const std::filesystem::path& folder, const manifest::Record& record, bool verify,
                  diag::Findings& findings) {
-  const std::filesystem::path path = folder / record.file;
   std::string why_not;
-  const auto text = bytes::ReadStart(path, verify ? bytes::kMaxMjcf : 1, why_not);
-  if (text && (verify ? bytes::Sha256Of(*text) == record.sha256 : !text->empty())) return true;
-  if (text) why_not = text->empty() ? "it is empty" : "its bytes are others";
-  AddBroken(path, why_not, findings);
+  if (HasObject(folder, record, verify, why_not)) return true;
+  AddBroken(folder / record.file, why_not, findings);
   return false;
 }
 

@@ -18,8 +18,9 @@ namespace mjforge::bytes {
 /// The name of standard input.
 inline constexpr const char* kStandardInput = "-";
 
-/// More than any of these is not read: a file of MJCF; an asset (mesh, texture); a line of a
-/// manifest, of a journal. (YAML: spec::kMaxYamlBytes.)
+/// More than any of these is not read: a file of MJCF; an asset (mesh, texture), where millions of
+/// triangles fit and MuJoCo allows 200,000; a line of a manifest, of a journal. (YAML:
+/// spec::kMaxYamlBytes.)
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;
@@ -56,6 +57,9 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uin
 /// Whether it is a regular file (or standard input) of at most `limit` bytes; else why not.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);
 
+/// Whether it is a regular file of this size; else why not ("it has 12 bytes, not 40").
+bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
+
 /// The lines of a file one after the other, in constant memory.
 class Lines {
  public:
@@ -88,6 +92,8 @@ class Checksum {
   Checksum& operator=(const Checksum&) = delete;
 
   void Add(std::string_view bytes);
+  /// Adds the next `count` bytes of a file; false if it has fewer or cannot be read.
+  bool Add(File& file, std::uint64_t count);
   /// Of all bytes so far, in hexadecimal.
   std::string Text() const;
   void Clear();
@@ -97,6 +103,8 @@ class Checksum {
   std::unique_ptr<State> state_;
 };
 
+std::string ChecksumOf(std::string_view bytes);
+
 /// The first bytes of a file, and their checksum.
 struct Prefix {
   std::uint64_t size = 0;
@@ -105,9 +113,6 @@ struct Prefix {
 /// How many of the prefixes, in ascending order of size, the file really begins with, before the
 /// first that it does not. 0 if it cannot be read.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
-
-/// Whether it is a regular file of this size; else why not ("it has 12 bytes, not 40").
-bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
 
 /// Whether the file has this size and this checksum; else why not ("it has 12 bytes, not 40").
 bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);

@@ -30,6 +30,17 @@ bool IsRegular(const struct stat& status, std::string& why_not) {
   return why_not.empty();
 }
 
+// The size of a regular file; nothing, and why, for all else.
+std::optional<std::uint64_t> SizeOf(const std::filesystem::path& file, std::string& why_not) {
+  struct stat status;
+  if (::stat(file.c_str(), &status) != 0) {
+    why_not = Words(errno);
+    return std::nullopt;
+  }
+  if (!IsRegular(status, why_not)) return std::nullopt;
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
 std::string TooLong(std::uint64_t limit) {
   return limit >= 1 << 20 ? fmt::format("it has more than {} MiB", limit >> 20)
                           : fmt::format("it has more than {} bytes", limit);
@@ -70,12 +81,7 @@ std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& w
 
 std::optional<File> File::Open(const std::filesystem::path& file, std::string& why_not) {
   // Opening a pipe waits, and opening a device may do something.
-  struct stat status;
-  if (::stat(file.c_str(), &status) != 0) {
-    why_not = Words(errno);
-    return std::nullopt;
-  }
-  if (!IsRegular(status, why_not)) return std::nullopt;
+  if (!SizeOf(file, why_not)) return std::nullopt;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor < 0) {
     why_not = Words(errno);
@@ -83,6 +89,7 @@ std::optional<File> File::Open(const std::filesystem::path& file, std::string& w
   }
   File opened(descriptor);
   // It may have become something else in between.
+  struct stat status;
   if (::fstat(descriptor, &status) != 0 || !IsRegular(status, why_not)) return std::nullopt;
   return opened;
 }
@@ -133,15 +140,15 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
 
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not) {
   if (file == kStandardInput) return true;
-  struct stat status;
-  if (::stat(file.c_str(), &status) != 0) {
-    why_not = Words(errno);
-    return false;
-  }
-  if (!IsRegular(status, why_not)) return false;
-  if (static_cast<std::uint64_t>(status.st_size) <= limit) return true;
-  why_not = TooLong(limit);
-  return false;
+  const std::optional<std::uint64_t> size = SizeOf(file, why_not);
+  if (size && *size > limit) why_not = TooLong(limit);
+  return size && *size <= limit;
+}
+
+bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not) {
+  const std::optional<std::uint64_t> found = SizeOf(file, why_not);
+  if (found && *found != size) why_not = fmt::format("it has {} bytes, not {}", *found, size);
+  return found == size;
 }
 
 }  // namespace mjforge::bytes

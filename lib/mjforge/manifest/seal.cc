@@ -17,12 +17,6 @@ constexpr int kVersion = 1;
 // The last member is the checksum of the text before it.
 constexpr std::string_view kOwn = R"(,"xxh128":")";
 
-std::string ChecksumOf(std::string_view text) {
-  bytes::Checksum checksum;
-  checksum.Add(text);
-  return checksum.Text();
-}
-
 void Put(Json& json, const SealedFile& file) {
   json.StartObject();
   json.Member("file", file.file);
@@ -92,7 +86,7 @@ std::string SealText(const Seal& seal) {
   for (const SealedFile& archive : seal.archives) Put(json, archive);
   json.EndArray();
   std::string text = json.Take();
-  text += fmt::format("{}{}\"}}\n", kOwn, ChecksumOf(text));
+  text += fmt::format("{}{}\"}}\n", kOwn, bytes::ChecksumOf(text));
   return text;
 }
 
@@ -112,7 +106,8 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
   Seal seal;
   const std::string_view body = text.substr(0, text.rfind(kOwn));
   std::string checksum;
-  if (Get(document, seal) && Get(document, "xxh128", checksum) && checksum == ChecksumOf(body))
+  if (Get(document, seal) && Get(document, "xxh128", checksum) &&
+      checksum == bytes::ChecksumOf(body))
     return seal;
   why_not = "it is damaged";
   return std::nullopt;

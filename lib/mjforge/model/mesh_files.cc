@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
-#include <fstream>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -20,8 +19,6 @@
 
 namespace mjforge::model {
 namespace {
-
-// A file of this size has millions of triangles, where MuJoCo allows 200,000.
 
 struct VertexHash {
   std::size_t operator()(const Eigen::Vector3d& v) const {

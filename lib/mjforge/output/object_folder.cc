@@ -81,27 +81,26 @@ MadeFolders::~MadeFolders() {
 
 bool MadeFolders::MakeOne(const std::filesystem::path& path, bool follow,
                           diag::Findings& findings) {
-  const auto is_folder = [&](struct stat& status) {
+  struct stat status;
+  const auto exists = [&] {
     return (follow ? ::stat(path.c_str(), &status) : ::lstat(path.c_str(), &status)) == 0;
   };
-  struct stat status;
-  if (!is_folder(status)) {
+  bool found = exists();
+  int error = ENOTDIR;
+  if (!found) {
     if (::mkdir(path.c_str(), 0777) == 0) {
       made_.push_back(path);
       return true;
     }
-    const int error = errno;
-    // Another process may have been quicker.
-    if (error != EEXIST || !is_folder(status)) status.st_mode = 0;
-    errno = error;
-  } else {
-    errno = S_ISLNK(status.st_mode) ? ELOOP : ENOTDIR;
+    error = errno;
+    found = error == EEXIST && exists();  // another process may have been quicker
   }
-  if (S_ISDIR(status.st_mode)) return true;
+  if (found && S_ISDIR(status.st_mode)) return true;
   findings.Add(diag::Code::kOutputCannotWrite, {},
-               errno == ELOOP ? fmt::format("'{}' is a link, which is not followed", path.string())
-                              : fmt::format("cannot make folder '{}': {}", path.string(),
-                                            std::generic_category().message(errno)));
+               found && S_ISLNK(status.st_mode)
+                   ? fmt::format("'{}' is a link, which is not followed", path.string())
+                   : fmt::format("cannot make folder '{}': {}", path.string(),
+                                 std::generic_category().message(error)));
   return false;
 }
 

@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -20,7 +19,6 @@ namespace {
 
 // Writing goes on while the next bytes are made: then there is little left to wait for.
 constexpr std::uint64_t kBeginEvery = std::uint64_t{8} << 20;
-constexpr std::size_t kBufferBytes = std::size_t{256} << 10;
 
 // Another process may be dying at the moment, its workers with it.
 constexpr int kLockTries = 20;
@@ -59,8 +57,9 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                                          diag::Findings& findings) {
   const std::filesystem::path temporary = NameOf(file);
   for (int tries = 1;;) {
-    const int descriptor = ::open(
-        temporary.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    const int descriptor =
+        ::open(temporary.c_str(),
+               O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (descriptor < 0) {
       AddCannotWrite(errno == ELOOP ? temporary : file, errno, findings);
       return nullptr;
@@ -107,25 +106,19 @@ bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
 }
 
 bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
-  const auto failed = [&](int error) {
-    AddCannotWrite(file_, error, findings);
+  if (::ftruncate(descriptor_, static_cast<::off_t>(size)) != 0) {
+    AddCannotWrite(file_, errno, findings);
     return false;
-  };
-  if (::ftruncate(descriptor_, static_cast<::off_t>(size)) != 0) return failed(errno);
+  }
   size_ = size;
   begun_ = size;
   checksum_.Clear();
-  std::string buffer(std::min<std::uint64_t>(kBufferBytes, size), '\0');
-  for (std::uint64_t at = 0; at < size;) {
-    const ssize_t count =
-        ::pread(descriptor_, buffer.data(), std::min<std::uint64_t>(buffer.size(), size - at),
-                static_cast<::off_t>(at));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return failed(count == 0 ? EIO : errno);
-    checksum_.Add({buffer.data(), static_cast<std::size_t>(count)});
-    at += static_cast<std::uint64_t>(count);
-  }
-  return true;
+  if (size == 0) return true;
+  std::string why_not;
+  std::optional<bytes::File> kept = bytes::File::Open(temporary_, why_not);
+  if (kept && checksum_.Add(*kept, size)) return true;
+  AddCannotWrite(file_, EIO, findings);
+  return false;
 }
 
 bool PartFile::Sync(diag::Findings& findings) {

@@ -2,7 +2,6 @@
 // the settings given from outside.
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include <fmt/format.h>
