@@ -45,14 +45,13 @@ class ArchiveSink : public Sink {
     if (result.chunk.archive != position_.archive && !NextArchive(result.chunk.archive, findings))
       return false;
     if (!archive_ && !OpenArchive(0, findings)) return false;
-    std::vector<std::string> assets;
-    if (!AppendAssets(result, assets, findings) || !archive_->Append(result.segment, findings) ||
+    if (!AppendAssets(result, findings) || !archive_->Append(result.segment, findings) ||
         !ledger_.Append(result.lines, findings)) {
       return false;
     }
     position_.next = result.chunk.end();
     position_.part = {archive_->size(), archive_->checksum()};
-    return ledger_.Note(position_, assets, findings);
+    return ledger_.Note(position_, findings);
   }
 
   bool Finish(diag::Findings& findings) override {
@@ -76,7 +75,7 @@ class ArchiveSink : public Sink {
   }
 
   bool Start(diag::Findings& findings) {
-    return ledger_.Start(findings) && ledger_.Note(position_, {}, findings);
+    return ledger_.Start(findings) && ledger_.Note(position_, findings);
   }
 
   std::optional<Kept> KeptOf(diag::Findings& findings) {
@@ -124,12 +123,6 @@ class ArchiveSink : public Sink {
     if (!ledger_.GoBackTo(*position, findings)) return std::nullopt;
     position_ = *position;
     if (has_closed_last_) return ledger_.NoteClosed(last, findings) ? kept : std::nullopt;
-    for (const Position& start : positions) {
-      if (start.archive != position_.archive || start.next > position_.next) continue;
-      assets_.insert(ledger_.assets().begin() + static_cast<std::ptrdiff_t>(start.assets),
-                     ledger_.assets().end());
-      break;
-    }
     const bool is_open = position_.part.size == 0 || OpenArchive(position_.part.size, findings);
     return is_open ? kept : std::nullopt;
   }
@@ -205,23 +198,20 @@ class ArchiveSink : public Sink {
     if (!CloseArchive(findings)) return false;
     position_.archive = number;
     position_.part = {};
-    assets_.clear();
-    return ledger_.Note(position_, {}, findings);
+    return ledger_.Note(position_, findings);
   }
 
   // Before the first object that refers to them.
-  bool AppendAssets(const Result& result, std::vector<std::string>& added,
-                    diag::Findings& findings) {
-    for (const auto& [name, source] : result.assets) {
-      if (assets_.contains(name)) continue;
-      const std::optional<std::string> bytes = output::ReadFile(source, bytes::kMaxAsset, findings);
+  bool AppendAssets(const Result& result, diag::Findings& findings) {
+    for (const Asset& asset : result.assets) {
+      if (ledger_.HasAsset(asset)) continue;
+      if (!ledger_.NoteAsset(asset, findings)) return false;
+      const auto bytes = output::ReadAsset(asset.source, asset.sha256, findings);
       output::Segment segment(destination_.format);
-      if (!bytes || !segment.Add(name, *bytes, findings) ||
+      if (!bytes || !segment.Add(asset.name, *bytes, findings) ||
           !archive_->Append(segment.Take(), findings)) {
         return false;
       }
-      assets_.insert(name);
-      added.push_back(name);
     }
     return true;
   }
@@ -233,7 +223,6 @@ class ArchiveSink : public Sink {
   Ledger ledger_;
   std::unique_ptr<output::PartFile> archive_;
   Position position_;
-  std::set<std::string> assets_;  // in the archive at hand
   bool is_complete_ = false;      // by an earlier run
   bool has_closed_last_ = false;  // by an earlier run, which did not get further
 };

@@ -20,26 +20,29 @@ class FolderSink : public Sink {
 
   std::optional<Kept> Open(diag::Findings& findings) override {
     if (!folders_.Make(folder_, findings)) return std::nullopt;
-    std::error_code ignored;
-    replaces_ = std::filesystem::exists(ledger_.file(), ignored) ||
-                output::PartFile::Exists(ledger_.file());
     if (!ledger_.Open(findings)) return std::nullopt;
     if (request_.resume || ledger_.is_begun()) RemoveHalfWritten();
     std::optional<Kept> kept = request_.resume ? Continue(findings) : Kept();
     if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
     if (!kept || (kept->done() == 0 && !ledger_.Start(findings))) return std::nullopt;
+    is_continued_ = kept->done() > 0;
     return kept;
   }
 
   output::Overwrite overwrite() const override {
-    return {.force = request_.force,
-            .assets = replaces_ || !request_.shard.IsWhole(),
-            .if_changed = request_.if_changed};
+    output::Overwrite overwrite = {.force = request_.force, .if_changed = request_.if_changed};
+    // What is kept refers to those that are there.
+    if (!is_continued_) overwrite.assets = ledger_.made_assets();
+    return overwrite;
   }
 
   bool Take(Result& result, diag::Findings& findings) override {
     position_.next = result.chunk.first + result.done;
-    return ledger_.Append(result.lines, findings) && ledger_.Note(position_, {}, findings);
+    const auto note = [&](const Asset& asset) {
+      return ledger_.HasAsset(asset) || ledger_.NoteAsset(asset, findings);
+    };
+    return std::ranges::all_of(result.assets, note) && ledger_.Append(result.lines, findings) &&
+           ledger_.Note(position_, findings);
   }
 
   bool Finish(diag::Findings& findings) override {
@@ -59,15 +62,14 @@ class FolderSink : public Sink {
     });
   }
 
-  // What is on disk is trusted by its hash, so that a file that was lost or
-  // changed since is made again.
-  bool IsThere(const manifest::Record& record) const {
-    std::string why_not;
-    return record.status != Status::kOk || HasObject(folder_, record, true, why_not);
-  }
-
   std::optional<Kept> Continue(diag::Findings& findings) {
-    const auto is_there = [this](const manifest::Record& record) { return IsThere(record); };
+    // What is on disk is trusted by its hash, so that a file that was lost or changed since is made
+    // again.
+    VouchedObjects objects(folder_, true);
+    const auto is_there = [&](const manifest::Record& record) {
+      diag::Findings ignored;
+      return record.status != Status::kOk || objects.Check(record, ignored);
+    };
     if (ledger_.is_begun()) {
       const std::vector<Position>& positions = ledger_.positions();
       const std::uint64_t sound = positions.empty() ? 0 : positions.back().manifest.size;
@@ -100,7 +102,7 @@ class FolderSink : public Sink {
 
   bool Note(const Kept& kept, diag::Findings& findings) {
     position_.next = options_.range.first + kept.done();
-    return ledger_.Note(position_, {}, findings);
+    return ledger_.Note(position_, findings);
   }
 
   bool Copy(const Kept& kept, diag::Findings& findings) {
@@ -114,7 +116,11 @@ class FolderSink : public Sink {
       if (!ledger_.Append(std::string_view(buffer).substr(0, *count), findings)) return false;
       left -= *count;
     }
-    return Note(kept, findings);
+    const auto note = [&](const auto& asset) {
+      return ledger_.NoteAsset({.name = asset.first, .source = {}, .sha256 = asset.second},
+                               findings);
+    };
+    return std::ranges::all_of(ledger_.former()->assets, note) && Note(kept, findings);
   }
 
   SinkOptions options_;
@@ -123,7 +129,7 @@ class FolderSink : public Sink {
   output::MadeFolders folders_;  // goes after what is in them
   Ledger ledger_;
   Position position_;
-  bool replaces_ = false;  // an older batch, whose assets may differ
+  bool is_continued_ = false;
 };
 
 }  // namespace

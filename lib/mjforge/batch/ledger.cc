@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <locale>
-#include <sstream>
 
 #include "mjforge/batch/vouched.h"
 
@@ -37,6 +36,7 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   seal.name = request.variant.name;
   if (request.destination.IsArchive()) seal.output = request.destination.path.filename().string();
   seal.per_archive = request.destination.per_archive;
+  seal.spec = options.batch.spec;
   seal.first = options.all.first;
   seal.count = options.all.count;
   seal.shard = request.shard.index;
@@ -44,6 +44,12 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   seal.records = options.range.count;
   seal.manifest.file = manifest.filename().string();
   return seal;
+}
+
+// What is left of a line after the words that were read; names may have spaces.
+std::string RestOf(std::string_view line, std::istringstream& words) {
+  const std::streamoff at = words.tellg();
+  return std::string(at < 0 ? std::string_view() : line.substr(static_cast<std::size_t>(at) + 1));
 }
 
 }  // namespace
@@ -80,6 +86,8 @@ void Ledger::ReadFormer() {
   std::string why_not;
   former_ = ReadSealOf(file_, why_not);
   if (!former_) former_ = ReadSealOf(options_.request.destination.Manifest({}), why_not);
+  if (!former_ || former_->spec != seal_.spec) return;
+  for (const auto& [name, sha256] : former_->assets) made_assets_.insert(sha256);
 }
 
 // Whether the names that this batch will have are free, or those of an earlier run of it.
@@ -139,27 +147,33 @@ bool Ledger::ReadLine(std::string_view line) {
   words >> kind;
   if (!begun_) return false;
   if (kind == "asset") {
-    assets_.emplace_back(line.substr(kind.size() + 1));
+    Asset asset;
+    words >> asset.sha256;
+    if (!words) return false;
+    asset.name = RestOf(line, words);
+    if (begun_->spec == seal_.spec) made_assets_.insert(asset.sha256);
+    assets_.push_back(std::move(asset));
     return true;
   }
   if (kind == "closed") {
     SealedFile file;
     words >> file.whole.size >> file.whole.checksum;
-    const std::streamoff at = words.tellg();
-    if (!words || at < 0) return false;
-    file.file = line.substr(std::min(line.size(), static_cast<std::size_t>(at) + 1));
+    if (!words) return false;
+    file.file = RestOf(line, words);
     made_.insert(file.file);
     closed_.push_back(std::move(file));
     return true;
   }
-  if (kind == "made") {
-    made_.emplace(line.substr(kind.size() + 1));
-    return true;
-  }
+  if (kind == "made") made_.insert(RestOf(line, words));
+  if (kind == "made-asset" && begun_->spec == seal_.spec) made_assets_.insert(RestOf(line, words));
+  return kind.starts_with("made") || (kind == "at" && ReadPosition(words));
+}
+
+bool Ledger::ReadPosition(std::istringstream& words) {
   Position position;
   words >> position.next >> position.manifest.size >> position.manifest.checksum >>
       position.archive >> position.part.size >> position.part.checksum;
-  if (!words || kind != "at") return false;
+  if (!words) return false;
   position.assets = assets_.size();
   position.closed = closed_.size();
   positions_.push_back(std::move(position));
@@ -186,24 +200,44 @@ bool Ledger::Start(diag::Findings& findings) {
 bool Ledger::GoBackTo(const Position& position, diag::Findings& findings) {
   assets_.resize(position.assets);
   closed_.resize(position.closed);
+  for (const Asset& asset : assets_) seal_.assets.emplace(asset.name, asset.sha256);
+  std::size_t earlier = 0;  // in archives that are closed
+  for (const Position& other : positions_) {
+    if (other.archive < position.archive) earlier = other.assets;
+  }
+  assets_.erase(assets_.begin(), assets_.begin() + static_cast<std::ptrdiff_t>(earlier));
   return manifest_->Truncate(position.manifest.size, findings) &&
          journal_->Truncate(position.journal_bytes, findings) && AppendMade(findings);
 }
 
 bool Ledger::AppendMade(diag::Findings& findings) {
-  return std::ranges::all_of(
-      made_, [&](const std::string& archive) { return AppendLine("made " + archive, findings); });
+  const auto append = [&](const char* kind, const std::set<std::string>& all) {
+    return std::ranges::all_of(
+        all, [&](const std::string& one) { return AppendLine(kind + one, findings); });
+  };
+  return append("made ", made_) && append("made-asset ", made_assets_);
 }
 
 bool Ledger::Append(std::string_view lines, diag::Findings& findings) {
   return manifest_->Append(lines, findings);
 }
 
-bool Ledger::Note(Position position, const std::vector<std::string>& assets,
-                  diag::Findings& findings) {
-  for (const std::string& name : assets) {
-    if (!AppendLine("asset " + name, findings)) return false;
+bool Ledger::HasAsset(const Asset& asset) const {
+  return std::ranges::any_of(assets_, [&](const Asset& known) {
+    return known.name == asset.name && known.sha256 == asset.sha256;
+  });
+}
+
+bool Ledger::NoteAsset(const Asset& asset, diag::Findings& findings) {
+  if (seal_.assets.emplace(asset.name, asset.sha256).first->second != asset.sha256) {
+    output::AddAssetChanged(asset.name, findings);
+    return false;
   }
+  assets_.push_back(asset);
+  return AppendLine(fmt::format("asset {} {}", asset.sha256, asset.name), findings);
+}
+
+bool Ledger::Note(const Position& position, diag::Findings& findings) {
   return AppendLine(fmt::format("at {} {} {} {} {} {}", position.next, manifest_->size(),
                                 manifest_->checksum(), position.archive, position.part.size,
                                 position.part.size == 0 ? "-" : position.part.checksum),
@@ -215,6 +249,7 @@ bool Ledger::NoteClosed(SealedFile archive, diag::Findings& findings) {
       fmt::format("closed {} {} {}", archive.whole.size, archive.whole.checksum, archive.file);
   made_.insert(archive.file);
   closed_.push_back(std::move(archive));
+  assets_.clear();
   return AppendLine(line, findings) && (options_.request.durability == Durability::kNone ||
                                         (manifest_->Sync(findings) && journal_->Sync(findings)));
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,7 @@ class Ledger {
   const Position& begin() const { return begin_; }
   /// Its positions that the manifest bears out, in order.
   const std::vector<Position>& positions() const { return positions_; }
-  /// The assets and closed archives that it noted, in order.
-  const std::vector<std::string>& assets() const { return assets_; }
+  /// The closed archives that it noted, in order.
   const std::vector<manifest::SealedFile>& closed() const { return closed_; }
   /// What vouches for an earlier batch that was done; empty if nothing does.
   const std::optional<manifest::Seal>& former() const { return former_; }
@@ -49,6 +49,8 @@ class Ledger {
   std::string DifferenceOfFormer() const;
   /// Whether an earlier run of this output made that archive.
   bool HasMade(const std::string& archive) const;
+  /// SHA-256 of the assets of earlier runs of this output with the same spec.
+  const std::set<std::string>& made_assets() const { return made_assets_; }
 
   /// The manifest under construction, and its final name.
   const std::filesystem::path& part() const { return manifest_->temporary(); }
@@ -59,9 +61,12 @@ class Ledger {
   /// Removes what came after the position.
   bool GoBackTo(const Position& position, diag::Findings& findings);
   bool Append(std::string_view lines, diag::Findings& findings);
-  /// Notes a position: how far the archive is; the manifest's part of it is added. `assets` came
-  /// into the archive since the last one.
-  bool Note(Position position, const std::vector<std::string>& assets, diag::Findings& findings);
+  /// Whether the folder or the archive under construction has an asset with that name and hash.
+  bool HasAsset(const Asset& asset) const;
+  /// Notes one that comes into it. False, and a finding, if it was another before.
+  bool NoteAsset(const Asset& asset, diag::Findings& findings);
+  /// Notes a position: how far the archive is; the manifest's part of it is added.
+  bool Note(const Position& position, diag::Findings& findings);
   /// Notes an archive that is to get its name: after this, it is known as ours.
   bool NoteClosed(manifest::SealedFile archive, diag::Findings& findings);
   /// Seals the batch and gives the manifest its name.
@@ -74,6 +79,7 @@ class Ledger {
   void ReadFormer();
   void ReadJournal();
   bool ReadLine(std::string_view line);
+  bool ReadPosition(std::istringstream& words);
   bool AppendMade(diag::Findings& findings);
   bool AppendLine(const std::string& line, diag::Findings& findings);
 
@@ -87,9 +93,10 @@ class Ledger {
   bool is_begun_ = false;
   Position begin_;
   std::vector<Position> positions_;
-  std::vector<std::string> assets_;
+  std::vector<Asset> assets_;  // in the folder, in the archive under construction
   std::vector<manifest::SealedFile> closed_;
   std::set<std::string> made_;  // archives that were closed once
+  std::set<std::string> made_assets_;
 };
 
 }  // namespace mjforge::batch

@@ -36,7 +36,8 @@ class Joining {
         verify_(verify),
         sources_(sources),
         findings_(findings),
-        file_(destination.Manifest({})) {}
+        file_(destination.Manifest({})),
+        objects_(destination.Folder(), verify) {}
 
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
@@ -114,10 +115,7 @@ class Joining {
         continue;
       }
       if (i == 0) whole_ = *seal;
-      std::string difference = manifest::DifferenceOfOutput(*seal, whole_);
-      if (difference.empty() && seal->count != whole_.count)
-        difference = fmt::format("count is '{}', not '{}'", seal->count, whole_.count);
-      if (!difference.empty()) {
+      if (const std::string difference = DifferenceOf(*seal); !difference.empty()) {
         findings_.Add(diag::Code::kBatchDiffers, {},
                       fmt::format("'{}' belongs to another batch: {}", file.string(), difference),
                       "make all shards with the same spec and options");
@@ -130,6 +128,19 @@ class Joining {
       }
     }
     return !findings_.HasErrors();
+  }
+
+  // How a shard differs from those before it, in words. Its assets join theirs.
+  std::string DifferenceOf(const manifest::Seal& seal) {
+    const std::string difference = manifest::DifferenceOfOutput(seal, whole_);
+    if (!difference.empty()) return difference;
+    if (seal.count != whole_.count)
+      return fmt::format("count is '{}', not '{}'", seal.count, whole_.count);
+    for (const auto& [name, sha256] : seal.assets) {
+      if (whole_.assets.emplace(name, sha256).first->second != sha256)
+        return fmt::format("'{}' has other bytes", name);
+    }
+    return {};
   }
 
   bool Finish(output::PartFile& part) {
@@ -191,7 +202,7 @@ class Joining {
     }
     ++records_;
     return record.status != Status::kOk || !record.archive.empty() ||
-           CheckObject(destination_.Folder(), record, verify_, findings_);
+           objects_.Check(record, findings_);
   }
 
   const output::Destination& destination_;
@@ -199,6 +210,7 @@ class Joining {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::filesystem::path file_;
+  VouchedObjects objects_;
   manifest::Seal whole_;  // of the joined batch
   std::optional<manifest::Record> first_;
   std::uint64_t records_ = 0;

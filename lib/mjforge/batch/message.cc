@@ -74,17 +74,13 @@ auto Members(Chunk& chunk) { return std::tie(chunk.first, chunk.count, chunk.arc
 auto Members(Condemned& condemned) {
   return std::tie(condemned.index, condemned.too_slow, condemned.how);
 }
+auto Members(Asset& asset) { return std::tie(asset.name, asset.source, asset.sha256); }
 auto Members(Task& task) { return std::tie(task.chunk, task.condemned); }
 auto Members(Result& result) {
   return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,
                   result.text, result.variants, result.assets, result.inputs, result.findings,
                   result.more_findings, result.sources, result.output_failed,
                   result.output_findings);
-}
-
-template <typename A, typename B>
-auto Members(std::pair<A, B>& pair) {
-  return std::tie(pair.first, pair.second);
 }
 
 template <typename Coder, typename T>

@@ -40,16 +40,25 @@ struct SourceText {
   std::string text;
 };
 
+/// A file that objects refer to.
+struct Asset {
+  std::string name;    // in the object
+  std::string source;  // file
+  std::string sha256;
+
+  bool operator==(const Asset&) const = default;
+};
+
 struct Result {
   Chunk chunk;
   std::uint64_t done = 0;  // variants; fewer than the chunk's if stopped or failed
   std::vector<Status> statuses;
-  std::string lines;                                        // of the manifest
-  std::string segment;                                      // of the archive
-  std::string text;                                         // of a single object
-  std::vector<Done> variants;                               // if they are watched
-  std::vector<std::pair<std::string, std::string>> assets;  // name, source; each once
-  std::vector<std::string> inputs;                          // that this worker has not sent before
+  std::string lines;                // of the manifest
+  std::string segment;              // of the archive
+  std::string text;                 // of a single object
+  std::vector<Done> variants;       // if they are watched
+  std::vector<Asset> assets;        // each once
+  std::vector<std::string> inputs;  // that this worker has not sent before
   std::vector<Digest::Entry> findings;
   std::uint64_t more_findings = 0;
   std::vector<SourceText> sources;

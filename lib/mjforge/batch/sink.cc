@@ -24,8 +24,12 @@ class FileSink : public Sink {
                                 {.force = request_.force, .if_changed = request_.if_changed});
     mjcf::MjcfDocument document;
     document.text = result.text;
-    document.assets.assign(result.assets.begin(), result.assets.end());
-    return folder.Write(name, document, findings);
+    output::AssetHashes hashes;
+    for (const Asset& asset : result.assets) {
+      document.assets.emplace_back(asset.name, asset.source);
+      hashes.emplace_back(asset.name, asset.sha256);
+    }
+    return folder.Write(name, document, findings, hashes);
   }
 
  private:
@@ -40,7 +44,7 @@ class TextSink : public Sink {
     if (!result.assets.empty()) {
       findings.Warn(diag::Code::kOutputCannotWrite, {},
                     fmt::format("the object needs '{}', which standard output cannot carry",
-                                result.assets.front().first),
+                                result.assets.front().name),
                     "write to a file or a folder to have its assets beside it");
     }
     text_ += result.text;

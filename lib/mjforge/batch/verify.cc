@@ -99,11 +99,12 @@ class Verification {
   void CheckObjects(const std::filesystem::path& manifest) {
     using Outcome = manifest::RecordReader::Outcome;
     auto reader = manifest::RecordReader::Open(manifest, sources_, findings_);
+    VouchedObjects objects(manifest.parent_path(), true);
     manifest::Record record;
     while (reader && reader->Next(record) == Outcome::kRecord) {
       if (record.status != Status::kOk) continue;
       diag::Findings found;
-      const bool is_good = CheckObject(manifest.parent_path(), record, true, found);
+      const bool is_good = objects.Check(record, found);
       Count(is_good, std::move(found));
     }
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
@@ -20,6 +22,17 @@ void AddBroken(const std::filesystem::path& file, const std::string& why_not,
                "run the command that made it again with --resume");
 }
 
+// Whether a file is there and not empty or, with `verify`, has its hash.
+bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t limit,
+               const std::string& sha256, diag::Findings& findings) {
+  std::string why_not;
+  const auto start = bytes::ReadStart(file, verify ? limit : 1, why_not);
+  if (start && (verify ? bytes::Sha256Of(*start) == sha256 : !start->empty())) return true;
+  if (start) why_not = start->empty() ? "it is empty" : "its bytes are others";
+  AddBroken(file, why_not, findings);
+  return false;
+}
+
 }  // namespace
 
 std::optional<manifest::Seal> ReadSealOf(const std::filesystem::path& manifest,
@@ -34,15 +47,6 @@ bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile&
                 : bytes::HasSize(folder / file.file, file.whole.size, why_not);
 }
 
-bool HasObject(const std::filesystem::path& folder, const manifest::Record& record, bool verify,
-               std::string& why_not) {
-  const auto text = bytes::ReadStart(folder / record.file, verify ? bytes::kMaxMjcf : 1, why_not);
-  if (!text) return false;
-  if (verify ? bytes::Sha256Of(*text) == record.sha256 : !text->empty()) return true;
-  why_not = text->empty() ? "it is empty" : "its bytes are others";
-  return false;
-}
-
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings) {
   std::string why_not;
@@ -51,12 +55,20 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
   return false;
 }
 
-bool CheckObject(const std::filesystem::path& folder, const manifest::Record& record, bool verify,
-                 diag::Findings& findings) {
-  std::string why_not;
-  if (HasObject(folder, record, verify, why_not)) return true;
-  AddBroken(folder / record.file, why_not, findings);
-  return false;
+bool VouchedObjects::Check(const manifest::Record& record, diag::Findings& findings) {
+  return CheckHash(folder_ / record.file, verify_, bytes::kMaxMjcf, record.sha256, findings) &&
+         CheckAssets(record, findings);
+}
+
+bool VouchedObjects::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
+  const std::filesystem::path folder = (folder_ / record.file).parent_path();
+  return std::ranges::all_of(record.assets, [&](const auto& asset) {
+    const auto& [name, sha256] = asset;
+    const auto [known, is_new] = assets_.try_emplace({folder / name, sha256});
+    if (is_new)
+      known->second = CheckHash(folder / name, verify_, bytes::kMaxAsset, sha256, findings);
+    return known->second;
+  });
 }
 
 }  // namespace mjforge::batch

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/manifest/manifest.h"
@@ -18,15 +20,27 @@ std::optional<manifest::Seal> ReadSealOf(const std::filesystem::path& manifest,
 bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                 std::string& why_not);
 
-/// Whether a record's own file is in `folder` and not empty or, with `verify`, has its hash; else
-/// why not.
-bool HasObject(const std::filesystem::path& folder, const manifest::Record& record, bool verify,
-               std::string& why_not);
-
 /// The same, with a finding if not.
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
-bool CheckObject(const std::filesystem::path& folder, const manifest::Record& record, bool verify,
-                 diag::Findings& findings);
+
+/// What records say is in a folder. Assets are read once.
+class VouchedObjects {
+ public:
+  VouchedObjects(std::filesystem::path folder, bool verify)
+      : folder_(std::move(folder)), verify_(verify) {}
+
+  /// Whether the record's own file and its assets are there and not empty or, with `verify`, have
+  /// their hashes. Else a finding, of each asset once.
+  bool Check(const manifest::Record& record, diag::Findings& findings);
+
+ private:
+  bool CheckAssets(const manifest::Record& record, diag::Findings& findings);
+
+  std::filesystem::path folder_;
+  bool verify_;
+  // Whether they were good, with the hashes that they should have.
+  std::map<std::pair<std::filesystem::path, std::string>, bool> assets_;
+};
 
 }  // namespace mjforge::batch

@@ -96,9 +96,13 @@ class Worker {
   bool WriteObject(Result& result) {
     const output::Destination& destination = request_.destination;
     diag::Findings& findings = result.output_findings;
-    if (destination.kind == Kind::kFolder)
-      return folder_.Write(variant_.record.file, variant_.document, findings);
+    const manifest::Record& record = variant_.record;
+    if (destination.kind == Kind::kFolder &&
+        !folder_.Write(record.file, variant_.document, findings, record.assets)) {
+      return false;
+    }
     AddAssets(result);
+    if (destination.kind == Kind::kFolder) return true;
     if (destination.IsArchive()) return AddMembers(findings);
     result.text = variant_.document.text;
     return true;
@@ -106,7 +110,9 @@ class Worker {
 
   void AddAssets(Result& result) const {
     for (const auto& [name, source] : variant_.document.assets) {
-      const std::pair<std::string, std::string> asset(name, source);
+      const auto& hashes = variant_.record.assets;
+      const auto hash = std::ranges::find(hashes, name, &output::AssetHashes::value_type::first);
+      const Asset asset = {name, source.string(), hash->second};
       if (std::ranges::find(result.assets, asset) == result.assets.end())
         result.assets.push_back(asset);
     }

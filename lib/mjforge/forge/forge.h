@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -142,6 +143,7 @@ class Generator {
   /// From the spec, when the parameters are drawn; false after an error.
   bool Assemble(Variant& variant);
   void Judge(Variant& variant);
+  bool HashAssets(Variant& variant);
   void End(Outcome outcome, Variant& variant);
   void Describe(const model::Object& object, manifest::Record& record) const;
 
@@ -155,8 +157,9 @@ class Generator {
   sample::Sampler sampler_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
-  std::optional<sample::Evaluator> values_;  // of the variant at hand
-  std::unique_ptr<Moulds> moulds_;           // null: none are used
+  std::optional<sample::Evaluator> values_;    // of the variant at hand
+  std::unique_ptr<Moulds> moulds_;             // null: none are used
+  std::map<std::string, std::string> hashes_;  // of assets, by file
 };
 
 /// The recipe of a record: `spec`, or, if that is empty, the spec that it names, which is

@@ -130,7 +130,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   if (!made) return Outcome::kFailed;
   Describe(*variant.object, record);
   Judge(variant);
-  return variant.findings.HasErrors() ? Outcome::kFailed : Outcome::kMade;
+  return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kMade : Outcome::kFailed;
 }
 
 bool Generator::Assemble(Variant& variant) {
@@ -179,6 +179,21 @@ void Generator::Judge(Variant& variant) {
     variant.record.physics =
         laboratory_->Examine(variant.document, *variant.object, variant.findings);
   }
+}
+
+bool Generator::HashAssets(Variant& variant) {
+  for (const auto& [name, file] : variant.document.assets) {
+    std::string& hash = hashes_[file.string()];
+    if (hash.empty()) {
+      const auto bytes = output::ReadFile(file, bytes::kMaxAsset, variant.findings);
+      if (!bytes) return false;
+      hash = bytes::Sha256Of(*bytes);
+    }
+    const std::pair<std::string, std::string> asset(name, hash);
+    std::vector<std::pair<std::string, std::string>>& assets = variant.record.assets;
+    if (std::ranges::find(assets, asset) == assets.end()) assets.push_back(asset);
+  }
+  return true;
 }
 
 void Generator::Describe(const model::Object& object, manifest::Record& record) const {

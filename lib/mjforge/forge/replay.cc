@@ -100,6 +100,19 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
   return false;
 }
 
+// True if what the object refers to is as the record says.
+bool HasSameAssets(const Original& original, const Variant& variant, diag::Findings& findings) {
+  bool same = true;
+  for (const auto& asset : original.record.assets) {
+    if (std::ranges::find(variant.record.assets, asset) != variant.record.assets.end()) continue;
+    findings.Add(diag::Code::kOutputDiffers, {},
+                 fmt::format("'{}' is not the file that the object was made with", asset.first),
+                 fmt::format("its SHA-256 was {}", asset.second));
+    same = false;
+  }
+  return same;
+}
+
 // A failed variant is not there to compare with; its findings are.
 bool ReplayFailure(const Original& original, const Variant& variant, diag::Findings& findings) {
   if (variant.ok()) {
@@ -122,7 +135,10 @@ bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
   generator.Make(original.record.index, variant);
   if (failed) return ReplayFailure(original, variant, findings);
   diag::Findings differences;
-  if (variant.ok() && IsSame(original, variant, sources, differences)) return true;
+  if (variant.ok() && IsSame(original, variant, sources, differences) &&
+      HasSameAssets(original, variant, differences)) {
+    return true;
+  }
   // The comment does not say which draw it was, if earlier ones were invalid, nor
   // what was asked of them.
   if (!original.from_manifest) {

@@ -93,6 +93,8 @@ struct Record : mjcf::Provenance {
   Status status = Status::kOk;
   std::vector<std::string> findings;  // JSON objects, as diag::RenderJson makes them
   std::string sha256;                 // of the file's bytes; empty: none was written
+  // What the file refers to: name in it, SHA-256 of the bytes. Empty if none was written.
+  std::vector<std::pair<std::string, std::string>> assets;
 };
 
 /// Appends one JSON object and a line end.

@@ -260,6 +260,10 @@ const std::array kFields = {
                 "Errors and warnings about this variant.", PutFindings, GetFindings},
     OrNull<&Record::sha256>("sha256", R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
                             "SHA-256 of the file's bytes."),
+    Optional<&Record::assets>(
+        "assets", fmt::format(R"("type": "object", "additionalProperties": {{{}}})", kHash),
+        "The meshes and pictures that the file refers to, by their names in it, with the SHA-256 "
+        "of their bytes; left out if there are none."),
 };
 
 }  // namespace

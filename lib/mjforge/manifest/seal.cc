@@ -44,15 +44,26 @@ bool Get(const Value& value, SealedFile& file) {
          Get(value, "bytes", file.whole.size) && Get(value, "xxh128", file.whole.checksum);
 }
 
+bool Get(const Value& object, std::map<std::string, std::string>& texts) {
+  for (const auto& [name, text] : object.GetObject()) {
+    if (!text.IsString()) return false;
+    texts.emplace(name.GetString(), text.GetString());
+  }
+  return true;
+}
+
 bool Get(const Value& object, Seal& seal) {
   const auto manifest = object.FindMember("manifest");
   const auto archives = object.FindMember("archives");
+  const auto assets = object.FindMember("assets");
   if (!Get(object, "name", seal.name) || !Get(object, "output", seal.output) ||
-      !Get(object, "per_archive", seal.per_archive) || !Get(object, "first", seal.first) ||
-      !Get(object, "count", seal.count) || !Get(object, "shard", seal.shard) ||
-      !Get(object, "shards", seal.shards) || !Get(object, "records", seal.records) ||
-      manifest == object.MemberEnd() || !Get(manifest->value, seal.manifest) ||
-      archives == object.MemberEnd() || !archives->value.IsArray()) {
+      !Get(object, "per_archive", seal.per_archive) || !Get(object, "spec", seal.spec) ||
+      !Get(object, "first", seal.first) || !Get(object, "count", seal.count) ||
+      !Get(object, "shard", seal.shard) || !Get(object, "shards", seal.shards) ||
+      !Get(object, "records", seal.records) || manifest == object.MemberEnd() ||
+      !Get(manifest->value, seal.manifest) || archives == object.MemberEnd() ||
+      !archives->value.IsArray() || assets == object.MemberEnd() || !assets->value.IsObject() ||
+      !Get(assets->value, seal.assets)) {
     return false;
   }
   for (const Value& archive : archives->value.GetArray()) {
@@ -74,6 +85,7 @@ std::string SealText(const Seal& seal) {
   json.Member("name", seal.name);
   json.Member("output", seal.output);
   json.Member("per_archive", seal.per_archive);
+  json.Member("spec", seal.spec);
   json.Member("first", seal.first);
   json.Member("count", seal.count);
   json.Member("shard", seal.shard);
@@ -85,6 +97,10 @@ std::string SealText(const Seal& seal) {
   json.StartArray();
   for (const SealedFile& archive : seal.archives) Put(json, archive);
   json.EndArray();
+  json.Key("assets");
+  json.StartObject();
+  for (const auto& [name, sha256] : seal.assets) json.Member(name, sha256);
+  json.EndObject();
   std::string text = json.Take();
   text += fmt::format("{}{}\"}}\n", kOwn, bytes::ChecksumOf(text));
   return text;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct Seal {
   std::string name;
   std::string output;
   std::uint64_t per_archive = 0;
+  /// As the records have it.
+  std::string spec;
   /// The whole batch.
   std::uint64_t first = 0;
   std::uint64_t count = 0;
@@ -35,6 +38,8 @@ struct Seal {
   std::uint64_t records = 0;
   SealedFile manifest;
   std::vector<SealedFile> archives;
+  /// What the objects refer to: name in them, SHA-256 of the bytes.
+  std::map<std::string, std::string> assets;
 };
 
 /// "out/manifest.jsonl" -> "out/manifest.seal.json".

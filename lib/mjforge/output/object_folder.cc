@@ -14,26 +14,6 @@
 namespace mjforge::output {
 namespace {
 
-// Keeps a copy that is there with the same bytes.
-bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path& target,
-               bool replace, diag::Findings& findings) {
-  const std::optional<std::string> bytes = ReadFile(source, bytes::kMaxAsset, findings);
-  if (!bytes) return false;
-  if (std::error_code ignored; std::filesystem::exists(target, ignored)) {
-    const std::optional<std::string> present = ReadFile(target, bytes::kMaxAsset, findings);
-    if (!present) return false;
-    if (*present == *bytes) return true;
-    if (!replace) {
-      findings.Add(diag::Code::kOutputExists, {},
-                   fmt::format("'{}' exists, and its content differs from '{}'", target.string(),
-                               source.string()),
-                   "choose another place, or overwrite it with --force");
-      return false;
-    }
-  }
-  return WriteFile(target, *bytes, false, findings);
-}
-
 // Whether no living process has it, which would hold its lock.
 bool IsLeft(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -121,21 +101,59 @@ bool MadeFolders::MakeBelow(const std::filesystem::path& base, const std::filesy
   });
 }
 
+std::optional<std::string> ReadAsset(const std::filesystem::path& file, const std::string& sha256,
+                                     diag::Findings& findings) {
+  std::optional<std::string> bytes = ReadFile(file, bytes::kMaxAsset, findings);
+  if (!bytes || sha256.empty() || bytes::Sha256Of(*bytes) == sha256) return bytes;
+  AddAssetChanged(file.string(), findings);
+  return std::nullopt;
+}
+
+void AddAssetChanged(const std::string& name, diag::Findings& findings) {
+  findings.Add(diag::Code::kBatchChanged, {},
+               fmt::format("'{}' was changed while the batch was made", name),
+               "make the batch anew, without --resume");
+}
+
+// Keeps a copy that is there with the same bytes.
+bool ObjectFolder::CopyAsset(const std::filesystem::path& source,
+                             const std::filesystem::path& target, const std::string& sha256,
+                             diag::Findings& findings) const {
+  const std::optional<std::string> bytes = ReadAsset(source, sha256, findings);
+  if (!bytes) return false;
+  if (std::error_code ignored; std::filesystem::exists(target, ignored)) {
+    const std::optional<std::string> present = ReadFile(target, bytes::kMaxAsset, findings);
+    if (!present) return false;
+    if (*present == *bytes) return true;
+    if (!overwrite_.force && !overwrite_.assets.contains(bytes::Sha256Of(*present))) {
+      findings.Add(diag::Code::kOutputExists, {},
+                   fmt::format("'{}' exists, and its content differs from '{}'", target.string(),
+                               source.string()),
+                   "choose another place, or overwrite it with --force");
+      return false;
+    }
+  }
+  return WriteFile(target, *bytes, false, findings);
+}
+
 bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
-                              const std::filesystem::path& folder, diag::Findings& findings) {
+                              const std::filesystem::path& folder, const AssetHashes& hashes,
+                              diag::Findings& findings) {
   for (const auto& [name, source] : document.assets) {
     const std::filesystem::path target = folder / name;
     if (assets_.contains(target)) continue;
     const std::filesystem::path below = std::filesystem::path(name).parent_path();
     if (!folders_.MakeBelow(folder, below, findings)) return false;
-    if (!CopyAsset(source, target, overwrite_.force || overwrite_.assets, findings)) return false;
+    const auto hash = std::ranges::find(hashes, name, &AssetHashes::value_type::first);
+    if (!CopyAsset(source, target, hash == hashes.end() ? std::string() : hash->second, findings))
+      return false;
     assets_.insert(target);
   }
   return true;
 }
 
 bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& document,
-                         diag::Findings& findings) {
+                         diag::Findings& findings, const AssetHashes& hashes) {
   const std::filesystem::path path = folder_ / file;
   const std::filesystem::path folder = path.parent_path();
   if (folder != known_folder_) {
@@ -145,7 +163,8 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
     known_folder_ = folder;
   }
   // Assets first: an object never stands there without what it refers to.
-  return MayReplace(path, overwrite_.force, findings) && CopyAssets(document, folder, findings) &&
+  return MayReplace(path, overwrite_.force, findings) &&
+         CopyAssets(document, folder, hashes, findings) &&
          WriteFile(path, document.text, overwrite_.if_changed, findings);
 }
 

@@ -23,8 +23,9 @@ namespace mjforge::output {
 /// What may happen to files that are there already.
 struct Overwrite {
   bool force = false;       // replace files that mjforge did not make
-  bool assets = false;      // replace assets with other content: they are from an older batch
   bool if_changed = false;  // leave a file that has the same bytes untouched, with its time
+  // SHA-256 of assets that others may replace: an older run of the same batch made them.
+  std::set<std::string> assets = {};
 };
 
 /// Writes beside the file and renames. On failure nothing is left and a finding
@@ -71,6 +72,17 @@ class MadeFolders {
   std::vector<std::filesystem::path> made_;  // outermost first
 };
 
+/// Adds "'NAME' was changed while the batch was made".
+void AddAssetChanged(const std::string& name, diag::Findings& findings);
+
+/// Names of assets in a document, and the SHA-256 of their bytes.
+using AssetHashes = std::vector<std::pair<std::string, std::string>>;
+
+/// The content of an asset; nothing, and a finding, if it cannot be read or, unless `sha256` is
+/// empty, has another hash.
+std::optional<std::string> ReadAsset(const std::filesystem::path& file, const std::string& sha256,
+                                     diag::Findings& findings);
+
 /// Objects in a folder with the assets they need. Several processes may fill one
 /// folder at the same time, with different files.
 class ObjectFolder {
@@ -80,12 +92,16 @@ class ObjectFolder {
 
   /// Writes one object's file (its name may have folders in it, which are made) and, before it, its
   /// assets beside it, each once. Existing files that mjforge did not make are replaced only as
-  /// `overwrite` says.
-  bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings);
+  /// `overwrite` says. An asset whose bytes do not have the hash that `hashes` has for its name
+  /// (manifest::Record::assets) was changed in the meantime, which is a finding.
+  bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings,
+             const AssetHashes& hashes = {});
 
  private:
   bool CopyAssets(const mjcf::MjcfDocument& document, const std::filesystem::path& folder,
-                  diag::Findings& findings);
+                  const AssetHashes& hashes, diag::Findings& findings);
+  bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path& target,
+                 const std::string& sha256, diag::Findings& findings) const;
 
   std::filesystem::path folder_;
   Overwrite overwrite_;

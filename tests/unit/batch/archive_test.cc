@@ -99,15 +99,8 @@ TEST_CASE("a series has so many variants in each archive, and says where each on
 }
 
 TEST_CASE("assets come once into each archive, before the first object that needs them") {
-  const std::string png(
-      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\2\0\0\0\x90wS\xde\0\0\0\x0cIDATx\x9c"
-      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae"
-      "B`\x82",
-      69);
-  CrateBatch test(
-      "mjforge: 1\nname: crate\nmaterials: {wood: {texture: {file: wood.png}}}\n"
-      "parts: [{name: body, type: box, size: [0.1, 0.1, 0.1], material: wood}]\n");
-  test.folder.Write("wood.png", png);
+  CrateBatch test(kWoodenSpec);
+  test.folder.Write("wood.png", Png('a'));
   test.Make(test.Of(150, "out/x_%d.tar", 100));
   for (const char* archive : {"out/x_0.tar", "out/x_1.tar"}) {
     const auto members = Members(test.folder / archive);
@@ -116,7 +109,7 @@ TEST_CASE("assets come once into each archive, before the first object that need
     CHECK(std::count(members.begin(), members.end(), "assets/wood.png") == 1);
   }
   Extract(test.folder / "out/x_1.tar", test.folder / "got");
-  CHECK(test.folder.Read("got/assets/wood.png") == png);
+  CHECK(test.folder.Read("got/assets/wood.png") == Png('a'));
 }
 
 TEST_CASE("an archive that mjforge did not make is not replaced without force") {

@@ -15,6 +15,15 @@ CrateBatch::CrateBatch(const std::string& text) {
   recipe_ = *std::move(loaded);
 }
 
+std::string Png(char end) {
+  const std::string picture(
+      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\2\0\0\0\x90wS\xde\0\0\0\x0cIDATx\x9c"
+      "c\xf8\xcf\xc0\0\0\3\1\1\0\xc9\xfe\x92\xef\0\0\0\0IEND\xae"
+      "B`\x82",
+      69);
+  return picture + end;
+}
+
 Request CrateBatch::Of(std::uint64_t count, const std::string& output,
                        std::uint64_t per_archive) const {
   Request request;

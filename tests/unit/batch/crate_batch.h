@@ -26,6 +26,17 @@ inline constexpr const char* kUnluckySpec =
     "parts:\n"
     "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
 
+/// A box with a texture, wood.png.
+inline constexpr const char* kWoodenSpec =
+    "mjforge: 1\n"
+    "name: crate\n"
+    "params: {height: 0.1 .. 0.2}\n"
+    "materials: {wood: {texture: {file: wood.png}}}\n"
+    "parts: [{name: body, type: box, size: [0.1, 0.1, height], material: wood}]\n";
+
+/// A picture of one pixel; `end` follows it, so that there are several.
+std::string Png(char end);
+
 /// Batches of one spec in a fresh folder.
 class CrateBatch {
  public:

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
@@ -105,7 +106,8 @@ TEST_CASE("an asset that is there with other content is replaced only where that
         "'" + copy.string() + "' exists, and its content differs from '" + wood.string() + "'");
   CHECK(folder.Files() == Files{"out/assets/wood.png", "wood.png"});
   CHECK(folder.Read("out/assets/wood.png") == "others");
-  CHECK(ObjectFolder(folder / "out", {.assets = true}).Write("x.xml", document, findings));
+  CHECK(ObjectFolder(folder / "out", {.assets = {bytes::Sha256Of("others")}})
+            .Write("x.xml", document, findings));
   CHECK(folder.Read("out/assets/wood.png") == "pixels");
 }
 
