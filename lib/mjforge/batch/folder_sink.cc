@@ -30,7 +30,9 @@ class FolderSink : public Sink {
   }
 
   output::Overwrite overwrite() const override {
-    output::Overwrite overwrite = {.force = request_.force, .if_changed = request_.if_changed};
+    output::Overwrite overwrite = {.force = request_.force,
+                                   .if_changed = request_.if_changed,
+                                   .durability = request_.durability};
     // What is kept refers to those that are there.
     if (!is_continued_) overwrite.assets = ledger_.made_assets();
     return overwrite;

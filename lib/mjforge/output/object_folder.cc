@@ -133,7 +133,7 @@ bool ObjectFolder::CopyAsset(const std::filesystem::path& source,
       return false;
     }
   }
-  return WriteFile(target, *bytes, false, findings);
+  return WriteFile(target, *bytes, false, findings, overwrite_.durability);
 }
 
 bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,

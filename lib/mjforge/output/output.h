@@ -24,6 +24,8 @@ namespace mjforge::output {
 struct Overwrite {
   bool force = false;       // replace files that mjforge did not make
   bool if_changed = false;  // leave a file that has the same bytes untouched, with its time
+  // Of assets, which may already be there when the batch is continued.
+  Durability durability = Durability::kNone;
   // SHA-256 of assets that others may replace: an older run of the same batch made them.
   std::set<std::string> assets = {};
 };
