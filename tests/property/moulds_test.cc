@@ -98,6 +98,29 @@ TEST_CASE("many conditions, choices and counts are the same from moulds") {
   CompareForTargets(loaded, 9, 400, 21);
 }
 
+TEST_CASE("functions, local values and chosen texts are the same from moulds") {
+  const Written written;
+  Loaded loaded = written.Load(
+      "mjforge: 1\n"
+      "name: local\n"
+      "functions:\n"
+      "  twice(x): 2 * x\n"
+      "  shape(i): 'twice(h + i / 100) > 0.25 ? twice(h) / 4 : h / 2'\n"
+      "params: {h: 0.1 .. 0.2, n: {integer: [1, 3]}, kind: {choice: [oak, pine]}}\n"
+      "parts:\n"
+      "  - for: {i: n}\n"
+      "    name: p_${i}\n"
+      "    let: {gap: 0.1 .. 0.3, wide: gap / 2, big: gap > 0.15, at: [gap, wide, 0],\n"
+      "          word: {choice: [dark, light]}}\n"
+      "    if: wide > 0.07 or i == 0\n"
+      "    type: box\n"
+      "    size: [shape(i), wide, 'big ? 0.1 : h']\n"
+      "    pos: at\n"
+      "    material: \"${kind == 'oak' ? word : 'light'}\"\n"
+      "materials: {dark: {rgba: [0, 0, h, 1]}, light: {rgba: [1, 1, 1, 1]}}\n");
+  CompareForTargets(loaded, 4, 400, 101);
+}
+
 TEST_CASE("failing variants between good ones are the same from moulds") {
   const Written written;
   Loaded loaded = written.Load(

@@ -37,6 +37,7 @@ std::string ClosestName(std::string_view word, const Names& names) {
   std::vector<std::string_view> candidates;
   for (const auto* variable : names.variables()) candidates.push_back(variable->name);
   for (const Function& function : Functions()) candidates.push_back(function.name);
+  for (const auto& [name, formula] : names.formulas()) candidates.push_back(name);
   return diag::DidYouMean(word, candidates);
 }
 
@@ -110,6 +111,10 @@ Error UnknownName(const Word& word, const Names& names, bool beside_text) {
     return Syntax(word, fmt::format("'{}' is a function", word.text),
                   fmt::format("write {}", UsageOf(word.text)));
   }
+  if (const Formula* formula = names.FindFormula(word.text)) {
+    return Syntax(word, fmt::format("'{}' is a function", word.text),
+                  fmt::format("write {}", formula->Usage()));
+  }
   std::string hint = ClosestName(word.text, names);
   if (beside_text && hint.empty()) hint = fmt::format("put text in quotes: '{}'", word.text);
   if (hint.empty() && IsUnit(word.text)) {
@@ -131,6 +136,7 @@ Error NotAFunction(const Word& word, const Names& names) {
   for (const Function& function : Functions()) {
     if (FindCallee(function.name) != nullptr) candidates.push_back(function.name);
   }
+  for (const auto& [name, formula] : names.formulas()) candidates.push_back(name);
   return {Code::kExprUnknownName, word.offset, fmt::format("unknown function '{}'", word.text),
           diag::DidYouMean(word.text, candidates)};
 }
@@ -184,12 +190,24 @@ Error TextAgainst(const Word& word) {
           {}};
 }
 
-Error WrongCount(const Word& function, int arity, int count) {
+Error TextBeside(const Word& word) {
+  return {Code::kExprType,
+          word.offset,
+          fmt::format("'{}' is text; the other side of the choice is not", word.text),
+          {}};
+}
+
+Error WrongCount(const Word& function, int arity, int count, std::string_view usage) {
   return Syntax(
       function,
       fmt::format("'{}' takes {}{} argument{}, not {}", function.text,
                   arity == 0 ? "at least " : "", std::max(arity, 1), arity > 1 ? "s" : "", count),
-      fmt::format("write {}", UsageOf(function.text)));
+      fmt::format("write {}", usage));
+}
+
+Error TooManyCalls(const Word& function, int limit) {
+  return Syntax(function, fmt::format("the expression calls functions more than {} times", limit),
+                std::string(kSplitHint));
 }
 
 Error TooDeep(const Word& word, int limit) {

@@ -31,8 +31,11 @@ Error WrongComponent(const Word& word, const Names::Variable& variable, std::str
 Error MisusedText(const Word& word);
 /// A text compared with a number or a boolean.
 Error TextAgainst(const Word& word);
+/// A text that is one side of a choice whose other side is none.
+Error TextBeside(const Word& word);
 /// A function with `count` arguments where it takes `arity`, 0 for one or more.
-Error WrongCount(const Word& function, int arity, int count);
+Error WrongCount(const Word& function, int arity, int count, std::string_view usage);
+Error TooManyCalls(const Word& function, int limit);
 Error TooLong(std::size_t bytes, std::size_t limit);
 Error TooDeep(const Word& word, int limit);
 

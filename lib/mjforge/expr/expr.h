@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,17 @@ std::string_view TypeName(Type type);  // "number", "boolean", "text"
 /// Equal texts have equal numbers; different texts in practice never do.
 double TextKey(std::string_view text);
 
+/// A function that a spec defines: an expression of its arguments, which are numbers, and of the
+/// names in scope. It must not call itself, by others neither.
+struct Formula {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string body;
+  diag::SourceMark mark = {};  // of the body
+
+  std::string Usage() const;  // "bulge(z)"
+};
+
 /// The names an expression may use, and the slot of each in the array of
 /// variables that Evaluate() takes. A vector `v` of n components fills n slots,
 /// read as `v.x v.y v.z v.w`; booleans are 0 and 1; texts are TextKey()s.
@@ -65,12 +77,17 @@ class Names {
   /// Ends a name's scope (a loop's variable).
   void Forget(std::string_view name);
   const Variable* Find(std::string_view name) const;
+  /// Adds a function; one of that name is replaced.
+  void Define(Formula formula);
+  const Formula* FindFormula(std::string_view name) const;
+  const std::map<std::string, Formula, std::less<>>& formulas() const { return formulas_; }
   /// The variables in scope, sorted by name.
   std::vector<const Variable*> variables() const;
   int slot_count() const { return slot_count_; }
 
  private:
   std::map<std::string, Variable, std::less<>> variables_;
+  std::map<std::string, Formula, std::less<>> formulas_;
   int slot_count_ = 0;
 };
 
@@ -79,6 +96,7 @@ struct Error {
   std::size_t offset = 0;  // byte in the expression's text
   std::string message;
   std::string hint;
+  std::string formula = {};  // in whose body the offset is; empty: in the text itself
 };
 
 class Program;  // private to the room
@@ -93,8 +111,13 @@ class Expression {
   };
 
   const std::string& text() const { return text_; }
-  Type type() const { return type_; }  // of the result: number or boolean
+  /// Of the result. A text is a TextKey(): of one of texts(), or of an input.
+  Type type() const { return type_; }
   std::span<const Input> inputs() const { return inputs_; }
+  /// The texts that it has in quotes.
+  const std::vector<std::string>& texts() const { return texts_; }
+  /// Names of the functions of the spec that it calls, by others, too.
+  const std::set<std::string>& formulas() const { return formulas_; }
   /// The value if there are no inputs.
   std::optional<double> constant() const { return constant_; }
 
@@ -104,9 +127,11 @@ class Expression {
     return constant_ ? *constant_ : Run(variables);
   }
 
+  enum class Result { kNoText, kAny };
   /// Compiles `text`. On failure returns nothing and fills `error`.
   /// Operators, functions and units: docs/manual.md, "Expressions".
-  static std::optional<Expression> Compile(std::string_view text, const Names& names, Error& error);
+  static std::optional<Expression> Compile(std::string_view text, const Names& names, Error& error,
+                                           Result result = Result::kNoText);
 
  private:
   Expression() = default;
@@ -115,11 +140,13 @@ class Expression {
   std::string text_;
   Type type_ = Type::kNumber;
   std::vector<Input> inputs_;
+  std::vector<std::string> texts_;
+  std::set<std::string> formulas_;
   std::optional<double> constant_;
   std::shared_ptr<const Program> program_;
 };
 
-/// The names in `text` that are neither functions nor constants, in order of
+/// The names in `text` that are neither built-in functions nor constants, in order of
 /// first use, vectors without their component; nothing if it cannot be split
 /// into words. For the graph of parameters, before anything is declared.
 std::vector<std::string> NamesUsedIn(std::string_view text);

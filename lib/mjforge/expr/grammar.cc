@@ -1,14 +1,17 @@
 #include "mjforge/expr/grammar.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "mjforge/expr/complaints.h"
+#include "mjforge/expr/cursor.h"
 #include "mjforge/expr/units.h"
 #include "mjforge/expr/words.h"
 
@@ -20,13 +23,8 @@ using diag::Code;
 // Far above what anybody writes, and far below what would exhaust the stack.
 constexpr std::size_t kMaxBytes = 10'000;
 constexpr int kMaxDepth = 200;
-
-// What has been read so far of an expression.
-struct Typed {
-  Operand value;
-  Type type = Type::kNumber;
-  std::size_t word = 0;  // a text: where it stands
-};
+// Functions that call others with different arguments each time would make 2^n steps.
+constexpr int kMaxCalls = 1000;
 
 using Result = std::optional<Typed>;
 
@@ -39,28 +37,34 @@ using Result = std::optional<Typed>;
 //   sum, term:  left to right
 //   signed:     - signed | + signed | ! signed | power
 //   power:      primary (^ signed)?
-// Each adds its steps to the program on the way.
-class Grammar {
+// Each adds its steps to the program on the way. A call of a spec's function reads the function's
+// body, with what its arguments are.
+class Grammar : Cursor {
  public:
-  Grammar(std::string_view text, std::vector<Word> words, const Names& names, Parsed& parsed,
-          Error& error)
-      : text_(text), words_(std::move(words)), names_(names), parsed_(parsed), error_(error) {}
+  using Arguments = std::map<std::string_view, Typed>;
 
-  bool Run() {
+  Grammar(std::string_view text, std::vector<Word> words, Parts& parts, Arguments arguments = {})
+      : Cursor(text, std::move(words)),
+        parts_(parts),
+        names_(parts.names),
+        parsed_(parts.parsed),
+        error_(parts.error),
+        arguments_(std::move(arguments)) {}
+
+  Result Run(Expression::Result wanted = Expression::Result::kNoText) {
     const Result result = Choice();
-    if (!result) return false;
-    if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_)).has_value();
-    if (result->type == Type::kText) return FailText(*result).has_value();
-    parsed_.type = result->type;
-    parsed_.program.SetResult(result->value);
-    return true;
+    if (!result) return result;
+    if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_));
+    if (result->type == Type::kText && wanted == Expression::Result::kNoText)
+      return FailText(*result);
+    return result;
   }
 
  private:
   // Counts the nesting while a function runs.
   class Level {
    public:
-    explicit Level(Grammar& grammar) : depth_(grammar.depth_) { ++depth_; }
+    explicit Level(Grammar& grammar) : depth_(grammar.parts_.depth) { ++depth_; }
     ~Level() { --depth_; }
     Level(const Level&) = delete;
     Level& operator=(const Level&) = delete;
@@ -69,14 +73,6 @@ class Grammar {
    private:
     int& depth_;
   };
-
-  const Word& Now() const { return words_[at_]; }
-
-  bool Take(std::string_view sign) {
-    if (!Now().IsSign(sign)) return false;
-    ++at_;
-    return true;
-  }
 
   Result Fail(Error error) {
     error_ = std::move(error);
@@ -112,11 +108,12 @@ class Grammar {
     }
     const Result no = Choice();
     if (!no) return no;
-    if (yes->type == Type::kText) return FailText(*yes);
-    if (no->type == Type::kText) return FailText(*no);
-    const bool boolean = yes->type == Type::kBoolean && no->type == Type::kBoolean;
-    return Applied(Operator("?"), boolean ? Type::kBoolean : Type::kNumber,
-                   {condition->value, yes->value, no->value});
+    if ((yes->type == Type::kText) != (no->type == Type::kText))
+      return Fail(TextBeside(words_[yes->type == Type::kText ? yes->word : no->word]));
+    const Type type = yes->type == no->type ? yes->type : Type::kNumber;
+    Typed result = Applied(Operator("?"), type, {condition->value, yes->value, no->value});
+    result.word = yes->word;
+    return result;
   }
 
   using Rule = Result (Grammar::*)();
@@ -160,12 +157,6 @@ class Grammar {
     return Applied(UnaryOperator(sign), type, {operand->value});
   }
 
-  bool AtComparison() const {
-    static constexpr std::array<std::string_view, 6> kSigns = {"<", "<=", ">", ">=", "==", "!="};
-    return Now().kind == Word::Kind::kSign &&
-           std::find(kSigns.begin(), kSigns.end(), Now().text) != kSigns.end();
-  }
-
   Result Comparison() {
     const std::size_t first = at_;
     const Result left = Sum();
@@ -190,14 +181,6 @@ class Grammar {
     const std::string_view middle = Source(sign + 1, at_);
     return Fail({Code::kExprSyntax, Now().offset, "comparisons cannot be chained",
                  fmt::format("write {} and {} {} ...", left, middle, Now().text)});
-  }
-
-  // What is written from one word up to another.
-  std::string_view Source(std::size_t begin, std::size_t end) const {
-    const std::size_t from = words_[begin].offset;
-    std::string_view source = text_.substr(from, words_[end].offset - from);
-    while (source.ends_with(' ') || source.ends_with('\n')) source.remove_suffix(1);
-    return source;
   }
 
   Result Sum() { return Chain(&Grammar::Term, {"+", "-"}, Type::kNumber); }
@@ -237,6 +220,7 @@ class Grammar {
         return Number();
       case Word::Kind::kText:
         ++at_;
+        parsed_.texts.emplace_back(word.text);
         return Literal(TextKey(word.text), Type::kText);
       case Word::Kind::kName:
         if (word.text == "and" || word.text == "or" || word.text == "not") break;
@@ -276,10 +260,13 @@ class Grammar {
   Result Name() {
     const Word& word = Now();
     if (words_[at_ + 1].IsSign("(")) {
-      const Callee* callee = FindCallee(word.text);
-      return callee ? Call(*callee) : Fail(NotAFunction(word, names_));
+      if (const Callee* callee = FindCallee(word.text)) return Call(*callee);
+      const Formula* formula = names_.FindFormula(word.text);
+      return formula ? Call(*formula) : Fail(NotAFunction(word, names_));
     }
     ++at_;
+    if (const auto argument = arguments_.find(word.text); argument != arguments_.end())
+      return Typed{argument->second.value, argument->second.type, at_ - 1};
     if (const Names::Variable* variable = names_.Find(word.text)) {
       if (variable->components > 1) return Fail(WrongComponent(word, *variable, {}));
       return Input(word, *variable, 0);
@@ -313,24 +300,31 @@ class Grammar {
     return Typed{parsed_.program.Variable(slot), variable.type, at_ - 1};
   }
 
-  Result Call(const Callee& callee) {
-    const Word& name = Now();
+  // What is in the parentheses of a call, read to its end. False after an error.
+  bool ReadArguments(std::vector<Typed>& arguments) {
     const std::size_t open = words_[at_ + 1].offset;
     at_ += 2;
-    std::vector<Operand> arguments;
     if (!Now().IsSign(")")) {
       do {
         const Result argument = Choice();
-        if (!argument) return argument;
-        if (argument->type == Type::kText) return FailText(*argument);
-        arguments.push_back(argument->value);
+        if (!argument) return false;
+        if (argument->type == Type::kText) return FailText(*argument).has_value();
+        arguments.push_back(*argument);
       } while (Take(","));
     }
-    if (!Take(")")) return FailOpen(open);
+    return Take(")") || FailOpen(open).has_value();
+  }
+
+  Result Call(const Callee& callee) {
+    const Word& name = Now();
+    std::vector<Typed> read;
+    if (!ReadArguments(read)) return std::nullopt;
+    std::vector<Operand> arguments;
+    for (const Typed& argument : read) arguments.push_back(argument.value);
     const int arity = callee.arity();
     const int count = static_cast<int>(arguments.size());
     if (arity == 0 ? count == 0 : count != arity) {
-      return Fail(WrongCount(name, arity, count));
+      return Fail(WrongCount(name, arity, count, UsageOf(name.text)));
     }
     if (arity > 0) return Typed{parsed_.program.Apply(callee, arguments)};
     Typed result{arguments.front()};
@@ -340,26 +334,67 @@ class Grammar {
     return result;
   }
 
-  std::string_view text_;
-  std::vector<Word> words_;
+  Result Call(const Formula& formula) {
+    const Word& name = Now();
+    std::vector<Typed> read;
+    if (!ReadArguments(read)) return std::nullopt;
+    const auto arity = static_cast<int>(formula.arguments.size());
+    if (const auto count = static_cast<int>(read.size()); count != arity)
+      return Fail(WrongCount(name, arity, count, formula.Usage()));
+    parsed_.formulas.insert(formula.name);
+    std::vector<std::pair<int, std::uint64_t>> operands;
+    Arguments arguments;
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      const Operand& operand = read[i].value;
+      operands.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant));
+      arguments.emplace(formula.arguments[i], read[i]);
+    }
+    const auto known = parts_.made.find({&formula, operands});
+    if (known != parts_.made.end()) return known->second;
+    const Level level(*this);
+    if (level.too_deep()) return Fail(TooDeep(name, kMaxDepth));
+    ++parts_.calls;
+    const Result result =
+        parts_.calls > kMaxCalls ? std::nullopt : Inline(formula, std::move(arguments));
+    // Of all the calls, the one in the expression itself is shown.
+    if (parts_.calls > kMaxCalls) return Fail(TooManyCalls(name, kMaxCalls));
+    if (result) parts_.made.emplace(std::pair(&formula, std::move(operands)), *result);
+    return result;
+  }
+
+  Result Inline(const Formula& formula, Arguments arguments) {
+    std::vector<Word> words;
+    Result result;
+    if (SplitWords(formula.body, words, error_))
+      result = Grammar(formula.body, std::move(words), parts_, std::move(arguments)).Run();
+    if (!result && error_.formula.empty()) error_.formula = formula.name;
+    return result;
+  }
+
+  Parts& parts_;
   const Names& names_;
   Parsed& parsed_;
   Error& error_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
+  Arguments arguments_;       // of the function whose body this is
   bool beside_text_ = false;  // the other side of a comparison, already read, is text
 };
 
 }  // namespace
 
-bool Parse(std::string_view text, const Names& names, Parsed& parsed, Error& error) {
+bool Parse(std::string_view text, const Names& names, Expression::Result wanted, Parsed& parsed,
+           Error& error) {
   if (text.size() > kMaxBytes) {
     error = TooLong(text.size(), kMaxBytes);
     return false;
   }
   std::vector<Word> words;
   if (!SplitWords(text, words, error)) return false;
-  return Grammar(text, std::move(words), names, parsed, error).Run();
+  Parts parts{.names = names, .parsed = parsed, .error = error};
+  const Result result = Grammar(text, std::move(words), parts).Run(wanted);
+  if (!result) return false;
+  parsed.type = result->type;
+  parsed.program.SetResult(result->value);
+  return true;
 }
 
 }  // namespace mjforge::expr

@@ -1,3 +1,5 @@
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -55,6 +57,20 @@ void Names::Forget(std::string_view name) {
 const Names::Variable* Names::Find(std::string_view name) const {
   const auto found = variables_.find(name);
   return found == variables_.end() ? nullptr : &found->second;
+}
+
+std::string Formula::Usage() const {
+  return fmt::format("{}({})", name, fmt::join(arguments, ", "));
+}
+
+void Names::Define(Formula formula) {
+  std::string name = formula.name;
+  formulas_.insert_or_assign(std::move(name), std::move(formula));
+}
+
+const Formula* Names::FindFormula(std::string_view name) const {
+  const auto found = formulas_.find(name);
+  return found == formulas_.end() ? nullptr : &found->second;
 }
 
 std::vector<const Names::Variable*> Names::variables() const {

@@ -88,7 +88,9 @@ void Assembly::ReadTotalSize(Scope& scope) {
 void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF) {
   for (const spec::Entry& entry : entries) {
     if (!repetition_.Count(entry, scope.values, part_count_)) continue;
-    repetition_.ForEach(entry, scope.values, [&] {
+    const sample::StreamId list =
+        entry.is_frame ? sample::Child(scope.parts, "frames") : scope.parts;
+    repetition_.ForEach(entry, scope.values, list, [&] {
       if (entry.is_frame) {
         AddFrame(scope, entry, X_SF);
       } else if (entry.nested != nullptr) {

@@ -54,7 +54,7 @@ void Assembly::AddBodies(Scope& scope) {
   for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
   for (const spec::BodyEntry& entry : spec.bodies) {
     if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
-    repetition_.ForEach(entry.head, scope.values, [&] { AddBody(scope, entry, bodies); });
+    repetition_.ForEach(entry.head, scope.values, bodies, [&] { AddBody(scope, entry, bodies); });
   }
 }
 

@@ -90,7 +90,7 @@ void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
                          sample::StreamId joints) {
   for (const spec::Entry& entry : entries) {
     if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
-    repetition_.ForEach(entry, scope.values, [&] { AddJoint(scope, entry, joints); });
+    repetition_.ForEach(entry, scope.values, joints, [&] { AddJoint(scope, entry, joints); });
   }
 }
 
@@ -101,7 +101,7 @@ void Assembly::TakeAwayJoints(Scope& scope) {
     references_.TakeAway(scope.prefix + "joint0", origin);
   }
   for (const spec::Entry& entry : spec.joints) {
-    repetition_.ForEach(entry, scope.values, [&] {
+    repetition_.ForEach(entry, scope.values, scope.values.root(), [&] {
       const auto name = ReadName(scope, entry, scope.values.root(), findings_);
       if (name) references_.TakeAway(scope.prefix + *name, origin);
     });

@@ -15,6 +15,13 @@ using diag::Code;
 // as the parts (a ball of cells out of a cube of cells), but not without end.
 constexpr long kMaxSteps = 10L * kMaxParts;
 
+void SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
+  const std::string name = values.Text(entry.name, list);
+  const sample::StreamId path = sample::Child(sample::Child(list, std::string_view(name)), "let");
+  for (const spec::Local& local : entry.locals)
+    values.SetLocal(local, sample::Child(path, std::string_view(local.name)));
+}
+
 }  // namespace
 
 long Repetition::CountOf(const spec::Loop& loop, sample::Evaluator& values) {
@@ -63,18 +70,27 @@ std::optional<std::size_t> Repetition::Count(const spec::Entry& entry, sample::E
 }
 
 bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
-                      const std::function<void()>& visit) {
+                      sample::StreamId list, const std::function<void()>& visit) {
   const std::size_t before = findings_.size();
   if (depth == entry.loops.size()) {
-    const bool exists = !entry.condition || values.Condition(*entry.condition, entry.mark);
-    if (exists && findings_.size() == before) visit();
+    const auto set_locals = [&] {
+      if (!entry.locals.empty()) SetLocals(entry, values, list);
+      return true;
+    };
+    const auto exists = [&] {
+      return !entry.condition || values.Condition(*entry.condition, entry.mark);
+    };
+    // An instance that is not there may have values that cannot be computed.
+    const bool is_there =
+        entry.condition_uses_locals ? set_locals() && exists() : exists() && set_locals();
+    if (is_there && findings_.size() == before) visit();
     return !HasErrorsSince(findings_, before);
   }
   const spec::Loop& loop = entry.loops[depth];
   const long count = CountOf(loop, values);
   for (long i = 0; i < count; ++i) {
     values.SetVariable(loop.slot, static_cast<double>(i));
-    if (!Walk(entry, depth + 1, values, visit)) return false;
+    if (!Walk(entry, depth + 1, values, list, visit)) return false;
   }
   return true;
 }

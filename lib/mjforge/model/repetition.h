@@ -6,8 +6,8 @@
 
 namespace mjforge::model {
 
-/// Walks the instances of entries: `for` as an odometer, the first variable outermost; `if` is
-/// evaluated for each instance.
+/// Walks the instances of entries: `for` as an odometer, the first variable outermost; `let` and
+/// `if` are evaluated for each instance.
 class Repetition {
  public:
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
@@ -16,11 +16,13 @@ class Repetition {
   /// too large together with the `existing` elements.
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
-  /// Calls `visit` for each instance that exists, with the variables set. Stops at the first
-  /// instance with a finding, since the others would fail in the same way.
+  /// Calls `visit` for each instance that exists, with the variables and local values set; draws
+  /// are keyed by the instance's name in `list`. Stops at the first instance with a finding, since
+  /// the others would fail in the same way.
   template <typename Visit>
-  void ForEach(const spec::Entry& entry, sample::Evaluator& values, const Visit& visit) {
-    Walk(entry, 0, values, std::cref(visit));  // a reference needs no memory of its own
+  void ForEach(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list,
+               const Visit& visit) {
+    Walk(entry, 0, values, list, std::cref(visit));  // a reference needs no memory of its own
   }
 
  private:
@@ -30,7 +32,7 @@ class Repetition {
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);
   bool Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
-            const std::function<void()>& visit);
+            sample::StreamId list, const std::function<void()>& visit);
 
   diag::Findings& findings_;
   long steps_ = 0;  // instances walked, existing or not

@@ -61,7 +61,7 @@ void Sections::Add(Scope& scope, bool outermost) {
     }
     for (const spec::Entry& entry : section.entries) {
       if (!repetition_.Count(entry, scope.values, Of(*section.info).size())) continue;
-      repetition_.ForEach(entry, scope.values,
+      repetition_.ForEach(entry, scope.values, path,
                           [&] { AddElement(scope, *section.info, entry, path); });
     }
   }

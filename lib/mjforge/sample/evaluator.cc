@@ -224,11 +224,25 @@ void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::
   if (piece.text_slot >= 0) out += TextIn(piece.text_slot);
   if (!piece.expression) return;
   const double result = Fixed(EvaluateExpression(*piece.expression, mark));
-  if (piece.expression->type() == expr::Type::kBoolean) {
+  if (piece.expression->type() == expr::Type::kText) {
+    out += TextOf(*piece.expression, result);
+  } else if (piece.expression->type() == expr::Type::kBoolean) {
     out += result != 0 ? "true" : "false";
   } else if (std::isfinite(result)) {
     expr::AppendNumber(out, result);
   }
+}
+
+const std::string& Evaluator::TextOf(const expr::Expression& expression, double key) const {
+  for (const std::string& text : expression.texts()) {
+    if (expr::TextKey(text) == key) return text;
+  }
+  static const std::string kNone;
+  for (const expr::Expression::Input& input : expression.inputs()) {
+    const auto slot = static_cast<std::size_t>(input.slot);
+    if (input.type == expr::Type::kText && variables_[slot] == key) return texts_[slot];
+  }
+  return kNone;  // of a body that is not there; reported
 }
 
 const std::string& Evaluator::TextIn(int slot) {

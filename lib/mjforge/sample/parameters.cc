@@ -121,6 +121,21 @@ bool Evaluator::SampleParameters(Overrides overrides) {
   return true;
 }
 
+void Evaluator::SetLocal(const spec::Local& local, StreamId path) {
+  const spec::Value& value = local.value;
+  if (value.type == Type::kText) {
+    SetVariable(local.slot, Text(value, path));
+  } else if (!IsVector(value)) {
+    SetVariable(local.slot, Number(value, path));
+  } else {
+    Numbers components;
+    AppendVector(value, path, components);
+    components.resize(static_cast<std::size_t>(value.components));  // as the spec was checked
+    for (int k = 0; k < value.components; ++k)
+      SetVariable(local.slot + k, components[static_cast<std::size_t>(k)]);
+  }
+}
+
 ParameterValue Evaluator::Any(const spec::Value& value, StreamId path, Numbers& numbers) {
   if (value.type == Type::kText) return Text(value, path);
   if (value.type == Type::kBoolean) return Boolean(value, path);

@@ -93,6 +93,8 @@ class Evaluator {
   /// Sets the value of a name that the assembly defines, by its first slot, to the value of
   /// other.spec().parameters[i].
   void SetVariable(int slot, const Evaluator& other, std::size_t i);
+  /// Gives a local value its value, drawn under `path`.
+  void SetLocal(const spec::Local& local, StreamId path);
   StreamId root() const { return root_; }
   const DrawKey& key() const { return key_; }
   const Sampler* sampler() const { return sampler_; }
@@ -131,6 +133,8 @@ class Evaluator {
   std::optional<Numbers> Weights(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
   std::size_t Option(const spec::Draw& draw, std::span<const double> weights, StreamId path) const;
   void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
+  /// The text that an expression's result stands for.
+  const std::string& TextOf(const expr::Expression& expression, double key) const;
   /// The text in the slot; only variants with the same text go this way.
   const std::string& TextIn(int slot);
   void AppendRotation(StreamId path, Numbers& out);

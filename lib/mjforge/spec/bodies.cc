@@ -23,8 +23,7 @@ class BodyReader {
   void Read(const YamlNode& map) {
     CheckKeys(BodyElement(), map, reading_);
     BodyEntry body;
-    body.head = entries_.Begin(BodyElement(), map);
-    entries_.ReadName(map, true, body.head);
+    body.head = entries_.Begin(BodyElement(), map, map, EntryReader::Naming::kRequired);
     CheckContents(map);
     if (const YamlNode* parts = map.Find("parts")) {
       entries_.ReadList(PartElement(), *parts, body.parts);
@@ -39,7 +38,7 @@ class BodyReader {
       CheckUniqueNames("site", body.sites, reading_);
     }
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
-    entries_.EndLoops(body.head);
+    entries_.End(body.head);
     reading_.spec.bodies.push_back(std::move(body));
   }
 

@@ -58,25 +58,38 @@ void EntryReader::ReadList(const ElementInfo& element, const YamlNode& list,
   }
 }
 
-Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map) {
+Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
+                         Naming naming) {
   Entry entry;
   entry.element = &element;
   entry.mark = map.mark;
   if (const YamlNode* loops = map.Find("for")) ReadLoops(*loops, entry);
+  // Draws are keyed by the name, so it is there before them.
+  ReadName(named, naming == Naming::kRequired, entry);
+  if (const YamlNode* locals = map.Find("let")) {
+    ReadLocals(*locals, named.Find("name") != nullptr, entry);
+  }
   if (const YamlNode* condition = map.Find("if")) {
     entry.condition = reading_.values.ReadCondition(*condition);
+  }
+  if (entry.condition) {
+    entry.condition_uses_locals =
+        std::ranges::any_of(entry.condition->inputs(), [&](const expr::Expression::Input& input) {
+          return !entry.locals.empty() && input.slot >= entry.locals.front().slot;
+        });
   }
   return entry;
 }
 
-void EntryReader::EndLoops(const Entry& entry) {
+void EntryReader::End(const Entry& entry) {
   for (const Loop& loop : entry.loops) reading_.spec.names.Forget(loop.variable);
+  for (const Local& local : entry.locals) reading_.spec.names.Forget(local.name);
 }
 
 Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
   CheckKeys(element, map, reading_);
-  Entry entry = Begin(element, map);
-  ReadName(map, map.Find("frame") == nullptr, entry);
+  Entry entry = Begin(element, map, map,
+                      map.Find("frame") == nullptr ? Naming::kRequired : Naming::kOptional);
   if (const YamlNode* frame = map.Find("frame"); frame && &element == &PartElement()) {
     ReadFrame(map, *frame, entry);
   } else if (const YamlNode* spec = map.Find("spec"); spec && &element == &PartElement()) {
@@ -84,19 +97,14 @@ Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
   } else {
     ReadPlain(element, map, entry);
   }
-  EndLoops(entry);
+  End(entry);
   return entry;
 }
 
 void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
   if (!IsMap(loops, "loop variables, as in {i: 8}", reading_)) return;
   for (const auto& pair : loops.pairs) {
-    CheckName("loop variable", pair.key, pair.mark, reading_.findings);
-    if (reading_.spec.names.Find(pair.key) != nullptr) {
-      reading_.findings.Add(Code::kSpecDuplicateName, pair.mark,
-                            fmt::format("loop variable '{}' hides another name", pair.key));
-      continue;
-    }
+    if (!CheckLocalName("loop variable", pair)) continue;
     Loop loop{.slot = 0, .count = reading_.values.ReadNumber(pair.value), .variable = pair.key};
     if (HasDraw(loop.count)) {
       reading_.findings.Add(Code::kSpecConflict, loop.count.mark,
@@ -105,6 +113,37 @@ void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
     }
     loop.slot = reading_.spec.names.Declare(pair.key, expr::Type::kNumber);
     entry.loops.push_back(std::move(loop));
+  }
+}
+
+bool EntryReader::CheckLocalName(std::string_view what, const YamlNode::Pair& pair) {
+  CheckName(what, pair.key, pair.mark, reading_.findings);
+  if (IsReserved(pair.key)) {
+    reading_.findings.Add(
+        Code::kSpecBadName, pair.mark,
+        fmt::format("'{}' is a word of the expression language; a {} needs another name", pair.key,
+                    what));
+    return false;
+  }
+  if (reading_.spec.names.Find(pair.key) == nullptr) return true;
+  reading_.findings.Add(Code::kSpecDuplicateName, pair.mark,
+                        fmt::format("{} '{}' hides another name", what, pair.key));
+  return false;
+}
+
+void EntryReader::ReadLocals(const YamlNode& locals, bool has_name, Entry& entry) {
+  if (!IsMap(locals, "values, as in {gap: 1mm .. 3mm}", reading_)) return;
+  for (const YamlNode::Pair& pair : locals.pairs) {
+    if (!CheckLocalName("local value", pair)) continue;
+    Local local{.name = pair.key, .slot = 0, .value = reading_.values.ReadAnything(pair.value)};
+    if (HasDraw(local.value) && !has_name) {
+      reading_.findings.Add(Code::kSpecUnnamedDraw, local.value.mark,
+                            fmt::format("'{}' is drawn, so its entry needs a 'name'", local.name),
+                            "draws are keyed by names, so moving an entry does not change them");
+    }
+    local.slot = reading_.spec.names.Declare(pair.key, local.value.type,
+                                             std::clamp(local.value.components, 1, 4));
+    entry.locals.push_back(std::move(local));
   }
 }
 
@@ -149,7 +188,7 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
 
 void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry) {
   entry.is_frame = true;
-  RejectKeys(map, {"name", "if", "for", "frame", "parts"}, PartElement(), "a frame");
+  RejectKeys(map, {"name", "if", "for", "let", "frame", "parts"}, PartElement(), "a frame");
   if (IsMap(frame, "a pose", reading_)) {
     CheckKeys(FrameElement(), frame, reading_);
     entry.fields = ReadFields(FrameElement(), frame, reading_);
@@ -171,8 +210,8 @@ void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& e
 
 void EntryReader::ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry) {
   RejectKeys(map,
-             {"name", "if", "for", "spec", "params", "pos", "quat", "euler", "axisangle", "xyaxes",
-              "zaxis"},
+             {"name", "if", "for", "let", "spec", "params", "pos", "quat", "euler", "axisangle",
+              "xyaxes", "zaxis"},
              PartElement(), "a part with 'spec'");
   entry.fields = ReadFields(FrameElement(), map, reading_);
   ReadNested(map, spec, entry);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the entries of all lists have in common: `if`, `for`, a name, value fields, and other specs
-// they use.
+// What the entries of all lists have in common: `if`, `for`, `let`, a name, value fields, and other
+// specs they use.
 
 #include <initializer_list>
 #include <string_view>
@@ -18,13 +18,13 @@ class EntryReader {
   /// Appends the entries of a list of parts, sites or joints.
   void ReadList(const ElementInfo& element, const YamlNode& list, std::vector<Entry>& out);
 
-  /// The loops and the condition of an entry; the loops' variables stay
-  /// declared until EndLoops.
-  Entry Begin(const ElementInfo& element, const YamlNode& map);
-  void EndLoops(const Entry& entry);
+  enum class Naming { kOptional, kRequired };
+  /// The loops, the name, the local values and the condition of an entry, in this order. Loop
+  /// variables and local values stay declared until End. `named` has the name.
+  Entry Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
+              Naming naming);
+  void End(const Entry& entry);
 
-  /// Reads the entry's name, empty if it has none; if `required`, that is a finding.
-  void ReadName(const YamlNode& map, bool required, Entry& entry);
   /// `spec:` and its `params:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
   /// Reports keys of the element that are not allowed for `what` (a frame, say).
@@ -34,6 +34,11 @@ class EntryReader {
  private:
   Entry ReadEntry(const ElementInfo& element, const YamlNode& map);
   void ReadLoops(const YamlNode& loops, Entry& entry);
+  /// Reads the entry's name, empty if it has none; if `required`, that is a finding.
+  void ReadName(const YamlNode& map, bool required, Entry& entry);
+  void ReadLocals(const YamlNode& locals, bool has_name, Entry& entry);
+  /// Whether the name is free; else a finding.
+  bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
   void ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry);
   void ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry);
   void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry);

@@ -94,6 +94,9 @@ constexpr FieldInfo kObjectFields[] = {
         "YAML files whose `materials` and `defaults` may be used here; they are found like specs."),
     Row({"params", Key::kParams}, Slot::kParameters,
         "Parameters, drawn once per variant and visible to every expression, in any order."),
+    Row({"functions", Key::kFunctions}, Slot::kFunctions,
+        "Functions for every expression: `area(a, b): a * b`, of their arguments, the parameters "
+        "and each other."),
     Row({"require", Key::kRequire}, Slot::kConditions,
         "Conditions on the parameters; all parameters are redrawn until every condition holds."),
     Row({"materials", Key::kMaterials}, Slot::kMaterials,
@@ -139,6 +142,10 @@ constexpr FieldInfo kIf =
 constexpr FieldInfo kFor = Row({"for", Key::kFor}, Slot::kLoops,
                                "Repeats the entry: `{i: 8}` runs i from 0 to 7; several variables "
                                "give all combinations, the last varying fastest.");
+constexpr FieldInfo kLet =
+    Row({"let", Key::kLet}, Slot::kLocals,
+        "Values for this entry and what is in it, drawn or computed for each "
+        "repetition; each may use those before it.");
 constexpr FieldInfo kPos =
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
 constexpr FieldInfo kQuat = Numbers(
@@ -217,6 +224,7 @@ constexpr FieldInfo kPartFields[] = {
     kName,
     kIf,
     kFor,
+    kLet,
     Word({"type", Key::kType}, "box sphere cylinder capsule ellipsoid prism mesh", "",
          "The shape."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "",
@@ -279,6 +287,7 @@ constexpr FieldInfo kSiteFields[] = {
     Required(kName),
     kIf,
     kFor,
+    kLet,
     Word({"type", Key::kType}, "sphere capsule ellipsoid cylinder box", "sphere",
          "The shape that it is drawn as."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "0.005", "Half sizes, as for parts."),
@@ -298,6 +307,7 @@ constexpr FieldInfo kJointFields[] = {
     Required(kName),
     kIf,
     kFor,
+    kLet,
     Word({"type", Key::kType}, "free ball slide hinge", "hinge", "The motion it allows."),
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position in the body."),
     Numbers({"axis", Key::kAxis}, {3, 3}, "", kAnyNumber, "0 0 1",
@@ -333,6 +343,7 @@ constexpr FieldInfo kBodyFields[] = {
     Required(kName),
     kIf,
     kFor,
+    kLet,
     Row({"parent", Key::kParent}, Slot::kText, "the root body",
         "Name of its parent, a body of an earlier entry: BODY, or BODY_INNER for a body inside the "
         "spec or file of BODY."),
@@ -371,6 +382,7 @@ constexpr FieldInfo kExcludeFields[] = {
     kName,
     kIf,
     kFor,
+    kLet,
     Required(Row("bodies", Slot::kBodyPair,
                  "The names of the two bodies: BODY, or BODY_INNER for a body inside the spec or "
                  "file of BODY.")),

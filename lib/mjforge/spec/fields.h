@@ -19,6 +19,7 @@ enum class Key {
   kDescription,
   kImport,
   kParams,
+  kFunctions,
   kRequire,
   kMaterials,
   kDefaults,
@@ -38,6 +39,7 @@ enum class Key {
   // every list entry
   kIf,
   kFor,
+  kLet,
   // poses
   kPos,
   kQuat,
@@ -93,9 +95,11 @@ enum class Slot {
   kFormat,     // the number 1
   // structure
   kParameters,
+  kFunctions,
   kConditions,
   kCondition,
   kLoops,
+  kLocals,
   kMaterials,
   kDefaults,
   kImports,

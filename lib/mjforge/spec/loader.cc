@@ -80,7 +80,9 @@ class SpecLoader : public NestedLoader {
                     ValueReader(spec.names, shared_.sources, shared_.findings)};
     CheckKeys(ObjectElement(), root, reading);
     ReadHead(root, reading);
+    if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
     ReadParameters(root.Find("params"), root.Find("require"), settings, reading);
+    CheckFunctions(reading);
     if (const YamlNode* materials = root.Find("materials")) {
       ReadMaterials(*materials, spec.folder, false, reading);
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/spec/graph.h"
 #include "mjforge/spec/reading.h"
 
 namespace mjforge::spec {
@@ -22,14 +23,6 @@ bool IsLongForm(const YamlNode& node) {
           node.Find("unit") != nullptr);
 }
 
-bool IsReserved(std::string_view name) {
-  static constexpr std::array<std::string_view, 7> kWords = {"index", "pi", "true", "false",
-                                                             "and",   "or", "not"};
-  if (std::ranges::find(kWords, name) != kWords.end()) return true;
-  return std::ranges::any_of(expr::Functions(),
-                             [&](const expr::Function& function) { return function.name == name; });
-}
-
 void CheckParameterName(const YamlNode::Pair& pair, Reading& reading) {
   CheckName("parameter", pair.key, pair.mark, reading.findings);
   if (IsReserved(pair.key)) {
@@ -37,6 +30,10 @@ void CheckParameterName(const YamlNode::Pair& pair, Reading& reading) {
                          fmt::format("'{}' is a word of the expression language; a parameter needs "
                                      "another name",
                                      pair.key));
+  }
+  if (reading.spec.names.FindFormula(pair.key) != nullptr) {
+    reading.findings.Add(Code::kSpecDuplicateName, pair.mark,
+                         fmt::format("'{}' is the name of a function, too", pair.key));
   }
 }
 
@@ -51,77 +48,30 @@ std::string SourceText(const YamlNode& node) {
   return FlowText(bare);
 }
 
-class Graph {
- public:
-  Graph(const std::vector<YamlNode>& nodes, const std::vector<Parameter>& parameters) {
-    std::map<std::string, int, std::less<>> position;
-    for (const Parameter& parameter : parameters) {
-      position.emplace(parameter.name, static_cast<int>(position.size()));
-    }
-    for (const YamlNode& node : nodes) {
-      std::vector<std::string> names;
-      CollectNames(node, names);
-      std::vector<int> used;
-      for (const std::string& name : names) {
-        const auto found = position.find(name.substr(0, name.find('.')));
-        if (found != position.end()) used.push_back(found->second);
-      }
-      uses_.push_back(std::move(used));
-    }
-    state_.assign(nodes.size(), State::kNew);
+// The positions of the parameters that each one's node uses, by functions, too.
+std::vector<std::vector<int>> UsesOf(const std::vector<YamlNode>& nodes, const ObjectSpec& spec) {
+  std::map<std::string, int, std::less<>> position;
+  for (const Parameter& parameter : spec.parameters) {
+    position.emplace(parameter.name, static_cast<int>(position.size()));
   }
-
-  // Every parameter after those it uses. Cycles are handed to `on_cycle` as
-  // paths that end where they begin.
-  template <typename OnCycle>
-  std::vector<int> Order(OnCycle on_cycle) {
-    for (int i = 0; i < static_cast<int>(uses_.size()); ++i) Visit(i, on_cycle);
-    return std::move(order_);
-  }
-
- private:
-  enum class State { kNew, kOpen, kDone };
-
-  // Depth first, with a stack of our own: chains of parameters may be long.
-  template <typename OnCycle>
-  void Visit(int start, OnCycle on_cycle) {
-    if (state_[Index(start)] != State::kNew) return;
-    std::vector<std::pair<int, std::size_t>> stack{{start, 0}};
-    state_[Index(start)] = State::kOpen;
-    while (!stack.empty()) {
-      auto& [node, next] = stack.back();
-      if (next == uses_[Index(node)].size()) {
-        state_[Index(node)] = State::kDone;
-        order_.push_back(node);
-        stack.pop_back();
-        continue;
-      }
-      const int used = uses_[Index(node)][next++];
-      if (state_[Index(used)] == State::kNew) {
-        state_[Index(used)] = State::kOpen;
-        stack.emplace_back(used, 0);
-      } else if (state_[Index(used)] == State::kOpen) {
-        std::vector<int> path;
-        for (const auto& [open, unused] : stack) {
-          if (!path.empty() || open == used) path.push_back(open);
-        }
-        path.push_back(used);
-        on_cycle(path);
-      }
+  std::vector<std::vector<int>> uses;
+  for (const YamlNode& node : nodes) {
+    std::vector<std::string> names;
+    CollectNames(node, names);
+    std::vector<int>& used = uses.emplace_back();
+    for (const std::string& name : WithNamesInFunctions(std::move(names), spec.names)) {
+      const auto found = position.find(name.substr(0, name.find('.')));
+      if (found != position.end()) used.push_back(found->second);
     }
   }
-
-  static std::size_t Index(int i) { return static_cast<std::size_t>(i); }
-
-  std::vector<std::vector<int>> uses_;
-  std::vector<State> state_;
-  std::vector<int> order_;
-};
+  return uses;
+}
 
 // What the parameters are by their own values.
 std::vector<Parameter> OwnParameters(const YamlNode& params, Reading& reading) {
   ObjectSpec own;
   own.names.Declare("index", expr::Type::kNumber);
+  for (const auto& [name, formula] : reading.spec.names.formulas()) own.names.Define(formula);
   diag::Findings ignored;
   Reading inner{reading.sources, ignored, own, reading.loader,
                 ValueReader(own.names, reading.sources, ignored)};
@@ -256,7 +206,7 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
   const std::vector<bool> is_set = ApplySettings(settings, nodes, reading);
 
   std::vector<bool> in_cycle(nodes.size());
-  spec.evaluation_order = Graph(nodes, spec.parameters).Order([&](const std::vector<int>& path) {
+  const auto on_cycle = [&](const std::vector<int>& path) {
     std::string text;
     for (const int i : path) {
       in_cycle[static_cast<std::size_t>(i)] = true;
@@ -265,7 +215,8 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
     }
     reading.findings.Add(Code::kSpecCycle, spec.parameters[static_cast<std::size_t>(path[0])].mark,
                          fmt::format("parameters depend on each other: {}", text));
-  });
+  };
+  spec.evaluation_order = OrderByUse(UsesOf(nodes, spec), on_cycle);
   for (const int i : spec.evaluation_order) {
     const auto at = static_cast<std::size_t>(i);
     ReadOne(spec.parameters[at], nodes[at], in_cycle[at], is_set[at] ? &own[at] : nullptr, reading);

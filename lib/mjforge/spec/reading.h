@@ -52,6 +52,17 @@ const Field* FindField(std::span<const Field> fields, Key id);
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
+/// Whether it means something in every expression: `pi`, `min`, `and`.
+bool IsReserved(std::string_view name);
+
+/// Reads functions:, which expressions may call from here on.
+void ReadFunctions(const YamlNode& functions, Reading& reading);
+/// Checks their bodies, once the parameters are known.
+void CheckFunctions(Reading& reading);
+/// Adds the names in the bodies of functions that are among `names`.
+std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
+                                              const expr::Names& known);
+
 /// Reads params:, with settings in place of the parameters' own values.
 struct NamedNode {
   std::string name;

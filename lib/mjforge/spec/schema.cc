@@ -304,7 +304,8 @@ std::string NumberLists(std::string_view /*none*/) {
 std::string SectionDefinitions(std::string_view /*none*/) {
   const Members repeats = {
       Member("if", Is("condition")),
-      Member("for", R"("type": "object", "additionalProperties": {"@is number"})")};
+      Member("for", R"("type": "object", "additionalProperties": {"@is number"})"),
+      Member("let", R"("@map value")")};
   Members definitions;
   for (const SectionInfo& section : Sections()) {
     definitions.push_back(Member(section.name, section.is_element

@@ -54,14 +54,13 @@ class SectionReader {
         AddExclude(std::move(entry));
       } else if (IsMap(item, "a pair's keys", reading_)) {
         CheckKeys(ExcludeElement(), item, reading_);
-        Entry entry = entries_.Begin(ExcludeElement(), item);
-        entries_.ReadName(item, false, entry);
+        Entry entry = entries_.Begin(ExcludeElement(), item, item, EntryReader::Naming::kOptional);
         if (const YamlNode* bodies = item.Find("bodies")) {
           ReadPair(*bodies, entry);
         } else {
           reading_.findings.Add(Code::kSpecMissingKey, item.mark, "a pair without 'bodies'");
         }
-        entries_.EndLoops(entry);
+        entries_.End(entry);
         AddExclude(std::move(entry));
       }
     }
@@ -153,16 +152,17 @@ class SectionReader {
     }
   }
 
-  // {if, for, TAG: {attributes, children}}
+  // {if, for, let, TAG: {attributes, children}}
   void ReadElement(const SectionInfo& info, const YamlNode& item) {
     const YamlNode::Pair* found = OnlyElement(info.elements, info.name, item);
     if (found == nullptr) return;
     const ElementInfo& element = *info.Find(found->key);
     if (!IsMap(found->value, fmt::format("the attributes of '{}'", element.name), reading_)) return;
-    Entry entry = entries_.Begin(element, item);
-    entry.mark = found->mark;
     const bool needs_name = info.name != "contact";
-    entries_.ReadName(found->value, needs_name, entry);
+    Entry entry = entries_.Begin(
+        element, item, found->value,
+        needs_name ? EntryReader::Naming::kRequired : EntryReader::Naming::kOptional);
+    entry.mark = found->mark;
     YamlNode own = found->value;
     std::erase_if(own.pairs, [&](const YamlNode::Pair& inner) {
       if (inner.key != "children" || element.children.empty()) return false;
@@ -173,7 +173,7 @@ class SectionReader {
     CheckKeys(element, own, reading_);
     entry.fields = ReadFields(element, own, reading_);
     if (found->value.Find("name") == nullptr) RejectDraws(entry);
-    entries_.EndLoops(entry);
+    entries_.End(entry);
     SectionOf(info).entries.push_back(std::move(entry));
   }
 
@@ -185,17 +185,17 @@ class SectionReader {
       if (found == nullptr) continue;
       ReadChild(*std::ranges::find(element.children, found->key, &ElementInfo::name), *found,
                 parent);
-      if (item.Find("for") == nullptr && item.Find("if") == nullptr) continue;
+      if (std::ranges::none_of(item.pairs, IsOfEntry)) continue;
       reading_.findings.Add(Code::kSpecConflict, item.mark,
-                            "'if' and 'for' have no meaning for an element inside another",
-                            "repeat the outer element");
+                            "'if', 'for' and 'let' have no meaning for an element inside another",
+                            "write them at the outer element");
     }
   }
 
   // Takes them out, too.
   void RejectRepetition(YamlNode& attributes) {
     std::erase_if(attributes.pairs, [this](const YamlNode::Pair& pair) {
-      if (pair.key != "if" && pair.key != "for") return false;
+      if (!IsOfEntry(pair)) return false;
       reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                             fmt::format("'{}' is not an MJCF attribute", pair.key),
                             "write it next to the element: `- {if: ..., joint: {...}}`");
@@ -203,12 +203,16 @@ class SectionReader {
     });
   }
 
-  // The one key beside `if` and `for` that names an element; null after a finding.
+  static bool IsOfEntry(const YamlNode::Pair& pair) {
+    return pair.key == "if" || pair.key == "for" || pair.key == "let";
+  }
+
+  // The one key beside `if`, `for` and `let` that names an element; null after a finding.
   const YamlNode::Pair* OnlyElement(std::span<const ElementInfo> known, std::string_view owner,
                                     const YamlNode& item) {
     const YamlNode::Pair* only = nullptr;
     for (const YamlNode::Pair& pair : item.pairs) {
-      if (pair.key == "if" || pair.key == "for") continue;
+      if (IsOfEntry(pair)) continue;
       if (std::ranges::find(known, pair.key, &ElementInfo::name) == known.end()) {
         std::vector<std::string_view> names;
         for (const ElementInfo& element : known) names.push_back(element.name);

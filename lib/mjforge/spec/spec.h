@@ -14,71 +14,11 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
-#include "mjforge/spec/sections.h"
 #include "mjforge/spec/values.h"
 
 namespace mjforge::spec {
-
-struct ObjectSpec;
-
-/// One key of an element with its value.
-struct Field {
-  const FieldInfo* info = nullptr;
-  Value value;
-  diag::SourceMark mark;    // of the key
-  bool is_default = false;  // the entry leaves it out
-};
-
-/// `for: {i: n}`: variable i runs over 0 .. n-1.
-struct Loop {
-  int slot = 0;
-  Value count;
-  std::string variable;
-};
-
-/// One entry of `parts:`, `sites:`, `joints:`, `contact: exclude:` or of a section of `mjcf:`.
-struct Entry {
-  const ElementInfo* element = nullptr;
-  diag::SourceMark mark;
-  std::optional<expr::Expression> condition;
-  std::vector<Loop> loops;  // outermost first
-  Value name;               // text; empty for a frame without a name
-  // All but if, for, name and structure: its own, then the defaults for what it leaves out.
-  std::vector<Field> fields;
-  // A frame: its pose is in `fields`, the parts it moves are here. Of a section's
-  // element: the elements in it.
-  bool is_frame = false;
-  std::vector<Entry> children;
-  // A part or a body with `spec:`: the spec welded in, and the parameters set for it.
-  std::shared_ptr<const ObjectSpec> nested;
-  std::vector<std::pair<std::string, Value>> overrides;
-
-  const Field* Find(Key id) const;
-};
-
-/// The properties of a body that expressions read as `NAME.top` and so on, in the order of their
-/// slots.
-enum class BodyProperty { kTop, kBottom, kRadius, kHalfX, kHalfY, kHalfZ, kMass };
-/// "top", "bottom", ... in that order.
-std::span<const std::string_view> BodyPropertyNames();
-
-/// One entry of `bodies:`: inline parts, another spec, or an MJCF file.
-struct BodyEntry {
-  Entry head;  // name, if, for; spec and overrides; parent, pose, mass, mjcf, body as fields
-  std::vector<Entry> parts;
-  std::vector<Entry> sites;
-  std::vector<Entry> joints;
-  /// Slot of NAME.top; the other properties follow. -1: no expression asks for them.
-  int first_property = -1;
-  std::vector<int> parameter_slots;  // of NAME.param, as head.nested->parameters
-};
-
-/// One section of `mjcf:`, or the one that `contact:` fills.
-struct Section {
-  const SectionInfo* info = nullptr;
-  std::vector<Entry> entries;  // of an element section: one
-};
 
 struct Parameter {
   std::string name;
@@ -137,9 +77,10 @@ struct ObjectSpec {
   /// The settings in force, from files and from the caller: name, YAML flow text.
   std::vector<std::pair<std::string, std::string>> settings;
 
-  expr::Names names;                  // parameters, loop variables; slot 0 is `index`
-  std::vector<Parameter> parameters;  // in file order
-  std::vector<int> evaluation_order;  // indices into parameters
+  expr::Names names;  // parameters, loop variables; slot 0 is `index`
+  std::vector<std::pair<std::string, diag::SourceMark>> functions;  // in `names`; in file order
+  std::vector<Parameter> parameters;                                // in file order
+  std::vector<int> evaluation_order;                                // indices into parameters
   std::vector<Requirement> requirements;
   std::vector<Material> materials;  // own ones first, then imported, in file order
   Defaults defaults;

@@ -86,7 +86,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
     if (open == node.text.size()) break;
     const std::size_t close = node.text.find('}', open);
     if (close == std::string::npos) {
-      findings_.Add(Code::kExprSyntax, At(node, open), "'${' without '}'");
+      findings_.Add(Code::kExprSyntax, At(node.mark, open), "'${' without '}'");
       break;
     }
     const std::string_view inner = std::string_view(node.text).substr(open + 2, close - open - 2);
@@ -94,7 +94,8 @@ Value ValueReader::ReadText(const YamlNode& node) {
     if (variable != nullptr && variable->type == Type::kText) {
       uses_.AddName(variable->name);
       text.pieces.push_back({.literal = {}, .expression = {}, .text_slot = variable->slot});
-    } else if (auto expression = Compile(node, open + 2, close - open - 2)) {
+    } else if (auto expression =
+                   Compile(node, open + 2, close - open - 2, expr::Expression::Result::kAny)) {
       text.pieces.push_back({.literal = {}, .expression = std::move(expression)});
     }
     at = close + 1;

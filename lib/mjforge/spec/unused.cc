@@ -32,6 +32,9 @@ void ReportUnused(const YamlNode* materials, Reading& reading) {
   for (const Parameter& parameter : reading.spec.parameters) {
     if (!uses.names.contains(parameter.name)) report("parameter", parameter.name, parameter.mark);
   }
+  for (const auto& [name, mark] : reading.spec.functions) {
+    if (!uses.names.contains(name)) report("function", name, mark);
+  }
   if (materials == nullptr || uses.any_material) return;
   for (const YamlNode::Pair& pair : materials->pairs) {
     if (!uses.materials.contains(pair.key)) report("material", pair.key, pair.mark);

@@ -68,8 +68,7 @@ void CollectNames(const YamlNode& node, std::vector<std::string>& names) {
   }
 }
 
-SourceMark ValueReader::At(const YamlNode& node, std::size_t offset) const {
-  SourceMark mark = node.mark;
+SourceMark ValueReader::At(SourceMark mark, std::size_t offset) const {
   const std::string_view line = sources_.Line(mark);
   const std::size_t start = mark.column - 1;
   if (start < line.size() && (line[start] == '"' || line[start] == '\'')) ++offset;
@@ -169,24 +168,38 @@ void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int 
 }
 
 std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::size_t begin,
-                                                     std::size_t length) {
+                                                     std::size_t length,
+                                                     expr::Expression::Result result) {
   expr::Error error;
-  auto expression =
-      expr::Expression::Compile(std::string_view(node.text).substr(begin, length), names_, error);
+  auto expression = expr::Expression::Compile(std::string_view(node.text).substr(begin, length),
+                                              names_, error, result);
   if (!expression) {
     if (IsCutAtComma(node)) {
       error.hint =
           "a comma ends an item of a list in brackets; quote the expression: "
           "[\"max(a, b)\", 0]";
     }
-    findings_.Add(error.code, At(node, begin + error.offset), std::move(error.message),
-                  std::move(error.hint));
+    Report(std::move(error), node.mark, begin);
     return expression;
   }
-  for (const auto& input : expression->inputs()) {
-    uses_.AddName(input.name);
-  }
+  for (const auto& input : expression->inputs()) uses_.AddName(input.name);
+  for (const std::string& formula : expression->formulas()) uses_.AddName(formula);
   return expression;
+}
+
+void ValueReader::Report(expr::Error error, SourceMark mark, std::size_t begin) {
+  if (const expr::Formula* formula = names_.FindFormula(error.formula)) {
+    mark = formula->mark;
+    begin = 0;
+  }
+  findings_.Add(error.code, At(mark, begin + error.offset), std::move(error.message),
+                std::move(error.hint));
+}
+
+void ValueReader::CheckBody(const expr::Formula& formula) {
+  expr::Error error;
+  if (!expr::Expression::Compile(formula.body, names_, error))
+    Report(std::move(error), formula.mark, 0);
 }
 
 Value ValueReader::ReadExpression(const YamlNode& node) {
@@ -207,7 +220,7 @@ Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
   for (const auto& [begin, length] : ends) {
     const std::string_view part = std::string_view(node.text).substr(begin, length);
     const std::size_t blanks = part.find_first_not_of(" \t\r\n");
-    Value end{.mark = At(node, begin + blanks)};
+    Value end{.mark = At(node.mark, begin + blanks)};
     auto expression = Compile(node, begin + blanks, length - blanks);
     if (!expression) return value;
     if (expression->type() != Type::kNumber) {

@@ -51,6 +51,8 @@ class ValueReader {
   const Uses& uses() const { return uses_; }
   /// Counts what another reader's values refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
+  /// Reports what is wrong with the body of a function, whose arguments are declared.
+  void CheckBody(const expr::Formula& formula);
   /// Text without interpolation, empty if wrong.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
@@ -85,7 +87,7 @@ class ValueReader {
   Value ReadRange(const YamlNode& node, std::size_t dots);
   Value ReadExpression(const YamlNode& node);
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
-                                          std::size_t length);
+                                          std::size_t length, expr::Expression::Result result = {});
   Value Reference(const expr::Names::Variable& variable, const YamlNode& node);
   void NoteMaterials(const Value& value);
   const expr::Names::Variable* LoneName(const YamlNode& node) const;
@@ -96,7 +98,9 @@ class ValueReader {
   Value Wrong(const YamlNode& node, std::string_view expected);
   // Stands for a value that was reported: passes every later check.
   static Value Harmless(const YamlNode& node);
-  diag::SourceMark At(const YamlNode& node, std::size_t offset) const;
+  /// The place of an error in `text`, which stands at `mark` from byte `begin` on.
+  void Report(expr::Error error, diag::SourceMark mark, std::size_t begin);
+  diag::SourceMark At(diag::SourceMark mark, std::size_t offset) const;
 
   const expr::Names& names_;
   const diag::Sources& sources_;

@@ -20,7 +20,7 @@ namespace mjforge::spec {
 struct Value;
 
 /// Text with interpolated expressions: the pieces in order. A piece is a
-/// literal, an expression (its number is written), or a text variable.
+/// literal, an expression (its number or text is written), or a text variable.
 struct TextPiece {
   std::string literal;
   std::optional<expr::Expression> expression;

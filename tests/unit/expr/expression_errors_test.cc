@@ -194,6 +194,7 @@ TEST_CASE("an unknown unit is reported where it starts") {
 
 TEST_CASE("text is only good for == and != with text") {
   const std::string message = "'shape' is text; it can only be compared with == or !=";
+  const std::string beside = "'shape' is text; the other side of the choice is not";
   CheckErrors(Code::kExprType,
               {{"shape", 0, message, ""},
                {"2 * shape", 4, message, ""},
@@ -208,8 +209,9 @@ TEST_CASE("text is only good for == and != with text") {
                {"yes or shape", 7, message, ""},
                {"max(1, shape)", 7, message, ""},
                {"shape ? 1 : 2", 0, message, ""},
-               {"yes ? shape : 2", 6, message, ""},
-               {"yes ? 1 : shape", 10, message, ""},
+               {"yes ? shape : 'c'", 6, message, ""},
+               {"yes ? shape : 2", 6, beside, ""},
+               {"yes ? 1 : shape", 10, beside, ""},
                {"shape ^ 2", 0, message, ""},
                {"2 ^ shape", 4, message, ""},
                {"(shape)", 1, message, ""},

@@ -86,5 +86,55 @@ TEST_CASE("only the first failing instance is reported") {
         "3:59 size of part 'a2' is 0; it must be greater than 0 (it is the value of '2 - i')");
 }
 
+// The radii of the parts.
+std::vector<double> Radii(const std::string& parts) {
+  const Assembling thing("params: {n: 2}\nparts:\n" + parts);
+  std::vector<double> radii;
+  for (const Part& part : thing.body().parts) radii.push_back(part.shape.size.value().x());
+  return radii;
+}
+
+TEST_CASE("a local value is drawn for each instance, whatever else there is") {
+  const auto alone =
+      Radii("- {name: 'a${i}', for: {i: n}, let: {r: 1 .. 2}, type: sphere, size: r}\n");
+  REQUIRE(alone.size() == 2);
+  CHECK(alone[0] != alone[1]);
+  const auto among_others = Radii(
+      "- {name: b, type: sphere, size: 1 .. 2}\n"
+      "- {name: 'a${i}', for: {i: n + 1}, let: {q: 1 .. 2, r: 1 .. 2}, type: sphere, size: r}\n");
+  REQUIRE(among_others.size() == 4);
+  CHECK(among_others[1] == alone[0]);
+  CHECK(among_others[2] == alone[1]);
+}
+
+TEST_CASE("local values are known in what is in the entry, and in its condition") {
+  CHECK(Radii("- name: f${i}\n"
+              "  for: {i: 4}\n"
+              "  let: {r: i + 1, even: i % 2 == 0}\n"
+              "  if: even\n"
+              "  frame: {pos: [r, 0, 0]}\n"
+              "  parts: [{name: 'a${i}${k}', for: {k: r}, let: {s: r + k}, type: sphere, size: "
+              "s}]\n") == std::vector<double>{1, 3, 4, 5});
+}
+
+TEST_CASE("what is left out by its condition needs no local values that can be computed") {
+  CHECK(
+      Radii(
+          "- {name: 'a${i}', for: {i: 3}, let: {r: 1 / i}, if: i > 0, type: sphere, size: r}\n") ==
+      std::vector<double>{1, 0.5});
+  CHECK(
+      OnlyFinding("parts: [{name: 'a${i}', for: {i: 2}, let: {r: 1 / i}, type: sphere, size: r}]\n")
+          .find("expression '1 / i' is infinite") != std::string::npos);
+}
+
+TEST_CASE("local values may be texts, lists and booleans") {
+  const Assembling thing(
+      "parts:\n"
+      "- {name: a, let: {word: box, at: [1, 2, 3], big: 2 > 1}, type: '${word}', pos: at,\n"
+      "   size: ['big ? 1 : 2', at.y, at.z]}\n");
+  CHECK(thing.part("thing_a").X_BG.p == Eigen::Vector3d(1, 2, 3));
+  CHECK(thing.part("thing_a").shape.size == Eigen::Vector3d(1, 2, 3));
+}
+
 }  // namespace
 }  // namespace mjforge::model

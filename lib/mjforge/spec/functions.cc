@@ -1,0 +1,201 @@
+// functions: expressions with arguments. A call is read as the function's body would be.
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/graph.h"
+#include "mjforge/spec/reading.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using expr::Formula;
+
+constexpr std::size_t kMaxArguments = 16;
+constexpr int kMaxChain = 64;
+
+// "bulge(z)" -> its name and arguments; nothing if it is written otherwise.
+std::optional<Formula> ReadHead(std::string_view text) {
+  const std::size_t open = text.find('(');
+  if (open == text.npos || !text.ends_with(')')) return std::nullopt;
+  Formula formula{.name = std::string(Trim(text.substr(0, open))), .arguments = {}, .body = {}};
+  text = text.substr(open + 1, text.size() - open - 2);
+  for (;;) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    formula.arguments.emplace_back(Trim(text.substr(0, comma)));
+    if (comma == text.size()) break;
+    text.remove_prefix(comma + 1);
+  }
+  const bool has_names = expr::IsName(formula.name) &&
+                         std::ranges::all_of(formula.arguments, [](const std::string& argument) {
+                           return expr::IsName(argument);
+                         });
+  return has_names ? std::optional(std::move(formula)) : std::nullopt;
+}
+
+bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading) {
+  const auto fail = [&](Code code, std::string message) {
+    reading.findings.Add(code, mark, std::move(message));
+    return false;
+  };
+  if (IsReserved(formula.name)) {
+    return fail(
+        Code::kSpecBadName,
+        fmt::format("'{}' is a word of the expression language; a function needs another name",
+                    formula.name));
+  }
+  if (reading.spec.names.FindFormula(formula.name) != nullptr)
+    return fail(Code::kSpecDuplicateName,
+                fmt::format("two functions are named '{}'", formula.name));
+  if (formula.arguments.size() > kMaxArguments) {
+    return fail(Code::kSpecBadValue,
+                fmt::format("a function has at most {} arguments", kMaxArguments));
+  }
+  std::set<std::string_view> seen;
+  for (const std::string& argument : formula.arguments) {
+    if (IsReserved(argument)) {
+      return fail(
+          Code::kSpecBadName,
+          fmt::format("'{}' is a word of the expression language; an argument needs another name",
+                      argument));
+    }
+    if (!seen.insert(argument).second) {
+      return fail(Code::kSpecDuplicateName,
+                  fmt::format("two arguments of '{}' are named '{}'", formula.name, argument));
+    }
+  }
+  return true;
+}
+
+// The positions of the functions that each one calls.
+std::vector<std::vector<int>> UsesOf(const std::map<std::string, Formula, std::less<>>& all) {
+  std::vector<std::vector<int>> uses;
+  for (const auto& [name, formula] : all) {
+    std::vector<int>& used = uses.emplace_back();
+    for (const std::string& other : expr::NamesUsedIn(formula.body)) {
+      const auto found = all.find(other);
+      if (found != all.end()) used.push_back(static_cast<int>(std::distance(all.begin(), found)));
+    }
+  }
+  return uses;
+}
+
+// Where a function is named.
+diag::SourceMark MarkOf(const Formula& formula, const Reading& reading) {
+  const auto& all = reading.spec.functions;
+  return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
+}
+
+// Functions that call each other in a circle, or in too long a chain, get another body, so that
+// nothing goes round in it.
+void BreakCircles(Reading& reading) {
+  expr::Names& names = reading.spec.names;
+  std::vector<const Formula*> all;
+  for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
+  const std::vector<std::vector<int>> uses = UsesOf(names.formulas());
+  std::set<int> broken;
+  const std::vector<int> order = OrderByUse(uses, [&](const std::vector<int>& path) {
+    std::string text;
+    for (const int i : path) {
+      broken.insert(i);
+      if (!text.empty()) text += " -> ";
+      text += all[static_cast<std::size_t>(i)]->name;
+    }
+    reading.findings.Add(Code::kSpecCycle, MarkOf(*all[static_cast<std::size_t>(path[0])], reading),
+                         fmt::format("functions call each other: {}", text));
+  });
+  std::vector<int> chain(all.size(), 0);
+  for (const int i : order) {
+    const auto at = static_cast<std::size_t>(i);
+    for (const int used : uses[at])
+      chain[at] = std::max(chain[at], chain[static_cast<std::size_t>(used)] + 1);
+    if (chain[at] < kMaxChain || broken.contains(i)) continue;
+    reading.findings.Add(Code::kSpecBadValue, MarkOf(*all[at], reading),
+                         fmt::format("'{}' calls functions in a chain of {}; the limit is {}",
+                                     all[at]->name, chain[at], kMaxChain - 1));
+    broken.insert(i);
+    chain[at] = 0;
+  }
+  for (const int i : broken) {
+    Formula harmless = *all[static_cast<std::size_t>(i)];
+    harmless.body = "1";
+    names.Define(std::move(harmless));
+  }
+}
+
+}  // namespace
+
+bool IsReserved(std::string_view name) {
+  static constexpr std::array<std::string_view, 7> kWords = {"index", "pi", "true", "false",
+                                                             "and",   "or", "not"};
+  if (std::ranges::find(kWords, name) != kWords.end()) return true;
+  return std::ranges::any_of(expr::Functions(),
+                             [&](const expr::Function& function) { return function.name == name; });
+}
+
+void ReadFunctions(const YamlNode& functions, Reading& reading) {
+  if (!IsMap(functions, "functions, as in `area(a, b): a * b`", reading)) return;
+  for (const YamlNode::Pair& pair : functions.pairs) {
+    std::optional<Formula> formula = ReadHead(pair.key);
+    if (!formula) {
+      reading.findings.Add(
+          Code::kSpecBadName, pair.mark,
+          fmt::format("'{}' is not a function's name with its arguments", pair.key),
+          "write `name(a, b): expression`; what has no arguments is a parameter");
+      continue;
+    }
+    if (!CheckNames(*formula, pair.mark, reading)) continue;
+    if (pair.value.kind != YamlNode::Kind::kScalar) {
+      reading.findings.Add(Code::kSpecWrongType, pair.value.mark,
+                           fmt::format("expected an expression, got {}", KindName(pair.value)),
+                           "a function draws nothing: draw a parameter, and use it here");
+      continue;
+    }
+    formula->body = pair.value.text;
+    formula->mark = pair.value.mark;
+    reading.spec.functions.emplace_back(formula->name, pair.mark);
+    reading.spec.names.Define(*std::move(formula));
+  }
+  BreakCircles(reading);
+}
+
+void CheckFunctions(Reading& reading) {
+  expr::Names& names = reading.spec.names;
+  for (const auto& [name, mark] : reading.spec.functions) {
+    const Formula& formula = *names.FindFormula(name);
+    const auto hidden = std::ranges::find_if(
+        formula.arguments, [&](const std::string& argument) { return names.Find(argument); });
+    if (hidden != formula.arguments.end()) {
+      reading.findings.Add(Code::kSpecDuplicateName, mark,
+                           fmt::format("argument '{}' hides a parameter", *hidden));
+      continue;
+    }
+    for (const std::string& argument : formula.arguments)
+      names.Declare(argument, expr::Type::kNumber);
+    reading.values.CheckBody(formula);
+    for (const std::string& argument : formula.arguments) names.Forget(argument);
+  }
+}
+
+std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
+                                              const expr::Names& known) {
+  std::set<std::string, std::less<>> seen(names.begin(), names.end());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Formula* formula = known.FindFormula(names[i]);
+    if (formula == nullptr) continue;
+    for (std::string& name : expr::NamesUsedIn(formula->body)) {
+      const bool is_argument =
+          std::ranges::find(formula->arguments, name) != formula->arguments.end();
+      if (!is_argument && seen.insert(name).second) names.push_back(std::move(name));
+    }
+  }
+  return names;
+}
+
+}  // namespace mjforge::spec
