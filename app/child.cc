@@ -100,9 +100,14 @@ bool HasEnded(::pid_t child, Seconds time) {
   const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
   if (descriptor < 0) return true;
   ::pollfd polled = {descriptor, POLLIN, 0};
-  const int ready = ::poll(&polled, 1, static_cast<int>(std::min(time.count() * 1000, 1e9)));
+  int ready = 0;
+  // In short turns: time in which both processes were stopped (Ctrl-Z) does not count.
+  constexpr int kTurnMilliseconds = 1000;
+  for (double left = time.count() * 1000; left > 0 && ready <= 0; left -= kTurnMilliseconds)
+    ready =
+        ::poll(&polled, 1, std::min(static_cast<int>(std::min(left, 1e9)) + 1, kTurnMilliseconds));
   ::close(descriptor);
-  return ready != 0;
+  return ready > 0;
 }
 
 // How a child ended, once it has. Whoever is asked to end by a signal of the terminal or of a
