@@ -108,6 +108,8 @@ Channel MakeChannel() {
     while (const std::optional<std::string> message = ReadMessage(channel)) {
       if (!WriteResult(channel, slot, Encode(work(DecodeTask(*message), slot)))) break;
     }
+  } catch (const std::bad_alloc&) {
+    status = kNoMemoryStatus;
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error in a worker: {}\n", error.what());
     status = kBugStatus;
@@ -128,6 +130,7 @@ std::string Ending(int status) {
     const char* name = ::sigabbrev_np(WTERMSIG(status));
     return fmt::format("was killed by SIG{}", name == nullptr ? "?" : name);
   }
+  if (WEXITSTATUS(status) == kNoMemoryStatus) return "needs more memory than there is";
   return fmt::format("ended with status {}", WEXITSTATUS(status));
 }
 

@@ -35,6 +35,8 @@ Loaded Load(const char* file, const mjVFS* vfs) {
     } else if (message[0] != 0) {
       thread_warnings.emplace_back(message.data());
     }
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     loaded.error = error.what();
   }
