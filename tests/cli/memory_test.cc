@@ -53,5 +53,30 @@ TEST_CASE_METHOD(MemoryTest, "a spec that needs too much memory is an input fail
   CHECK(inspected.err.starts_with("mjforge: error: 'heap.yaml' needs more memory than there is"));
 }
 
+TEST_CASE_METHOD(MemoryTest,
+                 "specs that double at each level are too many before they fill memory") {
+  const std::string last = GENERATE(
+      as<std::string>(),
+      // With parts, without any, with bodies, with something else.
+      "parts: [{name: s, type: sphere, size: 1cm}]",
+      "parts: [{name: s, if: 1 > 2, type: sphere, size: 1cm}]", "bodies: [{name: s, parts: []}]",
+      "parts: []\nsites: [{name: s}, {name: t}, {name: u}, {name: v}]");
+  const std::string list = GENERATE("parts", "bodies");
+  constexpr int kLevels = 24;
+  for (int i = 0; i < kLevels; ++i) {
+    const std::string next = "spec: level" + std::to_string(i + 1) + "}";
+    folder().Write("level" + std::to_string(i) + ".yaml", "mjforge: 1\nname: level\n" + list +
+                                                              ": [{name: a, " + next +
+                                                              ", {name: b, " + next + "]\n");
+  }
+  folder().Write("level" + std::to_string(kLevels) + ".yaml",
+                 "mjforge: 1\nname: last\n" + last + "\n");
+  const auto result = RunWithin(500'000, "check level0.yaml -n 2 -j 1");
+  INFO(result.err);
+  CHECK(result.status == 1);
+  CHECK(result.err.find(": error: the object has more than 100000 ") != std::string::npos);
+  CHECK(result.err.find("[model/too-many-parts]") == result.err.rfind("[model/too-many-parts]"));
+}
+
 }  // namespace
 }  // namespace mjforge
