@@ -94,10 +94,10 @@ class Assembly {
   Materials materials_;
   Sections sections_;
   Attacher attacher_;
-  const spec::ObjectSpec* spec_ = nullptr;       // the object's own
-  std::size_t at_ = 0;                           // the body that parts, sites and joints go into
-  std::size_t part_count_ = 0;                   // of all bodies
-  std::size_t spec_count_ = 0;                   // brought by parts and bodies
+  const spec::ObjectSpec* spec_ = nullptr;  // the object's own
+  std::size_t at_ = 0;                      // the body that parts, sites and joints go into
+  std::size_t part_count_ = 0;              // of all bodies
+  std::size_t spec_count_ = 0;              // brought by parts and bodies
   bool is_full_ = false;
   std::unordered_map<std::string, int> bodies_;  // by full name
 };

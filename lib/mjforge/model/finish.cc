@@ -54,6 +54,7 @@ void Assembly::Finish(const Scope& scope) {
     return;
   }
   assets_.KeepDistinct();
+  assets_.CheckPixels();
   CheckUniqueNames(object_, findings_);
   references_.Check();
   SumMass(object_.bodies.front(), assets_);

@@ -256,6 +256,11 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
     CheckFinite(*loaded.model, start, findings);
     return std::move(loaded.model);
   }
+  if (loaded.too_large_line > 0) {
+    findings.Add(Code::kModelBadTexture,
+                 engine::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
+    return nullptr;
+  }
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   const std::string element = xml->has_includes
                                   ? "the model"
