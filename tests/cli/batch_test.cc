@@ -128,7 +128,7 @@ TEST_CASE_METHOD(BatchTest, "a worker that is stopped between two variants holds
 
 TEST_CASE_METHOD(BatchTest, "what hints of check name is there") {
   std::string heap = kHeap;
-  folder().Write("heap.yaml", heap.replace(heap.find("1000"), 4, "60000"));
+  folder().Write("heap.yaml", heap.replace(heap.find("1000"), 4, "40000"));
   const std::string help = Run({"check", "--help"}).out;
   for (const char* script : {"$mjforge check heap.yaml -n 1 --time-limit 0.1\n",
                              "$mjforge check heap.yaml -n 1 & p=$!\n"

@@ -22,7 +22,7 @@ class MemoryTest : public harness::ProgramTest {
 
 TEST_CASE_METHOD(MemoryTest, "a variant that needs too much memory fails, and no other") {
   folder().Write("heap.yaml",
-                 "mjforge: 1\nname: heap\nparams: {n: {cycle: [10, 60000]}}\nparts:\n"
+                 "mjforge: 1\nname: heap\nparams: {n: {cycle: [10, 40000]}}\nparts:\n"
                  "  - {name: \"pebble_${i}\", for: {i: n}, type: sphere, size: 1cm}\n");
   const auto result = RunWithin(130'000, "generate heap.yaml -n 4 -j 1 --validate none -o out");
   INFO(result.err);
@@ -74,7 +74,7 @@ TEST_CASE_METHOD(MemoryTest,
   const auto result = RunWithin(500'000, "check level0.yaml -n 2 -j 1");
   INFO(result.err);
   CHECK(result.status == 1);
-  CHECK(result.err.find(": error: the object has more than 100000 ") != std::string::npos);
+  CHECK(result.err.find(": error: the object has more than 40000 ") != std::string::npos);
   CHECK(result.err.find("[model/too-many-parts]") == result.err.rfind("[model/too-many-parts]"));
 }
 

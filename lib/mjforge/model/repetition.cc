@@ -14,7 +14,7 @@ using diag::Code;
 // Instances that `if` takes out cost time, too: they may be some times as many
 // as the parts (a ball of cells out of a cube of cells), but not without end. So
 // do sites, joints and elements of sections, which specs that bring others multiply.
-constexpr long kMaxSteps = 10L * kMaxParts;
+constexpr long kMaxSteps = 1'000'000;
 
 }  // namespace
 
