@@ -1,15 +1,10 @@
 // The program: words in, words out, exit status.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "commands.h"
@@ -55,13 +50,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return static_cast<int>(Run(argc, argv));
-  } catch (const std::bad_alloc&) {
-    std::fputs("mjforge: error: not enough memory\n", stderr);
-  } catch (const std::system_error& error) {  // of starting a process, of a file
-    fmt::print(stderr, "mjforge: error: {}\n", error.what());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
-    return static_cast<int>(ExitStatus::kBug);
+    return static_cast<int>(ExplainException(error));
   }
-  return static_cast<int>(ExitStatus::kInputOutput);
 }
