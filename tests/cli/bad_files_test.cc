@@ -171,5 +171,26 @@ TEST_CASE_METHOD(BadInputTest,
   CHECK(file.err.starts_with("a.xml:2:1: error: with texture 't' the pictures have more than "));
 }
 
+TEST_CASE_METHOD(BadInputTest,
+                 "what is no text is named in one line, and an archive leads to its batch") {
+  REQUIRE(
+      Run({"generate", "hammer", "-n", "3", "--validate", "none", "-q", "-o", "x.tar"}).status ==
+      0);
+  CHECK(Run({"inspect", "x.tar"}).out == Run({"inspect", "x.manifest.jsonl"}).out);
+  folder().Write("p.png", "\x89PNG\r\n\x1a\n and so on");
+  std::filesystem::rename(folder() / "x.tar", folder() / "lone.tar");
+  for (const char* command : {"inspect", "check", "generate", "preview"}) {
+    const auto archive = Run({command, "lone.tar"});
+    CHECK(archive.status == 1);
+    CHECK(archive.err ==
+          "mjforge: error: 'lone.tar' is a tar archive, not YAML text [yaml/not-text]\n"
+          "  hint: 'mjforge inspect NAME.manifest.jsonl' shows what is in an archive of ours\n");
+    CHECK(Run({command, "p.png"}).err ==
+          "mjforge: error: 'p.png' is a picture (PNG), not YAML text [yaml/not-text]\n");
+  }
+  CHECK(Run({"validate", "lone.tar", "-q"}).err ==
+        "mjforge: error: 'lone.tar' is a tar archive, not MJCF [mujoco/not-mjcf]\n");
+}
+
 }  // namespace
 }  // namespace mjforge

@@ -56,6 +56,9 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
                                      std::string& why_not);
 
+/// What kind of file begins so, where it is no text ("a tar archive"); else empty.
+std::string_view KindOf(std::string_view text);
+
 /// Pixels of a PNG file, as its header has them; nothing for other files.
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file);
 

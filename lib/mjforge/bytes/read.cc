@@ -17,7 +17,7 @@ namespace {
 std::string Words(int error) { return std::generic_category().message(error); }
 
 // Empty for a regular file.
-std::string_view KindOf(::mode_t mode) {
+std::string_view WhyNotRegular(::mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "it is a folder";
   if (S_ISFIFO(mode)) return "it is a pipe; '-' stands for standard input";
@@ -26,7 +26,7 @@ std::string_view KindOf(::mode_t mode) {
 }
 
 bool IsRegular(const struct stat& status, std::string& why_not) {
-  why_not = KindOf(status.st_mode);
+  why_not = WhyNotRegular(status.st_mode);
   return why_not.empty();
 }
 
