@@ -69,9 +69,6 @@ void LimitTime(Seconds time) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-// The exit status of a child that had too little memory.
-constexpr int kOutOfMemory = 71;  // sysexits.h: EX_OSERR
-
 // Ends with the process that waits for it. Never returns.
 [[noreturn]] void BeChild(std::size_t count, Seconds time_limit,
                           const std::function<ExitStatus(std::size_t)>& take,
@@ -85,7 +82,7 @@ constexpr int kOutOfMemory = 71;  // sysexits.h: EX_OSERR
       progress->status = Worse(progress->status, take(progress->step));
     }
   } catch (const std::bad_alloc&) {
-    std::_Exit(kOutOfMemory);
+    std::_Exit(batch::kNoMemoryStatus);
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
     progress->status = ExitStatus::kBug;
@@ -100,9 +97,14 @@ bool HasEnded(::pid_t child, Seconds time) {
   const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
   if (descriptor < 0) return true;
   ::pollfd polled = {descriptor, POLLIN, 0};
-  const int ready = ::poll(&polled, 1, static_cast<int>(std::min(time.count() * 1000, 1e9)));
+  int ready = 0;
+  // In short turns: time in which both processes were stopped (Ctrl-Z) does not count.
+  constexpr int kTurnMilliseconds = 1000;
+  for (double left = time.count() * 1000; left > 0 && ready <= 0; left -= kTurnMilliseconds)
+    ready =
+        ::poll(&polled, 1, std::min(static_cast<int>(std::min(left, 1e9)) + 1, kTurnMilliseconds));
   ::close(descriptor);
-  return ready != 0;
+  return ready > 0;
 }
 
 // How a child ended, once it has. Whoever is asked to end by a signal of the terminal or of a
@@ -122,7 +124,7 @@ std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& pro
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (!WIFSIGNALED(status)) {
-    return WEXITSTATUS(status) == kOutOfMemory
+    return WEXITSTATUS(status) == batch::kNoMemoryStatus
                ? "needs more memory than there is"
                : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
   }
@@ -157,11 +159,12 @@ ExitStatus InChild(std::size_t count, Seconds time_limit,
 }
 
 void AddCrash(const std::string& what, const std::string& end, diag::Findings& findings) {
-  findings.Add(diag::Code::kMujocoError, {},
-               fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, end),
-               end.starts_with("took") ? "raise --time-limit"
-                                       : "see whether indices of meshes (`face`) are in range and "
-                                         "sizes are sensible; a newer MuJoCo may say more");
+  findings.Add(
+      diag::Code::kMujocoError, {}, fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, end),
+      end.starts_with("took")    ? "raise --time-limit"
+      : end.starts_with("needs") ? "8 GiB are the most; `ulimit -v` may set a lower limit"
+                                 : "see whether indices of meshes (`face`) are in range and "
+                                   "sizes are sensible; a newer MuJoCo may say more");
 }
 
 ExitStatus InChild(const std::string& what, Seconds time_limit, Console& console,

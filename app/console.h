@@ -13,7 +13,7 @@ enum class ExitStatus {
   kDone = 0,
   kFindings = 1,       // a spec has errors, a variant failed
   kUsage = 2,          // wrong words on the command line
-  kInputOutput = 3,    // reading or writing failed
+  kInputOutput = 3,    // reading or writing failed, memory is short
   kBug = 70,           // sysexits.h: EX_SOFTWARE
   kInterrupted = 130,  // 128 + SIGINT, as shells count
 };

@@ -20,8 +20,8 @@ std::string InspectTables(const validate::CompiledModel& model,
 std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep);
 
-/// The manifest that WHAT names: WHAT itself, or the one in a folder. A name that is both a
-/// folder's and a spec's means the spec; with a slash at its end, the folder.
+/// The manifest that WHAT names: WHAT itself, the one beside an archive, or the one in a folder. A
+/// name that is both a folder's and a spec's means the spec; with a slash at its end, the folder.
 std::optional<std::filesystem::path> FindManifest(const std::string& what);
 
 /// What a batch achieved: how often each choice was drawn, the range and mean of each

@@ -185,6 +185,12 @@ std::string AsJson(const Gathered& batch) {
 std::optional<std::filesystem::path> FindManifest(const std::string& what) {
   if (IsManifest(what)) return what;
   std::error_code ignored;
+  std::string why_not;
+  const auto archive = output::ParseDestination(what, 1, why_not);
+  if (archive && archive->IsArchive()) {  // its manifest stands beside it
+    const std::filesystem::path manifest = archive->Manifest({});
+    if (std::filesystem::exists(manifest, ignored)) return manifest;
+  }
   if (!std::filesystem::is_directory(what, ignored)) return std::nullopt;
   if (!what.ends_with('/') && IsSpecName(what)) return std::nullopt;
   return std::filesystem::path(what) / "manifest.jsonl";

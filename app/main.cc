@@ -1,7 +1,5 @@
 // The program: words in, words out, exit status.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -53,7 +51,6 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(Run(argc, argv));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
-    return static_cast<int>(ExitStatus::kBug);
+    return static_cast<int>(ExplainException(error));
   }
 }

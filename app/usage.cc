@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+#include <system_error>
 
 #include "console.h"
 #include "make_options.h"
@@ -69,6 +72,19 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   if (!app.remaining(true).empty()) return WrongUsage(UnexpectedWord(app, command), name);
   if (parsed.empty()) return WrongUsage("a command is missing", {});
   return WrongUsage(error.what(), name);
+}
+
+ExitStatus ExplainException(const std::exception& exception) {
+  if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
+    std::fputs("mjforge: error: not enough memory\n", stderr);
+    return ExitStatus::kInputOutput;
+  }
+  if (dynamic_cast<const std::system_error*>(&exception) != nullptr) {
+    fmt::print(stderr, "mjforge: error: {}\n", exception.what());
+    return ExitStatus::kInputOutput;
+  }
+  fmt::print(stderr, "mjforge: internal error: {}\n", exception.what());
+  return ExitStatus::kBug;
 }
 
 std::string VersionText() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string_view>
 
 #include "console.h"
@@ -17,6 +18,9 @@ ExitStatus WrongUsage(std::string_view message, std::string_view command);
 /// Prints the help or version that was requested, or explains what was not understood.
 ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
                              std::string_view first_word);
+
+/// Says what ended the program: too little memory, a call of the system that failed, or a bug.
+ExitStatus ExplainException(const std::exception& exception);
 
 /// The text of --version.
 std::string VersionText();

@@ -139,5 +139,58 @@ TEST_CASE_METHOD(BadInputTest, "a record that is nested too deep is refused") {
   }
 }
 
+TEST_CASE_METHOD(BadInputTest,
+                 "pictures that would fill the memory are refused before they are read") {
+  using namespace std::string_literals;
+  const auto png = [](const std::string& side) {  // what says how large it is: 24 bytes
+    return "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s + side + side;
+  };
+  folder().Write("pictures/fits.png", png("\0\0\x14\0"s));     // 5120
+  folder().Write("pictures/large.png", png("\0\0\x9c\x40"s));  // 40000
+  const std::string rest = "parts: [{name: a, type: sphere, size: 1, material: m}";
+  const auto with = [&](const std::string& texture) {
+    return "mjforge: 1\nname: crate\nmaterials: {m: {texture: " + texture + "}}\n" + rest + "]\n";
+  };
+  CheckSpec(with("{file: pictures/large.png}"), "model/bad-texture");
+  const std::string three =
+      "mjforge: 1\nname: crate\nmaterials: {m: {texture: {file: pictures/fits.png}}, "
+      "n: {texture: {file: pictures/fits.png, type: cube}}, "
+      "o: {texture: {file: pictures/fits.png, type: 2d}}}\n" +
+      rest + ", {name: b, type: sphere, size: 1, material: n}" +
+      ", {name: c, type: sphere, size: 1, material: o}]\n";
+  CheckSpec(three, "model/bad-texture");
+  folder().Write("more.xml", "<mujocoinclude><compiler texturedir='pictures'/></mujocoinclude>");
+  folder().Write("a.xml",
+                 "<mujoco><include file='more.xml'/>\n"
+                 "<asset><texture name='t' file='large.png'/><material name='m' texture='t'/>\n"
+                 "</asset><worldbody><body name='b'><geom size='1' material='m'/></body>\n"
+                 "</worldbody></mujoco>\n");
+  CheckSpec("mjforge: 1\nname: crate\nbodies: [{name: b, mjcf: a.xml}]\n", "model/bad-texture");
+  const auto file = Run({"validate", "a.xml", "-q"});
+  CHECK(file.status == 1);
+  CHECK(file.err.starts_with("a.xml:2:1: error: with texture 't' the pictures have more than "));
+}
+
+TEST_CASE_METHOD(BadInputTest,
+                 "what is no text is named in one line, and an archive leads to its batch") {
+  REQUIRE(
+      Run({"generate", "hammer", "-n", "3", "--validate", "none", "-q", "-o", "x.tar"}).status ==
+      0);
+  CHECK(Run({"inspect", "x.tar"}).out == Run({"inspect", "x.manifest.jsonl"}).out);
+  folder().Write("p.png", "\x89PNG\r\n\x1a\n and so on");
+  std::filesystem::rename(folder() / "x.tar", folder() / "lone.tar");
+  for (const char* command : {"inspect", "check", "generate", "preview"}) {
+    const auto archive = Run({command, "lone.tar"});
+    CHECK(archive.status == 1);
+    CHECK(archive.err ==
+          "mjforge: error: 'lone.tar' is a tar archive, not YAML text [yaml/not-text]\n"
+          "  hint: 'mjforge inspect NAME.manifest.jsonl' shows what is in an archive of ours\n");
+    CHECK(Run({command, "p.png"}).err ==
+          "mjforge: error: 'p.png' is a picture (PNG), not YAML text [yaml/not-text]\n");
+  }
+  CHECK(Run({"validate", "lone.tar", "-q"}).err ==
+        "mjforge: error: 'lone.tar' is a tar archive, not MJCF [mujoco/not-mjcf]\n");
+}
+
 }  // namespace
 }  // namespace mjforge

@@ -107,9 +107,28 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
   CHECK(again.out.empty());
 }
 
+TEST_CASE_METHOD(BatchTest, "a worker that is stopped between two variants holds up nothing") {
+  // While the process that leads is stopped, its workers come to the end of their tasks. One of
+  // them is stopped then; it gets more to do and does not do it.
+  const CommandResult result = Shell(
+      "$mjforge generate crate.yaml -n 20000 -j 2 --time-limit 0.1 --validate none -o x.tar & "
+      "p=$!\n"
+      "until [ -s .x.tar.part ]; do sleep 0.01; done\n"
+      "kill -STOP $p\n"
+      "for w in $(children $p); do\n"
+      "  for i in 1 2 3 4 5; do\n"
+      "    until grep -q '^State:.S' /proc/$w/status; do sleep 0.01; done; sleep 0.02\n"
+      "  done\n"
+      "done\n"
+      "kill -STOP $w; kill -CONT $p; wait $p; echo $?");
+  INFO(result.err);
+  CHECK(result.out == "0\n");
+  CHECK(result.err.find(": 20000 ok (") != std::string::npos);
+}
+
 TEST_CASE_METHOD(BatchTest, "what hints of check name is there") {
   std::string heap = kHeap;
-  folder().Write("heap.yaml", heap.replace(heap.find("1000"), 4, "60000"));
+  folder().Write("heap.yaml", heap.replace(heap.find("1000"), 4, "40000"));
   const std::string help = Run({"check", "--help"}).out;
   for (const char* script : {"$mjforge check heap.yaml -n 1 --time-limit 0.1\n",
                              "$mjforge check heap.yaml -n 1 & p=$!\n"

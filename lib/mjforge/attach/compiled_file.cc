@@ -105,6 +105,12 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
 }
 
 void CompiledFile::Load(diag::Findings& findings) {
+  if (const auto fault = engine::FindTooManyPixels(flat_.text, {})) {
+    const XmlElement* element = flat_.lines[static_cast<std::size_t>(fault->line) - 1];
+    AddError(findings, Code::kModelBadTexture, element->mark,
+             fmt::format("'{}' cannot be attached: {}", file_.string(), fault->message));
+    return;
+  }
   engine::Loaded loaded = engine_->LoadText(flat_.text);
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},

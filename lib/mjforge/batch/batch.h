@@ -46,6 +46,9 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
   return 10 * time_limit + std::chrono::seconds(5);
 }
 
+/// The exit status of a process that had too little memory (sysexits.h: EX_OSERR).
+inline constexpr int kNoMemoryStatus = 71;
+
 /// What is known of a variant when it is done.
 struct Done {
   std::uint64_t index = 0;

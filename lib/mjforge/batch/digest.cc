@@ -18,7 +18,10 @@ void Digest::Add(Entry entry) {
   const diag::Finding& finding = entry.finding;
   const diag::SourceMark other =
       finding.notes.empty() ? diag::SourceMark() : finding.notes.front().mark;
-  Key key{finding.code, finding.mark, other, finding.mark ? std::string() : finding.message};
+  // What a worker died of is at the spec's first line, and another cause with each variant.
+  const bool by_words = !finding.mark || finding.code == diag::Code::kBatchWorkerDied ||
+                        finding.code == diag::Code::kBatchTooSlow;
+  Key key{finding.code, finding.mark, other, by_words ? finding.message : std::string()};
   if (const auto known = positions_.find(key); known != positions_.end()) {
     Entry& present = entries_[known->second];
     // A variant may have it at one place more than once.

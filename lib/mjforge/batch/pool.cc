@@ -32,6 +32,8 @@ constexpr int kBufferBytes = 1 << 20;
 constexpr int kBugStatus = 70;  // sysexits.h: EX_SOFTWARE
 // So many deaths in a row, none at work on a variant, are not the variants' fault.
 constexpr int kMaxFruitlessDeaths = 10;
+// A process that looks at its workers less often was stopped (Ctrl-Z), and they, too.
+constexpr Seconds kMostBetweenLooks{1};
 
 // A reader that is gone is a failed write, not a signal.
 bool WriteAll(int descriptor, std::string_view bytes) {
@@ -106,6 +108,8 @@ Channel MakeChannel() {
     while (const std::optional<std::string> message = ReadMessage(channel)) {
       if (!WriteResult(channel, slot, Encode(work(DecodeTask(*message), slot)))) break;
     }
+  } catch (const std::bad_alloc&) {
+    status = kNoMemoryStatus;
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error in a worker: {}\n", error.what());
     status = kBugStatus;
@@ -126,6 +130,7 @@ std::string Ending(int status) {
     const char* name = ::sigabbrev_np(WTERMSIG(status));
     return fmt::format("was killed by SIG{}", name == nullptr ? "?" : name);
   }
+  if (WEXITSTATUS(status) == kNoMemoryStatus) return "needs more memory than there is";
   return fmt::format("ended with status {}", WEXITSTATUS(status));
 }
 
@@ -137,9 +142,10 @@ struct Pool::Worker {
   std::deque<Task> given;
   std::string buffer;  // of results, the last one perhaps in part
   Slot* slot = nullptr;
+  // When it last went on.
   std::uint64_t seen_turn = 0;
-  Clock::time_point seen_at;
-  Seconds seen_cpu;
+  Seconds seen_at{};  // of Pool::watched_
+  Seconds seen_cpu{};
   std::string too_slow;  // how, if it was killed for it
 
   void Close() {
@@ -161,12 +167,12 @@ Pool::Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
   }
 }
 
-// A worker whose channel closes ends by itself. One that hangs does not.
+// A worker whose channel closes ends by itself. One that hangs or is stopped does not.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     worker->Close();
     if (worker->process > 0) {
-      if (!worker->given.empty()) ::kill(worker->process, SIGKILL);
+      ::kill(worker->process, worker->given.empty() ? SIGCONT : SIGKILL);
       ::waitpid(worker->process, nullptr, 0);
     }
     ::munmap(worker->slot, sizeof(Slot));
@@ -189,9 +195,6 @@ void Pool::Start(Worker& worker) {
   ::close(channel.worker);
   worker.process = process;
   worker.channel = channel.leader;
-  worker.seen_turn = 0;
-  worker.seen_at = Clock::now();
-  worker.seen_cpu = {};
   worker.too_slow.clear();
 }
 
@@ -220,6 +223,7 @@ void Pool::Feed() {
 
 void Pool::Send(Worker& worker, Task task) {
   if (worker.process < 0) Start(worker);
+  if (worker.given.empty()) NoteProgress(worker);
   const std::string message = Encode(task);
   worker.given.push_back(std::move(task));
   WriteMessage(worker.channel, message);  // fails if the worker is dead, which Receive notices
@@ -272,6 +276,7 @@ void Pool::Receive(Worker& worker) {
                              : std::string_view(worker.buffer).substr(at + sizeof(size), size)));
     if (is_mail) worker.slot->RemoveMail();
     worker.given.pop_front();
+    NoteProgress(worker);
     fruitless_deaths_ = 0;
     at += sizeof(size) + size;
   }
@@ -301,20 +306,26 @@ void Pool::Replace(Worker& worker) {
                   std::make_move_iterator(tasks.end()));
 }
 
+void Pool::NoteProgress(Worker& worker) const {
+  worker.seen_turn = worker.slot->turn();
+  worker.seen_at = watched_;
+  worker.seen_cpu = CpuTime(worker.process);
+}
+
 void Pool::KillSlowWorkers() {
   const Clock::time_point now = Clock::now();
+  watched_ += std::min<Seconds>(now - looked_at_, kMostBetweenLooks);
+  looked_at_ = now;
   const Seconds patience = WallLimit(time_limit_);
   for (const auto& worker : workers_) {
     if (worker->process < 0 || worker->given.empty() || !worker->too_slow.empty()) continue;
     const std::uint64_t turn = worker->slot->turn();
-    const Seconds cpu = CpuTime(worker->process);
-    if (turn != worker->seen_turn || turn % 2 == 0) {
-      worker->seen_turn = turn;
-      worker->seen_at = now;
-      worker->seen_cpu = cpu;
-    } else if (cpu - worker->seen_cpu > time_limit_) {
+    const bool at_work = turn % 2 == 1;
+    if (turn != worker->seen_turn) {
+      NoteProgress(*worker);
+    } else if (at_work && CpuTime(worker->process) - worker->seen_cpu > time_limit_) {
       worker->too_slow = fmt::format("took more than {:g} s of CPU time", time_limit_.count());
-    } else if (now - worker->seen_at > patience) {
+    } else if (watched_ - worker->seen_at > patience) {
       worker->too_slow = fmt::format("took more than {:g} s of wall time", patience.count());
     }
     if (!worker->too_slow.empty()) ::kill(worker->process, SIGKILL);

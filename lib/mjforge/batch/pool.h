@@ -62,7 +62,8 @@ using Work = std::function<Result(const Task&, Slot&)>;
 
 /// Worker processes. One that a signal ends, or that takes more than the limit for one variant (CPU
 /// time; WallLimit of wall time), is replaced; its tasks go to others, with the variant it worked
-/// on condemned. Workers end with this process, however it ends.
+/// on condemned. One that does nothing for WallLimit between two variants is replaced, too. Workers
+/// end with this process, however it ends.
 class Pool {
  public:
   /// `make_work` is called in each worker when it starts.
@@ -92,6 +93,7 @@ class Pool {
   void Receive(Worker& worker);
   void Replace(Worker& worker);
   void KillSlowWorkers();
+  void NoteProgress(Worker& worker) const;
 
   std::chrono::duration<double> time_limit_;
   std::function<Work()> make_work_;
@@ -100,6 +102,8 @@ class Pool {
   std::deque<Task> waiting_;
   std::deque<Result> results_;
   int fruitless_deaths_ = 0;  // in a row
+  std::chrono::steady_clock::time_point looked_at_;
+  std::chrono::duration<double> watched_{};  // wall time, without what this process was stopped
   bool stopped_ = false;
 };
 

@@ -65,6 +65,7 @@ class Worker {
 
   diag::Finding FindingOf(const Condemned& condemned) const {
     diag::Finding finding;
+    finding.mark = generator_.recipe().spec->mark;
     finding.code = condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
     finding.message = fmt::format("variant {}: its worker {}", condemned.index, condemned.how);
     const bool resumes =

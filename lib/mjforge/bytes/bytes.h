@@ -19,10 +19,12 @@ namespace mjforge::bytes {
 inline constexpr const char* kStandardInput = "-";
 
 /// More than any of these is not read: a file of MJCF; an asset (mesh, texture), where millions of
-/// triangles fit and MuJoCo allows 200,000; a line of a manifest, of a journal. (YAML:
+/// triangles fit and MuJoCo allows 200,000; all pictures of an object or a file of MJCF, of which
+/// MuJoCo takes six bytes a pixel and more; a line of a manifest, of a journal. (YAML:
 /// spec::kMaxYamlBytes.)
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
+inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;  // 8192 x 8192
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;
 
 /// An open file, read from its start on.
@@ -53,6 +55,12 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
 /// At most the first `limit` bytes.
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
                                      std::string& why_not);
+
+/// What kind of file begins so, where it is no text ("a tar archive"); else empty.
+std::string_view KindOf(std::string_view text);
+
+/// Pixels of a PNG file, as its header has them; nothing for other files.
+std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file);
 
 /// Whether it is a regular file (or standard input) of at most `limit` bytes; else why not.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);

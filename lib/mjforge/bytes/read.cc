@@ -17,7 +17,7 @@ namespace {
 std::string Words(int error) { return std::generic_category().message(error); }
 
 // Empty for a regular file.
-std::string_view KindOf(::mode_t mode) {
+std::string_view WhyNotRegular(::mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "it is a folder";
   if (S_ISFIFO(mode)) return "it is a pipe; '-' stands for standard input";
@@ -26,7 +26,7 @@ std::string_view KindOf(::mode_t mode) {
 }
 
 bool IsRegular(const struct stat& status, std::string& why_not) {
-  why_not = KindOf(status.st_mode);
+  why_not = WhyNotRegular(status.st_mode);
   return why_not.empty();
 }
 
@@ -136,6 +136,25 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
     return std::nullopt;
   }
   return text;
+}
+
+std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file) {
+  // ISO/IEC 15948, 5.2 and 11.2.2: a signature, then the chunk IHDR, whose data begin with width
+  // and height, each in four bytes, the highest first.
+  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+  constexpr std::size_t kWidth = 16;
+  constexpr std::size_t kHeight = 20;
+  std::string why_not;
+  const std::optional<std::string> start = ReadStart(file, kHeight + 4, why_not);
+  if (!start || !start->starts_with(kSignature)) return std::nullopt;
+  if (start->size() < kHeight + 4) return 0;
+  const auto number = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (const char byte : start->substr(at, 4))
+      value = value << 8 | static_cast<unsigned char>(byte);
+    return value;
+  };
+  return number(kWidth) * number(kHeight);
 }
 
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not) {

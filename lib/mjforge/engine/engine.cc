@@ -35,10 +35,19 @@ Loaded Load(const char* file, const mjVFS* vfs) {
     } else if (message[0] != 0) {
       thread_warnings.emplace_back(message.data());
     }
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     loaded.error = error.what();
   }
   loaded.warnings.swap(thread_warnings);
+  return loaded;
+}
+
+Loaded TooLarge(const PictureFault& fault) {
+  Loaded loaded;
+  loaded.error = fault.message;
+  loaded.too_large_line = fault.line;
   return loaded;
 }
 
@@ -107,6 +116,7 @@ Loaded Engine::LoadText(const std::string& text) {
 }
 
 Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
+  if (const auto fault = FindTooManyPixels(text, folder)) return TooLarge(*fault);
   vfs_->nfile = 1;
   SetFile(0, kTextName, text);
   return Load((folder / kTextName).c_str(), vfs_.get());
@@ -117,7 +127,8 @@ Loaded Engine::LoadFile(const std::filesystem::path& file) {
   if (file == bytes::kStandardInput) {
     const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);
     if (text) return LoadTextIn(".", *text);
-  } else if (bytes::MayRead(file, bytes::kMaxMjcf, failed.error)) {
+  } else if (const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error)) {
+    if (const auto fault = FindTooManyPixels(*text, file.parent_path())) return TooLarge(*fault);
     return Load(file.c_str(), nullptr);
   }
   return failed;

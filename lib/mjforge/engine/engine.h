@@ -14,6 +14,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/engine/pictures.h"
 #include "mjforge/engine/refusal.h"
 #include "mjforge/engine/xml_file.h"
 
@@ -29,6 +30,7 @@ struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
+  int too_large_line = 0;  // not MuJoCo's error, ours: of the picture that is too much for memory
 };
 
 class Engine {

@@ -60,6 +60,10 @@ std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sour
     findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", name, why_not));
     return std::nullopt;
   }
+  if (const std::string_view kind = bytes::KindOf(*text); !kind.empty()) {
+    findings.Add(Code::kMujocoNotMjcf, {}, fmt::format("'{}' is {}, not MJCF", name, kind));
+    return std::nullopt;
+  }
   const std::uint32_t source = sources.Add(name, *std::move(text));
   bool has_includes = false;
   const std::optional<XmlFault> fault = WhyNotMjcf(sources.Text(source), &has_includes);

@@ -32,11 +32,7 @@ const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::pa
   std::error_code error;
   cached.exists = std::filesystem::exists(file, error);
   if (!std::filesystem::is_regular_file(file, error)) return cached;
-  // The first 8 bytes of every PNG file (ISO/IEC 15948, 5.2).
-  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-  std::string why_not;
-  cached.is_png =
-      bytes::ReadStart(file, kSignature.size(), why_not) == std::string_view(kSignature);
+  cached.pixels = bytes::PngPixels(file);
   return cached;
 }
 

@@ -66,6 +66,16 @@ std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, samp
   return std::nullopt;
 }
 
+bool Assembly::HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark) {
+  if (is_full_) return false;
+  is_full_ = count >= static_cast<std::size_t>(kMaxParts);
+  if (is_full_) {
+    findings_.Add(Code::kModelTooManyParts, mark,
+                  fmt::format("the object has more than {} {}", kMaxParts, what));
+  }
+  return !is_full_;
+}
+
 void Assembly::AddSpec(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   const std::size_t first_part = body().parts.size();
@@ -113,7 +123,10 @@ void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(Pose()));
 }
 
+// Where each of some levels of specs brings the next one twice, there soon are too many, be they
+// empty.
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
+  if (!HasRoomFor("specs in it", spec_count_++, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
   if (!name) return;
   const sample::StreamId path = sample::Child(scope.parts, std::string_view(*name));

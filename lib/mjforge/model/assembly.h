@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -38,6 +39,8 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
+  /// Whether one more of `what` may come to the `count` there are; else a finding, the first time.
+  bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   // nested.cc
   /// The values of the spec that an entry brings, with the entry's parameters set; null after a
   /// finding.
@@ -91,9 +94,11 @@ class Assembly {
   Materials materials_;
   Sections sections_;
   Attacher attacher_;
-  const spec::ObjectSpec* spec_ = nullptr;       // the object's own
-  std::size_t at_ = 0;                           // the body that parts, sites and joints go into
-  std::size_t part_count_ = 0;                   // of all bodies
+  const spec::ObjectSpec* spec_ = nullptr;  // the object's own
+  std::size_t at_ = 0;                      // the body that parts, sites and joints go into
+  std::size_t part_count_ = 0;              // of all bodies
+  std::size_t spec_count_ = 0;              // brought by parts and bodies
+  bool is_full_ = false;
   std::unordered_map<std::string, int> bodies_;  // by full name
 };
 

@@ -38,7 +38,9 @@ class Assets {
   /// The index of an equal texture with that own name; otherwise adds this one and returns its
   /// index.
   int ShareTexture(const std::string& own_name, Texture texture);
-  /// The same for a mesh that an attached file brings, renamed to `name`.
+  /// Whether the pictures of all textures fit into memory.
+  void CheckPixels();
+  /// As ShareTexture, for a mesh that an attached file brings, renamed to `name`.
   int ShareMesh(const MeshAsset& mesh, const std::string& name);
   /// Once all are there: only variants where none of them become equal go this way.
   void KeepDistinct();

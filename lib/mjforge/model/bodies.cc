@@ -59,11 +59,7 @@ void Assembly::AddBodies(Scope& scope) {
 }
 
 void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies) {
-  if (object_.bodies.size() >= static_cast<std::size_t>(kMaxParts)) {
-    findings_.Add(Code::kModelTooManyParts, entry.head.mark,
-                  fmt::format("the object has more than {} bodies", kMaxParts));
-    return;
-  }
+  if (!HasRoomFor("bodies", object_.bodies.size(), entry.head.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry.head, bodies, findings_);
   if (!name) return;
   const sample::StreamId path = sample::Child(bodies, std::string_view(*name));
@@ -110,6 +106,7 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     }
   } else if (entry.head.Find(Key::kMjcf) != nullptr) {
     part_count_ += attacher_.Add(scope, reader, entry.head, name, index);
+    if (part_count_ > 0) HasRoomFor("parts", part_count_ - 1, entry.head.mark);
   } else {
     const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
     AddParts(scope, entry.parts, Pose());

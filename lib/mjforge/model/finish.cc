@@ -48,12 +48,15 @@ void Assembly::Finish(const Scope& scope) {
   if (part_count_ == 0) {
     const diag::SourceMark mark = !spec.parts.empty()    ? spec.parts.front().mark
                                   : !spec.bodies.empty() ? spec.bodies.front().head.mark
-                                                         : diag::SourceMark();
+                                                         : spec.mark;
     findings_.Add(Code::kModelNoParts, mark, "no part is left",
-                  "every part is left out by its 'if' or 'for'");
+                  spec.parts.empty() && spec.bodies.empty()
+                      ? "write something into `parts:` or `bodies:`"
+                      : "every part is left out by its 'if' or 'for'");
     return;
   }
   assets_.KeepDistinct();
+  assets_.CheckPixels();
   CheckUniqueNames(object_, findings_);
   references_.Check();
   SumMass(object_.bodies.front(), assets_);

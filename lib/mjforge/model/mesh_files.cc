@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <new>
 #include <unordered_map>
 #include <utility>
 
@@ -129,6 +130,9 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
       return std::nullopt;
     }
     return BuildObj(reader, HasPolygons(content), why_not);
+  } catch (const std::bad_alloc&) {
+    why_not = "needs more memory than there is";
+    return std::nullopt;
   } catch (const std::exception& error) {
     why_not = FirstLine(error.what());
     return std::nullopt;
@@ -169,6 +173,9 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
     const bool is_binary = content.size() > 84 && (content.size() - 84) % 50 == 0 &&
                            content.find('\0') != std::string_view::npos;
     return MeshFile{std::move(*mesh), is_binary};
+  } catch (const std::bad_alloc&) {
+    why_not = "needs more memory than there is";
+    return std::nullopt;
   } catch (const std::exception& error) {
     why_not = FirstLine(error.what());
     return std::nullopt;

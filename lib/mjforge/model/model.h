@@ -56,7 +56,7 @@ class Assembler {
 
   struct CachedTexture {
     bool exists = false;
-    bool is_png = false;
+    std::optional<std::uint64_t> pixels;  // nothing: it is not a PNG file
   };
   /// What kind of file a picture is; each file is looked at only once.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);

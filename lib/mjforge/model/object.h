@@ -24,8 +24,9 @@
 
 namespace mjforge::model {
 
-/// Objects with more parts than this are refused.
-inline constexpr int kMaxParts = 100'000;
+/// Objects with more parts than this are refused: MuJoCo's loading grows with the square of their
+/// number, and so many still fit into the default time limit on a machine half as fast as ours.
+inline constexpr int kMaxParts = 40'000;
 
 using spec::Applies;  // for rooms to the right, which do not know specs
 

@@ -64,11 +64,7 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<A
 }
 
 void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
-  if (part_count_ >= static_cast<std::size_t>(kMaxParts)) {
-    findings_.Add(Code::kModelTooManyParts, entry.mark,
-                  fmt::format("the object has more than {} parts", kMaxParts));
-    return;
-  }
+  if (!HasRoomFor("parts", part_count_, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
   if (!name) return;
   FieldReader reader(scope.values, findings_, "part", *name,

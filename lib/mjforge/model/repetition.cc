@@ -12,8 +12,9 @@ namespace {
 using diag::Code;
 
 // Instances that `if` takes out cost time, too: they may be some times as many
-// as the parts (a ball of cells out of a cube of cells), but not without end.
-constexpr long kMaxSteps = 10L * kMaxParts;
+// as the parts (a ball of cells out of a cube of cells), but not without end. So
+// do sites, joints and elements of sections, which specs that bring others multiply.
+constexpr long kMaxSteps = 1'000'000;
 
 void SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
   const std::string name = values.Text(entry.name, list);
@@ -56,7 +57,13 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
 
 std::optional<std::size_t> Repetition::Count(const spec::Entry& entry, sample::Evaluator& values,
                                              std::size_t existing) {
-  if (entry.loops.empty()) return 1;
+  if (steps_ > kMaxSteps) return std::nullopt;  // as was reported
+  if (entry.loops.empty()) {
+    if (++steps_ <= kMaxSteps) return 1;
+    findings_.Add(Code::kModelTooManyParts, entry.mark,
+                  fmt::format("the object has more than {} elements", kMaxSteps));
+    return std::nullopt;
+  }
   const bool some_missing = entry.condition.has_value() || entry.is_frame;
   const long limit = some_missing ? kMaxSteps - steps_ : kMaxParts - static_cast<long>(existing);
   const long count = CountInstances(entry, 0, values, limit);

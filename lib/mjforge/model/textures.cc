@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/model/assets.h"
 #include "mjforge/model/names.h"
 
@@ -46,7 +47,7 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
                   "file names are relative to the folder of the file that uses them");
     return false;
   }
-  if (!content.is_png) {
+  if (!content.pixels) {
     findings_.Add(Code::kModelBadTexture, field.value.mark,
                   fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name)));
     return false;
@@ -76,6 +77,27 @@ std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Mat
   if (!good) return std::nullopt;
   if (generated) FillInPixels(texture.attributes);
   return ShareTexture(material.name, std::move(texture));
+}
+
+void Assets::CheckPixels() {
+  const auto side = [](Texture& texture, std::string_view name) -> Traced<double> {
+    const Attribute* attribute = Find(texture.attributes, name);
+    return attribute == nullptr ? Traced<double>(0.0) : attribute->numbers[0];
+  };
+  Traced<double> pixels = 0.0;
+  for (Texture& texture : object_.textures) {
+    if (texture.files.empty()) pixels = pixels + side(texture, "width") * side(texture, "height");
+    for (const TextureFile& picture : texture.files) {
+      const auto content = assembler_.ReadTexture(picture.file).pixels;
+      pixels = pixels + static_cast<double>(content.value_or(0));
+    }
+    if (!(pixels > static_cast<double>(bytes::kMaxPixels))) continue;
+    findings_.Add(Code::kModelBadTexture, texture.mark,
+                  fmt::format("with texture '{}' the object's pictures have more than {} pixels",
+                              texture.name, bytes::kMaxPixels),
+                  "MuJoCo takes six bytes of memory a pixel, however small the file is");
+    return;
+  }
 }
 
 int Assets::ShareTexture(const std::string& own_name, Texture texture) {

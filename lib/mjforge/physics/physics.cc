@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -121,6 +122,8 @@ std::optional<Result> Laboratory::State::Examine(engine::Model model, const mode
     result.overlap = CheckProportions(object, mark, verdict);
     Round(result);
     return result;
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     findings.Add(
         Code::kMujocoError, mark,

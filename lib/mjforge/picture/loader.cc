@@ -1,4 +1,5 @@
 #include <exception>
+#include <new>
 
 #include "mjforge/picture/subject.h"
 
@@ -15,6 +16,8 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   try {
     state->data = compiled::MakeData(*state->model);
     return std::make_unique<Subject>(std::move(state));
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     why_not = error.what();
     return nullptr;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <new>
 #include <optional>
 
 #include "mjforge/picture/gl_context.h"
@@ -183,6 +184,8 @@ std::optional<std::vector<Image>> Renderer::DrawMotion(Subject& subject,
                                                        diag::Findings& findings) {
   try {
     return state_->DrawPoses(subject, poses, options, findings);
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     findings.Add(Code::kPictureNoRenderer, {},
                  fmt::format("{} cannot draw it: {}", backend(), engine::OneLine(error.what())));

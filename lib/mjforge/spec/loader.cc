@@ -51,6 +51,7 @@ class SpecLoader : public NestedLoader {
     }
     auto spec = std::make_unique<ObjectSpec>();
     spec->file = shared_.sources.Name(source);
+    spec->mark = root->mark;
     spec->folder = folder;
     spec->names.Declare("index", expr::Type::kNumber);
     shared_.open.push_back(file);

@@ -71,6 +71,7 @@ struct ObjectSpec {
   std::string name;
   std::string description;
   std::string file;                          // as shown to the user
+  diag::SourceMark mark;                     // where it begins
   std::filesystem::path folder;              // that relative files resolve against
   std::vector<std::filesystem::path> files;  // every file read, in order of first reading
   std::string sha256;                        // of all their texts, one after the other; hexadecimal

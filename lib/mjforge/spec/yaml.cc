@@ -11,6 +11,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::spec {
@@ -281,6 +282,15 @@ std::string Reworded(const std::string& message) {
 
 bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
   const std::string& text = sources.Text(file);
+  if (const std::string_view kind = bytes::KindOf(text); !kind.empty()) {
+    // Its bytes would say nothing.
+    findings.Add(Code::kYamlNotText, {},
+                 fmt::format("'{}' is {}, not YAML text", sources.Name(file), kind),
+                 kind.find("archive") == kind.npos
+                     ? ""
+                     : "'mjforge inspect NAME.manifest.jsonl' shows what is in an archive of ours");
+    return false;
+  }
   if (text.size() > kMaxYamlBytes) {
     findings.Add(Code::kYamlTooLarge, SourceMark{file, 1, 1},
                  fmt::format("file has more than {} bytes", kMaxYamlBytes),

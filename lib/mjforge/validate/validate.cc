@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -86,6 +87,8 @@ bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findi
   if (object.bodies.size() < 2) return false;
   try {
     return CheckSelfCollision(m, object, findings);
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     AddFailure(error, MarkOf(object), findings);
     return true;
@@ -97,6 +100,8 @@ std::optional<Sweep> TrySweep(mjModel& m, int frame, diag::SourceMark mark,
                               diag::Findings& findings) {
   try {
     return SweepModel(m, frame);
+  } catch (const std::bad_alloc&) {
+    throw;  // not MuJoCo's fault
   } catch (const std::exception& error) {
     AddFailure(error, mark, findings);
     return std::nullopt;
@@ -250,6 +255,11 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
   if (loaded.model) {
     CheckFinite(*loaded.model, start, findings);
     return std::move(loaded.model);
+  }
+  if (loaded.too_large_line > 0) {
+    findings.Add(Code::kModelBadTexture,
+                 engine::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
+    return nullptr;
   }
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   const std::string element = xml->has_includes

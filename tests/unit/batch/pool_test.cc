@@ -136,6 +136,31 @@ TEST_CASE("a variant that hangs is given up when ten times as much time and 5 s 
   CHECK(texts.at(40) == "40;41;took more than 6 s of wall time;43;44;45;46;47;48;49;");
 }
 
+TEST_CASE("time in which the leading process is stopped is nobody's") {
+  Pool pool = MakePool(1, std::chrono::milliseconds(100), [](std::uint64_t index) {
+    if (index != 42) return;
+    ::kill(::getppid(), SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::seconds(7));
+    ::kill(::getppid(), SIGCONT);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  });
+  const auto texts = Work100(pool);
+  CHECK(texts.at(40) == "40;41;42;43;44;45;46;47;48;49;");
+}
+
+TEST_CASE("a worker that is stopped while it has nothing to do ends with the others") {
+  Pool pool = MakePool(1, std::chrono::seconds(10), [](std::uint64_t index) {
+    if (index != 99) return;
+    const ::pid_t worker = ::getpid();
+    if (::fork() != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ::kill(worker, SIGSTOP);
+    std::_Exit(0);
+  });
+  CHECK(Work100(pool).size() == 10);
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+}
+
 TEST_CASE("workers that die before they begin anything do not go on for ever") {
   Pool pool(2, std::chrono::seconds(10), []() -> Work { std::_Exit(9); });
   pool.Submit({{0, 2, 0}, {}});

@@ -53,8 +53,7 @@ TEST_CASE("a negative count is an error") {
 }
 
 TEST_CASE("too many instances are refused before any is made") {
-  const std::string too_many =
-      "'for' makes more instances than the 100000 parts an object may have";
+  const std::string too_many = "'for' makes more instances than the 40000 parts an object may have";
   for (const std::string loops :
        {"i: 1e9", "i: 1e5, j: 1e5", "i: 100001", "i: 1e9, j: 0", "i: 1e300", "i: 1000, j: 1000"}) {
     INFO(loops);
@@ -71,7 +70,7 @@ TEST_CASE("too many instances are refused before any is made") {
 TEST_CASE("instances of frames count together with the parts in them") {
   CHECK(OnlyFinding("parts: [{frame: {}, for: {i: 1000}, parts: [{name: 'a${i}_${j}', for: {j: "
                     "101}, type: sphere, size: [1]}]}]\n") ==
-        "3:75 'for' makes more instances than the 100000 parts an object may have");
+        "3:75 'for' makes more instances than the 40000 parts an object may have");
 }
 
 TEST_CASE("a condition may pick few out of many cells") {

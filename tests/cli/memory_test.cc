@@ -1,0 +1,82 @@
+// Where memory is short: an error, not a bug.
+
+#include <catch2/catch.hpp>
+
+#include "harness/command.h"
+
+namespace mjforge {
+namespace {
+
+class MemoryTest : public harness::ProgramTest {
+ protected:
+  /// With so many kilobytes of memory, the program's own 90,000 included.
+  harness::CommandResult RunWithin(int kilobytes, const std::string& arguments) const {
+    return harness::Command{
+        .program = "bash",
+        .arguments = {"-c", "ulimit -v " + std::to_string(kilobytes) + "; \"" +
+                                harness::MjforgeProgram().string() + "\" " + arguments},
+        .folder = folder().path()}
+        .Run();
+  }
+};
+
+TEST_CASE_METHOD(MemoryTest, "a variant that needs too much memory fails, and no other") {
+  folder().Write("heap.yaml",
+                 "mjforge: 1\nname: heap\nparams: {n: {cycle: [10, 40000]}}\nparts:\n"
+                 "  - {name: \"pebble_${i}\", for: {i: n}, type: sphere, size: 1cm}\n");
+  const auto result = RunWithin(130'000, "generate heap.yaml -n 4 -j 1 --validate none -o out");
+  INFO(result.err);
+  CHECK(result.status == 1);
+  CHECK(result.err.find("error: variant 1: its worker needs more memory than there is") !=
+        std::string::npos);
+  CHECK(result.err.find("internal error") == std::string::npos);
+  CHECK(result.err.find(": 2 ok, 2 failed (") != std::string::npos);
+  CHECK(std::filesystem::exists(folder() / "out/heap_000002.xml"));
+  const auto check = RunWithin(130'000, "check heap.yaml -n 2 -j 1");
+  CHECK(check.status == 1);
+  CHECK(check.err.find("heap.yaml: 1 of 2 variants ok\n") != std::string::npos);
+}
+
+TEST_CASE_METHOD(MemoryTest, "a spec that needs too much memory is an input failure") {
+  std::string text = "mjforge: 1\nname: heap\nparts:\n";
+  for (int i = 0; i < 100'000; ++i)
+    text += "  - {name: p" + std::to_string(i) + ", type: sphere, size: 1cm}\n";
+  folder().Write("heap.yaml", text);
+  for (const char* arguments : {"check heap.yaml", "generate heap.yaml"}) {
+    const auto result = RunWithin(130'000, arguments);
+    CHECK(result.status == 3);
+    CHECK(result.err == "mjforge: error: not enough memory\n");
+    CHECK(folder().Files() == std::vector<std::string>{"heap.yaml"});
+  }
+  const auto inspected = RunWithin(130'000, "inspect heap.yaml");
+  CHECK(inspected.status == 1);
+  CHECK(inspected.err.starts_with("mjforge: error: 'heap.yaml' needs more memory than there is"));
+}
+
+TEST_CASE_METHOD(MemoryTest,
+                 "specs that double at each level are too many before they fill memory") {
+  const std::string last = GENERATE(
+      as<std::string>(),
+      // With parts, without any, with bodies, with something else.
+      "parts: [{name: s, type: sphere, size: 1cm}]",
+      "parts: [{name: s, if: 1 > 2, type: sphere, size: 1cm}]", "bodies: [{name: s, parts: []}]",
+      "parts: []\nsites: [{name: s}, {name: t}, {name: u}, {name: v}]");
+  const std::string list = GENERATE("parts", "bodies");
+  constexpr int kLevels = 24;
+  for (int i = 0; i < kLevels; ++i) {
+    const std::string next = "spec: level" + std::to_string(i + 1) + "}";
+    folder().Write("level" + std::to_string(i) + ".yaml", "mjforge: 1\nname: level\n" + list +
+                                                              ": [{name: a, " + next +
+                                                              ", {name: b, " + next + "]\n");
+  }
+  folder().Write("level" + std::to_string(kLevels) + ".yaml",
+                 "mjforge: 1\nname: last\n" + last + "\n");
+  const auto result = RunWithin(500'000, "check level0.yaml -n 2 -j 1");
+  INFO(result.err);
+  CHECK(result.status == 1);
+  CHECK(result.err.find(": error: the object has more than 40000 ") != std::string::npos);
+  CHECK(result.err.find("[model/too-many-parts]") == result.err.rfind("[model/too-many-parts]"));
+}
+
+}  // namespace
+}  // namespace mjforge
