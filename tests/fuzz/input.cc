@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "mjforge/bytes/bytes.h"
+
 namespace mjforge::fuzz {
 namespace {
 
@@ -53,6 +55,14 @@ void ClearFolder() {
 }
 
 fs::path Specs() { return MJFORGE_FUZZ_SPECS; }
+
+std::string WithSealChecksum(std::string text) {
+  constexpr std::string_view kPlace = "@own@";
+  const std::size_t at = text.rfind(kPlace);
+  const std::size_t member = text.rfind(R"(,"xxh128":")", at);
+  if (at == text.npos || member == text.npos) return text;
+  return text.replace(at, kPlace.size(), bytes::ChecksumOf(text.substr(0, member)));
+}
 
 void Word(const diag::Findings& findings, const diag::Sources& sources) {
   for (const diag::Finding& finding : findings) {

@@ -44,6 +44,10 @@ void ClearFolder();
 /// The folder of the bundled specs.
 std::filesystem::path Specs();
 
+/// The text of a seal with its own checksum in the place of "@own@": without, every change would
+/// be found by it and nothing else would be tried.
+std::string WithSealChecksum(std::string text);
+
 /// Words the findings for people and for programs, as every command does.
 void Word(const diag::Findings& findings, const diag::Sources& sources);
 

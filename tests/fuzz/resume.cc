@@ -24,20 +24,21 @@ Sections ReadSections(Input& input) {
   constexpr std::string_view kBegin = "%%% ";
   Sections sections;
   std::string* section = nullptr;
+  const bool ends_line = input.Rest().ends_with('\n');
   while (!input.IsEmpty()) {
     const std::string_view line = input.Line();
     if (line.starts_with(kBegin)) {
       section = &sections[std::string(line.substr(kBegin.size()))];
     } else if (section != nullptr) {
       *section += line;
-      if (!input.IsEmpty()) *section += '\n';
+      if (!input.IsEmpty() || ends_line) *section += '\n';
     }
   }
   return sections;
 }
 
 // "@part:120@" stands for the checksum of the first 120 bytes of that section, "@part:@" for that
-// of all: without, every change would be found by its checksum and nothing else would be tried.
+// of all; "@own@" as WithSealChecksum has it.
 std::string WithChecksums(std::string_view text, const Sections& sections) {
   std::string out;
   while (!text.empty()) {
@@ -63,17 +64,23 @@ std::string WithChecksums(std::string_view text, const Sections& sections) {
   return out += text;
 }
 
-// Each line with its own checksum at its end.
+std::string WithSealOfJournal(std::string_view line) {
+  const std::size_t begin = std::min(line.find('{'), line.size());
+  return std::string(line.substr(0, begin)) + WithSealChecksum(std::string(line.substr(begin)));
+}
+
+// Each line with its own checksum at its end, the first one with that of its seal, too.
 std::string WithLineChecksums(std::string_view text) {
   constexpr std::size_t kDigits = 16;
   std::string out;
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t size = std::min(text.find('\n'), text.size());
+    const std::string line = WithSealOfJournal(text.substr(0, size));
     out += line;
     out += ' ';
     out += bytes::ChecksumOf(line).substr(0, kDigits);
-    if (line.size() < text.size()) out += '\n';
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (size < text.size()) out += '\n';
+    text.remove_prefix(std::min(size + 1, text.size()));
   }
   return out;
 }
@@ -93,6 +100,7 @@ batch::Request ReadRequest(Input& input) {
   request.shard.count = std::max<std::uint64_t>(Digit(input), 1);
   request.shard.index = Digit(input) % request.shard.count;
   request.first = Digit(input);
+  request.variant.name = "x";  // as seeds.py calls them
   request.durability = output::Durability::kNone;
   std::string why_not;
   const auto destination = output::ParseDestination(
@@ -119,7 +127,7 @@ void PutFiles(const Sections& sections, const batch::Request& request) {
     if (file == files.end()) continue;
     std::string bytes = text;
     if (name == "journal") bytes = WithLineChecksums(WithChecksums(text, sections));
-    if (name == "seal") bytes = WithChecksums(text, sections);
+    if (name == "seal") bytes = WithSealChecksum(WithChecksums(text, sections));
     Put(file->second.lexically_relative(Folder()).string(), bytes);
   }
 }

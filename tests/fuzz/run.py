@@ -27,6 +27,7 @@ MUJOCO = re.compile(r"libmujoco|^mj|tinyxml|qhull|lodepng", re.MULTILINE)
 SMOKE_SECONDS = 10
 # A run that takes longer is a bug: no input is longer than this, and sanitizers cost tenfold.
 TIMEOUT_SECONDS = 20
+SLOW_MS = 300  # to begin with
 MEMORY_MB = 2560
 MOST_BYTES = {"picture": 256, "seal": 2000, "expression": 400, "spec": 4000, "mjcf": 8000}
 MOST_FAILURES = 5
@@ -70,13 +71,25 @@ class Target:
             output.seek(0)
             return output.read().decode(errors="replace")
 
+    def read(self, files):
+        """Runs each of these once; returns how long each took, in ms."""
+        times = {}
+        while files:
+            text = self.start(f"-timeout={TIMEOUT_SECONDS}", f"-rss_limit_mb={MEMORY_MB}", *files)
+            done = re.findall(r"^Executed (\S+) in (\d+) ms$", text, re.MULTILINE)
+            times.update((pathlib.Path(file), int(time)) for file, time in done)
+            self.executions += len(done)
+            if len(done) < len(files):
+                self.judge(files[len(done)], text)
+            files = files[len(done) + 1:]
+        return times
+
     def read_kept(self):
-        """Runs the inputs that were kept, each once."""
-        for file in sorted(self.kept.iterdir()) if self.kept.exists() else []:
-            text = self.start(f"-timeout={TIMEOUT_SECONDS}", f"-rss_limit_mb={MEMORY_MB}", file)
-            self.executions += 1
-            if "Executed " not in text:
-                self.judge(file, text)
+        """Runs what was kept, and what fuzzing begins with, of which it removes what is slow."""
+        self.read(sorted(self.kept.iterdir()) if self.kept.exists() else [])
+        for file, time_taken in self.read(sorted(self.seeds.iterdir())).items():
+            if time_taken > SLOW_MS:
+                file.unlink()
 
     def fuzz(self, seconds, seed):
         end = time.monotonic() + seconds
@@ -86,7 +99,7 @@ class Target:
             words = [f"-max_total_time={min(left, 600)}", f"-timeout={TIMEOUT_SECONDS}",
                      f"-rss_limit_mb={MEMORY_MB}", f"-max_len={MOST_BYTES.get(self.name, 16000)}",
                      f"-dict={self.words}", f"-artifact_prefix={self.found}/{self.name}-",
-                     "-print_final_stats=1", f"-seed={seed}" if seed else "-seed=0"]
+                     "-print_final_stats=1", "-print_funcs=0", f"-seed={seed}" if seed else "-seed=0"]
             if self.name in WITH_MUJOCO:
                 words += ["-fork=1", "-ignore_crashes=1", "-ignore_timeouts=1", "-ignore_ooms=1"]
             kept = [self.kept] if self.kept.exists() else []

@@ -7,7 +7,8 @@ namespace mjforge::fuzz {
 
 void Run(Input input) {
   std::string why_not;
-  const std::optional<manifest::Seal> seal = manifest::ReadSeal(input.Rest(), why_not);
+  const std::optional<manifest::Seal> seal =
+      manifest::ReadSeal(WithSealChecksum(std::string(input.Rest())), why_not);
   Must(seal || !why_not.empty(), "a seal is refused without a reason");
   if (!seal) return;
   const std::string text = manifest::SealText(*seal);

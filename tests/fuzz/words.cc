@@ -91,8 +91,10 @@ void AddBatch(Dictionary& words) {
       "mjforge_seal name output per_archive first count shard shards records manifest archives",
       words);
   AddWords("file bytes xxh128 assets mjforge-journal closed made made-asset asset at", words);
-  AddWords("@part:@ @manifest:@ @archive:@ @archivepart:@ 18446744073709551615 -1 null true 1e999",
-           words);
+  AddWords(
+      "@own@ @part:@ @manifest:@ @archive:@ @archivepart:@ 18446744073709551615 -1 null true "
+      "1e999",
+      words);
 }
 
 void AddMesh(Dictionary& words) {
