@@ -28,8 +28,11 @@ class NumberReader {
   bool Double(double value) { return document_.Double(value); }
   bool RawNumber(const char* digits, SizeType size, bool) {
     const std::string_view text(digits, size);
-    if (const auto natural = Whole<std::uint64_t>(text)) return document_.Uint64(*natural);
-    if (const auto whole = Whole<std::int64_t>(text)) return document_.Int64(*whole);
+    // There is no whole number -0.
+    if (text.find_first_of(".eE") == text.npos && text != "-0") {
+      if (const auto natural = Whole<std::uint64_t>(text)) return document_.Uint64(*natural);
+      if (const auto whole = Whole<std::int64_t>(text)) return document_.Int64(*whole);
+    }
     const std::optional<double> number = expr::ParseNumber(text);
     return number && document_.Double(*number);
   }

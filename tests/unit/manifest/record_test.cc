@@ -59,9 +59,9 @@ TEST_CASE("a line gets its archive and its spec's file as if it had been written
 }
 
 TEST_CASE("numbers are read back to the last bit") {
-  for (const double number :
-       {4.5142156799999997e-07, 0.1 + 0.2, 5e-324, 2.2250738585072011e-308,
-        std::numeric_limits<double>::max(), 9007199254740993.0, 18446744073709551616.0, -0.75}) {
+  for (const double number : {4.5142156799999997e-07, 0.1 + 0.2, 5e-324, 2.2250738585072011e-308,
+                              std::numeric_limits<double>::max(), 9007199254740993.0,
+                              18446744073709551616.0, -0.75, -0.0}) {
     Record record = WholeRecord();
     record.mass_properties.mass = number;
     record.params = {{"size", number}};
