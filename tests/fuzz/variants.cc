@@ -7,7 +7,8 @@ namespace {
 
 // Three are enough for a mould to be made and filled.
 constexpr std::uint64_t kVariants = 3;
-// Of larger objects one is made: more would only take longer.
+// Of larger objects one is made, and of those that are drawn a hundred times in vain: more would
+// only take longer.
 constexpr std::size_t kLarge = 1 << 16;
 
 std::string LineOf(const manifest::Record& record) {
@@ -49,7 +50,8 @@ void MakeVariants(const forge::Recipe& recipe, diag::Sources& sources, forge::Op
     Word(variant.findings, sources);
     CheckRecord(variant.record);
     if (variant.ok()) CheckFile(variant);
-    if (variant.document.text.size() > kLarge) return;
+    const bool is_hopeless = options.on_invalid == forge::OnInvalid::kResample && !variant.ok();
+    if (is_hopeless || variant.document.text.size() > kLarge) return;
     moulding.Make(index, moulded);
     Must(LineOf(moulded.record) == LineOf(variant.record), "a mould makes another record");
     Must(!variant.ok() || moulded.document.text == variant.document.text,
