@@ -25,3 +25,13 @@ if(MJFORGE_SANITIZE)
     -fno-sanitize-recover=all -fno-omit-frame-pointer -fprofile-update=atomic)
   add_link_options(${watchers})
 endif()
+
+# For tests/fuzz, with clang: libFuzzer sees which lines an input runs, and the same errors are found.
+option(MJFORGE_FUZZ "Build what tests/fuzz runs, and watch the rooms as it needs" OFF)
+if(MJFORGE_FUZZ)
+  set(fuzz_watchers -fsanitize=address,undefined)
+  target_compile_options(mjforge_watched INTERFACE -fsanitize=fuzzer-no-link ${fuzz_watchers} -O1 -g1
+    -UNDEBUG -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tests/fuzz/ignored.txt)
+  add_link_options(${fuzz_watchers})
+endif()

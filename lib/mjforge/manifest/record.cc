@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/manifest/exact_json.h"
 #include "mjforge/manifest/record_fields.h"
 
 namespace mjforge::manifest {
@@ -42,8 +43,7 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
     return std::nullopt;
   }
   rapidjson::Document document;
-  document.Parse<rapidjson::kParseIterativeFlag>(line.data(), line.size());
-  if (document.HasParseError() || !document.IsObject()) {
+  if (!ParseExactly(line, document) || !document.IsObject()) {
     why_not = "it is not a JSON object";
     return std::nullopt;
   }

@@ -4,9 +4,12 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
+
+#include "mjforge/bytes/bytes.h"
 
 namespace mjforge::output {
 namespace {
@@ -116,28 +119,37 @@ std::string ArchiveEnd(ArchiveFormat format) {
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
                                       diag::Findings& findings) {
   constexpr std::size_t kBlockBytes = 1 << 20;
+  const auto fail = [&](std::string_view why_not) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}' in '{}': {}", name, file.string(), why_not));
+    return std::nullopt;
+  };
+  std::string why_not;
+  if (!bytes::MayRead(file, std::numeric_limits<std::uint64_t>::max(), why_not))
+    return fail(why_not);
   const Reader reader(archive_read_new());
   archive_read_support_filter_zstd(reader.get());
   archive_read_support_format_tar(reader.get());
   int status = archive_read_open_filename(reader.get(), file.c_str(), kBlockBytes);
   archive_entry* entry = nullptr;
-  while (status == ARCHIVE_OK &&
-         (status = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK) {
-    if (archive_entry_pathname(entry) != name) continue;
-    std::string bytes(static_cast<std::size_t>(archive_entry_size(entry)), '\0');
-    if (archive_read_data(reader.get(), bytes.data(), bytes.size()) ==
-        static_cast<la_ssize_t>(bytes.size())) {
-      return bytes;
-    }
+  const auto next = [&] { return archive_read_next_header(reader.get(), &entry); };
+  if (status == ARCHIVE_OK) status = next();
+  // A warning is about a member that is not ours: its name, which is null then, or its attributes.
+  for (; status == ARCHIVE_OK || status == ARCHIVE_WARN; status = next()) {
+    const char* path = archive_entry_pathname(entry);
+    if (path == nullptr || path != name) continue;
+    const la_int64_t size = archive_entry_size(entry);
+    if (size < 0 || static_cast<std::uint64_t>(size) > bytes::kMaxMjcf)
+      return fail(fmt::format("it has {} bytes, more than {}", size, bytes::kMaxMjcf));
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    if (archive_read_data(reader.get(), bytes.data(), bytes.size()) == size) return bytes;
     status = ARCHIVE_FATAL;
+    break;
   }
   const char* words = archive_error_string(reader.get());
-  findings.Add(diag::Code::kYamlCannotRead, {},
-               fmt::format("cannot read '{}' in '{}': {}", name, file.string(),
-                           status == ARCHIVE_EOF ? "it is not there"
-                           : words == nullptr    ? "the archive is damaged"
-                                                 : words));
-  return std::nullopt;
+  return fail(status == ARCHIVE_EOF ? "it is not there"
+              : words == nullptr    ? "the archive is damaged"
+                                    : words);
 }
 
 }  // namespace mjforge::output

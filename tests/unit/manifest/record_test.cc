@@ -58,6 +58,35 @@ TEST_CASE("a line gets its archive and its spec's file as if it had been written
   }
 }
 
+TEST_CASE("numbers are read back to the last bit") {
+  for (const double number : {4.5142156799999997e-07, 0.1 + 0.2, 5e-324, 2.2250738585072011e-308,
+                              std::numeric_limits<double>::max(), 9007199254740993.0,
+                              18446744073709551616.0, -0.75, -0.0}) {
+    Record record = WholeRecord();
+    record.mass_properties.mass = number;
+    record.params = {{"size", number}};
+    std::string why_not;
+    const std::optional<Record> read = ReadRecord(LineOf(record), why_not);
+    REQUIRE(read);
+    CHECK(read->mass_properties.mass.value() == number);
+    CHECK(LineOf(*read) == LineOf(record));
+  }
+}
+
+TEST_CASE("a zero of many digits is a number, one too large for any number is not") {
+  const std::string line = LineOf(WholeRecord());
+  const std::string mass = R"("mass":0.30000000000000004)";
+  const auto with_mass = [&](const std::string& number) {
+    return std::string(line).replace(line.find(mass), mass.size(), "\"mass\":" + number);
+  };
+  std::string why_not;
+  const auto zero = ReadRecord(with_mass("0." + std::string(40, '0')), why_not);
+  REQUIRE(zero);
+  CHECK(zero->mass_properties.mass.value() == 0);
+  CHECK_FALSE(ReadRecord(with_mass("1e999"), why_not));
+  CHECK(why_not == "it is not a JSON object");
+}
+
 TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
   CHECK(
       LineOf(WholeRecord()) ==

@@ -1,6 +1,9 @@
 #include "mjforge/output/archive.h"
 
 #include <catch2/catch.hpp>
+#include <cstdio>
+
+#include "mjforge/bytes/bytes.h"
 
 #include "harness/temporary_folder.h"
 
@@ -38,6 +41,60 @@ TEST_CASE("a member that is not there, and a file that is no archive, are findin
   CHECK_FALSE(ReadMember(folder.Write("y.tar", "no archive at all"), "b.xml", findings));
   CHECK_FALSE(ReadMember(folder / "none.tar", "b.xml", findings));
   CHECK(findings.size() == 3);
+}
+
+// A header as POSIX has it (pax, "ustar Interchange Format"), whatever it says of the size.
+std::string HeaderOf(const std::string& name, char type, std::uint64_t size) {
+  std::string header(512, '\0');
+  const auto put = [&](std::size_t at, const std::string& text) {
+    header.replace(at, text.size(), text);
+  };
+  put(0, name);
+  put(100, "0000644");
+  char octal[13];
+  std::snprintf(octal, sizeof(octal), "%011llo", static_cast<unsigned long long>(size));
+  put(124, octal);
+  put(148, std::string(8, ' '));
+  put(156, std::string(1, type));
+  put(257, std::string("ustar\0"
+                       "00",
+                       8));
+  unsigned sum = 0;
+  for (const char c : header) sum += static_cast<unsigned char>(c);
+  std::snprintf(octal, sizeof(octal), "%06o", sum);
+  put(148, std::string(octal) + '\0');
+  return header;
+}
+
+TEST_CASE("a member that says it is larger than an object may be is not read") {
+  const harness::TemporaryFolder folder;
+  diag::Findings findings;
+  // 8 GiB less one byte, the largest size that a header can say in this form.
+  const auto file = folder.Write("x.tar", HeaderOf("a.xml", '0', 0x1FFFFFFFF) + "few bytes");
+  CHECK_FALSE(ReadMember(file, "a.xml", findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message == "cannot read 'a.xml' in '" + file.string() +
+                                   "': it has 8589934591 bytes, more than 268435456");
+}
+
+TEST_CASE("a member whose name this locale cannot spell is passed over") {
+  const harness::TemporaryFolder folder;
+  diag::Findings findings;
+  const std::string name = "15 path=\xC3\xA4.xml\n";
+  std::string bytes = HeaderOf("pax", 'x', name.size()) + name;
+  bytes.resize(1024);
+  Segment segment(ArchiveFormat::kTar);
+  REQUIRE(segment.Add("b.xml", "good", findings));
+  const auto file = folder.Write("x.tar", bytes + HeaderOf("a.xml", '0', 0) + segment.Take() +
+                                              ArchiveEnd(ArchiveFormat::kTar));
+  CHECK(ReadMember(file, "b.xml", findings) == "good");
+}
+
+TEST_CASE("what is no regular file is not read as an archive") {
+  diag::Findings findings;
+  CHECK_FALSE(ReadMember("/dev/zero", "a.xml", findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message == "cannot read 'a.xml' in '/dev/zero': it is a device");
 }
 
 TEST_CASE("a name too long for tar is a finding, and the archive stays good") {

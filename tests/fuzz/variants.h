@@ -1,0 +1,13 @@
+#pragma once
+
+#include "fuzz/input.h"
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::fuzz {
+
+/// Makes the first variants of a recipe, from the spec and by moulds, without loading them in
+/// MuJoCo. Both must give the same bytes, the files must be MJCF, and the records must be read
+/// back.
+void MakeVariants(const forge::Recipe& recipe, diag::Sources& sources, forge::Options options);
+
+}  // namespace mjforge::fuzz
