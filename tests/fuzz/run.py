@@ -22,7 +22,6 @@ import seeds
 # MuJoCo reads these files itself and is not ours to mend: the target goes on after a crash, and
 # what happened in MuJoCo is counted apart.
 WITH_MUJOCO = {"mjcf"}
-MUJOCO = re.compile(r"libmujoco|^mj|tinyxml|qhull|lodepng", re.MULTILINE)
 
 SMOKE_SECONDS = 10
 # A run that takes longer is a bug: no input is longer than this, and sanitizers cost tenfold.
@@ -46,7 +45,8 @@ class Target:
         self.build = options.build
         self.program = options.build / f"tests/fuzz/mjforge_fuzz_{name}"
         self.kept = pathlib.Path(__file__).parent / "corpus" / name
-        self.corpus = options.build / "corpus" / name
+        # .ci/run begins anew each time.
+        self.corpus = (scratch if options.smoke else options.build) / "corpus" / name
         self.seeds = scratch / "seeds" / name
         self.words = scratch / f"{name}.dict"
         self.found = options.build / "found"
@@ -99,7 +99,7 @@ class Target:
             words = [f"-max_total_time={min(left, 600)}", f"-timeout={TIMEOUT_SECONDS}",
                      f"-rss_limit_mb={MEMORY_MB}", f"-max_len={MOST_BYTES.get(self.name, 16000)}",
                      f"-dict={self.words}", f"-artifact_prefix={self.found}/{self.name}-",
-                     "-print_final_stats=1", "-print_funcs=0", f"-seed={seed}" if seed else "-seed=0"]
+                     "-print_final_stats=1", "-print_funcs=0", f"-seed={seed}"]
             if self.name in WITH_MUJOCO:
                 words += ["-fork=1", "-ignore_crashes=1", "-ignore_timeouts=1", "-ignore_ooms=1"]
             kept = [self.kept] if self.kept.exists() else []
@@ -136,7 +136,9 @@ class Target:
                  for kind in ("crash", "leak", "timeout", "oom")}
         words = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
         mujoco = f", {self.in_mujoco} in MuJoCo" if self.name in WITH_MUJOCO else ""
-        return f"{self.name:10} {self.executions:>11,} executions, {words}{mujoco}, {self.memory} MB"
+        # libFuzzer does not say it of the processes that it starts.
+        memory = f", {self.memory} MB" if self.memory else ""
+        return f"{self.name:10} {self.executions:>11,} executions, {words}{mujoco}{memory}"
 
 
 def is_in_mujoco(text):
@@ -179,7 +181,7 @@ def main():
     def run(target):
         target.prepare(project, options.program)
         target.read_kept()
-        # The same start each time in .ci/run, another one in every long run.
+        # The same start each time in .ci/run; with 0 another one in every long run.
         target.fuzz(SMOKE_SECONDS if options.smoke else options.minutes * 60,
                     1 if options.smoke else 0)
         print(target.summary(), flush=True)
