@@ -192,5 +192,23 @@ TEST_CASE_METHOD(BadInputTest,
         "mjforge: error: 'lone.tar' is a tar archive, not MJCF [mujoco/not-mjcf]\n");
 }
 
+TEST_CASE_METHOD(BadInputTest, "copies of assets have names that every system takes") {
+  const std::string cube =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  folder().Write("a\\b.obj", cube);
+  folder().Write("a:b.obj", cube + "# other\n");
+  folder().Write("a\nb.obj", cube + "# another\n");
+  folder().Write("s.yaml",
+                 "mjforge: 1\nname: crate\nparts:\n"
+                 "  - {name: a, type: mesh, file: 'a\\b.obj'}\n"
+                 "  - {name: b, type: mesh, file: 'a:b.obj', pos: [2, 0, 0]}\n"
+                 "  - {name: c, type: mesh, file: \"a\\nb.obj\", pos: [4, 0, 0]}\n");
+  const auto result = Run({"generate", "s.yaml", "-q", "-o", "out"});
+  CHECK(result.err.empty());
+  for (const char* name : {"a_b.obj", "a_b_2.obj", "a_b_3.obj"})
+    CHECK(std::filesystem::exists(folder() / "out/assets" / name));
+  CHECK(Run({"validate", "out/crate_000000.xml", "-q"}).status == 0);
+}
+
 }  // namespace
 }  // namespace mjforge

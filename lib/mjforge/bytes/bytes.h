@@ -56,7 +56,7 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
                                      std::string& why_not);
 
-/// What kind of file begins so, where it is no text ("a tar archive"); else empty.
+/// What kind of file begins so ("a tar archive"); empty if it is text or not known.
 std::string_view KindOf(std::string_view text);
 
 /// Pixels of a PNG file, as its header has them; nothing for other files.

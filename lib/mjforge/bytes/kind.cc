@@ -27,9 +27,7 @@ std::string_view KindOf(std::string_view text) {
   for (const auto& [at, bytes, kind] : kSignatures) {
     if (text.size() > at && text.substr(at).starts_with(bytes)) return kind;
   }
-  // Text has no zero bytes.
-  constexpr std::size_t kStart = 512;
-  return text.substr(0, kStart).find('\0') == text.npos ? "" : "a binary file";
+  return {};
 }
 
 }  // namespace mjforge::bytes

@@ -44,7 +44,8 @@ class Assets {
   int ShareMesh(const MeshAsset& mesh, const std::string& name);
   /// Once all are there: only variants where none of them become equal go this way.
   void KeepDistinct();
-  /// The name of the file's copy: its own, or with _2, _3, ... where that is taken.
+  /// The name of the file's copy: its own with _ for what some system does not take in a name, and
+  /// with _2, _3, ... where that is taken.
   std::string OutputName(const std::filesystem::path& file);
 
  private:

@@ -90,6 +90,14 @@ const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key i
   return field;
 }
 
+// In the name of a file, on some system.
+bool IsUnportable(char c) {
+  constexpr unsigned char kDelete = 0x7f;
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < ' ' || byte == kDelete ||
+         std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos;
+}
+
 }  // namespace
 
 void Assets::Share(int index, Part& part) {
@@ -276,9 +284,12 @@ std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
   std::string name = file.filename().string();
+  // Archives are unpacked on other systems, too, and MuJoCo takes a backslash for a slash.
+  std::ranges::replace_if(name, IsUnportable, '_');
+  const std::filesystem::path safe = name;
   // MuJoCo 2.2 folds the case of file names.
   for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
-    name = fmt::format("{}_{}{}", file.stem().string(), i, file.extension().string());
+    name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
   }
   found->second = name;
   return name;

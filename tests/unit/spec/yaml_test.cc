@@ -16,7 +16,7 @@ TEST_CASE("bytes that are no UTF-8 text are reported at their place", "[yaml]") 
         Strings{"2:2 yaml/not-text: not UTF-8 text" + hint});
   CHECK(Load("\x7f"
              "ELF\xff\xfe")
-            .Report() == Strings{"1:5 yaml/not-text: not UTF-8 text" + hint});
+            .Report() == Strings{"0:0 yaml/not-text: 'test.yaml' is a program, not YAML text"});
   CHECK(Load("name: \xC3\xA4\xC3").Report() == Strings{"1:9 yaml/not-text: not UTF-8 text" + hint});
 }
 
