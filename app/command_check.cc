@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "load_limit.h"
 #include "options.h"
 
 namespace mjforge::app {
@@ -14,7 +15,10 @@ struct CheckOptions : ManyOptions {
 };
 
 ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Console& console) {
-  const std::optional<forge::Recipe> recipe = LoadRecipe(spec, options.spec, console);
+  const std::optional<forge::Recipe> recipe = [&] {
+    const LoadLimit limit(spec, options.request.time_limit, console);
+    return LoadRecipe(spec, options.spec, console);
+  }();
   const ExitStatus status = console.Tell();
   if (!recipe) return status;
   batch::Request request = RequestOf(options);

@@ -53,6 +53,11 @@ ExitStatus Console::Tell() {
 }
 
 void Console::Show(diag::Findings found, const diag::Sources& places, std::uint64_t more) const {
+  WriteAll(STDERR_FILENO, TextOf(std::move(found), places, more));
+}
+
+std::string Console::TextOf(diag::Findings found, const diag::Sources& places,
+                            std::uint64_t more) const {
   found.Sort();
   found.Unique();
   std::string text;
@@ -64,7 +69,7 @@ void Console::Show(diag::Findings found, const diag::Sources& places, std::uint6
   more += found.size() - shown;
   if (more > 0 && json_) text += fmt::format("{{\"more\":{}}}\n", more);
   if (more > 0 && !json_) text += fmt::format("and {} more\n", more);
-  WriteAll(STDERR_FILENO, text);
+  return text;
 }
 
 void Console::Say(std::string_view line) const {

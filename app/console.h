@@ -50,6 +50,9 @@ class Console {
   ExitStatus Tell();
   /// Findings in file order, the first 50; `more` were left out before.
   void Show(diag::Findings found, const diag::Sources& places, std::uint64_t more = 0) const;
+  /// What Show writes.
+  std::string TextOf(diag::Findings found, const diag::Sources& places,
+                     std::uint64_t more = 0) const;
   /// One line of words; not with --quiet.
   void Say(std::string_view line) const;
   bool quiet() const { return quiet_; }

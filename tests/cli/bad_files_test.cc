@@ -210,5 +210,43 @@ TEST_CASE_METHOD(BadInputTest, "copies of assets have names that every system ta
   CHECK(Run({"validate", "out/crate_000000.xml", "-q"}).status == 0);
 }
 
+TEST_CASE_METHOD(BadInputTest, "loading has the time limit, too") {
+  std::string spec = "mjforge: 1\nname: crate\nparams:\n";
+  for (int i = 0; i < 100'000; ++i) spec += "  p" + std::to_string(i) + ": 1 .. 2\n";
+  folder().Write("s.yaml", spec + "parts: [{name: a, type: sphere, size: p0}]\n");
+  for (const char* command : {"generate", "check"}) {
+    const auto result = Run({command, "s.yaml", "--time-limit", "0.05"});
+    CHECK(result.status == 1);
+    CHECK(result.err ==
+          "mjforge: error: loading 's.yaml' took more than 0.05 s of CPU time [batch/too-slow]\n"
+          "  hint: raise --time-limit, or see what the spec and what it imports have so much of\n");
+    CHECK(folder().Files() == std::vector<std::string>{"s.yaml"});
+  }
+  CHECK(Run({"generate", "s.yaml", "--time-limit", "0.05", "--findings", "json"})
+            .err.starts_with(R"({"severity":"error","code":"batch/too-slow")"));
+}
+
+TEST_CASE_METHOD(BadInputTest, "files that each import the next one twice are read once") {
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = std::to_string(i + 1) + ".yaml";
+    folder().Write(std::to_string(i) + ".yaml",
+                   "mjforge: 1\nimport: [" + next + ", " + next + "]\n");
+  }
+  folder().Write("40.yaml", "mjforge: 1\nmaterials: {red: {rgba: [1, 0, 0, 1]}}\n");
+  folder().Write("s.yaml",
+                 "mjforge: 1\nname: crate\nimport: [0.yaml, 0.yaml]\n"
+                 "parts: [{name: a, type: sphere, size: 1, material: red}]\n");
+  CHECK(Run({"check", "s.yaml", "-n", "1", "--time-limit", "5"}).status == 0);
+}
+
+TEST_CASE_METHOD(BadInputTest, "a picture that cannot be read is not called something else") {
+  std::filesystem::create_directory(folder() / "wood.png");
+  folder().Write("s.yaml",
+                 "mjforge: 1\nname: crate\nmaterials: {m: {texture: {file: wood.png}}}\n"
+                 "parts: [{name: a, type: sphere, size: 1, material: m}]\n");
+  CHECK(Run({"check", "s.yaml", "-n", "1"}).err.find("cannot read 'wood.png': ") !=
+        std::string::npos);
+}
+
 }  // namespace
 }  // namespace mjforge

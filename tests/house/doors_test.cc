@@ -95,7 +95,7 @@ const std::array kLibraries = {
 const Words kSystem = {"dlfcn.h",        "malloc.h",      "fcntl.h",      "poll.h",
                        "sys/file.h",     "sys/ioctl.h",   "sys/mman.h",   "sys/prctl.h",
                        "sys/resource.h", "sys/syscall.h", "sys/socket.h", "sys/stat.h",
-                       "sys/types.h",    "sys/wait.h",    "unistd.h"};
+                       "sys/time.h",     "sys/types.h",   "sys/wait.h",   "unistd.h"};
 
 const Room& RoomOf(std::string_view file) {
   const std::string_view top = "lib/mjforge/";

@@ -59,8 +59,9 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uin
 /// What kind of file begins so ("a tar archive"); empty if it is text or not known.
 std::string_view KindOf(std::string_view text);
 
-/// Pixels of a PNG file, as its header has them; nothing for other files.
-std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file);
+/// Pixels of a PNG file, as its header has them; nothing for other files, and why if it cannot be
+/// read.
+std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not);
 
 /// Whether it is a regular file (or standard input) of at most `limit` bytes; else why not.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);

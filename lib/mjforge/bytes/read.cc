@@ -138,13 +138,12 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
   return text;
 }
 
-std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file) {
+std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not) {
   // ISO/IEC 15948, 5.2 and 11.2.2: a signature, then the chunk IHDR, whose data begin with width
   // and height, each in four bytes, the highest first.
   constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
   constexpr std::size_t kWidth = 16;
   constexpr std::size_t kHeight = 20;
-  std::string why_not;
   const std::optional<std::string> start = ReadStart(file, kHeight + 4, why_not);
   if (!start || !start->starts_with(kSignature)) return std::nullopt;
   if (start->size() < kHeight + 4) return 0;

@@ -77,7 +77,8 @@ class PicturedModel {
       std::string name = attribute.value();
       if (strip_path_ == "true") name.erase(0, name.find_last_of("/\\") + 1);
       const fs::path file = folder_ / (is_texture ? texture_folder_ : mesh_folder_) / name;
-      pixels += std::min(bytes::PngPixels(file).value_or(0), 2 * bytes::kMaxPixels);
+      std::string why_not;
+      pixels += std::min(bytes::PngPixels(file, why_not).value_or(0), 2 * bytes::kMaxPixels);
     }
     return pixels;
   }

@@ -31,8 +31,7 @@ const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::pa
   if (!is_new) return cached;
   std::error_code error;
   cached.exists = std::filesystem::exists(file, error);
-  if (!std::filesystem::is_regular_file(file, error)) return cached;
-  cached.pixels = bytes::PngPixels(file);
+  cached.pixels = bytes::PngPixels(file, cached.why_not);
   return cached;
 }
 

@@ -56,7 +56,8 @@ class Assembler {
 
   struct CachedTexture {
     bool exists = false;
-    std::optional<std::uint64_t> pixels;  // nothing: it is not a PNG file
+    std::optional<std::uint64_t> pixels;  // nothing: it is not a PNG file, or cannot be read
+    std::string why_not;
   };
   /// What kind of file a picture is; each file is looked at only once.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);

@@ -49,7 +49,10 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
   }
   if (!content.pixels) {
     findings_.Add(Code::kModelBadTexture, field.value.mark,
-                  fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name)));
+                  content.why_not.empty()
+                      ? fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name))
+                      : fmt::format("{}: cannot read {}: {}", reader.Owner(), Quoted(*name),
+                                    content.why_not));
     return false;
   }
   texture.files.push_back({.file = file, .output_file = OutputName(file)});

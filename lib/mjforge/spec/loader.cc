@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -166,7 +167,7 @@ class SpecLoader : public NestedLoader {
   void ReadImport(const YamlNode& node, Reading& reading) {
     const std::string reference = reading.values.ReadPlainText("import", node);
     const auto file = reference.empty() ? std::nullopt : Find(reference, folder_, node.mark);
-    if (!file || IsOpen(*file, node.mark)) return;
+    if (!file || IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
     const auto source = Open(*file, node.mark);
     const auto root = source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
     if (!root || !IsMap(*root, "keys", reading)) return;
@@ -233,6 +234,9 @@ class SpecLoader : public NestedLoader {
 
   Shared& shared_;
   fs::path folder_;
+  // What is imported twice says nothing new; where each file imports two others, all would be read
+  // 2^n times.
+  std::set<fs::path> imported_;
 };
 
 // A setting is read as the YAML line `name: text`, so that marks fit what is shown.

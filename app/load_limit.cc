@@ -1,0 +1,50 @@
+#include "load_limit.h"
+
+#include <fmt/format.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace mjforge::app {
+namespace {
+
+// What the handler says: it may not make memory.
+std::string last_words;
+
+extern "C" void OnLimit(int) {
+  [[maybe_unused]] const ssize_t written =
+      ::write(STDERR_FILENO, last_words.data(), last_words.size());
+  ::_exit(static_cast<int>(ExitStatus::kFindings));
+}
+
+// Of the CPU time of the process; 0 ends it.
+void SetTimer(double seconds) {
+  ::itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<::time_t>(seconds);
+  timer.it_value.tv_usec =
+      static_cast<::suseconds_t>((seconds - static_cast<double>(timer.it_value.tv_sec)) * 1e6);
+  if (seconds > 0 && timer.it_value.tv_sec == 0 && timer.it_value.tv_usec == 0)
+    timer.it_value.tv_usec = 1;
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+}  // namespace
+
+LoadLimit::LoadLimit(const std::string& what, std::chrono::duration<double> limit,
+                     const Console& console) {
+  diag::Findings findings;
+  findings.Add(diag::Code::kBatchTooSlow, {},
+               fmt::format("loading '{}' took more than {:g} s of CPU time", what, limit.count()),
+               "raise --time-limit, or see what the spec and what it imports have so much of");
+  last_words = console.TextOf(std::move(findings), {});
+  std::signal(SIGPROF, OnLimit);
+  SetTimer(limit.count());
+}
+
+LoadLimit::~LoadLimit() {
+  SetTimer(0);
+  std::signal(SIGPROF, SIG_DFL);
+}
+
+}  // namespace mjforge::app
