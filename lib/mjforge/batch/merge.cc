@@ -132,7 +132,7 @@ class Joining {
 
   // How a shard differs from those before it, in words. Its assets join theirs.
   std::string DifferenceOf(const manifest::Seal& seal) {
-    const std::string difference = manifest::DifferenceOfOutput(seal, whole_);
+    std::string difference = manifest::DifferenceOfOutput(seal, whole_);
     if (!difference.empty()) return difference;
     if (seal.count != whole_.count)
       return fmt::format("count is '{}', not '{}'", seal.count, whole_.count);

@@ -319,8 +319,8 @@ class Grammar : Cursor {
     const Word& name = Now();
     std::vector<Typed> read;
     if (!ReadArguments(read)) return std::nullopt;
-    std::vector<Operand> arguments;
-    for (const Typed& argument : read) arguments.push_back(argument.value);
+    std::vector<Operand> arguments(read.size());
+    std::ranges::transform(read, arguments.begin(), &Typed::value);
     const int arity = callee.arity();
     const int count = static_cast<int>(arguments.size());
     if (arity == 0 ? count == 0 : count != arity) {
