@@ -118,13 +118,8 @@ void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
 
 bool EntryReader::CheckLocalName(std::string_view what, const YamlNode::Pair& pair) {
   CheckName(what, pair.key, pair.mark, reading_.findings);
-  if (IsReserved(pair.key)) {
-    reading_.findings.Add(
-        Code::kSpecBadName, pair.mark,
-        fmt::format("'{}' is a word of the expression language; a {} needs another name", pair.key,
-                    what));
+  if (!CheckNotReserved(fmt::format("a {}", what), pair.key, pair.mark, reading_.findings))
     return false;
-  }
   if (reading_.spec.names.Find(pair.key) == nullptr) return true;
   reading_.findings.Add(Code::kSpecDuplicateName, pair.mark,
                         fmt::format("{} '{}' hides another name", what, pair.key));

@@ -44,12 +44,7 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading)
     reading.findings.Add(code, mark, std::move(message));
     return false;
   };
-  if (IsReserved(formula.name)) {
-    return fail(
-        Code::kSpecBadName,
-        fmt::format("'{}' is a word of the expression language; a function needs another name",
-                    formula.name));
-  }
+  if (!CheckNotReserved("a function", formula.name, mark, reading.findings)) return false;
   if (reading.spec.names.FindFormula(formula.name) != nullptr)
     return fail(Code::kSpecDuplicateName,
                 fmt::format("two functions are named '{}'", formula.name));
@@ -59,12 +54,7 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading)
   }
   std::set<std::string_view> seen;
   for (const std::string& argument : formula.arguments) {
-    if (IsReserved(argument)) {
-      return fail(
-          Code::kSpecBadName,
-          fmt::format("'{}' is a word of the expression language; an argument needs another name",
-                      argument));
-    }
+    if (!CheckNotReserved("an argument", argument, mark, reading.findings)) return false;
     if (!seen.insert(argument).second) {
       return fail(Code::kSpecDuplicateName,
                   fmt::format("two arguments of '{}' are named '{}'", formula.name, argument));
@@ -131,12 +121,19 @@ void BreakCircles(Reading& reading) {
 
 }  // namespace
 
-bool IsReserved(std::string_view name) {
+bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
+                      diag::Findings& findings) {
   static constexpr std::array<std::string_view, 7> kWords = {"index", "pi", "true", "false",
                                                              "and",   "or", "not"};
-  if (std::ranges::find(kWords, name) != kWords.end()) return true;
-  return std::ranges::any_of(expr::Functions(),
-                             [&](const expr::Function& function) { return function.name == name; });
+  if (std::ranges::find(kWords, name) == kWords.end() &&
+      std::ranges::none_of(expr::Functions(),
+                           [&](const expr::Function& function) { return function.name == name; })) {
+    return true;
+  }
+  findings.Add(
+      Code::kSpecBadName, mark,
+      fmt::format("'{}' is a word of the expression language; {} needs another name", name, what));
+  return false;
 }
 
 void ReadFunctions(const YamlNode& functions, Reading& reading) {

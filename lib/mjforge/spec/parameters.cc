@@ -25,12 +25,7 @@ bool IsLongForm(const YamlNode& node) {
 
 void CheckParameterName(const YamlNode::Pair& pair, Reading& reading) {
   CheckName("parameter", pair.key, pair.mark, reading.findings);
-  if (IsReserved(pair.key)) {
-    reading.findings.Add(Code::kSpecBadName, pair.mark,
-                         fmt::format("'{}' is a word of the expression language; a parameter needs "
-                                     "another name",
-                                     pair.key));
-  }
+  CheckNotReserved("a parameter", pair.key, pair.mark, reading.findings);
   if (reading.spec.names.FindFormula(pair.key) != nullptr) {
     reading.findings.Add(Code::kSpecDuplicateName, pair.mark,
                          fmt::format("'{}' is the name of a function, too", pair.key));

@@ -52,8 +52,10 @@ const Field* FindField(std::span<const Field> fields, Key id);
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
-/// Whether it means something in every expression: `pi`, `min`, `and`.
-bool IsReserved(std::string_view name);
+/// Whether the name of `what` ("a parameter") is not one that means something in every expression:
+/// `pi`, `min`, `and`. Else a finding.
+bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
+                      diag::Findings& findings);
 
 /// Reads functions:, which expressions may call from here on.
 void ReadFunctions(const YamlNode& functions, Reading& reading);
