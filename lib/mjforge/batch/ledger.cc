@@ -46,7 +46,8 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   return seal;
 }
 
-// What is left of a line after the words that were read; names may have spaces.
+// What is left of a line after the words that were read; names may have spaces. Empty if words were
+// missing.
 std::string RestOf(std::string_view line, std::istringstream& words) {
   const std::streamoff at = words.tellg();
   return std::string(at < 0 ? std::string_view() : line.substr(static_cast<std::size_t>(at) + 1));
@@ -149,8 +150,8 @@ bool Ledger::ReadLine(std::string_view line) {
   if (kind == "asset") {
     Asset asset;
     words >> asset.sha256;
-    if (!words) return false;
     asset.name = RestOf(line, words);
+    if (asset.name.empty()) return false;
     if (begun_->spec == seal_.spec) made_assets_.insert(asset.sha256);
     assets_.push_back(std::move(asset));
     return true;
@@ -158,8 +159,8 @@ bool Ledger::ReadLine(std::string_view line) {
   if (kind == "closed") {
     SealedFile file;
     words >> file.whole.size >> file.whole.checksum;
-    if (!words) return false;
     file.file = RestOf(line, words);
+    if (file.file.empty()) return false;
     made_.insert(file.file);
     closed_.push_back(std::move(file));
     return true;

@@ -342,14 +342,14 @@ class Grammar : Cursor {
     if (const auto count = static_cast<int>(read.size()); count != arity)
       return Fail(WrongCount(name, arity, count, formula.Usage()));
     parsed_.formulas.insert(formula.name);
-    std::vector<std::pair<int, std::uint64_t>> operands;
+    Parts::Call call = {&formula, {}};
     Arguments arguments;
     for (std::size_t i = 0; i < read.size(); ++i) {
-      const Operand& operand = read[i].value;
-      operands.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant));
+      const auto& [operand, type, word] = read[i];
+      call.second.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant), type);
       arguments.emplace(formula.arguments[i], read[i]);
     }
-    const auto known = parts_.made.find({&formula, operands});
+    const auto known = parts_.made.find(call);
     if (known != parts_.made.end()) return known->second;
     const Level level(*this);
     if (level.too_deep()) return Fail(TooDeep(name, kMaxDepth));
@@ -358,7 +358,7 @@ class Grammar : Cursor {
         parts_.calls > kMaxCalls ? std::nullopt : Inline(formula, std::move(arguments));
     // Of all the calls, the one in the expression itself is shown.
     if (parts_.calls > kMaxCalls) return Fail(TooManyCalls(name, kMaxCalls));
-    if (result) parts_.made.emplace(std::pair(&formula, std::move(operands)), *result);
+    if (result) parts_.made.emplace(std::move(call), *result);
     return result;
   }
 

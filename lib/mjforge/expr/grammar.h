@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct Typed {
 
 /// What an expression and the functions in it have in common.
 struct Parts {
-  using Call = std::pair<const Formula*, std::vector<std::pair<int, std::uint64_t>>>;
+  /// A function, and of each argument its step, its bits, its type.
+  using Call = std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type>>>;
 
   const Names& names;
   Parsed& parsed;

@@ -17,6 +17,7 @@ using diag::Code;
 constexpr long kMaxSteps = 1'000'000;
 
 void SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
+  if (entry.locals.empty()) return;
   const std::string name = values.Text(entry.name, list);
   const sample::StreamId path = sample::Child(sample::Child(list, std::string_view(name)), "let");
   for (const spec::Local& local : entry.locals)
@@ -80,17 +81,11 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
                       sample::StreamId list, const std::function<void()>& visit) {
   const std::size_t before = findings_.size();
   if (depth == entry.loops.size()) {
-    const auto set_locals = [&] {
-      if (!entry.locals.empty()) SetLocals(entry, values, list);
-      return true;
-    };
-    const auto exists = [&] {
-      return !entry.condition || values.Condition(*entry.condition, entry.mark);
-    };
+    if (entry.condition_uses_locals) SetLocals(entry, values, list);
+    const bool exists = !entry.condition || values.Condition(*entry.condition, entry.mark);
     // An instance that is not there may have values that cannot be computed.
-    const bool is_there =
-        entry.condition_uses_locals ? set_locals() && exists() : exists() && set_locals();
-    if (is_there && findings_.size() == before) visit();
+    if (exists && !entry.condition_uses_locals) SetLocals(entry, values, list);
+    if (exists && findings_.size() == before) visit();
     return !HasErrorsSince(findings_, before);
   }
   const spec::Loop& loop = entry.loops[depth];

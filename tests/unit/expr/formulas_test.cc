@@ -44,6 +44,14 @@ TEST_CASE("a function is its body with the arguments in their places") {
   CHECK(Expression::Compile("twice(3)", names, error)->constant() == 6);
 }
 
+TEST_CASE("a call with a number is not one with a boolean") {
+  const Names names = NamesWith({{"same", {"x"}, "x"}});
+  Error error;
+  const auto expression = Expression::Compile("same(1) > 0 ? same(true) : false", names, error);
+  REQUIRE(expression);
+  CHECK(expression->type() == Type::kBoolean);
+}
+
 TEST_CASE("an expression says which functions it calls, and what they read") {
   const Names names = NamesWith({{"f", {"x"}, "x + r"}, {"g", {"x"}, "f(x)"}, {"h", {"x"}, "x"}});
   Error error;
