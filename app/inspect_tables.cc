@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "inspect.h"
 #include "table.h"
@@ -23,6 +24,8 @@ std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return Number(*number);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
+    return fmt::format("{}", fmt::join(*texts, ", "));
   return NumbersText(std::get<std::vector<double>>(value));
 }
 

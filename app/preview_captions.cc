@@ -63,7 +63,10 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
   std::vector<double> numbers;
   for (const Record& record : records) {
     const ParameterValue& value = record.params[parameter].second;
-    if (std::holds_alternative<std::vector<double>>(value)) return {};
+    if (std::holds_alternative<std::vector<double>>(value) ||
+        std::holds_alternative<std::vector<std::string>>(value)) {
+      return {};
+    }
     texts.insert(TextOf(value, unit));
     if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
   }

@@ -17,6 +17,7 @@ set(mjforge_dependencies
   "GIF 5.2"
   "WebP"
   "ccd 2"
+  "csv"
   "Random123"
   "xxhash"
   "ctemplate")  # HTML that escapes by itself

@@ -71,6 +71,7 @@ const std::array kLibraries = {
     // validate: points over joint ranges; physics: points in parts
     Library{"boost/random/", {"sample", "validate", "physics"}},
     Library{"ccd/", {"physics"}},
+    Library{"csv.h", {"spec"}},
     Library{"ctemplate/", {"report"}},
     Library{
         "fmt/",

@@ -28,6 +28,8 @@ int Compare(Loaded& loaded, Options options, std::uint64_t first, std::uint64_t 
 class Written {
  public:
   Written();
+  /// A file beside the spec.
+  void Write(const std::string& name, const std::string& text) const { folder_.Write(name, text); }
   Loaded Load(const std::string& text) const { return Loaded(folder_.Write("spec.yaml", text)); }
 
  private:

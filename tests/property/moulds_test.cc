@@ -121,6 +121,70 @@ TEST_CASE("functions, local values and chosen texts are the same from moulds") {
   CompareForTargets(loaded, 4, 400, 101);
 }
 
+TEST_CASE("lists and records are the same from moulds") {
+  const Written written;
+  written.Write(
+      "inner.yaml",
+      "mjforge: 1\n"
+      "name: inner\n"
+      "params: {w: [1, 2, 3, 4, 5], c: [a, b], s: {choice: [{n: p, l: 0.1}, {n: q, l: 0.2}]}}\n"
+      "parts:\n"
+      "  - {for: {i: len(w)}, name: 'r_${i}', type: sphere, size: 'w[i] / 10 + s.l'}\n"
+      "  - {for: {k: c}, name: 'c_${k}', type: sphere, size: 'sum(w) / 100'}\n");
+  Loaded loaded = written.Load(
+      "mjforge: 1\n"
+      "name: outer\n"
+      "params:\n"
+      "  n: {integer: [1, 3]}\n"
+      "  w: {each: 0.1 .. 0.2, count: n}\n"
+      "  o: {shuffle: w}\n"
+      "  f: {sample: [1, 2], count: 1}\n"
+      "  l: [1, 2, 3, 4, 5]\n"
+      "  c: {shuffle: [red, green]}\n"
+      "  s: {choice: [{n: p, l: 0.1 .. 0.2, m: [x, y]}, {n: q, l: 0.2, m: [z]}]}\n"
+      "parts:\n"
+      "  - {for: {i: n}, name: 'p_${i}', type: box, size: ['w[i]', 'o[i]', s.l],\n"
+      "     pos: ['sum(w, i)', 'min(w)', 'max(w, 0.15)'], rgba: [\"c[0] == 'red' ? 1 : 0\", 0, 0, "
+      "1]}\n"
+      "  - {for: {x: f}, name: 'f_${x}', type: sphere, size: x / 10}\n"
+      "  - {for: {v: l, k: s.m}, name: 'v_${k}_${v}', type: sphere, size: v * s.l}\n"
+      "  - {name: '${c[0]}', type: sphere, size: 0.1}\n"
+      "bodies:\n"
+      "  - {name: b, spec: inner.yaml, params: {w: w, c: s.m, s: \"${n > 2 ? 'p' : 'q'}\"}}\n"
+      "  - {name: d, spec: inner.yaml, params: {w: [s.l, 'w[0]'], c: {shuffle: [a, b]}}}\n"
+      "  - {name: e, spec: inner.yaml, params: {w: {each: 1 .. n, count: n}, s.l: s.l}}\n");
+  CompareForTargets(loaded, 4, 300, 10);
+}
+
+TEST_CASE("shared parameters and materials handed in are the same from moulds") {
+  const Written written;
+  written.Write(
+      "fit.yaml",
+      "mjforge: 1\n"
+      "params: {gap: 0.01 .. 0.02, k: {choice: [{n: a, h: 0.1 .. 0.2}, {n: b, h: 0.3}]}}\n"
+      "require: gap < 0.018\n");
+  written.Write("peg.yaml",
+                "mjforge: 1\n"
+                "name: peg\n"
+                "import: fit.yaml\n"
+                "parts: [{name: shaft, type: cylinder, size: [0.1 - gap, k.h], material: body}]\n"
+                "materials: {body: {rgba: [0.1 .. 1, 0, 0, 1], density: 500 .. 600}}\n");
+  Loaded loaded = written.Load(
+      "mjforge: 1\n"
+      "name: board\n"
+      "import: fit.yaml\n"
+      "params: {a: 0 .. 1}\n"
+      "require: a > 0.5\n"
+      "materials: {oak: {rgba: [0, a, 0, 1], density: 700 + a}, pine: {density: {uniform: [1, "
+      "2]}}}\n"
+      "parts: [{name: plate, type: box, size: [1, gap, k.h], material: pine}]\n"
+      "bodies:\n"
+      "  - {name: p, spec: peg.yaml}\n"
+      "  - {name: q, spec: peg.yaml, params: {gap: gap / 2},\n"
+      "     materials: {body: \"${a > 0.7 ? 'oak' : 'pine'}\"}}\n");
+  CompareForTargets(loaded, 4, 300, 100);
+}
+
 TEST_CASE("failing variants between good ones are the same from moulds") {
   const Written written;
   Loaded loaded = written.Load(

@@ -72,6 +72,7 @@ Error MissingValue(std::span<const Word> words, std::size_t at) {
   const bool adjacent = before && before->offset + before->text.size() == word.offset;
   std::string hint;
   if (adjacent && word.IsSign("*") && before->IsSign("*")) hint = "write ^ for a power";
+  if (word.IsSign("[")) hint = "an expression gives one value, not a list";
   if (adjacent && word.IsSign("=") && !before->IsSign("(")) {
     hint = "the comparisons are == != < <= > >=";
   }
@@ -103,6 +104,8 @@ Error Unexpected(std::span<const Word> words, std::size_t at, const Names& names
                 : std::string());
   }
   if (word.text == ":") return Syntax(word, "':' has no '?' before it");
+  if (word.text == "[") return Syntax(word, "only a list or a vector has items");
+  if (word.text == "]") return Syntax(word, "']' has no '[' before it");
   return Syntax(word, fmt::format("'{}' has no '(' before it", word.text));
 }
 
@@ -174,6 +177,26 @@ Error WrongComponent(const Word& word, const Names::Variable& variable,
                         variable.components, component);
   return {Code::kExprType, word.offset, std::move(message),
           fmt::format("use {}", ComponentList(variable))};
+}
+
+Error WholeList(const Word& word) {
+  const std::string_view name = word.text;
+  return {Code::kExprType, word.offset,
+          fmt::format("'{}' is a list; an expression needs a single value", name),
+          fmt::format("write {0}[i], sum({0}), len({0}), min({0}) or max({0})", name)};
+}
+
+Error NotAList(const Word& word, std::string_view usage) {
+  return {Code::kExprType, word.offset, fmt::format("'{}' is not the name of a list", word.text),
+          fmt::format("write {}", usage)};
+}
+
+Error NoSuchElement(const Word& word, double index, int count) {
+  return {Code::kExprOutOfRange,
+          word.offset,
+          fmt::format("there is no {}[{}]: '{}' has {} values, counted from 0", word.text,
+                      NumberText(index), word.text, count),
+          {}};
 }
 
 Error MisusedText(const Word& word) {

@@ -27,6 +27,12 @@ Error UnknownUnit(const Word& word, const Names& names);
 /// A component a variable does not have (`component` empty: a vector used whole).
 Error WrongComponent(const Word& word, const Names::Variable& variable, std::string_view component);
 
+/// A list where a single value should be.
+Error WholeList(const Word& word);
+/// Something else where a list should be. `usage`: how the function is written.
+Error NotAList(const Word& word, std::string_view usage);
+/// A vector of `count` components has none of this number.
+Error NoSuchElement(const Word& word, double index, int count);
 /// A text that is not an operand of == or !=.
 Error MisusedText(const Word& word);
 /// A text compared with a number or a boolean.

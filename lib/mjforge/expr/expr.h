@@ -4,8 +4,6 @@
 // Nothing here depends on the locale.
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/expr/names.h"
 
 namespace mjforge::expr {
 
@@ -41,54 +40,19 @@ constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 /// The words of a text, separated by spaces or line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 
-enum class Type { kNumber, kBoolean, kText };
-std::string_view TypeName(Type type);  // "number", "boolean", "text"
-
-/// The number that represents a text among an expression's variables: 52 bits of the text's XXH64.
-/// Equal texts have equal numbers; different texts in practice never do.
-double TextKey(std::string_view text);
-
-/// A function that a spec defines: an expression of its arguments, which are numbers, and of the
-/// names in scope. It must not call itself, by others neither.
-struct Formula {
-  std::string name;
-  std::vector<std::string> arguments;
-  std::string body;
-  diag::SourceMark mark = {};  // of the body
-
-  std::string Usage() const;  // "bulge(z)"
-};
-
-/// The names an expression may use, and the slot of each in the array of
-/// variables that Evaluate() takes. A vector `v` of n components fills n slots,
-/// read as `v.x v.y v.z v.w`; booleans are 0 and 1; texts are TextKey()s.
-/// Slots are never reused: forgetting a name leaves a hole.
-class Names {
+/// The numbers of a list (of texts their TextKey()s), and the sums of its first ones.
+class Sequence {
  public:
-  struct Variable {
-    std::string name;
-    Type type = Type::kNumber;
-    int slot = 0;
-    int components = 1;
-  };
+  Sequence() : Sequence(std::vector<double>()) {}
+  explicit Sequence(std::vector<double> numbers);
 
-  /// Returns the first slot. The name must not be declared already.
-  int Declare(std::string name, Type type, int components = 1);
-  /// Ends a name's scope (a loop's variable).
-  void Forget(std::string_view name);
-  const Variable* Find(std::string_view name) const;
-  /// Adds a function; one of that name is replaced.
-  void Define(Formula formula);
-  const Formula* FindFormula(std::string_view name) const;
-  const std::map<std::string, Formula, std::less<>>& formulas() const { return formulas_; }
-  /// The variables in scope, sorted by name.
-  std::vector<const Variable*> variables() const;
-  int slot_count() const { return slot_count_; }
+  const std::vector<double>& numbers() const { return numbers_; }
+  /// Of the first `count`, of [0, size], added one after the other.
+  double SumOf(std::size_t count) const { return sums_[count]; }
 
  private:
-  std::map<std::string, Variable, std::less<>> variables_;
-  std::map<std::string, Formula, std::less<>> formulas_;
-  int slot_count_ = 0;
+  std::vector<double> numbers_;
+  std::vector<double> sums_;  // of none, of the first, of the first two, ...
 };
 
 struct Error {
@@ -105,9 +69,10 @@ class Program;  // private to the room
 class Expression {
  public:
   struct Input {
-    std::string name;  // as written: "r", "size.x"
+    std::string name;  // as written: "r", "size.x"; of a list or vector used whole, its name
     int slot = 0;
-    Type type = Type::kNumber;
+    Type type = Type::kNumber;  // of a list, its items'
+    int list = -1;
   };
 
   const std::string& text() const { return text_; }
@@ -121,11 +86,15 @@ class Expression {
   /// The value if there are no inputs.
   std::optional<double> constant() const { return constant_; }
 
-  /// Variables by the slots of the Names it was compiled with. The result may
-  /// be NaN or infinite: the caller reports it with the inputs' values.
-  double Evaluate(std::span<const double> variables) const {
-    return constant_ ? *constant_ : Run(variables);
+  /// Variables by the slots of the Names it was compiled with, and its lists. The result may
+  /// be NaN or infinite: the caller reports it with the inputs' values. What is computed from NaN
+  /// is NaN.
+  double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
+    return constant_ ? *constant_ : Run(variables, lists);
   }
+  /// Which list has too few values ("there is no widths[7]: 'widths' has 5 values"); empty: none.
+  std::string WhatIsMissing(std::span<const double> variables,
+                            std::span<const Sequence> lists) const;
 
   enum class Result { kNoText, kAny };
   /// Compiles `text`. On failure returns nothing and fills `error`.
@@ -135,7 +104,7 @@ class Expression {
 
  private:
   Expression() = default;
-  double Run(std::span<const double> variables) const;
+  double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
 
   std::string text_;
   Type type_ = Type::kNumber;
@@ -150,6 +119,10 @@ class Expression {
 /// first use, vectors without their component; nothing if it cannot be split
 /// into words. For the graph of parameters, before anything is declared.
 std::vector<std::string> NamesUsedIn(std::string_view text);
+
+/// Whether a name means something in every expression, so that nothing else may have it: `pi`,
+/// `min`, `and`.
+bool IsReserved(std::string_view name);
 
 /// The functions and constants an expression may use, sorted; each with one
 /// line of explanation, for messages and the manual.

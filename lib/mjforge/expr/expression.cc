@@ -1,9 +1,34 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "mjforge/expr/expr.h"
 #include "mjforge/expr/grammar.h"
 
 namespace mjforge::expr {
 
-double Expression::Run(std::span<const double> variables) const { return program_->Run(variables); }
+double Expression::Run(std::span<const double> variables, std::span<const Sequence> lists) const {
+  return program_->Run(variables, lists);
+}
+
+std::string Expression::WhatIsMissing(std::span<const double> variables,
+                                      std::span<const Sequence> lists) const {
+  const auto miss = program_->FindMiss(variables, lists);
+  if (!miss) return {};
+  const auto input = std::ranges::find_if(inputs_, [&](const Input& one) {
+    return one.slot == miss->list.slot && one.list == miss->list.list;
+  });
+  const bool is_vector = input->list < 0;  // "size.x"
+  const std::string name = is_vector ? input->name.substr(0, input->name.rfind('.')) : input->name;
+  const std::string has =
+      fmt::format("'{}' has {} value{}", name, miss->size, miss->size == 1 ? "" : "s");
+  if (miss->callee == FindListCallee("[]"))
+    return fmt::format("there is no {}[{}]: {}, counted from 0", name, NumberText(miss->argument),
+                       has);
+  if (miss->callee == FindListCallee("sum"))
+    return fmt::format("there are no first {} of '{}': {}", NumberText(miss->argument), name, has);
+  return fmt::format("'{}' has no values, so there is no {} of them", name, miss->callee->name);
+}
 
 std::optional<Expression> Expression::Compile(std::string_view text, const Names& names,
                                               Error& error, Result result) {

@@ -22,15 +22,17 @@ constexpr std::array kFunctions = {
     Function{"exp", "exp(x)", "e to the power of x"},
     Function{"false", "false", "the boolean false"},
     Function{"floor", "floor(x)", "x rounded down to a whole number"},
+    Function{"len", "len(list)", "how many values a list has"},
     Function{"lerp", "lerp(a, b, t)", "from a at t = 0 to b at t = 1"},
     Function{"log", "log(x)", "natural logarithm"},
-    Function{"max", "max(x, ...)", "the largest of its arguments"},
-    Function{"min", "min(x, ...)", "the smallest of its arguments"},
+    Function{"max", "max(x, ...)", "the largest of its arguments, or of a list"},
+    Function{"min", "min(x, ...)", "the smallest of its arguments, or of a list"},
     Function{"pi", "pi", "3.14159..., half a turn in rad"},
     Function{"round", "round(x)", "the nearest whole number, halves away from 0"},
     Function{"sign", "sign(x)", "-1, 0 or 1"},
     Function{"sin", "sin(x)", "sine of an angle in rad"},
     Function{"sqrt", "sqrt(x)", "square root"},
+    Function{"sum", "sum(list, n)", "the sum of a list, or of its first n values"},
     Function{"tan", "tan(x)", "tangent of an angle in rad"},
     Function{"true", "true", "the boolean true"},
 };
@@ -47,7 +49,10 @@ double Least(double a, double b) { return b < a || std::isnan(b) ? b : a; }
 
 double Most(double a, double b) { return b > a || std::isnan(b) ? b : a; }
 
-double Clamp(double x, double lo, double hi) { return x < lo ? lo : x > hi ? hi : x; }
+double Clamp(double x, double lo, double hi) {
+  if (std::isnan(lo) || std::isnan(hi)) return lo + hi;
+  return x < lo ? lo : x > hi ? hi : x;
+}
 
 // Exact at both ends, which a + t * (b - a) is not.
 double Lerp(double a, double b, double t) { return std::lerp(a, b, t); }
@@ -57,12 +62,24 @@ double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
 using One = Callee::One;
 using Two = Callee::Two;
 
+// What is not a number is neither true nor false.
+double Truth(bool value, double a, double b = 0) {
+  return std::isnan(a) || std::isnan(b) ? a + b : value ? 1 : 0;
+}
+
+// What the first one settles does not need the second.
+double And(double a, double b) { return a == 0 ? 0 : Truth(b != 0, a, b); }
+
+double Or(double a, double b) { return Truth(a != 0, a) == 1 ? 1 : Truth(b != 0, a, b); }
+
+double Choose(double condition, double a, double b) {
+  return std::isnan(condition) ? condition : condition == 0 ? b : a;
+}
+
 const std::array kUnaryOperators = {
-    Callee{"!", One([](double x) { return x == 0 ? 1.0 : 0.0; })},
+    Callee{"!", One([](double x) { return Truth(x == 0, x); })},
     Callee{"-", One([](double x) { return -x; })},
 };
-
-double Truth(bool value) { return value ? 1 : 0; }
 
 const std::array kOperators = {
     Callee{"+", Two([](double a, double b) { return a + b; })},
@@ -72,15 +89,15 @@ const std::array kOperators = {
     // The remainder with the sign of `a`.
     Callee{"%", Two(std::fmod)},
     Callee{"^", Two(std::pow)},
-    Callee{"<", Two([](double a, double b) { return Truth(a < b); })},
-    Callee{"<=", Two([](double a, double b) { return Truth(a <= b); })},
-    Callee{">", Two([](double a, double b) { return Truth(a > b); })},
-    Callee{">=", Two([](double a, double b) { return Truth(a >= b); })},
-    Callee{"==", Two([](double a, double b) { return Truth(a == b); })},
-    Callee{"!=", Two([](double a, double b) { return Truth(a != b); })},
-    Callee{"&&", Two([](double a, double b) { return Truth(a != 0 && b != 0); })},
-    Callee{"||", Two([](double a, double b) { return Truth(a != 0 || b != 0); })},
-    Callee{"?", [](double condition, double a, double b) { return condition == 0 ? b : a; }},
+    Callee{"<", Two([](double a, double b) { return Truth(a < b, a, b); })},
+    Callee{"<=", Two([](double a, double b) { return Truth(a <= b, a, b); })},
+    Callee{">", Two([](double a, double b) { return Truth(a > b, a, b); })},
+    Callee{">=", Two([](double a, double b) { return Truth(a >= b, a, b); })},
+    Callee{"==", Two([](double a, double b) { return Truth(a == b, a, b); })},
+    Callee{"!=", Two([](double a, double b) { return Truth(a != b, a, b); })},
+    Callee{"&&", And},
+    Callee{"||", Or},
+    Callee{"?", Choose},
 };
 
 const std::array kCallees = {

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/expr/complaints.h"
-#include "mjforge/expr/cursor.h"
+#include "mjforge/expr/operands.h"
 #include "mjforge/expr/units.h"
 #include "mjforge/expr/words.h"
 
@@ -26,8 +26,6 @@ constexpr int kMaxDepth = 200;
 // Functions that call others with different arguments each time would make 2^n steps.
 constexpr int kMaxCalls = 1000;
 
-using Result = std::optional<Typed>;
-
 // Recursive descent, loosest operator first; one function a level:
 //   choice:     any ? choice : choice
 //   any:        all (or all)*
@@ -39,17 +37,10 @@ using Result = std::optional<Typed>;
 //   power:      primary (^ signed)?
 // Each adds its steps to the program on the way. A call of a spec's function reads the function's
 // body, with what its arguments are.
-class Grammar : Cursor {
+class Grammar : Operands {
  public:
-  using Arguments = std::map<std::string_view, Typed>;
-
   Grammar(std::string_view text, std::vector<Word> words, Parts& parts, Arguments arguments = {})
-      : Cursor(text, std::move(words)),
-        parts_(parts),
-        names_(parts.names),
-        parsed_(parts.parsed),
-        error_(parts.error),
-        arguments_(std::move(arguments)) {}
+      : Operands(text, std::move(words), parts, std::move(arguments)), parts_(parts) {}
 
   Result Run(Expression::Result wanted = Expression::Result::kNoText) {
     const Result result = Choice();
@@ -74,23 +65,7 @@ class Grammar : Cursor {
     int& depth_;
   };
 
-  Result Fail(Error error) {
-    error_ = std::move(error);
-    return std::nullopt;
-  }
-
-  Result FailText(const Typed& operand) { return Fail(MisusedText(words_[operand.word])); }
-
   Result FailDepth() { return Fail(TooDeep(Now(), kMaxDepth)); }
-
-  Typed Literal(double value, Type type) const {
-    return {.value = {.constant = value}, .type = type, .word = at_ - 1};
-  }
-
-  Typed Applied(const Callee& callee, Type type, std::initializer_list<Operand> operands) {
-    return {.value = parsed_.program.Apply(callee, {operands.begin(), operands.size()}),
-            .type = type};
-  }
 
   Result Choice() {
     const Level level(*this);
@@ -220,8 +195,7 @@ class Grammar : Cursor {
         return Number();
       case Word::Kind::kText:
         ++at_;
-        parsed_.texts.emplace_back(word.text);
-        return Literal(TextKey(word.text), Type::kText);
+        return Quoted(word);
       case Word::Kind::kName:
         if (word.text == "and" || word.text == "or" || word.text == "not") break;
         return Name();
@@ -248,77 +222,83 @@ class Grammar : Cursor {
     ++at_;
     const Result inner = Choice();
     if (!inner) return inner;
-    if (!Take(")")) return FailOpen(open);
+    if (!Take(")")) return FailOpen(open, "'(' is not closed");
     return inner;
   }
 
-  Result FailOpen(std::size_t open) {
+  Result FailOpen(std::size_t open, std::string_view message) {
     if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_));
-    return Fail({Code::kExprSyntax, open, "'(' is not closed", {}});
+    return Fail({Code::kExprSyntax, open, std::string(message), {}});
   }
 
   Result Name() {
     const Word& word = Now();
     if (words_[at_ + 1].IsSign("(")) {
       if (const Callee* callee = FindCallee(word.text)) return Call(*callee);
-      const Formula* formula = names_.FindFormula(word.text);
-      return formula ? Call(*formula) : Fail(NotAFunction(word, names_));
+      if (const Formula* formula = names_.FindFormula(word.text)) return Call(*formula);
+      const ListCallee* list_callee = FindListCallee(word.text);
+      return list_callee ? ListCall(*list_callee) : Fail(NotAFunction(word, names_));
     }
+    if (IsListAt(at_) && words_[at_ + 1].IsSign("[")) return Element();
     ++at_;
-    if (const auto argument = arguments_.find(word.text); argument != arguments_.end())
-      return Typed{argument->second.value, argument->second.type, at_ - 1};
-    if (const Names::Variable* variable = names_.Find(word.text)) {
-      if (variable->components > 1) return Fail(WrongComponent(word, *variable, {}));
-      return Input(word, *variable, 0);
-    }
-    if (const Constant* constant = FindConstant(word.text)) {
-      return Literal(constant->value, constant->is_boolean ? Type::kBoolean : Type::kNumber);
-    }
-    const std::size_t dot = word.text.rfind('.');
-    if (dot != std::string_view::npos) {
-      if (const Names::Variable* vector = names_.Find(word.text.substr(0, dot))) {
-        return Component(word, *vector, word.text.substr(dot + 1));
-      }
-    }
-    return Fail(UnknownName(word, names_, beside_text_));
+    return Named(word, beside_text_);
   }
 
-  Result Component(const Word& word, const Names::Variable& vector, std::string_view component) {
-    const std::size_t index = std::string_view("xyzw").find(component);
-    if (component.size() != 1 || index == std::string_view::npos || vector.components == 1 ||
-        static_cast<int>(index) >= vector.components) {
-      return Fail(WrongComponent(word, vector, component));
-    }
-    return Input(word, vector, static_cast<int>(index));
+  // list[index]
+  Result Element() {
+    const Word& name = Now();
+    const std::size_t open = words_[++at_].offset;
+    ++at_;
+    const Level level(*this);
+    if (level.too_deep()) return FailDepth();
+    const Result index = Choice();
+    if (!index) return index;
+    if (index->type == Type::kText) return FailText(*index);
+    if (!Take("]")) return FailOpen(open, "'[' is not closed");
+    return ElementOf(name, *index);
   }
 
-  Result Input(const Word& word, const Names::Variable& variable, int component) {
-    const int slot = variable.slot + component;
-    if (std::ranges::find(parsed_.inputs, slot, &Expression::Input::slot) == parsed_.inputs.end()) {
-      parsed_.inputs.push_back({std::string(word.text), slot, variable.type});
+  // sum(list), sum(list, n), len(list)
+  Result ListCall(const ListCallee& callee) {
+    const Word& function = Now();
+    const std::size_t open = words_[at_ + 1].offset;
+    at_ += 2;
+    const std::size_t list = at_;
+    if (!IsListAt(at_)) return Fail(NotAList(Now(), UsageOf(function.text)));
+    ++at_;
+    std::optional<Typed> count;
+    if (callee.name == "sum" && Take(",")) {
+      count = Choice();
+      if (!count) return count;
+      if (count->type == Type::kText) return FailText(*count);
     }
-    return Typed{parsed_.program.Variable(slot), variable.type, at_ - 1};
+    if (Now().IsSign(",")) return Fail(WrongCount(function, 1, 2, UsageOf(function.text)));
+    if (!Take(")")) return FailOpen(open, "'(' is not closed");
+    return OfList(callee, list, count ? &*count : nullptr);
   }
 
-  // What is in the parentheses of a call, read to its end. False after an error.
-  bool ReadArguments(std::vector<Typed>& arguments) {
+  // What is in the parentheses of a call, read to its end; a list is what `of_list`, if any, gives.
+  // False after an error.
+  bool ReadArguments(const ListCallee* of_list, std::vector<Typed>& arguments) {
     const std::size_t open = words_[at_ + 1].offset;
     at_ += 2;
     if (!Now().IsSign(")")) {
       do {
-        const Result argument = Choice();
+        const bool is_list = of_list != nullptr && IsListAt(at_) &&
+                             (words_[at_ + 1].IsSign(",") || words_[at_ + 1].IsSign(")"));
+        const Result argument = is_list ? OfList(*of_list, at_++, nullptr) : Choice();
         if (!argument) return false;
         if (argument->type == Type::kText) return FailText(*argument).has_value();
         arguments.push_back(*argument);
       } while (Take(","));
     }
-    return Take(")") || FailOpen(open).has_value();
+    return Take(")") || FailOpen(open, "'(' is not closed").has_value();
   }
 
   Result Call(const Callee& callee) {
     const Word& name = Now();
     std::vector<Typed> read;
-    if (!ReadArguments(read)) return std::nullopt;
+    if (!ReadArguments(FindListCallee(callee.name), read)) return std::nullopt;
     std::vector<Operand> arguments(read.size());
     std::ranges::transform(read, arguments.begin(), &Typed::value);
     const int arity = callee.arity();
@@ -337,7 +317,7 @@ class Grammar : Cursor {
   Result Call(const Formula& formula) {
     const Word& name = Now();
     std::vector<Typed> read;
-    if (!ReadArguments(read)) return std::nullopt;
+    if (!ReadArguments(nullptr, read)) return std::nullopt;
     const auto arity = static_cast<int>(formula.arguments.size());
     if (const auto count = static_cast<int>(read.size()); count != arity)
       return Fail(WrongCount(name, arity, count, formula.Usage()));
@@ -372,10 +352,6 @@ class Grammar : Cursor {
   }
 
   Parts& parts_;
-  const Names& names_;
-  Parsed& parsed_;
-  Error& error_;
-  Arguments arguments_;       // of the function whose body this is
   bool beside_text_ = false;  // the other side of a comparison, already read, is text
 };
 
@@ -390,7 +366,7 @@ bool Parse(std::string_view text, const Names& names, Expression::Result wanted,
   std::vector<Word> words;
   if (!SplitWords(text, words, error)) return false;
   Parts parts{.names = names, .parsed = parsed, .error = error};
-  const Result result = Grammar(text, std::move(words), parts).Run(wanted);
+  const auto result = Grammar(text, std::move(words), parts).Run(wanted);
   if (!result) return false;
   parsed.type = result->type;
   parsed.program.SetResult(result->value);

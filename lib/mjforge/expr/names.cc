@@ -41,12 +41,19 @@ std::string_view TypeName(Type type) {
   return {};
 }
 
-int Names::Declare(std::string name, Type type, int components) {
-  const int slot = slot_count_;
-  slot_count_ += components;
+const Names::Variable& Names::Declare(std::string name, Type type, int components) {
+  const int slot = std::exchange(slot_count_, slot_count_ + components);
   std::string key = name;
-  variables_.insert_or_assign(std::move(key), Variable{std::move(name), type, slot, components});
-  return slot;
+  const auto [at, is_new] = variables_.insert_or_assign(
+      std::move(key), Variable{std::move(name), type, slot, components});
+  return at->second;
+}
+
+const Names::Variable& Names::DeclareList(std::string name, Type type) {
+  Declare(name, type);
+  Variable& variable = variables_.find(name)->second;
+  variable.list = list_count_++;
+  return variable;
 }
 
 void Names::Forget(std::string_view name) {
@@ -56,7 +63,9 @@ void Names::Forget(std::string_view name) {
 
 const Names::Variable* Names::Find(std::string_view name) const {
   const auto found = variables_.find(name);
-  return found == variables_.end() ? nullptr : &found->second;
+  if (found != variables_.end()) return &found->second;
+  const std::size_t dot = name.find('.');
+  return dot != name.npos && unknown_.contains(name.substr(0, dot)) ? &member_ : nullptr;
 }
 
 std::string Formula::Usage() const {

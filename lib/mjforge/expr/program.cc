@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -21,7 +22,8 @@ bool Operand::IsSame(const Operand& other) const {
 
 Operand Program::Add(const Step& step) {
   const auto same = std::ranges::find_if(steps_, [&](const Step& other) {
-    return other.callee == step.callee && other.slot == step.slot &&
+    return other.callee == step.callee && other.list_callee == step.list_callee &&
+           other.slot == step.slot && other.list == step.list &&
            std::ranges::equal(other.operands, step.operands, &Operand::IsSame);
   });
   const auto number = static_cast<int>(same - steps_.begin());
@@ -29,9 +31,7 @@ Operand Program::Add(const Step& step) {
   return {.step = number};
 }
 
-Operand Program::Variable(int slot) {
-  return Add({.callee = nullptr, .slot = slot, .operands = {}});
-}
+Operand Program::Variable(int slot) { return Add({.slot = slot}); }
 
 Operand Program::Apply(const Callee& callee, std::span<const Operand> operands) {
   if (std::ranges::all_of(operands, [](const Operand& operand) { return operand.step < 0; })) {
@@ -39,35 +39,63 @@ Operand Program::Apply(const Callee& callee, std::span<const Operand> operands) 
     std::ranges::transform(operands, values.begin(), &Operand::constant);
     return {.constant = callee.Call(values)};
   }
-  Step step{.callee = &callee, .slot = -1, .operands = {}};
+  Step step{.callee = &callee};
   std::ranges::copy(operands, step.operands.begin());
   return Add(step);
+}
+
+Operand Program::Apply(const ListCallee& callee, const ListSource& list, const Operand& argument) {
+  return Add({.list_callee = &callee, .list = list, .operands = {argument}});
 }
 
 std::optional<double> Program::constant() const {
   return result_.step < 0 ? std::optional(result_.constant) : std::nullopt;
 }
 
-double Program::Run(std::span<const double> variables) const {
+double Program::Run(std::span<const double> variables, std::span<const Sequence> lists) const {
   if (steps_.size() <= kFewSteps) {
     std::array<double, kFewSteps> results;
-    return Run(variables, results);
+    return Run(variables, lists, results);
   }
   std::vector<double> results(steps_.size());
-  return Run(variables, results);
+  return Run(variables, lists, results);
 }
 
-double Program::Run(std::span<const double> variables, std::span<double> results) const {
+double Program::Run(std::span<const double> variables, std::span<const Sequence> lists,
+                    std::span<double> results) const {
   const auto value = [&](const Operand& operand) {
     return operand.step < 0 ? operand.constant : results[static_cast<std::size_t>(operand.step)];
   };
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const auto& [callee, slot, operands] = steps_[i];
-    results[i] = callee == nullptr
-                     ? variables[static_cast<std::size_t>(slot)]
-                     : callee->Call({value(operands[0]), value(operands[1]), value(operands[2])});
+    const auto& [callee, list_callee, slot, list, operands] = steps_[i];
+    if (callee != nullptr) {
+      results[i] = callee->Call({value(operands[0]), value(operands[1]), value(operands[2])});
+    } else if (list_callee != nullptr) {
+      results[i] = list_callee->function(ListValues(list, variables, lists), value(operands[0]));
+    } else {
+      results[i] = variables[static_cast<std::size_t>(slot)];
+    }
   }
   return value(result_);
+}
+
+std::optional<Program::Miss> Program::FindMiss(std::span<const double> variables,
+                                               std::span<const Sequence> lists) const {
+  std::vector<double> results(steps_.size());
+  Run(variables, lists, results);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    if (step.list_callee == nullptr || !std::isnan(results[i])) continue;
+    const Operand& operand = step.operands[0];
+    const double argument =
+        operand.step < 0 ? operand.constant : results[static_cast<std::size_t>(operand.step)];
+    const ListValues values(step.list, variables, lists);
+    const bool has_all =
+        std::ranges::none_of(values.numbers(), [](double n) { return std::isnan(n); });
+    if (has_all && !std::isnan(argument))
+      return Miss{step.list_callee, step.list, argument, values.numbers().size()};
+  }
+  return std::nullopt;
 }
 
 }  // namespace mjforge::expr

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mjforge/expr/functions.h"
+#include "mjforge/expr/lists.h"
 
 namespace mjforge::expr {
 
@@ -26,21 +27,36 @@ class Program {
   Operand Variable(int slot);
   /// As many operands as the function takes, at most three.
   Operand Apply(const Callee& callee, std::span<const Operand> operands);
+  Operand Apply(const ListCallee& callee, const ListSource& list, const Operand& argument);
   void SetResult(const Operand& result) { result_ = result; }
 
   /// The result if no variable has a part in it.
   std::optional<double> constant() const;
-  /// The result for the variables, by slot.
-  double Run(std::span<const double> variables) const;
+  /// The result for the variables, by slot, and the lists.
+  double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
+
+  /// A list that has too few numbers for what is asked of it.
+  struct Miss {
+    const ListCallee* callee;
+    ListSource list;
+    double argument;
+    std::size_t size;
+  };
+  /// The first one of a run.
+  std::optional<Miss> FindMiss(std::span<const double> variables,
+                               std::span<const Sequence> lists) const;
 
  private:
   struct Step {
-    const Callee* callee;  // null: reads the variable
-    int slot;
-    std::array<Operand, 3> operands;
+    const Callee* callee = nullptr;
+    const ListCallee* list_callee = nullptr;  // both null: reads the variable
+    int slot = -1;
+    ListSource list = {};
+    std::array<Operand, 3> operands = {};
   };
   Operand Add(const Step& step);
-  double Run(std::span<const double> variables, std::span<double> results) const;
+  double Run(std::span<const double> variables, std::span<const Sequence> lists,
+             std::span<double> results) const;
 
   std::vector<Step> steps_;
   Operand result_;

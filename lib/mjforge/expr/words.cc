@@ -12,9 +12,9 @@ namespace {
 
 // Longer ones first. `=`, `&`, `|` and `..` mean nothing in an expression, but
 // the grammar has something to say about them.
-constexpr std::array<std::string_view, 24> kSigns = {"..", "<=", ">=", "==", "!=", "&&", "||", "+",
-                                                     "-",  "*",  "/",  "^",  "%",  "(",  ")",  ",",
-                                                     "?",  ":",  "<",  ">",  "!",  "=",  "&",  "|"};
+constexpr std::array<std::string_view, 26> kSigns = {
+    "..", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^", "%",
+    "(",  ")",  "[",  "]",  ",",  "?",  ":",  "<", ">", "!", "=", "&", "|"};
 
 bool IsHexDigit(char c) { return IsDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -138,7 +138,7 @@ class Splitter {
     const std::string_view character = Since(begin);
     std::string hint;
     if (character == "$") hint = "inside an expression write only the name, without ${}";
-    if (character == "[" || character == "{") hint = "an expression gives one value, not a list";
+    if (character == "{") hint = "an expression gives one value, not a list";
     if (character == "×" || character == "·") hint = "write * to multiply";
     if (character == "÷") hint = "write / to divide";
     if (character == "−" || character == "–") hint = "write the ASCII minus sign -";
@@ -162,6 +162,11 @@ bool SplitWords(std::string_view text, std::vector<Word>& words, Error& error) {
   return Splitter(text, words, error).Run();
 }
 
+bool IsReserved(std::string_view name) {
+  return name == "and" || name == "or" || name == "not" || FindCallee(name) != nullptr ||
+         FindConstant(name) != nullptr;
+}
+
 std::vector<std::string> NamesUsedIn(std::string_view text) {
   std::vector<Word> words;
   Error error;
@@ -169,8 +174,7 @@ std::vector<std::string> NamesUsedIn(std::string_view text) {
   if (!SplitWords(text, words, error)) return names;
   for (const Word& word : words) {
     if (word.kind != Word::Kind::kName) continue;
-    if (word.text == "and" || word.text == "or" || word.text == "not") continue;
-    if (FindCallee(word.text) != nullptr || FindConstant(word.text) != nullptr) continue;
+    if (IsReserved(word.text)) continue;
     const std::size_t dot = word.text.rfind('.');
     const bool component = dot != std::string_view::npos && IsComponent(word.text.substr(dot + 1));
     std::string name(component ? word.text.substr(0, dot) : word.text);

@@ -99,6 +99,8 @@ Kind Get(const rapidjson::Value& value, std::vector<T>& list) {
 inline Kind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
   if (value.IsString()) return Get(value, parameter.emplace<std::string>());
   if (value.IsBool()) return Get(value, parameter.emplace<bool>());
+  if (value.IsArray() && !value.Empty() && value[0].IsString())
+    return Get(value, parameter.emplace<std::vector<std::string>>());
   if (value.IsArray()) return Get(value, parameter.emplace<std::vector<double>>());
   return Get(value, parameter.emplace<double>());
 }

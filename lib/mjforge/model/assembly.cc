@@ -141,6 +141,7 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   const bool corner = scope.places_corners();
   Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(at_),
               corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
+  HandIn(scope, entry, path, inner);
   const std::size_t first_part = body().parts.size();
   const std::size_t first_site = body().sites.size();
   const std::size_t first_body = object_.bodies.size();

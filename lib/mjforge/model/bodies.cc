@@ -98,6 +98,7 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     const std::shared_ptr<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
     if (nested == nullptr) return;
     Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
+    HandIn(scope, entry.head, path, inner);
     AddSpec(inner);
     TakeAwayJoints(inner);
     for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {

@@ -13,15 +13,21 @@ using spec::Key;
 
 const MaterialState* Materials::Use(Scope& scope, FieldReader& reader, const spec::Field& field) {
   const std::optional<std::string> name = reader.Text(field);
-  if (!name) return nullptr;
+  return name ? Find(scope, *name, field.value.mark) : nullptr;
+}
+
+const MaterialState* Materials::Find(Scope& scope, const std::string& name, diag::SourceMark mark) {
+  const auto other =
+      std::ranges::find(scope.substitutes, name, &std::pair<std::string, std::string>::first);
+  if (other != scope.substitutes.end()) return Find(*scope.outer, other->second, mark);
   const std::vector<spec::Material>& materials = scope.values.spec().materials;
-  const auto found = std::ranges::find(materials, *name, &spec::Material::name);
+  const auto found = std::ranges::find(materials, name, &spec::Material::name);
   if (found == materials.end()) {
     std::vector<std::string_view> names;
     names.reserve(materials.size());
     for (const spec::Material& material : materials) names.push_back(material.name);
-    findings_.Add(Code::kSpecUnknownMaterial, field.value.mark,
-                  fmt::format("no material {}", Quoted(*name)), diag::DidYouMean(*name, names));
+    findings_.Add(Code::kSpecUnknownMaterial, mark, fmt::format("no material {}", Quoted(name)),
+                  diag::DidYouMean(name, names));
     return nullptr;
   }
   MaterialState& state = scope.materials[static_cast<std::size_t>(found - materials.begin())];

@@ -68,4 +68,13 @@ std::shared_ptr<sample::Evaluator> Assembly::SampleNested(Scope& scope, const sp
   return nested;
 }
 
+void HandIn(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
+  const sample::StreamId materials = sample::Child(path, "materials");
+  inner.outer = &scope;
+  for (const auto& [name, value] : entry.substitutes) {
+    const sample::StreamId stream = sample::Child(materials, std::string_view(name));
+    inner.substitutes.emplace_back(name, scope.values.Text(value, stream));
+  }
+}
+
 }  // namespace mjforge::model

@@ -26,8 +26,13 @@ class Repetition {
   }
 
  private:
-  /// The count of a loop, or -1 after a finding.
-  long CountOf(const spec::Loop& loop, sample::Evaluator& values);
+  struct Range {
+    long count = 0;
+    std::optional<sample::Items> items;  // nothing: 0, 1, 2, ...
+  };
+  std::optional<Range> RangeOf(const spec::Loop& loop, sample::Evaluator& values);
+  static void SetVariable(const spec::Loop& loop, const Range& range, long i,
+                          sample::Evaluator& values);
   /// Instances of the loops from `depth` on, ignoring conditions; -1 after a finding.
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);

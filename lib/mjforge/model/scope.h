@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mjforge/model/field_reader.h"
@@ -31,6 +32,10 @@ struct Scope {
   Pose X_BS;           // of the spec's root S in the body B at hand
   sample::StreamId parts;
   std::vector<MaterialState> materials;  // as spec.materials
+  /// The spec that brings this one, and which of its materials are used in place of this one's: by
+  /// name, of this spec and of that one.
+  Scope* outer = nullptr;
+  std::vector<std::pair<std::string, std::string>> substitutes;
   std::optional<Traced<Eigen::Vector3d>> total_size;
 
   /// placement: corner, in a declared box.
@@ -38,6 +43,9 @@ struct Scope {
     return total_size && values.spec().placement == spec::Placement::kCorner;
   }
 };
+
+/// Hands materials of a scope to that of the spec that an entry brings.
+void HandIn(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner);
 
 /// The entry's own name, checked; nothing after a finding.
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,

@@ -27,6 +27,8 @@ std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&value)) return Clean(*text, kValueBytes);
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
+    return Clean(fmt::format("{}", fmt::join(*texts, ", ")), kValueBytes);
   return Clean(fmt::format("{:.6g}", fmt::join(std::get<std::vector<double>>(value), " ")),
                kValueBytes);
 }

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/ranges.h>
+
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::report {
 namespace {
+
+// Of a list, the first ones.
+constexpr std::size_t kMaxNumbers = 8;
 
 void Count(Counts& counts, bool is_bad) {
   ++counts.all;
@@ -31,14 +36,17 @@ void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
     AddText(*text, is_bad);
   } else if (const auto* flag = std::get_if<bool>(&value)) {
     AddText(*flag ? "true" : "false", is_bad);
+  } else if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
+    AddText(fmt::format("{}", fmt::join(*list, ", ")), is_bad);
   } else if (const auto* number = std::get_if<double>(&value)) {
     numbers.resize(std::max<std::size_t>(numbers.size(), 1));
     numbers[0].Add(*number, is_bad);
     AddWhole(*number, is_bad);
   } else {
     const auto& vector = std::get<std::vector<double>>(value);
-    numbers.resize(std::max(numbers.size(), vector.size()));
-    for (std::size_t i = 0; i < vector.size(); ++i) numbers[i].Add(vector[i], is_bad);
+    const std::size_t count = std::min(vector.size(), kMaxNumbers);
+    numbers.resize(std::max(numbers.size(), count));
+    for (std::size_t i = 0; i < count; ++i) numbers[i].Add(vector[i], is_bad);
     all_whole_ = false;
   }
 }

@@ -28,6 +28,10 @@ class Walk {
     } else if (const auto* point = std::get_if<spec::PointOnSphere>(&value.form)) {
       Add({.stream = path, .numbers = 2, .split = {}});
       Value(*point->radius, Child(path, "on_sphere"));
+    } else if (const auto* each = std::get_if<spec::Each>(&value.form)) {
+      Each(*each, path);
+    } else if (const auto* arrangement = std::get_if<spec::Arrangement>(&value.form)) {
+      Arrangement(*arrangement, path);
     }
   }
 
@@ -36,7 +40,27 @@ class Walk {
  private:
   void Add(const DrawnStream& stream) { streams_.push_back(stream); }
 
+  // What the length of a list is, if all variants have the same.
+  static std::size_t LengthOf(const spec::Value& count) {
+    const double number = spec::ConstantOf(count).value_or(0);
+    return spec::IsListLength(number) ? static_cast<std::size_t>(number) : 0;
+  }
+
+  void Each(const spec::Each& each, StreamId path) {
+    for (std::size_t i = 0; i < LengthOf(*each.count); ++i) Value(*each.value, Child(path, i));
+  }
+
+  void Arrangement(const spec::Arrangement& arrangement, StreamId path) {
+    const auto* list = std::get_if<spec::List>(&arrangement.list->form);
+    for (std::size_t i = 0; list != nullptr && i < list->items.size(); ++i)
+      Add({.stream = Child(path, i), .is_order = true, .split = {}});
+    Value(*arrangement.list, Child(path, "items"));
+  }
+
   void Draw(const spec::Draw& draw, StreamId path) {
+    for (std::size_t i = 0; draw.rows != nullptr && i < draw.arguments.size(); ++i)
+      Value(draw.arguments[i], Child(path, draw.rows->names[i]));
+    if (draw.rows != nullptr) return;
     const spec::DistributionInfo& info =
         spec::Distributions()[static_cast<std::size_t>(draw.distribution)];
     if (draw.distribution != Distribution::kCycle && !draw.exact) Add(Own(draw, path));
@@ -87,11 +111,14 @@ class Walk {
 }  // namespace
 
 std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec) {
-  const StreamId parameters = Child(RootStream(spec), "params");
   Walk walk;
-  for (const spec::Parameter& parameter : spec.parameters) {
-    walk.Value(parameter.value, Child(parameters, parameter.name));
-  }
+  const auto add = [&walk](const spec::ObjectSpec& of, StreamId root) {
+    const StreamId parameters = Child(root, "params");
+    for (const spec::Parameter& parameter : of.parameters)
+      walk.Value(parameter.value, Child(parameters, parameter.name));
+  };
+  for (const auto& shared : spec.shared) add(*shared, SharedStream(*shared));
+  add(spec, RootStream(spec));
   return walk.Take();
 }
 

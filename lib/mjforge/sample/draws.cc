@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/sample/distributions.h"
-#include "mjforge/sample/sample.h"
+#include "mjforge/sample/notes.h"
 
 namespace mjforge::sample {
 namespace {
@@ -129,7 +129,20 @@ Traced<double> Evaluator::NoteDraw(Distribution distribution, const Numbers& arg
   return {value, tape, at};
 }
 
+const spec::Value& Evaluator::OfRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {
+  const spec::Rows& rows = *draw.rows;
+  const double key = Fixed(Variable(draw.key_slot));
+  const auto row = static_cast<std::size_t>(std::ranges::find(rows.keys, key) - rows.keys.begin());
+  if (row == rows.keys.size()) {
+    if (!failed_) Fail(Code::kSampleBadArgument, mark, "no row has the key of this record");
+    return draw.arguments.front();
+  }
+  path = Child(path, rows.names[row]);
+  return draw.arguments[row];
+}
+
 const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, StreamId& path) {
+  if (draw.rows != nullptr) return OfRow(draw, mark, path);
   const std::optional<Numbers> weights = Weights(draw, mark, path);
   std::size_t option = 0;
   if (weights) option = Option(draw, std::vector<double>(weights->begin(), weights->end()), path);

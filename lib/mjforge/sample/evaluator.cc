@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/sample/distributions.h"
-#include "mjforge/sample/sample.h"
+#include "mjforge/sample/notes.h"
 
 namespace mjforge::sample {
 namespace {
@@ -20,6 +20,17 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 bool IsPick(const spec::Draw& draw) {
   return draw.distribution == spec::Distribution::kChoice ||
          draw.distribution == spec::Distribution::kCycle;
+}
+
+// "[0.01, 0.02, 0.03, ...]"
+std::string ListText(const std::vector<double>& numbers) {
+  constexpr std::size_t kShown = 8;
+  std::string text = "[";
+  for (std::size_t i = 0; i < std::min(numbers.size(), kShown); ++i) {
+    if (i > 0) text += ", ";
+    expr::AppendNumber(text, numbers[i]);
+  }
+  return text + (numbers.size() > kShown ? ", ...]" : "]");
 }
 
 // False for a failed number.
@@ -42,7 +53,9 @@ std::string Evaluator::InputsText(const expr::Expression& expression) const {
     if (!text.empty()) text += ", ";
     const double value = variables_[static_cast<std::size_t>(input.slot)];
     text += input.name + " = ";
-    if (input.type == expr::Type::kBoolean) {
+    if (input.list >= 0) {
+      text += ListText(lists_[static_cast<std::size_t>(input.list)].numbers());
+    } else if (input.type == expr::Type::kBoolean) {
       text += value != 0 ? "true" : "false";
     } else {
       expr::AppendNumber(text, value);
@@ -52,7 +65,7 @@ std::string Evaluator::InputsText(const expr::Expression& expression) const {
 }
 
 Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression, SourceMark mark) {
-  const double result = expression.Evaluate(variables_);
+  const double result = expression.Evaluate(variables_, lists_);
   if (std::isfinite(result)) return NoteExpression(expression, result);
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (!std::isnan(variables_[static_cast<std::size_t>(input.slot)])) continue;
@@ -65,6 +78,9 @@ Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression,
                 "its body was left out by 'if'");
   }
   const std::string inputs = InputsText(expression);
+  if (std::string missing = expression.WhatIsMissing(variables_, lists_); !missing.empty())
+    return Fail(Code::kExprOutOfRange, mark, std::move(missing),
+                inputs.empty() ? "" : "here " + inputs);
   return Fail(Code::kExprNotFinite, mark,
               fmt::format("expression '{}' is {}{}{}", expression.text(),
                           std::isnan(result) ? "not a number" : "infinite",
@@ -90,13 +106,13 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   double& at = tape.Keep(value);
   noted = &at;
   if (of_parameters) early[&at] = &expression;
-  tape.Add([&expression, &at, &all = all, inputs = tape.KeepAll(inputs)] {
+  tape.Add([this, &expression, &at, &all = all, inputs = tape.KeepAll(inputs)] {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const auto& [place, bits] = inputs[i];
       all[static_cast<std::size_t>(expression.inputs()[i].slot)] =
           place ? *place : std::bit_cast<double>(bits);
     }
-    at = expression.Evaluate(all);
+    at = expression.Evaluate(all, lists_);
     return std::isfinite(at);
   });
   return {value, tape, at};
@@ -113,8 +129,9 @@ void Evaluator::Decide(const Traced<double>& number, IsMet is_met) {
   } else if (is_parameter) {
     notes_->tape.AddEarly(test);
   } else {
-    notes_->tape.AddEarly(
-        [this, is_met, &of = *expression->second] { return is_met(of.Evaluate(variables_)); });
+    notes_->tape.AddEarly([this, is_met, &of = *expression->second] {
+      return is_met(of.Evaluate(variables_, lists_));
+    });
   }
 }
 
@@ -133,6 +150,8 @@ double Evaluator::Fixed(const Traced<double>& number) {
   }
   return value;
 }
+
+tape::Tape* Evaluator::tape() const { return notes_ ? &notes_->tape : nullptr; }
 
 void Evaluator::NoteOn(tape::Tape& tape) {
   NoteOn(tape, [](std::string_view) { return false; });
@@ -240,7 +259,12 @@ const std::string& Evaluator::TextOf(const expr::Expression& expression, double 
   static const std::string kNone;
   for (const expr::Expression::Input& input : expression.inputs()) {
     const auto slot = static_cast<std::size_t>(input.slot);
-    if (input.type == expr::Type::kText && variables_[slot] == key) return texts_[slot];
+    if (input.type != expr::Type::kText) continue;
+    if (input.list < 0 && variables_[slot] == key) return texts_[slot];
+    if (input.list < 0) continue;
+    const auto& texts = list_texts_[static_cast<std::size_t>(input.list)];
+    const auto same = std::ranges::find(texts, key, expr::TextKey);
+    if (same != texts.end()) return *same;
   }
   return kNone;  // of a body that is not there; reported
 }

@@ -31,6 +31,7 @@ double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double>
 
 Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
   for (const DrawnStream& stream : streams) {
+    if (stream.is_order) continue;  // levels of these numbers are not levels of the order
     const auto count = static_cast<std::size_t>(stream.numbers);
     axes_of_.emplace(stream.stream, Axes{axes_.size(), count});
     axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});

@@ -1,12 +1,13 @@
 // The part of Evaluator that gives the parameters their values.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "mjforge/sample/dimensions.h"
-#include "mjforge/sample/sample.h"
+#include "mjforge/sample/notes.h"
 
 namespace mjforge::sample {
 namespace {
@@ -15,7 +16,7 @@ using diag::Code;
 using expr::Type;
 
 bool IsVector(const spec::Value& value) {
-  return value.components > 1 || std::holds_alternative<spec::List>(value.form);
+  return !value.is_list && (value.components > 1 || std::holds_alternative<spec::List>(value.form));
 }
 
 std::size_t Slot(const spec::Parameter& parameter) {
@@ -25,8 +26,16 @@ std::size_t Slot(const spec::Parameter& parameter) {
 std::string KindText(const ParameterValue& value) {
   if (std::holds_alternative<std::string>(value)) return spec::KindText(Type::kText, 1);
   if (std::holds_alternative<bool>(value)) return spec::KindText(Type::kBoolean, 1);
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
+    return fmt::format("{} texts", texts->size());
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   return spec::KindText(Type::kNumber, numbers ? numbers->size() : 1);
+}
+
+std::vector<double> KeysOf(const std::vector<std::string>& texts) {
+  std::vector<double> keys;
+  for (const std::string& text : texts) keys.push_back(expr::TextKey(text));
+  return keys;
 }
 
 }  // namespace
@@ -39,14 +48,21 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
       findings_(&findings),
       sampler_(sampler),
       variables_(static_cast<std::size_t>(spec.names.slot_count())),
-      texts_(variables_.size()) {
+      texts_(variables_.size()),
+      lists_(static_cast<std::size_t>(spec.names.list_count())),
+      list_texts_(lists_.size()) {
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
   const StreamId parameters = Child(root_, "params");
   streams_.reserve(spec.parameters.size());
   for (const spec::Parameter& parameter : spec.parameters) {
     streams_.push_back(Child(parameters, parameter.name));
   }
+  for (const auto& shared : spec.shared)
+    shared_.emplace_back(*shared, key, SharedStream(*shared), findings, sampler);
 }
+
+Evaluator::Evaluator(Evaluator&& other) noexcept = default;
+Evaluator::~Evaluator() = default;
 
 void Evaluator::SetComponents(const spec::Parameter& parameter,
                               std::span<const double> components) {
@@ -62,9 +78,22 @@ void Evaluator::SetComponents(const spec::Parameter& parameter,
   std::fill_n(variables_.begin() + parameter.slot, wanted, none);
 }
 
+void Evaluator::SetList(const spec::Parameter& parameter, std::vector<double> numbers,
+                        std::vector<std::string> texts) {
+  const auto list = static_cast<std::size_t>(parameter.list);
+  variables_[Slot(parameter)] = static_cast<double>(numbers.size());
+  lists_[list] = expr::Sequence(std::move(numbers));
+  list_texts_[list] = std::move(texts);
+}
+
 void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
   const spec::Value& value = parameter.value;
-  if (value.type == Type::kText) {
+  if (const auto* shared = std::get_if<spec::SharedParameter>(&value.form)) {
+    SetParameter(parameter, shared_[shared->file].Parameter(shared->position));
+  } else if (value.is_list) {
+    Items items = List(value, path);
+    SetList(parameter, {items.numbers.begin(), items.numbers.end()}, std::move(items.texts));
+  } else if (value.type == Type::kText) {
     texts_[Slot(parameter)] = Text(value, path);
     variables_[Slot(parameter)] = expr::TextKey(texts_[Slot(parameter)]);
   } else if (IsVector(value)) {
@@ -78,16 +107,24 @@ void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
 
 void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterValue& value) {
   const Type type = parameter.value.type;
-  if (const auto* text = std::get_if<std::string>(&value); text && type == Type::kText) {
+  const bool is_list = parameter.value.is_list;
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  if (const auto* text = std::get_if<std::string>(&value);
+      text && type == Type::kText && !is_list) {
     texts_[Slot(parameter)] = *text;
     variables_[Slot(parameter)] = expr::TextKey(*text);
   } else if (const auto* boolean = std::get_if<bool>(&value); boolean && type == Type::kBoolean) {
     variables_[Slot(parameter)] = *boolean ? 1 : 0;
-  } else if (const auto* number = std::get_if<double>(&value); number && type == Type::kNumber) {
+  } else if (const auto* number = std::get_if<double>(&value);
+             number && type == Type::kNumber && !is_list) {
     SetComponents(parameter, {number, 1});
-  } else if (const auto* numbers = std::get_if<std::vector<double>>(&value);
-             numbers && type == Type::kNumber) {
+  } else if (numbers != nullptr && type == Type::kNumber && !is_list) {
     SetComponents(parameter, *numbers);
+  } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value);
+             texts && type == Type::kText && is_list) {
+    SetList(parameter, KeysOf(*texts), *texts);
+  } else if (numbers != nullptr && is_list && (type == Type::kNumber || numbers->empty())) {
+    SetList(parameter, *numbers, {});
   } else {
     const auto count = static_cast<std::size_t>(parameter.value.components);
     const double none =
@@ -96,6 +133,23 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
                          spec::KindText(parameter.value), KindText(value)));
     std::fill_n(variables_.begin() + parameter.slot, count, none);
   }
+}
+
+// With attempt 0: what is drawn again here or there must not make specs disagree.
+bool Evaluator::SampleShared(Overrides overrides) {
+  const DrawKey key = {key_.seed, key_.index, 0};
+  return std::ranges::all_of(shared_, [&](Evaluator& shared) {
+    failed_ |= !shared.Sample(key, overrides, *findings_);
+    return !failed_;
+  });
+}
+
+// One without a value, such as sqrt(-1) > 0, does not: another draw may have one.
+bool Evaluator::Holds(const spec::Requirement& requirement) {
+  const expr::Expression& expression = requirement.expression;
+  const bool has_value = !std::isnan(expression.Evaluate(variables_, lists_));
+  if (!has_value && expression.WhatIsMissing(variables_, lists_).empty()) return false;
+  return Condition(expression, requirement.mark);
 }
 
 bool Evaluator::SampleParameters(Overrides overrides) {
@@ -114,7 +168,7 @@ bool Evaluator::SampleParameters(Overrides overrides) {
   if (failed_) return false;
   for (std::size_t i = 0; i < spec_.requirements.size(); ++i) {
     const spec::Requirement& requirement = spec_.requirements[i];
-    if (Condition(requirement.expression, requirement.mark)) continue;
+    if (Holds(requirement)) continue;
     if (!failed_) rejected_by_ = static_cast<int>(i);
     return false;
   }
@@ -137,6 +191,12 @@ void Evaluator::SetLocal(const spec::Local& local, StreamId path) {
 }
 
 ParameterValue Evaluator::Any(const spec::Value& value, StreamId path, Numbers& numbers) {
+  if (value.is_list) {
+    Items items = List(value, path);
+    if (value.type == Type::kText) return std::move(items.texts);
+    numbers = std::move(items.numbers);
+    return std::vector<double>(numbers.begin(), numbers.end());
+  }
   if (value.type == Type::kText) return Text(value, path);
   if (value.type == Type::kBoolean) return Boolean(value, path);
   Vector(value, path, numbers);
@@ -147,6 +207,11 @@ ParameterValue Evaluator::Any(const spec::Value& value, StreamId path, Numbers& 
 ParameterValue Evaluator::Parameter(std::size_t i) const {
   const spec::Parameter& parameter = spec_.parameters[i];
   const std::size_t slot = Slot(parameter);
+  if (parameter.value.is_list) {
+    const auto list = static_cast<std::size_t>(parameter.list);
+    if (parameter.value.type == Type::kText) return list_texts_[list];
+    return lists_[list].numbers();
+  }
   if (parameter.value.type == Type::kText) return texts_[slot];
   if (parameter.value.type == Type::kBoolean) return variables_[slot] != 0;
   if (!IsVector(parameter.value)) return variables_[slot];

@@ -1,4 +1,4 @@
-#include "mjforge/sample/sample.h"
+#include "mjforge/sample/notes.h"
 
 #include <algorithm>
 
@@ -19,15 +19,19 @@ class Redraw {
 
   bool Changes(const spec::Value& value) const {
     if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
-      const bool settled =
-          draw->distribution == spec::Distribution::kCycle || (draw->exact && exact_is_settled_);
+      const bool settled = draw->rows != nullptr ||
+                           draw->distribution == spec::Distribution::kCycle ||
+                           (draw->exact && exact_is_settled_);
       return !settled || ChangesAny(draw->arguments);
     }
     if (const auto* list = std::get_if<spec::List>(&value.form)) return ChangesAny(list->items);
     if (const auto* color = std::get_if<spec::HsvColor>(&value.form)) {
       return ChangesAny(color->items);
     }
-    return std::holds_alternative<spec::RandomRotation>(value.form) ||
+    if (const auto* each = std::get_if<spec::Each>(&value.form))
+      return Changes(*each->value) || Changes(*each->count);
+    return std::holds_alternative<spec::Arrangement>(value.form) ||
+           std::holds_alternative<spec::RandomRotation>(value.form) ||
            std::holds_alternative<spec::RotationAbout>(value.form) ||
            std::holds_alternative<spec::PointOnSphere>(value.form);
   }
@@ -121,7 +125,7 @@ bool Evaluator::Sample(const DrawKey& key, Overrides overrides, diag::Findings& 
   std::ranges::fill(variables_, 0);
   for (std::string& text : texts_) text.clear();
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
-  return Attempts(*this, overrides).Run();
+  return SampleShared(overrides) && Attempts(*this, overrides).Run();
 }
 
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,

@@ -19,17 +19,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
-
-#include <boost/container/small_vector.hpp>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/sample/sampler.h"
 #include "mjforge/sample/streams.h"
+#include "mjforge/sample/values.h"
 #include "mjforge/spec/spec.h"
-#include "mjforge/tape/tape.h"
 
 namespace mjforge::sample {
 
@@ -40,12 +37,6 @@ double RoundDraw(double value, double lo, double hi);
 class Attempts;
 struct Interval;  // distributions.h
 
-using tape::Traced;
-using Numbers = boost::container::small_vector<Traced<double>, 6>;
-
-/// A parameter's value: a number, a boolean, a text, or a vector.
-using ParameterValue = std::variant<double, bool, std::string, std::vector<double>>;
-
 /// Evaluates the values of one spec for one variant, in the scope of that spec's names. Errors are
 /// added to the findings and make the result useless; then `failed()` is true. Without a sampler
 /// everything is drawn at random; a sampler must outlive the evaluator.
@@ -55,6 +46,8 @@ class Evaluator {
 
   Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings,
             const Sampler* sampler = nullptr);
+  Evaluator(Evaluator&& other) noexcept;
+  ~Evaluator();
 
   /// Draws all parameters and tests the requirements. False: some requirement
   /// does not hold (`rejected_by()`), or there was an error (`failed()`).
@@ -72,7 +65,7 @@ class Evaluator {
   /// overridden whether its value differs between variants.
   void NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies);
   /// Null while nothing is noted.
-  tape::Tape* tape() const { return notes_ ? &notes_->tape : nullptr; }
+  tape::Tape* tape() const;
 
   Traced<double> Number(const spec::Value& value, StreamId path);
   /// A number that all variants of a tape share.
@@ -84,6 +77,8 @@ class Evaluator {
   /// The value as its type says; a vector is a list or has several components. `numbers` gets what
   /// a number or a vector is made of.
   ParameterValue Any(const spec::Value& value, StreamId path, Numbers& numbers);
+  /// The values of a list or a vector; all variants of a tape share their number.
+  Items List(const spec::Value& value, StreamId path);
   /// A list of points, two numbers each, one after the other.
   std::vector<Traced<double>> Points(const spec::Value& value, StreamId path);
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
@@ -108,9 +103,23 @@ class Evaluator {
   std::array<double, 4> Uniforms(StreamId path) const {
     return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
   }
+  /// Draws the parameters of imported files. False after a finding.
+  bool SampleShared(Overrides overrides);
+  bool Holds(const spec::Requirement& requirement);
   void DrawParameter(const spec::Parameter& parameter, StreamId path);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
   void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
+  void SetList(const spec::Parameter& parameter, std::vector<double> numbers,
+               std::vector<std::string> texts);
+  /// All of a list, or of a vector, that a name stands for.
+  Items Whole(const spec::VariableReference& variable, int components);
+  Items Repeated(const spec::Each& each, StreamId path);
+  Items Arranged(const spec::Arrangement& arrangement, StreamId path);
+  /// How long a list is to be; nothing after a finding.
+  std::optional<std::size_t> Length(const spec::Value& count, StreamId path);
+  void AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
+  /// The numbers 0 to count - 1 in random order.
+  std::vector<std::size_t> Order(std::size_t count, StreamId path) const;
   Traced<double> Variable(int slot) const;
   Traced<double> EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
   Traced<double> NoteExpression(const expr::Expression& expression, double value);
@@ -126,6 +135,8 @@ class Evaluator {
   Traced<double> NoteDraw(spec::Distribution distribution, const Numbers& arguments,
                           const Numbers& limits, StreamId path, double value);
   const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
+  /// The value of a record's column in the row of its key.
+  const spec::Value& OfRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   /// Whether the draw is planned over the batch rather than made for each item.
   bool IsExact(const spec::Draw& draw) const {
     return draw.exact && sampler_ != nullptr && sampler_->batch() > 0;
@@ -163,23 +174,14 @@ class Evaluator {
   const Sampler* sampler_;
   std::vector<double> variables_;   // by slot
   std::vector<std::string> texts_;  // by slot
-  std::vector<StreamId> streams_;   // by parameter
+  std::vector<expr::Sequence> lists_;
+  std::vector<std::vector<std::string>> list_texts_;  // of the lists of texts
+  std::vector<StreamId> streams_;                     // by parameter
+  std::vector<Evaluator> shared_;                     // of the specs of spec_.shared
   bool failed_ = false;
   int rejected_by_ = -1;
 
-  /// What it takes to note on a tape.
-  struct Notes {
-    tape::Tape& tape;
-    bool is_sampled_first;              // before the tape runs
-    std::vector<double>& inputs;        // by slot, of the expression at hand; on the tape
-    std::vector<const double*> places;  // by slot, on the tape; null: the same in all variants
-    /// The expressions of parameters alone, by their results on the tape.
-    std::map<const double*, const expr::Expression*> early = {};
-    /// Numbers that are tested already; true: only whether they are zero.
-    std::set<std::pair<const double*, bool>> decided = {};
-    /// The result of each expression that was noted, by it and its inputs.
-    std::map<std::pair<const void*, std::vector<Input>>, const double*> results = {};
-  };
+  struct Notes;  // what it takes to note on a tape
   std::unique_ptr<Notes> notes_;
 };
 

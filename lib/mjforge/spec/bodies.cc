@@ -58,6 +58,7 @@ class BodyReader {
           .notes.push_back({first->mark, "first here"});
     }
     NeedsBeside(map, "params", "spec");
+    NeedsBeside(map, "materials", "spec");
     NeedsBeside(map, "body", "mjcf");
   }
 
@@ -76,18 +77,18 @@ class BodyReader {
     const std::string prefix = std::string(*name) + ".";
     if (names.Find(prefix + "top") != nullptr) return;  // of another body of that name
     for (const std::string_view property : BodyPropertyNames()) {
-      const int slot = names.Declare(prefix + std::string(property), expr::Type::kNumber);
+      const int slot = names.Declare(prefix + std::string(property), expr::Type::kNumber).slot;
       if (body.first_property < 0) body.first_property = slot;
     }
     if (body.head.nested == nullptr) return;
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
           std::ranges::find(BodyPropertyNames(), parameter.name) != BodyPropertyNames().end();
-      // A property wins over a parameter of its name.
+      // A property wins over a parameter of its name. A list stays in its spec.
       body.parameter_slots.push_back(
-          hidden ? -1
-                 : names.Declare(prefix + parameter.name, parameter.value.type,
-                                 std::clamp(parameter.value.components, 1, 4)));
+          hidden || parameter.value.is_list
+              ? -1
+              : Declare(names, prefix + parameter.name, parameter.value).slot);
     }
   }
 

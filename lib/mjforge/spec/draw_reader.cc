@@ -19,6 +19,12 @@ constexpr std::string_view kAbout = "about";
 constexpr std::string_view kOnSphere = "on_sphere";
 constexpr std::string_view kHsv = "hsv";
 constexpr std::string_view kExact = "exact";
+constexpr std::string_view kEach = "each";
+constexpr std::string_view kShuffle = "shuffle";
+constexpr std::string_view kSample = "sample";
+constexpr std::string_view kCount = "count";
+
+bool IsListForm(std::string_view key) { return key == kEach || key == kShuffle || key == kSample; }
 
 const DistributionInfo* FindDistribution(std::string_view key) {
   const auto all = Distributions();
@@ -31,6 +37,13 @@ bool Fits(const DistributionInfo& info, Slot slot) {
   if (info.arguments < 0 || slot == Slot::kAnything) return true;
   if (info.id == Distribution::kBernoulli) return slot == Slot::kBoolean;
   return slot == Slot::kNumber || slot == Slot::kInteger || slot == Slot::kNumbers;
+}
+
+// Whether a mapping that draws by `main` may have the key, too.
+bool StandsBeside(std::string_view key, std::string_view main) {
+  if (const DistributionInfo* info = FindDistribution(main))
+    return !key.empty() && (key == info->option || key == info->flag);
+  return key == kCount && (main == kEach || main == kSample);
 }
 
 std::string KnownDistributions() {
@@ -51,11 +64,17 @@ std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_
     }
   }
   for (const DistributionInfo& info : Distributions()) keys.push_back(info.key);
-  for (const std::string_view key : {kAbout, kOnSphere, kHsv}) keys.push_back(key);
+  for (const std::string_view key : {kAbout, kOnSphere, kHsv, kEach, kShuffle, kSample})
+    keys.push_back(key);
   return keys;
 }
 
 }  // namespace
+
+bool IsDrawKey(std::string_view key) {
+  return FindDistribution(key) != nullptr || IsListForm(key) || key == kAbout || key == kOnSphere ||
+         key == kHsv;
+}
 
 bool ValueReader::IsVectorForm(std::string_view key, const Expected& expected) const {
   const bool anything = expected.slot == Slot::kAnything;
@@ -123,12 +142,8 @@ void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
 Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
                                std::span<const std::string_view> extra_keys) {
   const YamlNode::Pair* main = nullptr;
-  const DistributionInfo* distribution = nullptr;
   for (const auto& pair : node.pairs) {
-    const DistributionInfo* info = FindDistribution(pair.key);
-    const bool is_main = info != nullptr || pair.key == kAbout || pair.key == kOnSphere ||
-                         pair.key == kHsv || (pair.key == "value" && !extra_keys.empty());
-    if (!is_main) continue;
+    if (!IsDrawKey(pair.key) && (pair.key != "value" || extra_keys.empty())) continue;
     if (main != nullptr) {
       findings_.Add(Code::kSpecConflict, pair.mark,
                     fmt::format("'{}' together with '{}': a value is drawn in only one way",
@@ -136,11 +151,10 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
       return Harmless(node);
     }
     main = &pair;
-    distribution = info;
   }
+  const DistributionInfo* distribution = main != nullptr ? FindDistribution(main->key) : nullptr;
   for (const auto& pair : node.pairs) {
-    const bool beside = distribution != nullptr && !pair.key.empty() &&
-                        (pair.key == distribution->option || pair.key == distribution->flag);
+    const bool beside = main != nullptr && StandsBeside(pair.key, main->key);
     if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
@@ -151,8 +165,8 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
     return Wrong(
         node, extra_keys.empty() ? InfoOf(expected.slot).drawn : "a key 'value' or a distribution");
   if (main->key == "value") return ReadAnything(main->value);
-  if (const DistributionInfo* info = FindDistribution(main->key))
-    return ReadDraw(*info, expected, node);
+  if (distribution != nullptr) return ReadDraw(*distribution, expected, node);
+  if (IsListForm(main->key)) return ReadListForm(expected, node, *main);
   return ReadVectorForm(main->key, expected, main->value);
 }
 
@@ -250,22 +264,27 @@ void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Dr
     draw.arguments.push_back(Harmless(list));
     return;
   }
-  for (const YamlNode& item : list.items) draw.arguments.push_back(Read(expected, item));
+  const auto is_list = [this](const YamlNode& item) {
+    return item.kind == YamlNode::Kind::kList &&
+           (item.items.size() > 4 || ItemType(item) == Type::kText);
+  };
+  // Where one option is a list, all are, however short.
+  Value kind;
+  kind.is_list = expected.slot == Slot::kAnything && std::ranges::any_of(list.items, is_list);
+  for (const YamlNode& item : list.items)
+    draw.arguments.push_back(kind.is_list ? ReadLike(kind, item) : Read(expected, item));
   const Value& first = draw.arguments.front();
   value.type = first.type;
   value.components = first.components;
+  value.is_list = first.is_list;
   for (const Value& option : draw.arguments) {
     if (option.components == 0 || first.components == 0) return;
-    const bool same_count =
-        option.components == first.components ||
-        (expected.slot == Slot::kNumbers && expected.max_count > expected.min_count);
-    if (option.type == first.type && same_count) continue;
+    const bool any_count =
+        expected.slot == Slot::kNumbers && expected.max_count > expected.min_count;
+    if (IsSameKind(option, first) || (any_count && option.type == first.type)) continue;
     findings_.Add(Code::kSpecWrongType, option.mark,
                   fmt::format("the values to choose from are of different kinds: {} and {}",
-                              first.components > 1 ? fmt::format("{} numbers", first.components)
-                                                   : std::string(expr::TypeName(first.type)),
-                              option.components > 1 ? fmt::format("{} numbers", option.components)
-                                                    : std::string(expr::TypeName(option.type))));
+                              KindText(first), KindText(option)));
     return;
   }
 }

@@ -66,7 +66,9 @@ const Field* Entry::Find(Key id) const { return FindField(fields, id); }
 const Field* Material::Find(Key id) const { return FindField(fields, id); }
 
 const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
-  const auto found = std::ranges::find(parameters, parameter, &Parameter::name);
+  const auto found = std::ranges::find_if(parameters, [&](const Parameter& one) {
+    return one.name == parameter || (!one.record.empty() && one.record == parameter);
+  });
   return found == parameters.end() ? nullptr : &*found;
 }
 

@@ -105,13 +105,17 @@ void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
   if (!IsMap(loops, "loop variables, as in {i: 8}", reading_)) return;
   for (const auto& pair : loops.pairs) {
     if (!CheckLocalName("loop variable", pair)) continue;
-    Loop loop{.slot = 0, .count = reading_.values.ReadNumber(pair.value), .variable = pair.key};
-    if (HasDraw(loop.count)) {
-      reading_.findings.Add(Code::kSpecConflict, loop.count.mark,
-                            "a loop's count cannot be drawn here",
+    std::optional<Value> list = reading_.values.ReadListOrName(pair.value);
+    Loop loop{.slot = 0,
+              .range = list ? *std::move(list) : reading_.values.ReadNumber(pair.value),
+              .variable = pair.key};
+    if (HasDraw(loop.range)) {
+      reading_.findings.Add(Code::kSpecConflict, loop.range.mark,
+                            loop.over_values() ? "what a loop runs over cannot be drawn here"
+                                               : "a loop's count cannot be drawn here",
                             "draw it as a parameter and use that parameter's name");
     }
-    loop.slot = reading_.spec.names.Declare(pair.key, expr::Type::kNumber);
+    loop.slot = reading_.spec.names.Declare(pair.key, loop.range.type).slot;
     entry.loops.push_back(std::move(loop));
   }
 }
@@ -136,8 +140,13 @@ void EntryReader::ReadLocals(const YamlNode& locals, bool has_name, Entry& entry
                             fmt::format("'{}' is drawn, so its entry needs a 'name'", local.name),
                             "draws are keyed by names, so moving an entry does not change them");
     }
-    local.slot = reading_.spec.names.Declare(pair.key, local.value.type,
-                                             std::clamp(local.value.components, 1, 4));
+    if (local.value.is_list) {
+      reading_.findings.Add(Code::kSpecWrongType, local.value.mark,
+                            fmt::format("'{}' is a list; a local value is not", local.name),
+                            "make it a parameter, and use its items here");
+      local.value = Value{.mark = local.value.mark, .components = 0};
+    }
+    local.slot = Declare(reading_.spec.names, pair.key, local.value).slot;
     entry.locals.push_back(std::move(local));
   }
 }
@@ -166,14 +175,14 @@ void EntryReader::ReadName(const YamlNode& map, bool required, Entry& entry) {
 
 void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry) {
   entry.fields = ReadFields(element, map, reading_);
-  for (const Key id : {Key::kParams, Key::kParts}) {
+  for (const Key id : {Key::kParams, Key::kMaterials, Key::kParts}) {
     const FieldInfo* info = &element == &PartElement() ? element.Find(id) : nullptr;
     if (info == nullptr || map.Find(info->key) == nullptr) continue;
     reading_.findings.Add(Code::kSpecConflict, MarkOf(map, info->key),
                           fmt::format("'{}' needs '{}' in the same entry", info->key,
-                                      id == Key::kParams ? "spec" : "frame"));
+                                      id == Key::kParts ? "frame" : "spec"));
   }
-  CheckMaterial(entry);
+  if (const Field* material = entry.Find(Key::kMaterial)) CheckMaterial(material->value);
   if (&element == &PartElement()) CheckPart(entry, reading_);
   const Defaults& defaults = reading_.spec.defaults;
   if (&element == &PartElement()) AddDefaults(defaults.part, entry);
@@ -205,8 +214,8 @@ void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& e
 
 void EntryReader::ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry) {
   RejectKeys(map,
-             {"name", "if", "for", "let", "spec", "params", "pos", "quat", "euler", "axisangle",
-              "xyaxes", "zaxis"},
+             {"name", "if", "for", "let", "spec", "params", "materials", "pos", "quat", "euler",
+              "axisangle", "xyaxes", "zaxis"},
              PartElement(), "a part with 'spec'");
   entry.fields = ReadFields(FrameElement(), map, reading_);
   ReadNested(map, spec, entry);
@@ -222,12 +231,18 @@ void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& e
       params && IsMap(*params, "parameters", reading_)) {
     for (const auto& pair : params->pairs) ReadOverride(pair, entry);
   }
+  if (const YamlNode* materials = map.Find("materials");
+      materials && IsMap(*materials, "names of materials", reading_)) {
+    for (const auto& pair : materials->pairs) ReadSubstitute(pair, entry);
+  }
 }
 
 void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
-  Value value = reading_.values.ReadAnything(pair.value);
+  const Parameter* parameter =
+      entry.nested != nullptr ? entry.nested->FindParameter(pair.key) : nullptr;
+  Value value = parameter != nullptr ? reading_.values.ReadLike(parameter->value, pair.value)
+                                     : reading_.values.ReadAnything(pair.value);
   if (entry.nested != nullptr) {
-    const Parameter* parameter = entry.nested->FindParameter(pair.key);
     if (parameter == nullptr) {
       std::vector<std::string_view> names;
       for (const Parameter& known : entry.nested->parameters) names.push_back(known.name);
@@ -237,7 +252,7 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
       return;
     }
     if (value.components == 0) return;
-    if (parameter->value.type != value.type || parameter->value.components != value.components) {
+    if (!IsSameKind(parameter->value, value)) {
       reading_.findings.Add(
           Code::kSpecWrongType, value.mark,
           fmt::format("parameter '{}' of '{}' is {}, but this is {}", pair.key, entry.nested->name,
@@ -245,7 +260,22 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
       return;
     }
   }
-  entry.overrides.emplace_back(pair.key, std::move(value));
+  entry.overrides.emplace_back(parameter != nullptr ? parameter->name : pair.key, std::move(value));
+}
+
+void EntryReader::ReadSubstitute(const YamlNode::Pair& pair, Entry& entry) {
+  Value name = reading_.values.Read(*PartElement().Find(Key::kMaterial), pair.value);
+  CheckMaterial(name);
+  if (entry.nested != nullptr) {
+    std::vector<std::string_view> names;
+    for (const Material& material : entry.nested->materials) names.push_back(material.name);
+    if (std::ranges::find(names, pair.key) == names.end()) {
+      reading_.findings.Add(Code::kSpecUnknownMaterial, pair.mark,
+                            fmt::format("'{}' has no material '{}'", entry.nested->name, pair.key),
+                            diag::DidYouMean(pair.key, names));
+    }
+  }
+  entry.substitutes.emplace_back(pair.key, std::move(name));
 }
 
 void EntryReader::RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
@@ -258,9 +288,8 @@ void EntryReader::RejectKeys(const YamlNode& map, std::initializer_list<std::str
   }
 }
 
-void EntryReader::CheckMaterial(const Entry& entry) {
-  const Field* field = entry.Find(Key::kMaterial);
-  const auto name = field != nullptr ? LiteralText(field->value) : std::nullopt;
+void EntryReader::CheckMaterial(const Value& value) {
+  const auto name = LiteralText(value);
   if (!name) return;
   std::vector<std::string_view> names;
   for (const Material& material : reading_.spec.materials) names.push_back(material.name);
@@ -269,7 +298,7 @@ void EntryReader::CheckMaterial(const Entry& entry) {
   if (reading_.spec.names.Find(*name) != nullptr) {
     hint = fmt::format("to use the parameter's value, write ${{{}}}", *name);
   }
-  reading_.findings.Add(Code::kSpecUnknownMaterial, field->value.mark,
+  reading_.findings.Add(Code::kSpecUnknownMaterial, value.mark,
                         fmt::format("no material '{}'", *name), std::move(hint));
 }
 

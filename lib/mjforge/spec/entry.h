@@ -28,11 +28,14 @@ struct Field {
   bool is_default = false;  // the entry leaves it out
 };
 
-/// `for: {i: n}`: variable i runs over 0 .. n-1.
+/// `for: {i: n}`: variable i runs over 0 .. n-1; over the values of a list or a vector where the
+/// range is one.
 struct Loop {
   int slot = 0;
-  Value count;
+  Value range;
   std::string variable;
+
+  bool over_values() const { return range.is_list || range.components > 1; }
 };
 
 /// One of `let: {gap: 1mm .. 3mm}`.
@@ -60,6 +63,8 @@ struct Entry {
   // A part or a body with `spec:`: the spec welded in, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
+  // Of its materials, by name: the name of the one of this spec that is used in its place.
+  std::vector<std::pair<std::string, Value>> substitutes;
 
   const Field* Find(Key id) const;
 };

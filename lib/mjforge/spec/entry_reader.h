@@ -25,7 +25,7 @@ class EntryReader {
               Naming naming);
   void End(const Entry& entry);
 
-  /// `spec:` and its `params:`.
+  /// `spec:`, its `params:` and `materials:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
   /// Reports keys of the element that are not allowed for `what` (a frame, say).
   void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
@@ -43,7 +43,9 @@ class EntryReader {
   void ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry);
   void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry);
   void ReadOverride(const YamlNode::Pair& pair, Entry& entry);
-  void CheckMaterial(const Entry& entry);
+  void ReadSubstitute(const YamlNode::Pair& pair, Entry& entry);
+  /// Reports a name of a material that the spec does not have.
+  void CheckMaterial(const Value& name);
 
   Reading& reading_;
 };

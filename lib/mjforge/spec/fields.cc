@@ -146,6 +146,9 @@ constexpr FieldInfo kLet =
     Row({"let", Key::kLet}, Slot::kLocals,
         "Values for this entry and what is in it, drawn or computed for each "
         "repetition; each may use those before it.");
+constexpr FieldInfo kSubstitutes =
+    Row({"materials", Key::kMaterials}, Slot::kSubstitutes,
+        "Materials of that spec, by name: the name of the one of this spec to use in its place.");
 constexpr FieldInfo kPos =
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
 constexpr FieldInfo kQuat = Numbers(
@@ -276,6 +279,7 @@ constexpr FieldInfo kPartFields[] = {
     Row({"spec", Key::kSpec}, Slot::kPlainText,
         "Another spec whose parts are welded in at this pose; a path or a bundled spec's name."),
     Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for the welded spec."),
+    kSubstitutes,
     Row({"frame", Key::kFrame}, Slot::kPose,
         "A rigid offset (pos and an orientation) for the `parts` of this entry."),
     Row({"parts", Key::kParts}, Slot::kParts, "The parts that a frame moves."),
@@ -351,6 +355,7 @@ constexpr FieldInfo kBodyFields[] = {
     Row({"spec", Key::kSpec}, Slot::kPlainText,
         "Another spec in place of parts, with all its bodies; a path or a bundled spec's name."),
     Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for that spec."),
+    kSubstitutes,
     Row({"mjcf", Key::kMjcf}, Slot::kText,
         "An MJCF file in place of parts, relative to the spec: one of its bodies and everything "
         "below it."),

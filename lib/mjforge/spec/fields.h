@@ -109,6 +109,7 @@ enum class Slot {
   kPose,
   kTexture,
   kOverrides,
+  kSubstitutes,
   kFields,
   kBodies,
   kContact,

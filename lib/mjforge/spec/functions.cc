@@ -1,7 +1,6 @@
 // functions: expressions with arguments. A call is read as the function's body would be.
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
 #include <set>
@@ -123,13 +122,7 @@ void BreakCircles(Reading& reading) {
 
 bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
                       diag::Findings& findings) {
-  static constexpr std::array<std::string_view, 7> kWords = {"index", "pi", "true", "false",
-                                                             "and",   "or", "not"};
-  if (std::ranges::find(kWords, name) == kWords.end() &&
-      std::ranges::none_of(expr::Functions(),
-                           [&](const expr::Function& function) { return function.name == name; })) {
-    return true;
-  }
+  if (name != "index" && !expr::IsReserved(name)) return true;
   findings.Add(
       Code::kSpecBadName, mark,
       fmt::format("'{}' is a word of the expression language; {} needs another name", name, what));

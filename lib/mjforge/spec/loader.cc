@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/spec/files.h"
 #include "mjforge/spec/locate.h"
 #include "mjforge/spec/reading.h"
 
@@ -18,21 +19,14 @@ namespace fs = std::filesystem;
 using diag::Code;
 using diag::SourceMark;
 
-std::string Sha256OfAll(std::span<const std::uint32_t> files, const diag::Sources& sources) {
-  bytes::Sha256 sha256;
-  for (const std::uint32_t file : files) sha256.Add(sources.Text(file));
-  return sha256.Take();
-}
-
-// What a load reads and must not read twice, shared with the specs welded in.
+// What the specs that are welded in share with it.
 struct Shared {
   diag::Sources& sources;
   diag::Findings& findings;
-  std::span<const fs::path> search_path;
-  std::vector<fs::path> open;             // specs and imports being read, outermost first
-  std::vector<fs::path> files;            // all read, in order
-  std::vector<std::uint32_t> source_ids;  // of `files`
-  std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested;
+  Files files;
+  std::span<const NamedNode> settings;
+  std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested = {};
+  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // their parameters
 };
 
 class SpecLoader : public NestedLoader {
@@ -55,24 +49,29 @@ class SpecLoader : public NestedLoader {
     spec->mark = root->mark;
     spec->folder = folder;
     spec->names.Declare("index", expr::Type::kNumber);
-    shared_.open.push_back(file);
+    const Files::Opened opened(shared_.files, file);
     ReadObject(*root, *spec, settings);
-    shared_.open.pop_back();
     return spec;
   }
 
   std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
                                                SourceMark mark) override {
-    const auto file = Find(reference, folder_, mark);
-    if (!file || IsOpen(*file, mark)) return nullptr;
+    const auto file = shared_.files.Find(reference, folder_, mark);
+    if (!file || shared_.files.IsOpen(*file, mark)) return nullptr;
     if (const auto known = shared_.nested.find(*file); known != shared_.nested.end()) {
       return known->second;
     }
-    const auto source = Open(*file, mark);
+    const auto source = shared_.files.Open(*file, mark);
     std::shared_ptr<const ObjectSpec> spec;
     if (source) spec = SpecLoader(shared_).Load(*source, *file, file->parent_path(), {});
     shared_.nested.emplace(*file, spec);
     return spec;
+  }
+
+  std::optional<std::uint32_t> OpenFile(const std::string& name, SourceMark mark) override {
+    std::error_code error;
+    const fs::path file = fs::weakly_canonical(folder_ / name, error);
+    return shared_.files.Open(error ? folder_ / name : file, mark);
   }
 
  private:
@@ -83,6 +82,8 @@ class SpecLoader : public NestedLoader {
     CheckKeys(ObjectElement(), root, reading);
     ReadHead(root, reading);
     if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
+    std::set<fs::path> seen;
+    if (const YamlNode* import = root.Find("import")) ShareParameters(*import, seen, reading);
     ReadParameters(root.Find("params"), root.Find("require"), settings, reading);
     CheckFunctions(reading);
     if (const YamlNode* materials = root.Find("materials")) {
@@ -104,7 +105,7 @@ class SpecLoader : public NestedLoader {
     ReadWhole(root, reading);
     DropUnusedProperties(reading);
     // Who welds a spec in may well need less of it.
-    if (shared_.open.size() == 1) ReportUnused(root.Find("materials"), reading);
+    if (shared_.files.depth() == 1) ReportUnused(root.Find("materials"), reading);
     if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
   }
 
@@ -156,19 +157,64 @@ class SpecLoader : public NestedLoader {
     }
   }
 
+  // The files that an `import:` names.
+  static std::span<const YamlNode> FilesOf(const YamlNode& import, Reading& reading) {
+    if (import.kind == YamlNode::Kind::kScalar) return {&import, 1};
+    if (!IsList(import, "files", reading)) return {};
+    return import.items;
+  }
+
   void ReadImports(const YamlNode& import, Reading& reading) {
-    if (import.kind == YamlNode::Kind::kScalar) {
-      ReadImport(import, reading);
-    } else if (IsList(import, "files", reading)) {
-      for (const YamlNode& item : import.items) ReadImport(item, reading);
+    for (const YamlNode& file : FilesOf(import, reading)) ReadImport(file, reading);
+  }
+
+  // Of the files and of what they import, each once.
+  void ShareParameters(const YamlNode& import, std::set<fs::path>& seen, Reading& reading) {
+    for (const YamlNode& node : FilesOf(import, reading)) {
+      const std::string reference = reading.values.ReadPlainText("import", node);
+      const auto file =
+          reference.empty() ? std::nullopt : shared_.files.Find(reference, folder_, node.mark);
+      if (!file || shared_.files.IsOpen(*file, node.mark) || !seen.insert(*file).second) continue;
+      const auto source = shared_.files.Open(*file, node.mark);
+      const auto root =
+          source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
+      if (!root || root->kind != YamlNode::Kind::kMap) continue;
+      const Files::Opened opened(shared_.files, *file);
+      const fs::path folder = std::exchange(folder_, file->parent_path());
+      if (const YamlNode* others = root->Find("import")) ShareParameters(*others, seen, reading);
+      if (root->Find("params") != nullptr) reading.spec.shared.push_back(Imported(*file, *root));
+      folder_ = folder;
     }
+  }
+
+  // The parameters of a file, for all specs that import it.
+  std::shared_ptr<const ObjectSpec> Imported(const fs::path& file, const YamlNode& root) {
+    std::shared_ptr<const ObjectSpec>& known = shared_.imported[file];
+    if (known != nullptr) return known;
+    auto spec = std::make_shared<ObjectSpec>();
+    spec->name = file.stem().string();
+    spec->names.Declare("index", expr::Type::kNumber);
+    Reading reading{shared_.sources, shared_.findings, *spec, *this,
+                    ValueReader(spec->names, shared_.sources, shared_.findings)};
+    if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
+    const YamlNode& params = *root.Find("params");
+    std::vector<NamedNode> settings;
+    for (const NamedNode& setting : shared_.settings) {
+      if (params.Find(setting.name.substr(0, setting.name.find('.'))) != nullptr)
+        settings.push_back(setting);
+    }
+    ReadParameters(&params, root.Find("require"), settings, reading);
+    CheckFunctions(reading);
+    spec->has_exact_choice = reading.values.has_exact_choice();
+    return known = spec;
   }
 
   void ReadImport(const YamlNode& node, Reading& reading) {
     const std::string reference = reading.values.ReadPlainText("import", node);
-    const auto file = reference.empty() ? std::nullopt : Find(reference, folder_, node.mark);
-    if (!file || IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
-    const auto source = Open(*file, node.mark);
+    const auto file =
+        reference.empty() ? std::nullopt : shared_.files.Find(reference, folder_, node.mark);
+    if (!file || shared_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
+    const auto source = shared_.files.Open(*file, node.mark);
     const auto root = source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
     if (!root || !IsMap(*root, "keys", reading)) return;
     CheckKeys(ObjectElement(), *root, reading);
@@ -178,7 +224,7 @@ class SpecLoader : public NestedLoader {
     names.Declare("index", expr::Type::kNumber);
     Reading inner{shared_.sources, shared_.findings, reading.spec, *this,
                   ValueReader(names, shared_.sources, shared_.findings)};
-    shared_.open.push_back(*file);
+    const Files::Opened opened(shared_.files, *file);
     const fs::path folder = std::exchange(folder_, file->parent_path());
     if (const YamlNode* materials = root->Find("materials")) {
       ReadMaterials(*materials, folder_, true, inner);
@@ -186,50 +232,8 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* defaults = root->Find("defaults")) ReadDefaults(*defaults, inner);
     if (const YamlNode* import = root->Find("import")) ReadImports(*import, inner);
     folder_ = folder;
-    shared_.open.pop_back();
     reading.values.AddUses(inner.values);
     if (inner.values.has_exact_choice()) reading.spec.has_exact_choice = true;
-  }
-
-  std::optional<fs::path> Find(const std::string& reference, const fs::path& folder,
-                               SourceMark mark) {
-    const auto found = Locate(reference, folder, shared_.search_path);
-    if (!found) {
-      shared_.findings.Add(Code::kSpecNotFound, mark, fmt::format("cannot find '{}'", reference),
-                           NotFoundHint(reference, shared_.search_path));
-      return std::nullopt;
-    }
-    std::error_code error;
-    const fs::path canonical = fs::weakly_canonical(*found, error);
-    return error ? *found : canonical;
-  }
-
-  bool IsOpen(const fs::path& file, SourceMark mark) {
-    const auto first = std::ranges::find(shared_.open, file);
-    if (first == shared_.open.end()) return false;
-    std::string chain;
-    for (auto it = first; it != shared_.open.end(); ++it) chain += it->filename().string() + " -> ";
-    shared_.findings.Add(
-        Code::kSpecImportCycle, mark,
-        fmt::format("file refers to itself: {}{}", chain, file.filename().string()));
-    return true;
-  }
-
-  std::optional<std::uint32_t> Open(const fs::path& file, SourceMark mark) {
-    if (const auto known = std::ranges::find(shared_.files, file); known != shared_.files.end()) {
-      return shared_.source_ids[static_cast<std::size_t>(known - shared_.files.begin())];
-    }
-    std::string why_not;
-    auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-    if (!text) {
-      shared_.findings.Add(Code::kYamlCannotRead, mark,
-                           fmt::format("cannot read '{}': {}", DisplayName(file), why_not));
-      return std::nullopt;
-    }
-    const std::uint32_t source = shared_.sources.Add(DisplayName(file), std::move(*text));
-    shared_.files.push_back(file);
-    shared_.source_ids.push_back(source);
-    return source;
   }
 
   Shared& shared_;
@@ -287,18 +291,15 @@ std::unique_ptr<ObjectSpec> LoadFrom(std::uint32_t source, const fs::path& file,
                                      const fs::path& folder, const LoadOptions& options,
                                      diag::Sources& sources, diag::Findings& findings) {
   diag::Findings own;
+  const std::vector<NamedNode> settings = ParseSettings(options, sources, own);
   Shared shared{.sources = sources,
                 .findings = own,
-                .search_path = options.search_path,
-                .open = {},
-                .files = {file},
-                .source_ids = {source},
-                .nested = {}};
-  const std::vector<NamedNode> settings = ParseSettings(options, sources, own);
+                .files = Files(options.search_path, file, source, sources, own),
+                .settings = settings};
   auto spec = SpecLoader(shared).Load(source, file, folder, settings);
   if (spec != nullptr) {
-    spec->files = shared.files;
-    spec->sha256 = Sha256OfAll(shared.source_ids, sources);
+    spec->files = shared.files.all();
+    spec->sha256 = shared.files.Sha256();
     for (const NamedNode& setting : settings) {
       spec->settings.emplace_back(setting.name, FlowText(setting.value));
     }

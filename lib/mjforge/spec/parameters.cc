@@ -6,9 +6,10 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/spec/graph.h"
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/records.h"
 
 namespace mjforge::spec {
 namespace {
@@ -44,18 +45,22 @@ std::string SourceText(const YamlNode& node) {
 }
 
 // The positions of the parameters that each one's node uses, by functions, too.
-std::vector<std::vector<int>> UsesOf(const std::vector<YamlNode>& nodes, const ObjectSpec& spec) {
+std::vector<std::vector<int>> UsesOf(const std::vector<Declared>& declared,
+                                     const expr::Names& names) {
   std::map<std::string, int, std::less<>> position;
-  for (const Parameter& parameter : spec.parameters) {
+  for (const Declared& parameter : declared)
     position.emplace(parameter.name, static_cast<int>(position.size()));
-  }
   std::vector<std::vector<int>> uses;
-  for (const YamlNode& node : nodes) {
-    std::vector<std::string> names;
-    CollectNames(node, names);
+  int key = 0;
+  for (const Declared& parameter : declared) {
     std::vector<int>& used = uses.emplace_back();
-    for (const std::string& name : WithNamesInFunctions(std::move(names), spec.names)) {
-      const auto found = position.find(name.substr(0, name.find('.')));
+    if (parameter.is_key()) key = static_cast<int>(uses.size()) - 1;
+    if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
+    std::vector<std::string> words;
+    CollectNames(parameter.node, words);
+    for (const std::string& word : WithNamesInFunctions(std::move(words), names)) {
+      auto found = position.find(word);
+      if (found == position.end()) found = position.find(word.substr(0, word.find('.')));
       if (found != position.end()) used.push_back(found->second);
     }
   }
@@ -65,6 +70,7 @@ std::vector<std::vector<int>> UsesOf(const std::vector<YamlNode>& nodes, const O
 // What the parameters are by their own values.
 std::vector<Parameter> OwnParameters(const YamlNode& params, Reading& reading) {
   ObjectSpec own;
+  own.shared = reading.spec.shared;
   own.names.Declare("index", expr::Type::kNumber);
   for (const auto& [name, formula] : reading.spec.names.formulas()) own.names.Define(formula);
   diag::Findings ignored;
@@ -81,7 +87,7 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
   const Value& wanted = own.value;
   Value& value = parameter.value;
   if (wanted.components == 0) return;  // it is wrong itself
-  if (value.type == wanted.type && value.components == wanted.components) return;
+  if (IsSameKind(value, wanted)) return;
   if (value.components != 0) {
     const std::string given = node.kind == YamlNode::Kind::kScalar ? node.text : FlowText(node);
     reading.findings.Add(Code::kSpecWrongType, node.mark,
@@ -89,22 +95,56 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
                                      KindText(wanted), given, KindText(value)),
                          fmt::format("the spec has '{}: {}'", own.name, own.source));
   }
-  value = Value{.mark = node.mark, .type = wanted.type, .components = wanted.components};
+  value = Value{.mark = node.mark,
+                .type = wanted.type,
+                .components = wanted.components,
+                .is_list = wanted.is_list};
 }
 
-// `own`: what a setting stands in for; null: nothing was set.
-void ReadOne(Parameter& parameter, const YamlNode& node, bool in_cycle, const Parameter* own,
-             Reading& reading) {
-  if (in_cycle) {
-    parameter.slot = reading.spec.names.Declare(parameter.name, expr::Type::kNumber);
+// "M3, M4, M5"; of many, the first ones.
+std::string SomeOf(std::span<const std::string> words) {
+  constexpr std::size_t kShown = 12;
+  std::string text =
+      fmt::format("{}", fmt::join(words.first(std::min(kShown, words.size())), ", "));
+  return words.size() > kShown ? fmt::format("{}, ... ({} in all)", text, words.size()) : text;
+}
+
+// A setting of a record's key is one of the keys, if it can be told.
+void CheckKey(const Declared& declared, const Value& value, Reading& reading) {
+  const auto number = ConstantOf(value);
+  if (!number || std::ranges::find(declared.rows->keys, *number) != declared.rows->keys.end())
     return;
+  reading.findings.Add(
+      Code::kSpecBadValue, value.mark,
+      fmt::format("no row of '{}' has {}", declared.record, expr::NumberText(*number)),
+      fmt::format("the rows are {}", SomeOf(declared.rows->names)));
+}
+
+// `own`: what a setting stands in for; null: nothing was set. `key`: of the record that it is a
+// column of.
+void ReadOne(Parameter& parameter, const Declared& declared, const Parameter* own,
+             const Parameter* key, Reading& reading) {
+  const YamlNode& node = declared.node;
+  const std::span<const std::string_view> extra_keys =
+      IsLongForm(node) ? std::span(kLongFormKeys) : std::span<const std::string_view>();
+  if (own != nullptr) {
+    parameter.value = reading.values.ReadLike(own->value, node, extra_keys);
+    CheckSetting(*own, node, parameter, reading);
+    if (declared.is_key()) CheckKey(declared, parameter.value, reading);
+  } else if (key != nullptr) {
+    parameter.value = reading.values.ReadDrawOf(declared.slot, node);
+    if (auto* choice = std::get_if<Draw>(&parameter.value.form)) {
+      choice->rows = declared.rows;
+      choice->key_slot = key->slot;
+    }
+  } else if (declared.is_key()) {
+    parameter.value = reading.values.ReadDrawOf(declared.slot, node, extra_keys);
+  } else {
+    parameter.value = reading.values.ReadAnything(node, extra_keys);
   }
-  parameter.value = reading.values.ReadAnything(
-      node, IsLongForm(node) ? std::span<const std::string_view>(kLongFormKeys)
-                             : std::span<const std::string_view>());
-  if (own != nullptr) CheckSetting(*own, node, parameter, reading);
-  parameter.slot = reading.spec.names.Declare(parameter.name, parameter.value.type,
-                                              std::clamp(parameter.value.components, 1, 4));
+  const auto& variable = Declare(reading.spec.names, parameter.name, parameter.value);
+  parameter.slot = variable.slot;
+  parameter.list = variable.list;
 }
 
 // A pinned text must be one the spec knows: any other would quietly leave out
@@ -114,44 +154,79 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Reading& rea
   const YamlNode& bare = value != nullptr ? *value : own;
   const YamlNode* options = bare.kind == YamlNode::Kind::kMap ? bare.Find("choice") : nullptr;
   if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return true;
-  std::vector<std::string_view> words;
-  std::string list;
+  std::vector<std::string> words;
   for (const YamlNode& option : options->items) {
-    if (option.kind != YamlNode::Kind::kScalar || expr::ParseNumber(option.text)) return true;
+    if (!reading.values.IsPlainText(option)) return true;
     words.push_back(option.text);
-    if (!list.empty()) list += ", ";
-    list += option.text;
   }
   if (std::ranges::find(words, pinned.text) != words.end()) return true;
+  const std::vector<std::string_view> known(words.begin(), words.end());
   reading.findings.Add(Code::kSpecBadValue, pinned.mark,
-                       fmt::format("'{}' is not one of {}", pinned.text, list),
-                       diag::DidYouMean(pinned.text, words));
+                       fmt::format("'{}' is not one of {}", pinned.text, SomeOf(words)),
+                       diag::DidYouMean(pinned.text, known));
   return false;
 }
 
 // Which parameters were set.
-std::vector<bool> ApplySettings(std::span<const NamedNode> settings, std::vector<YamlNode>& nodes,
-                                Reading& reading) {
-  std::vector<bool> is_set(nodes.size());
+std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
+                                std::vector<Declared>& declared, Reading& reading) {
+  std::vector<bool> is_set(declared.size());
   std::vector<std::string_view> names;
   for (const Parameter& parameter : reading.spec.parameters) names.push_back(parameter.name);
   for (const NamedNode& setting : settings) {
     if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints) continue;
-    const auto found = std::ranges::find(names, setting.name);
-    if (found == names.end()) {
+    const Parameter* found = reading.spec.FindParameter(setting.name);
+    if (found == nullptr) {
       reading.findings.Add(
           Code::kSpecUnknownParameter, setting.value.mark,
           fmt::format("'{}' has no parameter '{}'", reading.spec.name, setting.name),
           diag::DidYouMean(setting.name, names));
       continue;
     }
-    const auto position = static_cast<std::size_t>(found - names.begin());
-    if (!CheckPinnedChoice(nodes[position], setting.value, reading)) continue;
+    const auto at = static_cast<std::size_t>(found - reading.spec.parameters.data());
+    const std::size_t first = reading.spec.parameters.size() - declared.size();
+    if (at < first) continue;  // of an imported file, where it was applied
+    const std::size_t position = at - first;
+    const bool is_looked_up = declared[position].rows != nullptr && !declared[position].is_key();
+    if (!is_looked_up && !CheckPinnedChoice(declared[position].node, setting.value, reading))
+      continue;
     is_set[position] = true;
-    nodes[position] = setting.value;
-    reading.spec.parameters[position].source = SourceText(setting.value);
+    declared[position].node = setting.value;
+    reading.spec.parameters[at].source = SourceText(setting.value);
   }
   return is_set;
+}
+
+// The key of the record that a parameter is a column of; null: it is none.
+const Parameter* KeyOf(std::span<const Declared> declared, std::size_t i,
+                       std::span<const Parameter> parameters) {
+  if (declared[i].rows == nullptr || declared[i].is_key()) return nullptr;
+  while (!declared[i].is_key()) --i;
+  return &parameters[i];
+}
+
+// Parameters and functions of imported files, but those of which the spec has its own.
+void AddShared(const YamlNode* params, Reading& reading) {
+  ObjectSpec& spec = reading.spec;
+  for (std::size_t file = 0; file < spec.shared.size(); ++file) {
+    const ObjectSpec& from = *spec.shared[file];
+    spec.has_exact_choice |= from.has_exact_choice;
+    for (const auto& [name, formula] : from.names.formulas()) {
+      if (spec.names.FindFormula(name) == nullptr) spec.names.Define(formula);
+    }
+    for (std::size_t i = 0; i < from.parameters.size(); ++i) {
+      const Parameter& theirs = from.parameters[i];
+      const bool is_own = params != nullptr &&
+                          params->Find(theirs.name.substr(0, theirs.name.find('.'))) != nullptr;
+      if (is_own || spec.FindParameter(theirs.name) != nullptr) continue;
+      Parameter& parameter = spec.parameters.emplace_back(theirs);
+      parameter.value.form = SharedParameter{file, i};
+      const auto& variable = Declare(spec.names, parameter.name, parameter.value);
+      parameter.slot = variable.slot;
+      parameter.list = variable.list;
+      spec.evaluation_order.push_back(static_cast<int>(spec.parameters.size()) - 1);
+    }
+  }
 }
 
 void ReadRequirements(const YamlNode& require, Reading& reading) {
@@ -167,24 +242,37 @@ void ReadRequirements(const YamlNode& require, Reading& reading) {
   }
 }
 
-void DeclareParameters(const YamlNode& params, std::vector<YamlNode>& nodes, Reading& reading) {
+std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading) {
+  std::vector<Declared> all;
   for (const auto& pair : params.pairs) {
     CheckParameterName(pair, reading);
-    Parameter parameter;
-    parameter.name = pair.key;
-    parameter.mark = pair.mark;
-    parameter.source = SourceText(pair.value);
-    if (IsLongForm(pair.value)) {
-      if (const YamlNode* doc = pair.value.Find("doc")) {
-        parameter.doc = reading.values.ReadPlainText("doc", *doc);
-      }
-      if (const YamlNode* unit = pair.value.Find("unit")) {
-        parameter.unit = reading.values.ReadPlainText("unit", *unit);
-      }
+    auto record = ReadRecord(pair, reading);
+    if (!record) {
+      record.emplace({Declared{.name = pair.key,
+                               .mark = pair.mark,
+                               .node = pair.value,
+                               .source = {}}});
     }
-    reading.spec.parameters.push_back(std::move(parameter));
-    nodes.push_back(pair.value);
+    for (Declared& declared : *record) {
+      Parameter parameter;
+      parameter.name = declared.name;
+      parameter.mark = declared.mark;
+      parameter.source =
+          declared.source.empty() ? SourceText(pair.value) : std::move(declared.source);
+      parameter.record = declared.record;
+      if (&declared == &record->front() && IsLongForm(pair.value)) {
+        if (const YamlNode* doc = pair.value.Find("doc")) {
+          parameter.doc = reading.values.ReadPlainText("doc", *doc);
+        }
+        if (const YamlNode* unit = pair.value.Find("unit")) {
+          parameter.unit = reading.values.ReadPlainText("unit", *unit);
+        }
+      }
+      reading.spec.parameters.push_back(std::move(parameter));
+      all.push_back(std::move(declared));
+    }
   }
+  return all;
 }
 
 }  // namespace
@@ -192,29 +280,37 @@ void DeclareParameters(const YamlNode& params, std::vector<YamlNode>& nodes, Rea
 void ReadParameters(const YamlNode* params, const YamlNode* require,
                     std::span<const NamedNode> settings, Reading& reading) {
   ObjectSpec& spec = reading.spec;
-  std::vector<YamlNode> nodes;
+  AddShared(params, reading);
+  const std::size_t first = spec.parameters.size();
+  std::vector<Declared> declared;
   if (params != nullptr && IsMap(*params, "parameters", reading)) {
-    DeclareParameters(*params, nodes, reading);
+    declared = DeclareParameters(*params, reading);
   }
   std::vector<Parameter> own;
-  if (!settings.empty() && !nodes.empty()) own = OwnParameters(*params, reading);
-  const std::vector<bool> is_set = ApplySettings(settings, nodes, reading);
+  if (!settings.empty() && !declared.empty()) own = OwnParameters(*params, reading);
+  const std::vector<bool> is_set = ApplySettings(settings, declared, reading);
+  const std::span<Parameter> parameters = std::span(spec.parameters).subspan(first);
 
-  std::vector<bool> in_cycle(nodes.size());
+  std::vector<bool> in_cycle(declared.size());
   const auto on_cycle = [&](const std::vector<int>& path) {
     std::string text;
     for (const int i : path) {
       in_cycle[static_cast<std::size_t>(i)] = true;
       if (!text.empty()) text += " -> ";
-      text += spec.parameters[static_cast<std::size_t>(i)].name;
+      text += parameters[static_cast<std::size_t>(i)].name;
     }
-    reading.findings.Add(Code::kSpecCycle, spec.parameters[static_cast<std::size_t>(path[0])].mark,
+    reading.findings.Add(Code::kSpecCycle, parameters[static_cast<std::size_t>(path[0])].mark,
                          fmt::format("parameters depend on each other: {}", text));
   };
-  spec.evaluation_order = OrderByUse(UsesOf(nodes, spec), on_cycle);
-  for (const int i : spec.evaluation_order) {
+  for (const int i : OrderByUse(UsesOf(declared, spec.names), on_cycle)) {
     const auto at = static_cast<std::size_t>(i);
-    ReadOne(spec.parameters[at], nodes[at], in_cycle[at], is_set[at] ? &own[at] : nullptr, reading);
+    spec.evaluation_order.push_back(static_cast<int>(first + at));
+    if (in_cycle[at]) {
+      parameters[at].slot = spec.names.Declare(parameters[at].name, expr::Type::kNumber).slot;
+    } else {
+      ReadOne(parameters[at], declared[at], is_set[at] ? &own[first + at] : nullptr,
+              KeyOf(declared, at, parameters), reading);
+    }
   }
   if (require != nullptr) ReadRequirements(*require, reading);
 }

@@ -21,6 +21,9 @@ class NestedLoader {
   /// The spec named at `mark`; null, and a finding, if it cannot be loaded.
   virtual std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
                                                        diag::SourceMark mark) = 0;
+  /// The number among the sources of another file that the spec is made of, which resolves against
+  /// its folder; nothing, and a finding, if it cannot be read.
+  virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
 struct Reading {

@@ -199,7 +199,9 @@ std::string DrawArguments(const DistributionInfo& info) {
 std::string DrawForm(const DistributionInfo& info, const Members& more_properties) {
   Members properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
-    properties.push_back(Member(info.option, R"("@list number", "minItems": 1)"));
+    // Or, of a record, the column that has them.
+    properties.push_back(
+        Member(info.option, R"("anyOf": [{"@list number", "minItems": 1}, {"type": "string"}])"));
   } else if (!info.option.empty()) {
     properties.push_back(Member(info.option, R"("@list number", "minItems": 2, "maxItems": 2)"));
   }

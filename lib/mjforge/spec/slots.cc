@@ -24,7 +24,9 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kConditions, "list of conditions",
              R"("anyOf": [{"@is condition"}, {"@list condition"}])"},
     SlotInfo{Slot::kCondition, "condition", R"("@is condition")"},
-    SlotInfo{Slot::kLoops, "variable: count", R"("@map number")"},
+    SlotInfo{Slot::kLoops, "variable: count or list",
+             R"("type": "object", "additionalProperties": )"
+             R"({"anyOf": [{"@is number"}, {"@is list"}]})"},
     SlotInfo{Slot::kLocals, "name: value", R"("@map value")"},
     SlotInfo{Slot::kMaterials, "name: material", R"("@map material")"},
     SlotInfo{Slot::kDefaults, "defaults", R"("@is defaults")"},
@@ -35,7 +37,11 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kJoints, "list of joints"},
     SlotInfo{Slot::kPose, "frame", R"("@is frame")"},
     SlotInfo{Slot::kTexture, "texture", R"("@is texture")"},
-    SlotInfo{Slot::kOverrides, "name: value", R"("@map value")"},
+    SlotInfo{
+        Slot::kOverrides, "name: value",
+        R"("type": "object", "patternProperties": {"^[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*)?$": )"
+        R"({"@is value"}}, "additionalProperties": false)"},
+    SlotInfo{Slot::kSubstitutes, "name: material's name", R"("@map text")"},
     SlotInfo{Slot::kFields, "keys"},
     SlotInfo{Slot::kBodies, "list of bodies", R"("@list body")"},
     SlotInfo{Slot::kContact, "contact", R"("@is contacts")"},

@@ -28,6 +28,10 @@ struct Parameter {
   std::string unit;
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
+  int list = -1;  // as expr::Names::Variable::list
+  /// Of the key of a record: the record's name, which may stand for the key's ("style" for
+  /// "style.name").
+  std::string record;
 };
 
 struct Requirement {
@@ -82,6 +86,9 @@ struct ObjectSpec {
   std::vector<std::pair<std::string, diag::SourceMark>> functions;  // in `names`; in file order
   std::vector<Parameter> parameters;                                // in file order
   std::vector<int> evaluation_order;                                // indices into parameters
+  /// The parameters of imported files, which all specs that import them share: they are drawn for
+  /// themselves, by the file's name, and have only a name, parameters and requirements.
+  std::vector<std::shared_ptr<const ObjectSpec>> shared;
   std::vector<Requirement> requirements;
   std::vector<Material> materials;  // own ones first, then imported, in file order
   Defaults defaults;
@@ -97,6 +104,7 @@ struct ObjectSpec {
   std::optional<Field> total_size;  // half sizes, m
   Checks checks;
 
+  /// By its name; a key by that of its record, too.
   const Parameter* FindParameter(std::string_view parameter) const;
 };
 

@@ -30,7 +30,12 @@ void ReportUnused(const YamlNode* materials, Reading& reading) {
         "remove it, or say why it is there: `checks: {silence: {spec/unused: ...}}`");
   };
   for (const Parameter& parameter : reading.spec.parameters) {
-    if (!uses.names.contains(parameter.name)) report("parameter", parameter.name, parameter.mark);
+    // Of a record, any column.
+    const std::string name = parameter.name.substr(0, parameter.name.find('.'));
+    const bool is_column = name != parameter.name && parameter.record.empty();
+    const bool is_shared = std::holds_alternative<SharedParameter>(parameter.value.form);
+    if (!is_column && !is_shared && !uses.names.contains(name))
+      report("parameter", name, parameter.mark);
   }
   for (const auto& [name, mark] : reading.spec.functions) {
     if (!uses.names.contains(name)) report("function", name, mark);

@@ -202,11 +202,15 @@ void ValueReader::CheckBody(const expr::Formula& formula) {
     Report(std::move(error), formula.mark, 0);
 }
 
-Value ValueReader::ReadExpression(const YamlNode& node) {
+Value ValueReader::ReadExpression(const YamlNode& node, expr::Expression::Result result) {
   Value value = Harmless(node);
-  if (auto expression = Compile(node, 0, node.text.size())) {
-    value.type = expression->type();
-    value.components = 1;
+  auto expression = Compile(node, 0, node.text.size(), result);
+  if (!expression) return value;
+  value.type = expression->type();
+  value.components = 1;
+  if (value.type == Type::kText) {
+    value.form = Text{{{.literal = {}, .expression = std::move(expression)}}};
+  } else {
     value.form = std::move(*expression);
   }
   return value;
@@ -286,7 +290,8 @@ Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNo
   return Value{.mark = node.mark,
                .type = variable.type,
                .components = variable.components,
-               .form = VariableReference{variable.name, variable.slot}};
+               .is_list = variable.is_list(),
+               .form = VariableReference{variable.name, variable.slot, variable.list}};
 }
 
 Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
@@ -351,7 +356,7 @@ Value ValueReader::ReadAnyScalar(const YamlNode& node) {
   if (FindRange(node.text) && !LooksLikeText(node)) return ReadNumber(node);
   if (const auto* variable = LoneName(node)) return Reference(*variable, node);
   if (node.text != "pi" && LooksLikeText(node)) return ReadText(node);
-  return ReadExpression(node);
+  return ReadExpression(node, expr::Expression::Result::kAny);
 }
 
 Value ValueReader::ReadAnything(const YamlNode& node,
@@ -362,7 +367,9 @@ Value ValueReader::ReadAnything(const YamlNode& node,
     case YamlNode::Kind::kScalar:
       return ReadAnyScalar(node);
     case YamlNode::Kind::kList:
-      // As where a list is wanted: one number alone is a list of one.
+      if (node.items.size() > 4 || ItemType(node) == Type::kText)
+        return ReadItems(ItemType(node), node);
+      // As where a vector is wanted: one number alone is a vector of one.
       if (node.items.size() == 1) return ReadNumber(node.items.front());
       return ReadList({.slot = Slot::kNumbers, .min_count = 2, .max_count = 4}, node);
     case YamlNode::Kind::kMap:

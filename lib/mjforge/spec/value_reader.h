@@ -41,6 +41,20 @@ class ValueReader {
   /// `extra_keys` besides the distribution.
   Value ReadAnything(const YamlNode& node, std::span<const std::string_view> extra_keys = {});
 
+  /// As ReadAnything; where `wanted` is a list, one in brackets is, too, however short.
+  Value ReadLike(const Value& wanted, const YamlNode& node,
+                 std::span<const std::string_view> extra_keys = {});
+  /// A list in brackets, of numbers or texts; or the name of a list or a vector.
+  std::optional<Value> ReadListOrName(const YamlNode& node);
+
+  /// The mapping of a draw where only numbers or only texts may be, or anything.
+  Value ReadDrawOf(Slot slot, const YamlNode& map,
+                   std::span<const std::string_view> extra_keys = {}) {
+    return ReadMapping({.slot = slot}, map, extra_keys);
+  }
+  /// Whether it can only be text, and has no expressions.
+  bool IsPlainText(const YamlNode& node) const;
+
   Value ReadNumber(const YamlNode& node);
   Value ReadText(const YamlNode& node);
   /// A boolean expression; nothing if it is wrong.
@@ -71,6 +85,13 @@ class ValueReader {
   Value ReadVector(const Expected& expected, const YamlNode& node);
   Value ReadList(const Expected& expected, const YamlNode& node);
   Value ReadPoints(const YamlNode& node);
+  Value ReadItems(expr::Type type, const YamlNode& node);
+  expr::Type ItemType(const YamlNode& list) const;
+  bool IsText(const YamlNode& node) const;
+  Value ReadListForm(const Expected& expected, const YamlNode& map, const YamlNode::Pair& main);
+  Value ReadEach(const YamlNode& map);
+  Value ReadArrangement(std::string_view key, const YamlNode& map);
+  std::shared_ptr<const Value> ReadCount(const YamlNode& node);
   Value ReadAnyScalar(const YamlNode& node);
   Value ReadMapping(const Expected& expected, const YamlNode& node,
                     std::span<const std::string_view> extra_keys);
@@ -85,7 +106,7 @@ class ValueReader {
   void CheckMeaning(bool is_color, const Expected& expected, const YamlNode& node);
   Value ReadVectorForm(std::string_view key, const Expected& expected, const YamlNode& node);
   Value ReadRange(const YamlNode& node, std::size_t dots);
-  Value ReadExpression(const YamlNode& node);
+  Value ReadExpression(const YamlNode& node, expr::Expression::Result result = {});
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
                                           std::size_t length, expr::Expression::Result result = {});
   Value Reference(const expr::Names::Variable& variable, const YamlNode& node);
@@ -111,6 +132,9 @@ class ValueReader {
 
 /// Where the two dots of `lo .. hi` are in a text; nothing if it is not a range.
 std::optional<std::size_t> FindRange(std::string_view text);
+
+/// Whether a mapping with this key says how a value is drawn: `normal`, `each`, `about`.
+bool IsDrawKey(std::string_view key);
 
 /// A plain `true` or `false`.
 bool IsBooleanWord(const YamlNode& node);

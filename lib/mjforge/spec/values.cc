@@ -41,10 +41,28 @@ bool Varies(const Value& value, const std::function<bool(int)>& variable_varies)
   if (const auto* color = std::get_if<HsvColor>(&value.form)) {
     return std::ranges::any_of(color->items, item_varies);
   }
+  if (const auto* each = std::get_if<Each>(&value.form))
+    return item_varies(*each->value) || item_varies(*each->count);
   return std::holds_alternative<Draw>(value.form) ||
+         std::holds_alternative<Arrangement>(value.form) ||
+         std::holds_alternative<SharedParameter>(value.form) ||
          std::holds_alternative<RandomRotation>(value.form) ||
          std::holds_alternative<RotationAbout>(value.form) ||
          std::holds_alternative<PointOnSphere>(value.form);
+}
+
+bool IsListLength(double number) {
+  return number >= 0 && number <= 100'000 && number == std::floor(number);
+}
+
+bool IsSameKind(const Value& a, const Value& b) {
+  return a.type == b.type && a.components == b.components && a.is_list == b.is_list;
+}
+
+const expr::Names::Variable& Declare(expr::Names& names, std::string name, const Value& value) {
+  return value.is_list
+             ? names.DeclareList(std::move(name), value.type)
+             : names.Declare(std::move(name), value.type, std::clamp(value.components, 1, 4));
 }
 
 std::optional<double> ConstantOf(const Value& value) {
@@ -70,6 +88,7 @@ std::string KindText(expr::Type type, std::size_t components) {
 }
 
 std::string KindText(const Value& value) {
+  if (value.is_list) return fmt::format("a list of {}s", expr::TypeName(value.type));
   return KindText(value.type, static_cast<std::size_t>(value.components));
 }
 

@@ -34,10 +34,41 @@ struct Text {
 struct VariableReference {
   std::string name;
   int slot = 0;
+  int list = -1;  // as expr::Names::Variable::list
 };
 
+/// Numbers or texts, or points.
 struct List {
   std::vector<Value> items;
+};
+
+/// A list of `count` values, each drawn for itself: {each: 22mm .. 35mm, count: 5}.
+struct Each {
+  std::shared_ptr<const Value> value;
+  std::shared_ptr<const Value> count;
+};
+
+/// Different items of a list in random order, `count` of them: {shuffle: list}, {sample: list,
+/// count: 2}.
+struct Arrangement {
+  std::shared_ptr<const Value> list;
+  std::shared_ptr<const Value> count;  // null: all
+};
+
+/// A parameter of an imported file: ObjectSpec::shared[file]->parameters[position].
+struct SharedParameter {
+  std::size_t file = 0;
+  std::size_t position = 0;
+};
+
+/// Whether a list can have as many values: a whole number, at most 100,000.
+bool IsListLength(double number);
+inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 to 100000";
+
+/// The rows of a record.
+struct Rows {
+  std::vector<double> keys;        // of texts, their TextKey()s; all different
+  std::vector<std::string> names;  // of the keys as written
 };
 
 struct Draw {
@@ -46,6 +77,9 @@ struct Draw {
   std::vector<Value> limits;     // clip or range: none or two numbers
   std::vector<Value> weights;    // choice: none or one for each option
   bool exact = false;            // choice: the counts over a batch follow the weights
+  /// A choice of one option for each row: it is not drawn, but that of the key in the slot.
+  std::shared_ptr<const Rows> rows;
+  int key_slot = 0;
 };
 
 struct RandomRotation {};  // quat: random
@@ -62,11 +96,18 @@ struct HsvColor {
 struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
-  int components = 1;  // of a vector; a list of points counts its points; 0: it was reported
+  int components = 1;    // of a vector; a list of points counts its points; 0: it was reported
+  bool is_list = false;  // of numbers or texts, as `type` says; of any length
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
-               RotationAbout, PointOnSphere, HsvColor>
+               RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter>
       form = 0.0;
 };
+
+/// Whether both are numbers, texts, vectors of one length, or lists of numbers or texts.
+bool IsSameKind(const Value& a, const Value& b);
+
+/// Declares a name for what has such a value.
+const expr::Names::Variable& Declare(expr::Names& names, std::string name, const Value& value);
 
 /// Is any number in it drawn?
 bool HasDraw(const Value& value);
@@ -79,7 +120,8 @@ std::optional<double> ConstantOf(const Value& value);
 /// The text if it has no interpolation; nothing otherwise.
 std::optional<std::string_view> LiteralText(const Value& value);
 
-/// What a parameter or a value is: "a number", "3 numbers", "text", "true or false".
+/// What a parameter or a value is: "a number", "3 numbers", "text", "true or false", "a list of
+/// texts".
 std::string KindText(expr::Type type, std::size_t components);
 std::string KindText(const Value& value);
 

@@ -280,6 +280,14 @@ std::string Reworded(const std::string& message) {
   return message;
 }
 
+// Whether a name has a bracket right behind it: `widths[i]`.
+bool HasItem(std::string_view line) {
+  for (auto at = line.find('['); at != line.npos; at = line.find('[', at + 1)) {
+    if (at > 0 && expr::IsNameCharacter(line[at - 1])) return true;
+  }
+  return false;
+}
+
 bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
   const std::string& text = sources.Text(file);
   if (const std::string_view kind = bytes::KindOf(text); !kind.empty()) {
@@ -336,7 +344,11 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
       findings.Add(Code::kYamlSyntax, mark, "in braces or brackets text with '${' is quoted",
                    fmt::format("write '{}'", word));
     } else {
-      findings.Add(Code::kYamlSyntax, mark, Reworded(error.msg));
+      const bool in_flow = error.msg.find("flow not found") != std::string::npos;
+      findings.Add(Code::kYamlSyntax, mark, Reworded(error.msg),
+                   in_flow && HasItem(sources.Line(mark))
+                       ? "in braces or brackets an item of a list is quoted: [\"widths[i]\", 0, 0]"
+                       : "");
     }
   }
   return false;

@@ -90,28 +90,29 @@ TEST_CASE("a missing operator is reported at the second value") {
 }
 
 TEST_CASE("signs that mean something elsewhere are explained") {
-  CheckErrors(Code::kExprSyntax,
-              {{"r = 2", 2, "'=' is not an operator", "write == to compare"},
-               {"r & yes", 2, "'&' is not an operator", "write && or 'and'"},
-               {"(r | yes)", 3, "'|' is not an operator", "write || or 'or'"},
-               {"r .. 2", 2, "a range cannot be part of an expression",
-                "draw it as a separate parameter and use that parameter's name"},
-               {"r..2", 1, "a range cannot be part of an expression",
-                "draw it as a separate parameter and use that parameter's name"},
-               {"0,5 * r", 1, "',' only separates the arguments of a function",
-                "write decimals with a point: 0.5"},
-               {"r, r", 1, "',' only separates the arguments of a function", ""},
-               {"(1, r)", 2, "',' only separates the arguments of a function", ""},
-               {"r : 2", 2, "':' has no '?' before it", ""},
-               {"r $ 2", 2, "unexpected character '$'",
-                "inside an expression write only the name, without ${}"},
-               {"[1]", 0, "unexpected character '['", "an expression gives one value, not a list"},
-               {"2 × r", 2, "unexpected character '×'", "write * to multiply"},
-               {"90°", 2, "unexpected character '°'", "write deg after the number"},
-               {"5 − 3", 2, "unexpected character '−'", "write the ASCII minus sign -"},
-               {"r ; 2", 2, "unexpected character ';'", ""},
-               {"größe", 2, "unexpected character 'ö'", ""},
-               {".", 0, "unexpected character '.'", ""}});
+  CheckErrors(
+      Code::kExprSyntax,
+      {{"r = 2", 2, "'=' is not an operator", "write == to compare"},
+       {"r & yes", 2, "'&' is not an operator", "write && or 'and'"},
+       {"(r | yes)", 3, "'|' is not an operator", "write || or 'or'"},
+       {"r .. 2", 2, "a range cannot be part of an expression",
+        "draw it as a separate parameter and use that parameter's name"},
+       {"r..2", 1, "a range cannot be part of an expression",
+        "draw it as a separate parameter and use that parameter's name"},
+       {"0,5 * r", 1, "',' only separates the arguments of a function",
+        "write decimals with a point: 0.5"},
+       {"r, r", 1, "',' only separates the arguments of a function", ""},
+       {"(1, r)", 2, "',' only separates the arguments of a function", ""},
+       {"r : 2", 2, "':' has no '?' before it", ""},
+       {"r $ 2", 2, "unexpected character '$'",
+        "inside an expression write only the name, without ${}"},
+       {"[1]", 0, "a value is expected before '['", "an expression gives one value, not a list"},
+       {"2 × r", 2, "unexpected character '×'", "write * to multiply"},
+       {"90°", 2, "unexpected character '°'", "write deg after the number"},
+       {"5 − 3", 2, "unexpected character '−'", "write the ASCII minus sign -"},
+       {"r ; 2", 2, "unexpected character ';'", ""},
+       {"größe", 2, "unexpected character 'ö'", ""},
+       {".", 0, "unexpected character '.'", ""}});
 }
 
 TEST_CASE("parentheses and choices must be complete") {

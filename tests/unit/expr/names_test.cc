@@ -6,9 +6,9 @@ using namespace mjforge::expr;
 
 TEST_CASE("each name gets slots of its own, a vector one for each component") {
   Names names;
-  CHECK(names.Declare("index", Type::kNumber) == 0);
-  CHECK(names.Declare("size", Type::kNumber, 3) == 1);
-  CHECK(names.Declare("shape", Type::kText) == 4);
+  CHECK(names.Declare("index", Type::kNumber).slot == 0);
+  CHECK(names.Declare("size", Type::kNumber, 3).slot == 1);
+  CHECK(names.Declare("shape", Type::kText).slot == 4);
   CHECK(names.slot_count() == 5);
   REQUIRE(names.Find("size") != nullptr);
   CHECK(names.Find("size")->components == 3);
@@ -25,7 +25,7 @@ TEST_CASE("a forgotten name leaves a hole and can be declared anew") {
   CHECK(names.Find("i") == nullptr);
   CHECK(names.Find("r")->slot == 1);
   CHECK(names.slot_count() == 2);
-  CHECK(names.Declare("i", Type::kBoolean) == 2);
+  CHECK(names.Declare("i", Type::kBoolean).slot == 2);
   names.Forget("nobody");
   CHECK(names.variables().size() == 2);
 }

@@ -159,7 +159,7 @@ TEST_CASE("a distribution takes its own arguments and options", "[value]") {
         Strings{"4:39 spec/wrong-length: 'weights' has 1 numbers; it needs 2 (one weight for each "
                 "value)"});
   CHECK(ReportWithBox("params: {a: {choice: [1, box]}}\n") ==
-        Strings{"4:26 spec/wrong-type: the values to choose from are of different kinds: number "
+        Strings{"4:26 spec/wrong-type: the values to choose from are of different kinds: a number "
                 "and text"});
 }
 

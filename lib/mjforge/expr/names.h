@@ -1,0 +1,80 @@
+#pragma once
+
+// What an expression may name.
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::expr {
+
+enum class Type { kNumber, kBoolean, kText };
+std::string_view TypeName(Type type);  // "number", "boolean", "text"
+
+/// The number that represents a text among an expression's variables: 52 bits of the text's XXH64.
+/// Equal texts have equal numbers; different texts in practice never do.
+double TextKey(std::string_view text);
+
+/// A function that a spec defines: an expression of its arguments, which are numbers, and of the
+/// names in scope. It must not call itself, by others neither.
+struct Formula {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string body;
+  diag::SourceMark mark = {};  // of the body
+
+  std::string Usage() const;  // "bulge(z)"
+};
+
+/// The names an expression may use, and the slot of each in the array of
+/// variables that Evaluate() takes. A vector `v` of n components fills n slots,
+/// read as `v.x v.y v.z v.w`; booleans are 0 and 1; texts are TextKey()s.
+/// The slot of a list has its length, and the list has a number among the lists.
+/// Slots are never reused: forgetting a name leaves a hole.
+class Names {
+ public:
+  struct Variable {
+    std::string name;
+    Type type = Type::kNumber;
+    int slot = 0;
+    int components = 1;
+    int list = -1;  // -1: not a list
+
+    bool is_list() const { return list >= 0; }
+  };
+
+  /// The name must not be declared already.
+  const Variable& Declare(std::string name, Type type, int components = 1);
+  /// A list of any length.
+  const Variable& DeclareList(std::string name, Type type);
+  /// What has unknown members: any NAME.MEMBER counts as a number. After a finding, so that reading
+  /// continues.
+  void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
+  /// Ends a name's scope (a loop's variable).
+  void Forget(std::string_view name);
+  const Variable* Find(std::string_view name) const;
+  /// Adds a function; one of that name is replaced.
+  void Define(Formula formula);
+  const Formula* FindFormula(std::string_view name) const;
+  const std::map<std::string, Formula, std::less<>>& formulas() const { return formulas_; }
+  /// The variables in scope, sorted by name.
+  std::vector<const Variable*> variables() const;
+  int slot_count() const { return slot_count_; }
+  int list_count() const { return list_count_; }
+
+ private:
+  std::map<std::string, Variable, std::less<>> variables_;
+  std::map<std::string, Formula, std::less<>> formulas_;
+  std::set<std::string, std::less<>> unknown_;
+  Variable member_;  // of what is unknown
+  int slot_count_ = 0;
+  int list_count_ = 0;
+};
+
+}  // namespace mjforge::expr

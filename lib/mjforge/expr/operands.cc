@@ -1,0 +1,130 @@
+#include "mjforge/expr/operands.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "mjforge/expr/complaints.h"
+
+namespace mjforge::expr {
+
+Operands::Operands(std::string_view text, std::vector<Word> words, Parts& parts,
+                   Arguments arguments)
+    : Cursor(text, std::move(words)),
+      names_(parts.names),
+      parsed_(parts.parsed),
+      error_(parts.error),
+      arguments_(std::move(arguments)) {}
+
+Operands::Result Operands::Fail(Error error) {
+  error_ = std::move(error);
+  return std::nullopt;
+}
+
+Operands::Result Operands::FailText(const Typed& operand) {
+  return Fail(MisusedText(words_[operand.word]));
+}
+
+Typed Operands::Literal(double value, Type type) const {
+  return {.value = {.constant = value}, .type = type, .word = at_ - 1};
+}
+
+Typed Operands::Quoted(const Word& word) {
+  parsed_.texts.emplace_back(word.text);
+  return Literal(TextKey(word.text), Type::kText);
+}
+
+Typed Operands::Applied(const Callee& callee, Type type, std::initializer_list<Operand> operands) {
+  return {.value = parsed_.program.Apply(callee, {operands.begin(), operands.size()}),
+          .type = type};
+}
+
+Operands::Result Operands::Named(const Word& word, bool beside_text) {
+  if (const auto argument = arguments_.find(word.text); argument != arguments_.end())
+    return Typed{argument->second.value, argument->second.type, at_ - 1};
+  if (const Names::Variable* variable = names_.Find(word.text)) {
+    if (variable->is_list()) return Fail(WholeList(word));
+    if (variable->components > 1) return Fail(WrongComponent(word, *variable, {}));
+    return Input(word, *variable, 0);
+  }
+  if (const Constant* constant = FindConstant(word.text)) {
+    return Literal(constant->value, constant->is_boolean ? Type::kBoolean : Type::kNumber);
+  }
+  const std::size_t dot = word.text.rfind('.');
+  if (dot != std::string_view::npos) {
+    if (const Names::Variable* vector = names_.Find(word.text.substr(0, dot))) {
+      return Component(word, *vector, word.text.substr(dot + 1));
+    }
+  }
+  return Fail(UnknownName(word, names_, beside_text));
+}
+
+Operands::Result Operands::Component(const Word& word, const Names::Variable& vector,
+                                     std::string_view component) {
+  const std::size_t index = std::string_view("xyzw").find(component);
+  if (component.size() != 1 || index == std::string_view::npos || vector.components == 1 ||
+      static_cast<int>(index) >= vector.components) {
+    return Fail(WrongComponent(word, vector, component));
+  }
+  return Input(word, vector, static_cast<int>(index));
+}
+
+Typed Operands::Input(const Word& word, const Names::Variable& variable, int component) {
+  const int slot = variable.slot + component;
+  NoteInput(word.text, variable, slot);
+  return {parsed_.program.Variable(slot), variable.type, at_ - 1};
+}
+
+void Operands::NoteInput(std::string_view name, const Names::Variable& variable, int slot) {
+  if (std::ranges::find(parsed_.inputs, slot, &Expression::Input::slot) == parsed_.inputs.end())
+    parsed_.inputs.push_back({std::string(name), slot, variable.type, variable.list});
+}
+
+void Operands::NoteItem(const Names::Variable& variable, int item) {
+  std::string name = variable.name;
+  if (!variable.is_list() && item < 4) name += {'.', "xyzw"[item]};
+  NoteInput(name, variable, variable.slot + item);
+}
+
+bool Operands::IsListAt(std::size_t word) const {
+  if (words_[word].kind != Word::Kind::kName) return false;
+  const Names::Variable* variable = names_.Find(words_[word].text);
+  return variable != nullptr && (variable->is_list() || variable->components > 1);
+}
+
+ListSource Operands::AsList(const Names::Variable& variable) {
+  for (int i = 0; i < variable.components; ++i) NoteItem(variable, i);
+  return {.slot = variable.slot,
+          .list = variable.list,
+          .components = variable.is_list() ? 0 : variable.components};
+}
+
+Operands::Result Operands::ElementOf(const Word& list, const Typed& index) {
+  const Names::Variable& variable = *names_.Find(list.text);
+  const std::size_t word = static_cast<std::size_t>(&list - words_.data());
+  // A vector's length is known.
+  if (const bool is_known = !variable.is_list() && index.value.step < 0; is_known) {
+    const double number = index.value.constant;
+    for (int i = 0; i < variable.components; ++i) {
+      if (i != number) continue;
+      NoteItem(variable, i);
+      return Typed{parsed_.program.Variable(variable.slot + i), variable.type, word};
+    }
+    return Fail(NoSuchElement(list, number, variable.components));
+  }
+  return Typed{parsed_.program.Apply(*FindListCallee("[]"), AsList(variable), index.value),
+               variable.type, word};
+}
+
+Operands::Result Operands::OfList(const ListCallee& callee, std::size_t word, const Typed* count) {
+  const Names::Variable& variable = *names_.Find(words_[word].text);
+  const ListCallee& length = *FindListCallee("len");
+  const ListSource source = AsList(variable);
+  const Operand all = variable.is_list() ? parsed_.program.Apply(length, source, {})
+                                         : Operand{.constant = 1.0 * variable.components};
+  if (&callee == &length) return Typed{all};
+  if (variable.type == Type::kText) return Fail(MisusedText(words_[word]));
+  return Typed{parsed_.program.Apply(callee, source, count != nullptr ? count->value : all)};
+}
+
+}  // namespace mjforge::expr

@@ -1,0 +1,29 @@
+#pragma once
+
+// What values of a spec become when they are drawn.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <boost/container/small_vector.hpp>
+
+#include "mjforge/tape/tape.h"
+
+namespace mjforge::sample {
+
+using tape::Traced;
+using Numbers = boost::container::small_vector<Traced<double>, 6>;
+
+/// A parameter's value: a number, a boolean, a text, a vector or a list of numbers, a list of
+/// texts.
+using ParameterValue =
+    std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>>;
+
+/// The values of a list.
+struct Items {
+  Numbers numbers;                 // of texts, their TextKey()s
+  std::vector<std::string> texts;  // none if it is of numbers
+};
+
+}  // namespace mjforge::sample

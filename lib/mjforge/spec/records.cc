@@ -1,0 +1,213 @@
+// Records: one draw that decides several values. `style: {choice: [{name: modern, leg: 3cm}, ...]}`
+// is the parameters `style.name` and `style.leg`; `cup: {rows: cups.csv}` is one for each column of
+// the table. The first one is the key if it tells the rows apart: it is drawn, the others are
+// looked up.
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/records.h"
+#include "mjforge/spec/table.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using diag::SourceMark;
+
+const YamlNode& WithoutLongForm(const YamlNode& node) {
+  const YamlNode* value = node.kind == YamlNode::Kind::kMap ? node.Find("value") : nullptr;
+  return value != nullptr ? *value : node;
+}
+
+// The draw of a record's options: null if it is none.
+const YamlNode::Pair* OptionsOf(const YamlNode& node) {
+  const auto is_record = [](const YamlNode& option) {
+    return option.kind == YamlNode::Kind::kMap &&
+           std::ranges::none_of(option.pairs, [](const auto& pair) { return IsDrawKey(pair.key); });
+  };
+  for (const YamlNode::Pair& pair : node.pairs) {
+    if (pair.key == "rows") return &pair;
+    const bool draws = pair.key == "choice" || pair.key == "cycle";
+    if (draws && !pair.value.items.empty() && is_record(pair.value.items.front())) return &pair;
+  }
+  return nullptr;
+}
+
+YamlNode ListOf(std::vector<YamlNode> items, SourceMark mark) {
+  YamlNode list;
+  list.kind = YamlNode::Kind::kList;
+  list.mark = mark;
+  list.items = std::move(items);
+  return list;
+}
+
+YamlNode ChoiceOf(std::vector<YamlNode> options, SourceMark mark) {
+  YamlNode choice;
+  choice.kind = YamlNode::Kind::kMap;
+  choice.mark = mark;
+  choice.pairs.push_back({"choice", mark, ListOf(std::move(options), mark)});
+  return choice;
+}
+
+class RecordReader {
+ public:
+  RecordReader(const YamlNode::Pair& parameter, Reading& reading)
+      : parameter_(parameter), reading_(reading) {}
+
+  std::vector<Declared> Run(const YamlNode& node, const YamlNode::Pair& options) {
+    const bool is_table = options.key == "rows";
+    std::vector<TableColumn> columns =
+        is_table ? FromFile(options.value) : FromMappings(options.value);
+    if (columns.empty()) {
+      reading_.spec.names.DeclareUnknown(parameter_.key);
+      return {};
+    }
+    std::set<std::string_view> seen;
+    for (const TableColumn& column : columns) {
+      CheckColumnName(column);
+      if (!seen.insert(column.name).second)
+        Fail(Code::kSpecDuplicateName, column.mark,
+             fmt::format("two columns are named '{}'", column.name));
+    }
+    std::shared_ptr<const Rows> rows = KeyOf(columns.front());
+    if (rows == nullptr) {
+      columns.insert(columns.begin(), Numbered(columns.front()));
+      rows = KeyOf(columns.front());
+    }
+    std::vector<Declared> declared;
+    for (const TableColumn& column : columns) {
+      const Slot slot = column.is_text ? Slot::kText : Slot::kNumber;
+      declared.push_back({.name = parameter_.key + "." + column.name,
+                          .mark = column.mark,
+                          .node = ChoiceOf(column.cells, node.mark),
+                          .source = fmt::format("by {}.{}", parameter_.key, columns.front().name),
+                          .slot = is_table ? slot : Slot::kAnything,
+                          .rows = rows});
+    }
+    declared.front().record = parameter_.key;
+    declared.front().node = KeyNode(node, options, columns);
+    // A table is too long to show.
+    declared.front().source = is_table ? "" : FlowText(declared.front().node);
+    return declared;
+  }
+
+ private:
+  void Fail(Code code, SourceMark mark, std::string message, std::string hint = {}) {
+    reading_.findings.Add(code, mark, std::move(message), std::move(hint));
+  }
+
+  std::vector<TableColumn> FromFile(const YamlNode& file) {
+    const std::string name = reading_.values.ReadPlainText("rows", file);
+    const auto source = name.empty() ? std::nullopt : reading_.loader.OpenFile(name, file.mark);
+    if (!source) return {};
+    return ReadTable(*source, reading_.sources, reading_.findings)
+        .value_or(std::vector<TableColumn>());
+  }
+
+  std::vector<TableColumn> FromMappings(const YamlNode& list) {
+    std::vector<TableColumn> columns;
+    for (const YamlNode::Pair& pair : list.items.front().pairs)
+      columns.push_back({.name = pair.key, .mark = pair.mark, .cells = {}});
+    for (const YamlNode& row : list.items) {
+      if (!IsMap(row, "a mapping like the first one", reading_)) continue;
+      for (TableColumn& column : columns) {
+        if (const YamlNode* cell = row.Find(column.name)) {
+          column.cells.push_back(*cell);
+        } else {
+          Fail(Code::kSpecMissingKey, row.mark, fmt::format("'{}' is missing here", column.name),
+               "all mappings of a choice have the same keys");
+        }
+      }
+      for (const YamlNode::Pair& pair : row.pairs) {
+        if (std::ranges::find(columns, pair.key, &TableColumn::name) != columns.end()) continue;
+        Fail(Code::kSpecUnknownKey, pair.mark,
+             fmt::format("the first mapping of this choice has no '{}'", pair.key),
+             "all mappings of a choice have the same keys");
+      }
+    }
+    return columns;
+  }
+
+  void CheckColumnName(const TableColumn& column) {
+    CheckName("column", column.name, column.mark, reading_.findings);
+    if (column.name.size() == 1 &&
+        std::string_view("xyzw").find(column.name) != std::string::npos) {
+      Fail(
+          Code::kSpecBadName, column.mark,
+          fmt::format("'{0}.{1}' would be a component of a vector; column '{1}' needs another name",
+                      parameter_.key, column.name));
+    }
+  }
+
+  // What tells the rows apart: different numbers, or texts as they stand; else null.
+  std::shared_ptr<const Rows> KeyOf(const TableColumn& column) const {
+    auto rows = std::make_shared<Rows>();
+    for (const YamlNode& cell : column.cells) {
+      if (cell.kind != YamlNode::Kind::kScalar) return nullptr;
+      std::optional<double> key;
+      if (column.is_text || reading_.values.IsPlainText(cell)) {
+        key = expr::TextKey(cell.text);
+      } else {
+        expr::Error error;
+        const auto number = expr::Expression::Compile(cell.text, expr::Names(), error);
+        if (number && number->type() == expr::Type::kNumber) key = number->constant();
+      }
+      if (!key || std::ranges::find(rows->keys, *key) != rows->keys.end()) return nullptr;
+      rows->keys.push_back(*key);
+      rows->names.push_back(cell.text);
+    }
+    return rows;
+  }
+
+  static TableColumn Numbered(const TableColumn& first) {
+    TableColumn rows{.name = "row", .mark = first.mark, .cells = {}};
+    for (const YamlNode& cell : first.cells) {
+      YamlNode& number = rows.cells.emplace_back();
+      number.kind = YamlNode::Kind::kScalar;
+      number.mark = cell.mark;
+      number.text = fmt::format("{}", rows.cells.size() - 1);
+    }
+    return rows;
+  }
+
+  // The draw of the key: as the record's, with the keys in place of the mappings.
+  YamlNode KeyNode(const YamlNode& node, const YamlNode::Pair& options,
+                   std::vector<TableColumn>& columns) {
+    YamlNode key = node;
+    for (YamlNode::Pair& pair : key.pairs) {
+      if (pair.key == options.key) {
+        if (pair.key == "rows") pair.key = "choice";
+        pair.value = ListOf(columns.front().cells, pair.value.mark);
+      } else if (pair.key == "weights" && pair.value.kind == YamlNode::Kind::kScalar) {
+        const auto named = std::ranges::find(columns, pair.value.text, &TableColumn::name);
+        if (named != columns.end()) {
+          pair.value = ListOf(named->cells, pair.value.mark);
+        } else {
+          std::vector<std::string_view> names;
+          for (const TableColumn& column : columns) names.push_back(column.name);
+          Fail(Code::kSpecUnknownKey, pair.value.mark,
+               fmt::format("no column '{}'", pair.value.text),
+               diag::DidYouMean(pair.value.text, names));
+        }
+      }
+    }
+    return key;
+  }
+
+  const YamlNode::Pair& parameter_;
+  Reading& reading_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Declared>> ReadRecord(const YamlNode::Pair& parameter, Reading& reading) {
+  const YamlNode& node = WithoutLongForm(parameter.value);
+  const YamlNode::Pair* options = OptionsOf(node);
+  if (options == nullptr) return std::nullopt;
+  return RecordReader(parameter, reading).Run(node, *options);
+}
+
+}  // namespace mjforge::spec
