@@ -83,7 +83,9 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
 // What is computed from others says less than those.
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
-  return parameter != nullptr && std::holds_alternative<spec::Draw>(parameter->value.form);
+  const auto* draw =
+      parameter != nullptr ? std::get_if<spec::Draw>(&parameter->value.form) : nullptr;
+  return draw != nullptr && draw->rows == nullptr;  // not looked up
 }
 
 std::vector<std::size_t> MostDifferent(std::span<const Record> records,

@@ -28,6 +28,7 @@ JOINTS = {
     "articulated/hinged_box": {"box_hinge": "80deg"},
     "articulated/jar_with_lid": {"lift": "2mm"},
     "articulated/scissors": {"pivot": "40deg"},
+    "electronics/keyboard": {"press_56": "-2.5mm"},
 }
 
 # The picture at the top of the README.

@@ -50,10 +50,9 @@ const Names::Variable& Names::Declare(std::string name, Type type, int component
 }
 
 const Names::Variable& Names::DeclareList(std::string name, Type type) {
-  Declare(name, type);
-  Variable& variable = variables_.find(name)->second;
-  variable.list = list_count_++;
-  return variable;
+  std::string key = name;
+  const Variable list{std::move(name), type, slot_count_++, 1, list_count_++};
+  return variables_.insert_or_assign(std::move(key), list).first->second;
 }
 
 void Names::Forget(std::string_view name) {

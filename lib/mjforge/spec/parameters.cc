@@ -248,10 +248,8 @@ std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading
     CheckParameterName(pair, reading);
     auto record = ReadRecord(pair, reading);
     if (!record) {
-      record.emplace({Declared{.name = pair.key,
-                               .mark = pair.mark,
-                               .node = pair.value,
-                               .source = {}}});
+      record.emplace(
+          {Declared{.name = pair.key, .mark = pair.mark, .node = pair.value, .source = {}}});
     }
     for (Declared& declared : *record) {
       Parameter parameter;
@@ -260,6 +258,7 @@ std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading
       parameter.source =
           declared.source.empty() ? SourceText(pair.value) : std::move(declared.source);
       parameter.record = declared.record;
+      parameter.unit = declared.unit;
       if (&declared == &record->front() && IsLongForm(pair.value)) {
         if (const YamlNode* doc = pair.value.Find("doc")) {
           parameter.doc = reading.values.ReadPlainText("doc", *doc);

@@ -84,6 +84,7 @@ class RecordReader {
                           .mark = column.mark,
                           .node = ChoiceOf(column.cells, node.mark),
                           .source = fmt::format("by {}.{}", parameter_.key, columns.front().name),
+                          .unit = column.unit,
                           .slot = is_table ? slot : Slot::kAnything,
                           .rows = rows});
     }
@@ -110,7 +111,7 @@ class RecordReader {
   std::vector<TableColumn> FromMappings(const YamlNode& list) {
     std::vector<TableColumn> columns;
     for (const YamlNode::Pair& pair : list.items.front().pairs)
-      columns.push_back({.name = pair.key, .mark = pair.mark, .cells = {}});
+      columns.push_back({.name = pair.key, .mark = pair.mark, .unit = {}, .cells = {}});
     for (const YamlNode& row : list.items) {
       if (!IsMap(row, "a mapping like the first one", reading_)) continue;
       for (TableColumn& column : columns) {
@@ -163,7 +164,7 @@ class RecordReader {
   }
 
   static TableColumn Numbered(const TableColumn& first) {
-    TableColumn rows{.name = "row", .mark = first.mark, .cells = {}};
+    TableColumn rows{.name = "row", .mark = first.mark, .unit = {}, .cells = {}};
     for (const YamlNode& cell : first.cells) {
       YamlNode& number = rows.cells.emplace_back();
       number.kind = YamlNode::Kind::kScalar;

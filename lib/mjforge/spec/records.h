@@ -16,8 +16,9 @@ struct Declared {
   std::string name;  // "leg", "style.leg"
   diag::SourceMark mark;
   YamlNode node;
-  std::string source;                     // Parameter::source, if not as the user wrote it
-  std::string record = {};                // "style", of its first column, the key
+  std::string source;       // Parameter::source, if not as the user wrote it
+  std::string record = {};  // "style", of its first column, the key
+  std::string unit = {};
   Slot slot = Slot::kAnything;            // of the options
   std::shared_ptr<const Rows> rows = {};  // of a record's columns, the key included
 

@@ -83,6 +83,13 @@ YamlNode Scalar(std::string text, SourceMark mark, bool quoted) {
   return node;
 }
 
+std::string_view SiOf(std::string_view unit) {
+  if (unit == "g") return "kg";
+  if (unit == "deg") return "rad";
+  if (unit == "ms") return "s";
+  return unit.ends_with('m') && unit != "Nm" ? "m" : unit;
+}
+
 std::string_view Trimmed(std::string_view text) {
   const auto words = expr::WordsOf(text);
   return words.empty()
@@ -125,11 +132,12 @@ class Reader {
       unit = Trimmed(name.substr(open + 1, name.size() - open - 2));
       name = Trimmed(name.substr(0, open));
     }
-    TableColumn column{.name = std::string(name), .mark = header.mark, .cells = {}};
+    TableColumn column{.name = std::string(name), .mark = header.mark, .unit = {}, .cells = {}};
     const auto is_number = [i](const Row& row) { return IsNumber(row[i].text); };
     const auto rows = std::span(rows_).subspan(1);
     CheckUnit(unit, header.mark);
     column.is_text = unit == "text" || (unit.empty() && !std::ranges::all_of(rows, is_number));
+    if (!column.is_text) column.unit = SiOf(unit);
     for (const Row& row : rows)
       column.cells.push_back(column.is_text ? Text(row[i]) : Number(row[i], unit));
     return column;

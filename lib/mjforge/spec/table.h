@@ -16,6 +16,7 @@ struct TableColumn {
   std::string name;
   diag::SourceMark mark;  // in the header
   bool is_text = false;
+  std::string unit;             // that of mjforge for what the header's measures: m for mm
   std::vector<YamlNode> cells;  // numbers with the header's unit, or texts
 };
 
