@@ -13,6 +13,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parent / "catalogue.md"
@@ -48,6 +49,9 @@ LIBRARY = SPECS / "materials.yaml"
 BLOCK = "primitives/box"
 BLOCK_SETTINGS = ("--set", "size=[4cm, 3cm, 3cm]", "--set", "rgba=[1, 1, 1, 1]")
 BLOCK_TILE = "144x96"
+
+# Recipes, whose specs stand on the page.
+COOKBOOK = HERE.parent / "cookbook.md"
 
 MATERIALS = """
 ## Materials
@@ -128,6 +132,22 @@ def draw_materials(program, picture):
     return len(names)
 
 
+def draw_cookbook(program):
+    """Draws the recipes on the page; the hashes of their specs, by picture."""
+    text = COOKBOOK.read_text(encoding="utf-8")
+    hashes = {}
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        for file, spec in re.findall(r"```yaml\n(?=# file: (\S+)\n)(.*?)```", text, re.DOTALL):
+            (folder / file).write_text(spec, encoding="utf-8")
+        for name in re.findall(r"\]\(pictures/(\w+)\.png\)", text):
+            spec = folder / f"{name}.yaml"
+            draw(program, spec, HERE / f"{name}.png", {}, "-n", "4", "--size", TILE)
+            inspected = json.loads(run(program, "inspect", str(spec), "--json"))
+            hashes[f"{name}.png"] = {"spec": spec.name, "sha256": inspected["spec_sha256"]}
+    return hashes
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -144,6 +164,7 @@ def main():
         print(f"{picture.name}: {picture.stat().st_size // 1000} kB", flush=True)
     materials = draw_materials(program, HERE / "materials.png")
     hashes["materials.png"] = {"spec": BLOCK, "sha256": hashes[picture_name(BLOCK)]["sha256"]}
+    hashes |= draw_cookbook(program)
     draw(program, HERO, HERE / "hero.png", HERO_JOINTS, "--size", HERO_SIZE)
     hero = json.loads(run(program, "inspect", str(HERO), "--json"))
     hashes["hero.png"] = {"spec": HERO.name, "sha256": hero["spec_sha256"]}

@@ -33,8 +33,8 @@ std::string KindText(const ParameterValue& value) {
 }
 
 std::vector<double> KeysOf(const std::vector<std::string>& texts) {
-  std::vector<double> keys;
-  for (const std::string& text : texts) keys.push_back(expr::TextKey(text));
+  std::vector<double> keys(texts.size());
+  std::ranges::transform(texts, keys.begin(), expr::TextKey);
   return keys;
 }
 

@@ -45,7 +45,7 @@ class EntryReader {
   void ReadOverride(const YamlNode::Pair& pair, Entry& entry);
   void ReadSubstitute(const YamlNode::Pair& pair, Entry& entry);
   /// Reports a name of a material that the spec does not have.
-  void CheckMaterial(const Value& name);
+  void CheckMaterial(const Value& value);
 
   Reading& reading_;
 };

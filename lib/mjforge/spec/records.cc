@@ -188,6 +188,7 @@ class RecordReader {
           pair.value = ListOf(named->cells, pair.value.mark);
         } else {
           std::vector<std::string_view> names;
+          names.reserve(columns.size());
           for (const TableColumn& column : columns) names.push_back(column.name);
           Fail(Code::kSpecUnknownKey, pair.value.mark,
                fmt::format("no column '{}'", pair.value.text),
