@@ -164,7 +164,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
 
 ExitStatus StatusOf(const batch::Summary& summary) {
   if (summary.interrupted) return ExitStatus::kInterrupted;
-  if (summary.output_failed) return ExitStatus::kInputOutput;
+  if (summary.files_failed) return ExitStatus::kInputOutput;
   const bool nothing = summary.ok == 0 && summary.skipped > 0;
   return summary.failed > 0 || nothing ? ExitStatus::kFindings : ExitStatus::kDone;
 }
@@ -176,7 +176,7 @@ std::string Counts(const batch::Summary& summary, Clock::time_point start) {
   if (summary.skipped > 0) text += fmt::format(", {} skipped", summary.skipped);
   if (summary.kept > 0) text += fmt::format(", {} of them kept", summary.kept);
   if (summary.interrupted) text += ", interrupted";
-  if (summary.output_failed) text += ", stopped: output failed";
+  if (summary.files_failed) text += ", stopped";
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   text += fmt::format(" ({:.1f} s", seconds);
   const auto made = static_cast<double>(summary.done() - summary.kept);
@@ -313,7 +313,7 @@ class Generation {
                              summary.count == 1 ? "" : "s", recipe.spec->name, place,
                              Counts(summary, start)));
     const bool is_batch = request.destination.kind != Kind::kFile;
-    if (is_batch && (summary.interrupted || summary.output_failed) && summary.done() > 0)
+    if (is_batch && (summary.interrupted || summary.files_failed) && summary.done() > 0)
       console_.Say("  hint: the same command with --resume continues from there");
   }
 

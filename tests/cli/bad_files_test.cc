@@ -125,7 +125,7 @@ TEST_CASE_METHOD(BadInputTest, "what is not a file is not read") {
   folder().Write("crate.yaml",
                  "mjforge: 1\nname: crate\nmaterials: {wood: {texture: {file: wood.png}}}\n"
                  "parts: [{name: a, type: sphere, size: 0.1, material: wood}]\n");
-  CHECK(Run({"generate", "crate.yaml", "-n", "2"}).status == 1);
+  CHECK(Run({"generate", "crate.yaml", "-n", "2"}).status == 3);
 }
 
 TEST_CASE_METHOD(BadInputTest, "a record that is nested too deep is refused") {
@@ -246,6 +246,31 @@ TEST_CASE_METHOD(BadInputTest, "a picture that cannot be read is not called some
                  "parts: [{name: a, type: sphere, size: 1, material: m}]\n");
   CHECK(Run({"check", "s.yaml", "-n", "1"}).err.find("cannot read 'wood.png': ") !=
         std::string::npos);
+}
+
+TEST_CASE_METHOD(BadInputTest, "a batch stops where a file cannot be read, and goes on with it") {
+  folder().Write("s.yaml",
+                 "mjforge: 1\nname: crate\nparts:\n"
+                 "  - {name: a, type: sphere, size: 1}\n"
+                 "  - {name: b, if: index > 2, type: mesh, file: m.obj}\n");
+  std::filesystem::create_directory(folder() / "m.obj");
+  for (const char* out : {"out", "x.tar"}) {
+    const auto stopped = Run({"generate", "s.yaml", "-n", "6", "-j", "1", "-o", out});
+    INFO(stopped.err);
+    CHECK(stopped.status == 3);
+    CHECK(CountOf(stopped.err, "cannot read mesh 'm.obj': it is a folder") == 1);
+    CHECK(stopped.err.find(" ok, stopped (") != std::string::npos);
+  }
+  CHECK(std::filesystem::exists(folder() / "out/crate_000002.xml"));
+  std::filesystem::remove(folder() / "m.obj");
+  folder().Write("m.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                 "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  for (const char* out : {"out", "x.tar"}) {
+    const auto whole = Run({"generate", "s.yaml", "-n", "6", "-j", "1", "-o", out, "--resume"});
+    INFO(whole.err);
+    CHECK(whole.status == 0);
+  }
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ import harness
 
 KINDS = {
     "open": [errno.EMFILE, errno.EACCES],
+    "read": [errno.EIO, errno.EINTR, "short"],
     "write": [errno.EIO, errno.ENOSPC, errno.EDQUOT, errno.EINTR, "short"],
     "rename": [errno.EIO],
     "sync": [errno.EIO],
@@ -23,7 +24,7 @@ KINDS = {
     "fork": [errno.EAGAIN],
 }
 # What is not a fault: the call is made again, or its failure does not matter.
-HARMLESS = {("write", errno.EINTR), ("write", "short"), ("unlink", errno.EIO)}
+HARMLESS = {("read", errno.EINTR), ("read", "short"), ("write", errno.EINTR), ("write", "short"), ("unlink", errno.EIO)}
 
 
 def what_is_wrong(batch, whole, result, kind, how):
@@ -32,6 +33,8 @@ def what_is_wrong(batch, whole, result, kind, how):
     done = result.returncode == 0
     if done and batch.files() != whole:
         return "status 0, but files differ"
+    if not done and kind == "read" and how == errno.EIO and result.returncode != 3:
+        return f"status {result.returncode} rather than 3"
     if not done and not killed and not harness.is_honest(result):
         return f"status {result.returncode}"
     if not done and (kind, how) in HARMLESS:

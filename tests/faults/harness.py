@@ -58,7 +58,8 @@ class Batch:
         environment = dict(os.environ)
         if fail or record:
             environment["LD_PRELOAD"] = self.shim
-            environment["FAULTS_BELOW"] = str(self.out)
+            # What is read is beside the output, too.
+            environment["FAULTS_BELOW"] = str(self.folder if fail.startswith("read") else self.out)
         if fail:
             self.counter.write_bytes(bytes(8))
             environment["FAULTS_COUNTER"] = str(self.counter)

@@ -9,8 +9,8 @@
 //   FAULTS_COUNTER  a file of eight bytes, shared by all processes: how many calls of the kind were
 //                   made
 //   FAULTS_FAIL     "KIND NUMBER HOW": the call of that kind and number (from 1) fails. KIND: open
-//                   write rename sync mkdir close truncate fork; HOW: an errno, "short" (half of a
-//                   write), "kill" (before the call) or "killed" (after it)
+//                   read write rename sync mkdir close truncate fork; HOW: an errno, "short" (half
+//                   of a read or write), "kill" (before the call) or "killed" (after it)
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -163,6 +163,16 @@ int open64(const char* path, int flags, ...) {
   const ::mode_t mode = ModeOf(flags, list);
   va_end(list);
   return Open("open64", path, flags, mode);
+}
+
+ssize_t read(int descriptor, void* bytes, std::size_t size) {
+  auto* real = Real<ssize_t(int, void*, std::size_t)>("read");
+  if (The().kind != "read" || !IsBelow(PathOf(descriptor))) return real(descriptor, bytes, size);
+  const Fate fate = FateOf("read");
+  if (fate == Fate::kFails) return -1;
+  const ssize_t count = real(descriptor, bytes, fate == Fate::kIsShort ? (size + 1) / 2 : size);
+  if (fate == Fate::kDiesAfter) ::kill(0, SIGKILL);
+  return count;
 }
 
 ssize_t write(int descriptor, const void* bytes, std::size_t size) {

@@ -79,7 +79,7 @@ auto Members(Task& task) { return std::tie(task.chunk, task.condemned); }
 auto Members(Result& result) {
   return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,
                   result.text, result.variants, result.assets, result.inputs, result.findings,
-                  result.more_findings, result.sources, result.output_failed,
+                  result.more_findings, result.sources, result.files_failed,
                   result.output_findings);
 }
 

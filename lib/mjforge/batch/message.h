@@ -62,7 +62,8 @@ struct Result {
   std::vector<Digest::Entry> findings;
   std::uint64_t more_findings = 0;
   std::vector<SourceText> sources;
-  bool output_failed = false;  // the variant after those done could not be written
+  // The variant after those done could not be written, or a file that it needs not be read.
+  bool files_failed = false;
   diag::Findings output_findings;
 };
 

@@ -77,11 +77,11 @@ class Batch {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
         output_findings.Add(diag::Code::kBatchWorkerDied, {}, error.what());
-        summary_.output_failed = true;
+        summary_.files_failed = true;
       }
       End(*sink, output_findings);
     } else {
-      summary_.output_failed = true;
+      summary_.files_failed = true;
     }
     summary_.findings = digest_.Result();
     summary_.more_findings = digest_.not_shown();
@@ -138,12 +138,12 @@ class Batch {
       const bool taken = sink.Take(result, output_findings);
       // What failed is the chunk's first variant, or one after it.
       if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
-      if (!taken || result.output_failed) {
-        summary_.output_failed = true;
+      if (!taken || result.files_failed) {
+        summary_.files_failed = true;
         output_findings.Append(std::move(result.output_findings));
       }
       if (taken) Count(result);
-      if (summary_.output_failed) return false;
+      if (summary_.files_failed) return false;
       if (result.done < result.chunk.count) return false;  // it was asked to stop
       next_ = result.chunk.end();
     }
@@ -189,14 +189,14 @@ class Batch {
   }
 
   void End(Sink& sink, diag::Findings& output_findings) {
-    const bool is_broken = summary_.interrupted || summary_.output_failed;
+    const bool is_broken = summary_.interrupted || summary_.files_failed;
     const bool has_nothing =
         is_broken ? summary_.done() == 0 : summary_.ok == 0 && summary_.count > 0;
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
       sink.Drop();
     } else if (!is_broken && !is_withheld) {  // what is broken stays as it is, to be resumed
-      summary_.output_failed = !sink.Finish(output_findings);
+      summary_.files_failed = !sink.Finish(output_findings);
     }
   }
 

@@ -33,8 +33,8 @@ class Worker {
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
       if (slot.IsAskedToStop()) break;
       Make(i, task, slot);
-      if (!Write(result)) {
-        result.output_failed = true;
+      if (!HasInputs(result) || !Write(result)) {
+        result.files_failed = true;
         break;
       }
       digest.Add(variant_.findings, variant_.record.status == Status::kSkipped);
@@ -75,6 +75,18 @@ class Worker {
                    : resumes ? "no other variant is affected; --resume tries this one again"
                              : "look at it with inspect --index";
     return finding;
+  }
+
+  // False if a file that the variant needs could not be read: not the variant's fault, so that it
+  // is made again with --resume.
+  bool HasInputs(Result& result) const {
+    bool has_all = true;
+    for (const diag::Finding& finding : variant_.findings) {
+      if (!diag::IsInputOutput(finding.code)) continue;
+      has_all = false;
+      result.output_findings.Add(finding);
+    }
+    return has_all;
   }
 
   // The variant's bytes and its record to where they go; false if that fails.

@@ -17,7 +17,7 @@ const Assembler::CachedMesh& Assembler::ReadFile(const std::filesystem::path& fi
   std::error_code error;
   cached.exists = std::filesystem::exists(file, error);
   if (!cached.exists) return cached;
-  std::optional<MeshFile> read = ReadMeshFile(file, cached.why_not);
+  std::optional<MeshFile> read = ReadMeshFile(file, cached.why_not, cached.unreadable);
   if (!read) return cached;
   cached.fit_for_mujoco = read->fit_for_mujoco;
   cached.mesh = std::move(read->mesh);

@@ -178,7 +178,8 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
     return false;
   }
   if (!content.mesh) {
-    findings_.Add(Code::kModelBadMesh, field->value.mark,
+    findings_.Add(content.unreadable ? Code::kYamlCannotRead : Code::kModelBadMesh,
+                  field->value.mark,
                   fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
     return false;
   }

@@ -182,13 +182,16 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
   }
 }
 
-std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not) {
+std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not,
+                                     bool& unreadable) {
+  unreadable = false;
   const std::string ending = diag::LowerCase(file.extension().string());
   if (ending != ".obj" && ending != ".stl") {
     why_not = fmt::format("ending '{}' is neither .obj nor .stl", ending);
     return std::nullopt;
   }
   const std::optional<std::string> content = bytes::Read(file, bytes::kMaxAsset, why_not);
+  unreadable = !content;
   if (!content) return std::nullopt;
   if (content->empty()) {
     why_not = "empty file";
@@ -212,7 +215,8 @@ std::optional<TriangleMesh> ReadMesh(const std::filesystem::path& file,
     why_not = "a scale is zero or not finite";
     return std::nullopt;
   }
-  std::optional<MeshFile> read = ReadMeshFile(file, why_not);
+  bool unreadable = false;
+  std::optional<MeshFile> read = ReadMeshFile(file, why_not, unreadable);
   if (!read) return std::nullopt;
   return Scaled(read->mesh, scale);
 }

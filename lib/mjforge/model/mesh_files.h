@@ -19,7 +19,9 @@ struct MeshFile {
 };
 
 /// On failure returns nothing and says why.
-std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not);
+/// `unreadable`: whether the file itself could not be read, whatever is in it.
+std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not,
+                                     bool& unreadable);
 
 /// The parsers, for texts in memory.
 std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not);

@@ -46,6 +46,7 @@ class Assembler {
 
   struct CachedMesh {
     bool exists = false;
+    bool unreadable = false;
     std::optional<TriangleMesh> mesh;
     std::string why_not;                       // where there is no mesh
     std::optional<std::string> why_not_solid;  // where there is

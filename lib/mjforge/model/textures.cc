@@ -48,7 +48,8 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
     return false;
   }
   if (!content.pixels) {
-    findings_.Add(Code::kModelBadTexture, field.value.mark,
+    findings_.Add(content.why_not.empty() ? Code::kModelBadTexture : Code::kYamlCannotRead,
+                  field.value.mark,
                   content.why_not.empty()
                       ? fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name))
                       : fmt::format("{}: cannot read {}: {}", reader.Owner(), Quoted(*name),

@@ -132,13 +132,13 @@ Traced<double> Evaluator::NoteDraw(Distribution distribution, const Numbers& arg
 const spec::Value& Evaluator::OfRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {
   const spec::Rows& rows = *draw.rows;
   const double key = Fixed(Variable(draw.key_slot));
-  const auto row = static_cast<std::size_t>(std::ranges::find(rows.keys, key) - rows.keys.begin());
-  if (row == rows.keys.size()) {
+  const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
+  if (row == rows.numbers.end()) {
     if (!failed_) Fail(Code::kSampleBadArgument, mark, "no row has the key of this record");
     return draw.arguments.front();
   }
-  path = Child(path, rows.names[row]);
-  return draw.arguments[row];
+  path = Child(path, rows.names[row->second]);
+  return draw.arguments[row->second];
 }
 
 const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, StreamId& path) {

@@ -57,7 +57,13 @@ std::vector<std::vector<int>> UsesOf(const std::vector<Declared>& declared,
     if (parameter.is_key()) key = static_cast<int>(uses.size()) - 1;
     if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
     std::vector<std::string> words;
-    CollectNames(parameter.node, words);
+    // The cells of a table are not expressions.
+    for (const YamlNode::Pair& pair : parameter.node.pairs) {
+      const bool is_text = pair.key == "doc" || pair.key == "unit";
+      if (!is_text && (parameter.slot == Slot::kAnything || pair.key != "choice"))
+        CollectNames(pair.value, words);
+    }
+    if (parameter.node.kind != YamlNode::Kind::kMap) CollectNames(parameter.node, words);
     for (const std::string& word : WithNamesInFunctions(std::move(words), names)) {
       auto found = position.find(word);
       if (found == position.end()) found = position.find(word.substr(0, word.find('.')));
@@ -112,8 +118,7 @@ std::string SomeOf(std::span<const std::string> words) {
 // A setting of a record's key is one of the keys, if it can be told.
 void CheckKey(const Declared& declared, const Value& value, Reading& reading) {
   const auto number = ConstantOf(value);
-  if (!number || std::ranges::find(declared.rows->keys, *number) != declared.rows->keys.end())
-    return;
+  if (!number || declared.rows->numbers.contains(*number)) return;
   reading.findings.Add(
       Code::kSpecBadValue, value.mark,
       fmt::format("no row of '{}' has {}", declared.record, expr::NumberText(*number)),

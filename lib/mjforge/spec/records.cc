@@ -156,8 +156,7 @@ class RecordReader {
         const auto number = expr::Expression::Compile(cell.text, expr::Names(), error);
         if (number && number->type() == expr::Type::kNumber) key = number->constant();
       }
-      if (!key || std::ranges::find(rows->keys, *key) != rows->keys.end()) return nullptr;
-      rows->keys.push_back(*key);
+      if (!key || !rows->numbers.emplace(*key, rows->names.size()).second) return nullptr;
       rows->names.push_back(cell.text);
     }
     return rows;

@@ -3,6 +3,7 @@
 // The value of a slot of a spec, parsed and type-checked but not drawn.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,8 +68,8 @@ inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 t
 
 /// The rows of a record.
 struct Rows {
-  std::vector<double> keys;        // of texts, their TextKey()s; all different
-  std::vector<std::string> names;  // of the keys as written
+  std::map<double, std::size_t> numbers;  // of the rows, by key; of texts, their TextKey()s
+  std::vector<std::string> names;         // of the keys as written
 };
 
 struct Draw {

@@ -117,7 +117,7 @@ TEST_CASE("an archive that mjforge did not make is not replaced without force") 
   test.folder.Write("x.tar", "mine");
   Request request = test.Of(3, "x.tar");
   const Summary refused = test.Make(request);
-  CHECK(refused.output_failed);
+  CHECK(refused.files_failed);
   CHECK(refused.findings[0].code == diag::Code::kOutputExists);
   CHECK(test.folder.Read("x.tar") == "mine");
   CHECK(test.folder.Files() == std::vector<std::string>{"crate.yaml", "x.tar"});

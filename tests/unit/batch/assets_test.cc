@@ -11,7 +11,7 @@ struct AssetsTest : CrateBatch {
   // The finding that ended the batch; empty if it was made.
   std::string ErrorOf(const Request& request) {
     const Summary summary = Make(request);
-    return summary.output_failed ? summary.findings[0].message : std::string();
+    return summary.files_failed ? summary.findings[0].message : std::string();
   }
   Request Shard(std::uint64_t index, const std::string& output) const {
     Request request = Of(20, output);
@@ -64,7 +64,7 @@ TEST_CASE_METHOD(AssetsTest, "an asset of another batch is not replaced in its f
   const auto recipe = forge::LoadRecipe((folder / "chest.yaml").string(), {}, sources, findings);
   REQUIRE(recipe);
   const Summary summary = Run(*recipe, sources, Of(20, "out"), {});
-  CHECK(summary.output_failed);
+  CHECK(summary.files_failed);
   CHECK(folder.Read("out/assets/wood.png") == Png('a'));
 }
 

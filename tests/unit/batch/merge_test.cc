@@ -159,7 +159,7 @@ TEST_CASE("a shard without variants has an empty manifest") {
   for (std::uint64_t i = 0; i < 3; ++i) {
     Request request = test.Of(2, "out");
     request.shard = {i, 3};
-    CHECK_FALSE(test.Make(request).output_failed);
+    CHECK_FALSE(test.Make(request).files_failed);
   }
   diag::Sources sources;
   diag::Findings findings;

@@ -32,7 +32,7 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   finding.index = 8;
   result.findings = {{finding, 12, 99}};
   result.sources = {{2, "knob.xml", "<mujoco/>"}};
-  result.output_failed = true;
+  result.files_failed = true;
   result.output_findings.Add(diag::Code::kOutputCannotWrite, {}, "full");
   const Result read = DecodeResult(Encode(result));
   CHECK(read.done == 5);
@@ -55,7 +55,7 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   CHECK_FALSE(copy.seed);
   CHECK(read.findings[0].variants == 12);
   CHECK(read.sources.at(0).text == "<mujoco/>");
-  CHECK(read.output_failed);
+  CHECK(read.files_failed);
   CHECK(read.output_findings[0].message == "full");
 }
 

@@ -102,7 +102,7 @@ TEST_CASE("a batch of other options is not gone on with") {
     Request request = Resuming(test.Of(30, output));
     request.variant.seed = 2;
     const Summary summary = test.Make(request);
-    CHECK(summary.output_failed);
+    CHECK(summary.files_failed);
     REQUIRE(summary.findings.size() == 1);
     CHECK(summary.findings[0].code == diag::Code::kBatchDiffers);
     CHECK(summary.findings[0].message.ends_with("belongs to another batch: seed is '1', not '2'"));
@@ -138,7 +138,7 @@ TEST_CASE("what is under construction was damaged: the same bytes, or an honest 
       Request resuming = Resuming(request);
       resuming.verify = true;
       const Summary summary = test.Make(resuming);
-      if (summary.output_failed) continue;
+      if (summary.files_failed) continue;
       CHECK(summary.done() == 500);
       CHECK(test.Bytes("broken") == whole);
     }
@@ -163,7 +163,7 @@ TEST_CASE("what is done and was damaged is made again") {
       Request resuming = Resuming(request);
       resuming.verify = true;
       const Summary summary = test.Make(resuming);
-      if (summary.output_failed) {
+      if (summary.files_failed) {
         // Nothing says any more that the archives are ours, or that it is this batch.
         CHECK(name.ends_with(".seal.json"));
         resuming.resume = false;
@@ -232,7 +232,7 @@ TEST_CASE("an archive's manifest is not another archive's") {
   CrateBatch test(kBoxSpec);
   test.Make(test.Of(10, "x.tar"));
   const Summary refused = test.Make(test.Of(10, "x.tar.zst"));
-  REQUIRE(refused.output_failed);
+  REQUIRE(refused.files_failed);
   CHECK(refused.findings[0].code == diag::Code::kOutputExists);
   CHECK(refused.findings[0].message.ends_with("x.manifest.jsonl' is the manifest of 'x.tar'"));
   CHECK_FALSE(std::filesystem::exists(test.folder / "x.tar.zst"));
@@ -249,7 +249,7 @@ TEST_CASE("what is not ours is not taken for a part of a batch") {
     Request request = test.Of(10, output);
     request.resume = resume;
     const Summary refused = test.Make(request);
-    REQUIRE(refused.output_failed);
+    REQUIRE(refused.files_failed);
     CHECK(refused.findings[0].code == diag::Code::kOutputExists);
     CHECK(test.folder.Read(part) == "mine");
     CHECK_FALSE(std::filesystem::exists(test.folder / "out/.manifest.jsonl.journal.part"));
@@ -267,7 +267,7 @@ TEST_CASE("a link in the place of a part is not followed") {
   std::filesystem::create_symlink(test.folder / "elsewhere", test.folder / part);
   Request request = test.Of(10, output);
   request.force = true;
-  CHECK(test.Make(request).output_failed);
+  CHECK(test.Make(request).files_failed);
   CHECK(test.folder.Read("elsewhere") == "mine");
   if (std::string_view(part).find("journal") != std::string_view::npos)
     CHECK_FALSE(output::PartFile::Exists(test.folder / "out/manifest.jsonl"));
@@ -280,7 +280,7 @@ TEST_CASE("two runs do not write one batch at the same time") {
   const auto other = output::PartFile::Open(test.folder / "out/manifest.jsonl", findings);
   REQUIRE(other);
   const Summary summary = test.Make(test.Of(3, "out"));
-  CHECK(summary.output_failed);
+  CHECK(summary.files_failed);
   REQUIRE(summary.findings.size() == 1);
   CHECK(summary.findings[0].message.ends_with("another mjforge is writing it"));
 }

@@ -104,7 +104,7 @@ TEST_CASE("what cannot be written ends the batch and says where") {
   CrateBatch test(kBoxSpec);
   test.folder.Write("out/crate_000007.xml", "mine");
   const Summary summary = test.Make(test.Of(100, "out"));
-  CHECK(summary.output_failed);
+  CHECK(summary.files_failed);
   CHECK(summary.done() == 7);
   REQUIRE(summary.findings.size() == 1);
   CHECK(summary.findings[0].code == diag::Code::kOutputExists);
