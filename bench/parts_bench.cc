@@ -30,6 +30,21 @@ void BM_PartsValidated(benchmark::State& state) {
 }
 BENCHMARK(BM_PartsValidated)->Arg(1'000)->Unit(benchmark::kMillisecond);
 
+// A row of parts that touch: a list of draws, its sums, and a function called for each part.
+void BM_List(benchmark::State& state) {
+  LoadedRecipe row = FromText(fmt::format(
+      "mjforge: 1\nname: row\nfunctions: {{half(w): w / 2 - gap}}\n"
+      "params: {{gap: 0.01 .. 0.02, widths: {{each: 0.1 .. 0.2, count: {}}}}}\n"
+      "parts: [{{name: 'p${{i}}', for: {{i: len(widths)}}, type: box,\n"
+      "  size: ['half(widths[i])', 1, 1], pos: ['sum(widths, i) + widths[i] / 2', 0, 0]}}]\n",
+      state.range(0)));
+  model::Assembler assembler;
+  mjcf::MjcfDocument document;
+  std::uint64_t index = 0;
+  for (auto _ : state) MakeText(row.recipe, assembler, index++, document);
+}
+BENCHMARK(BM_List)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
 // Reading a spec with so many parameters.
 void BM_Parameters(benchmark::State& state) {
   std::string yaml = "mjforge: 1\nname: crate\nparams:\n  p0: 0.1 .. 0.2\n";

@@ -19,6 +19,7 @@ constexpr Ratio kRatios[] = {
     {"validated / bare load with default sizes", "BM_GenerateValidated", "BM_LoadDefault", 0.8},
     {"a drop / as many bare mj_step", "BM_Settle", "BM_BareSteps", 1.15},
     {"10,000 parts / 1,000 parts", "BM_Parts/10000", "BM_Parts/1000", 11},
+    {"a list of 10,000 draws / of 1,000", "BM_List/10000", "BM_List/1000", 11},
     {"10,000 parameters read / 1,000", "BM_Parameters/10000", "BM_Parameters/1000", 12},
     {"a chain of 1,000 bodies / of 100", "BM_Chain/1000", "BM_Chain/100", 12},
     {"1,000 attached copies of a knob / 100", "BM_AttachedKnobs/1000", "BM_AttachedKnobs/100", 12},

@@ -13,6 +13,8 @@
 namespace mjforge::engine {
 namespace {
 
+using diag::Code;
+
 constexpr const char* kTextName = "mjforge-object.xml";
 
 // MuJoCo calls handlers on the thread that loads and passes them nothing else.
@@ -64,10 +66,9 @@ Engine::Engine() : vfs_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)))) {
   mju_user_warning = KeepWarning;
 }
 
-const std::string* Engine::ReadOnce(const std::filesystem::path& file) {
+const std::string* Engine::ReadOnce(const std::filesystem::path& file, std::string& why_not) {
   const auto found = files_.find(file);
   if (found != files_.end()) return &found->second;
-  std::string why_not;
   std::optional<std::string> content = bytes::Read(file, bytes::kMaxAsset, why_not);
   return content ? &files_.emplace(file, *std::move(content)).first->second : nullptr;
 }
@@ -87,19 +88,26 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
     const std::string in_memory = NameInMemory(name);
     if (vfs_->nfile >= mjMAXVFS || in_memory.size() >= mjMAXVFSNAME) {
       return AssetProblem{
-          i, false,
+          i, Code::kMujocoError,
           fmt::format("'{}' exceeds MuJoCo's limit of {} files with names of at most {} characters",
                       name, mjMAXVFS - 2, mjMAXVFSNAME - 1)};
     }
-    const std::string* bytes = ReadOnce(file);
-    if (bytes == nullptr || bytes->empty()) {
-      return AssetProblem{i, true, fmt::format("cannot read '{}', or it is empty", file.string())};
+    std::string why_not;
+    const std::string* bytes = ReadOnce(file, why_not);
+    if (bytes == nullptr) {
+      std::error_code error;
+      const bool exists = std::filesystem::exists(file, error);
+      return AssetProblem{i, exists ? Code::kYamlCannotRead : Code::kModelFileNotFound,
+                          fmt::format("cannot read '{}': {}", file.string(), why_not)};
+    }
+    if (bytes->empty()) {
+      return AssetProblem{i, Code::kModelFileNotFound, fmt::format("'{}' is empty", file.string())};
     }
     int same = 1;
     while (same < vfs_->nfile && in_memory != vfs_->filename[same]) ++same;
     if (same < vfs_->nfile) {
       if (vfs_->filedata[same] == bytes->data()) continue;
-      return AssetProblem{i, false,
+      return AssetProblem{i, Code::kMujocoError,
                           fmt::format("'{}' differs from another file's name only in case or "
                                       "folder, which MuJoCo cannot tell apart",
                                       name)};

@@ -14,6 +14,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/diag/diag.h"
 #include "mjforge/engine/pictures.h"
 #include "mjforge/engine/refusal.h"
 #include "mjforge/engine/xml_file.h"
@@ -45,7 +46,7 @@ class Engine {
   /// cannot, returns the reason and the index of the asset; otherwise nothing.
   struct AssetProblem {
     std::size_t asset = 0;
-    bool unreadable = false;
+    diag::Code code = diag::Code::kMujocoError;
     std::string message;
   };
   std::optional<AssetProblem> SetAssets(const Assets& assets);
@@ -59,7 +60,7 @@ class Engine {
 
  private:
   /// The file's content, read at most once; null if it cannot be read.
-  const std::string* ReadOnce(const std::filesystem::path& file);
+  const std::string* ReadOnce(const std::filesystem::path& file, std::string& why_not);
   void SetFile(int slot, std::string_view name, const std::string& bytes);
 
   struct Free {

@@ -199,8 +199,8 @@ Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const std
                                    const model::Object& object, diag::Findings& findings) {
   if (const auto problem = engine.SetAssets(document.assets)) {
     const std::string& name = document.assets[problem->asset].first;
-    findings.Add(problem->unreadable ? Code::kModelFileNotFound : Code::kMujocoError,
-                 document.Origin(LineOf(document.text, '"' + name + '"')), problem->message);
+    findings.Add(problem->code, document.Origin(LineOf(document.text, '"' + name + '"')),
+                 problem->message);
     return {};
   }
   if (!hint.empty() && document.size_position != std::string::npos) {

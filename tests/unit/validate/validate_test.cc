@@ -193,7 +193,11 @@ TEST_CASE("a missing mesh file is reported at its entry") {
   const model::Object object = WithMeshFile(folder.path() / "none.obj", "none.obj");
   CHECK(FindingsOf(Written(object), object) ==
         Texts{"31: model/file-not-found: cannot read '" + (folder.path() / "none.obj").string() +
-              "', or it is empty"});
+              "': No such file or directory"});
+  std::filesystem::create_directory(folder.path() / "none.obj");
+  CHECK(FindingsOf(Written(object), object) ==
+        Texts{"31: yaml/cannot-read: cannot read '" + (folder.path() / "none.obj").string() +
+              "': it is a folder"});
 }
 
 TEST_CASE("two files whose names differ only in case are refused") {
