@@ -22,6 +22,7 @@ KINDS = {
     "truncate": [errno.EIO],
     "unlink": [errno.EIO],
     "fork": [errno.EAGAIN],
+    "mmap": [errno.ENOMEM],
 }
 # What is not a fault: the call is made again, or its failure does not matter.
 HARMLESS = {("read", errno.EINTR), ("read", "short"), ("write", errno.EINTR), ("write", "short"), ("unlink", errno.EIO)}

@@ -9,8 +9,9 @@
 //   FAULTS_COUNTER  a file of eight bytes, shared by all processes: how many calls of the kind were
 //                   made
 //   FAULTS_FAIL     "KIND NUMBER HOW": the call of that kind and number (from 1) fails. KIND: open
-//                   read write rename sync mkdir close truncate fork; HOW: an errno, "short" (half
-//                   of a read or write), "kill" (before the call) or "killed" (after it)
+//                   read write rename sync mkdir close truncate fork mmap (of memory that processes
+//                   share); HOW: an errno, "short" (half of a read or write), "kill" (before the
+//                   call) or "killed" (after it)
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -60,7 +61,8 @@ struct Settings {
     auto* open = Real<int(const char*, int, ...)>("open");
     if (const std::string file = Variable("FAULTS_COUNTER"); !file.empty()) {
       const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC);
-      void* memory = ::mmap(nullptr, 8, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+      auto* mmap = Real<void*(void*, std::size_t, int, int, int, ::off_t)>("mmap");
+      void* memory = mmap(nullptr, 8, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
       if (memory != MAP_FAILED) counter = static_cast<std::atomic<std::uint64_t>*>(memory);
     }
     if (const std::string file = Variable("FAULTS_RECORD"); !file.empty())
@@ -258,6 +260,18 @@ int close(int descriptor) {
   if (fate != Fate::kFails) return result;
   errno = error;
   return -1;
+}
+
+void* mmap(void* place, std::size_t size, int protection, int flags, int descriptor,
+           ::off_t offset) {
+  auto* real = Real<void*(void*, std::size_t, int, int, int, ::off_t)>("mmap");
+  constexpr int kShared = MAP_SHARED | MAP_ANONYMOUS;
+  const bool counts = (flags & kShared) == kShared;
+  const Fate fate = counts ? FateOf("mmap") : Fate::kGoesOn;
+  if (fate == Fate::kFails) return MAP_FAILED;
+  void* memory = real(place, size, protection, flags, descriptor, offset);
+  if (fate == Fate::kDiesAfter) ::kill(0, SIGKILL);
+  return memory;
 }
 
 ::pid_t fork() {
