@@ -147,9 +147,10 @@ bool Evaluator::SampleShared(Overrides overrides) {
 // One without a value, such as sqrt(-1) > 0, does not: another draw may have one.
 bool Evaluator::Holds(const spec::Requirement& requirement) {
   const expr::Expression& expression = requirement.expression;
-  const bool has_value = !std::isnan(expression.Evaluate(variables_, lists_));
-  if (!has_value && expression.WhatIsMissing(variables_, lists_).empty()) return false;
-  return Condition(expression, requirement.mark);
+  const double value = expression.Evaluate(variables_, lists_);
+  if (std::isfinite(value)) return value != 0;
+  const bool lacks_items = !expression.WhatIsMissing(variables_, lists_).empty();
+  return (lacks_items || std::isinf(value)) && Condition(expression, requirement.mark);
 }
 
 bool Evaluator::SampleParameters(Overrides overrides) {
