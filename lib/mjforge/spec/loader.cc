@@ -82,15 +82,19 @@ class SpecLoader : public NestedLoader {
     CheckKeys(ObjectElement(), root, reading);
     ReadHead(root, reading);
     if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
-    std::set<fs::path> seen;
-    if (const YamlNode* import = root.Find("import")) ShareParameters(*import, seen, reading);
+    std::vector<ImportedFile> imports;
+    if (const YamlNode* import = root.Find("import"))
+      CollectImports(*import, folder_, imports, reading);
+    for (const ImportedFile& from : imports) {
+      if (from.root.Find("params") != nullptr) spec.shared.push_back(Imported(from));
+    }
     ReadParameters(root.Find("params"), root.Find("require"), settings, reading);
     CheckFunctions(reading);
     if (const YamlNode* materials = root.Find("materials")) {
       ReadMaterials(*materials, spec.folder, false, reading);
     }
     if (const YamlNode* defaults = root.Find("defaults")) ReadDefaults(*defaults, reading);
-    if (const YamlNode* import = root.Find("import")) ReadImports(*import, reading);
+    for (const ImportedFile& from : imports) ReadImported(from, reading);
     if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, reading);
     if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, reading);
     const YamlNode* joints = root.Find("joints");
@@ -157,40 +161,49 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  // The files that an `import:` names.
-  static std::span<const YamlNode> FilesOf(const YamlNode& import, Reading& reading) {
-    if (import.kind == YamlNode::Kind::kScalar) return {&import, 1};
-    if (!IsList(import, "files", reading)) return {};
-    return import.items;
-  }
+  // A file that a spec imports, and what is in it.
+  struct ImportedFile {
+    fs::path file;
+    YamlNode root;
+  };
 
-  void ReadImports(const YamlNode& import, Reading& reading) {
-    for (const YamlNode& file : FilesOf(import, reading)) ReadImport(file, reading);
-  }
-
-  // Of the files and of what they import, each once.
-  void ShareParameters(const YamlNode& import, std::set<fs::path>& seen, Reading& reading) {
-    for (const YamlNode& node : FilesOf(import, reading)) {
-      const std::string reference = reading.values.ReadPlainText("import", node);
-      const auto file =
-          reference.empty() ? std::nullopt : shared_.files.Find(reference, folder_, node.mark);
-      if (!file || shared_.files.IsOpen(*file, node.mark) || !seen.insert(*file).second) continue;
-      const auto source = shared_.files.Open(*file, node.mark);
-      const auto root =
-          source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
-      if (!root || root->kind != YamlNode::Kind::kMap) continue;
-      const Files::Opened opened(shared_.files, *file);
-      const fs::path folder = std::exchange(folder_, file->parent_path());
-      if (const YamlNode* others = root->Find("import")) ShareParameters(*others, seen, reading);
-      if (root->Find("params") != nullptr) reading.spec.shared.push_back(Imported(*file, *root));
-      folder_ = folder;
+  // The files that an `import:` names, each before those that it imports itself. What is imported
+  // twice says nothing new; where each file imports two others, all would be read 2^n times.
+  void CollectImports(const YamlNode& import, const fs::path& folder,
+                      std::vector<ImportedFile>& files, Reading& reading) {
+    if (import.kind == YamlNode::Kind::kScalar) {
+      CollectImport(import, folder, files, reading);
+    } else if (IsList(import, "files", reading)) {
+      for (const YamlNode& item : import.items) CollectImport(item, folder, files, reading);
     }
   }
 
+  void CollectImport(const YamlNode& node, const fs::path& folder, std::vector<ImportedFile>& files,
+                     Reading& reading) {
+    const std::string reference = reading.values.ReadPlainText("import", node);
+    const auto file =
+        reference.empty() ? std::nullopt : shared_.files.Find(reference, folder, node.mark);
+    if (!file || shared_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
+    const auto source = shared_.files.Open(*file, node.mark);
+    auto root = source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
+    if (!root || !IsMap(*root, "keys", reading)) return;
+    CheckKeys(ObjectElement(), *root, reading);
+    CheckVersion(*root, reading);
+    const Files::Opened opened(shared_.files, *file);
+    const std::size_t at = files.size();
+    files.push_back({*file, *std::move(root)});
+    const YamlNode* import = files[at].root.Find("import");
+    if (import == nullptr) return;
+    const YamlNode others = *import;  // `files` grows
+    CollectImports(others, file->parent_path(), files, reading);
+  }
+
   // The parameters of a file, for all specs that import it.
-  std::shared_ptr<const ObjectSpec> Imported(const fs::path& file, const YamlNode& root) {
+  std::shared_ptr<const ObjectSpec> Imported(const ImportedFile& from) {
+    const auto& [file, root] = from;
     std::shared_ptr<const ObjectSpec>& known = shared_.imported[file];
     if (known != nullptr) return known;
+    const fs::path folder = std::exchange(folder_, file.parent_path());  // of its tables
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();
     spec->names.Declare("index", expr::Type::kNumber);
@@ -206,40 +219,25 @@ class SpecLoader : public NestedLoader {
     ReadParameters(&params, root.Find("require"), settings, reading);
     CheckFunctions(reading);
     spec->has_exact_choice = reading.values.has_exact_choice();
+    folder_ = folder;
     return known = spec;
   }
 
-  void ReadImport(const YamlNode& node, Reading& reading) {
-    const std::string reference = reading.values.ReadPlainText("import", node);
-    const auto file =
-        reference.empty() ? std::nullopt : shared_.files.Find(reference, folder_, node.mark);
-    if (!file || shared_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
-    const auto source = shared_.files.Open(*file, node.mark);
-    const auto root = source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
-    if (!root || !IsMap(*root, "keys", reading)) return;
-    CheckKeys(ObjectElement(), *root, reading);
-    CheckVersion(*root, reading);
-    // What is imported must stand alone: it sees no parameter of the importer.
+  // What is imported must stand alone: it sees no parameter of the importer.
+  void ReadImported(const ImportedFile& from, Reading& reading) {
     expr::Names names;
     names.Declare("index", expr::Type::kNumber);
     Reading inner{shared_.sources, shared_.findings, reading.spec, *this,
                   ValueReader(names, shared_.sources, shared_.findings)};
-    const Files::Opened opened(shared_.files, *file);
-    const fs::path folder = std::exchange(folder_, file->parent_path());
-    if (const YamlNode* materials = root->Find("materials")) {
-      ReadMaterials(*materials, folder_, true, inner);
-    }
-    if (const YamlNode* defaults = root->Find("defaults")) ReadDefaults(*defaults, inner);
-    if (const YamlNode* import = root->Find("import")) ReadImports(*import, inner);
-    folder_ = folder;
+    if (const YamlNode* materials = from.root.Find("materials"))
+      ReadMaterials(*materials, from.file.parent_path(), true, inner);
+    if (const YamlNode* defaults = from.root.Find("defaults")) ReadDefaults(*defaults, inner);
     reading.values.AddUses(inner.values);
     if (inner.values.has_exact_choice()) reading.spec.has_exact_choice = true;
   }
 
   Shared& shared_;
   fs::path folder_;
-  // What is imported twice says nothing new; where each file imports two others, all would be read
-  // 2^n times.
   std::set<fs::path> imported_;
 };
 

@@ -168,5 +168,20 @@ TEST_CASE("what is wrong in a table is told at its place") {
         Strings{"1:1 spec/bad-table: the table has more than 8 MiB"});
 }
 
+TEST_CASE("a file's own parameters win over those that it imports") {
+  const harness::TemporaryFolder folder;
+  folder.Write("a.yaml", "mjforge: 1\nimport: b.yaml\nparams: {r: 1}\n");
+  folder.Write("b.yaml", "mjforge: 1\nparams: {r: 2, q: 3}\n");
+  Loaded loaded;
+  loaded.spec = LoadSpecText("t.yaml",
+                             "mjforge: 1\nname: t\nimport: a.yaml\n"
+                             "parts: [{name: a, type: box, size: [r, q, 1]}]\n",
+                             folder.path(), {}, loaded.sources, loaded.findings);
+  CHECK(loaded.Report().empty());
+  REQUIRE(loaded.spec != nullptr);
+  CHECK(loaded.spec->FindParameter("r")->source == "1");
+  CHECK(loaded.spec->FindParameter("q")->source == "3");
+}
+
 }  // namespace
 }  // namespace mjforge::spec
