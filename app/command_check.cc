@@ -27,7 +27,7 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Conso
   console.Show(summary.findings, console.sources, summary.more_findings);
   console.Say(
       fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok, request.count));
-  return summary.failed > 0 ? ExitStatus::kFindings : status;
+  return Worse(status, StatusOf(summary));
 }
 
 }  // namespace

@@ -162,13 +162,6 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }
 
-ExitStatus StatusOf(const batch::Summary& summary) {
-  if (summary.interrupted) return ExitStatus::kInterrupted;
-  if (summary.files_failed) return ExitStatus::kInputOutput;
-  const bool nothing = summary.ok == 0 && summary.skipped > 0;
-  return summary.failed > 0 || nothing ? ExitStatus::kFindings : ExitStatus::kDone;
-}
-
 // "97 ok, 3 failed (0.2 s)"
 std::string Counts(const batch::Summary& summary, Clock::time_point start) {
   std::string text = fmt::format("{} ok", summary.ok);

@@ -127,6 +127,13 @@ batch::Request RequestOf(const ManyOptions& options) {
   return request;
 }
 
+ExitStatus StatusOf(const batch::Summary& summary) {
+  if (summary.interrupted) return ExitStatus::kInterrupted;
+  if (summary.files_failed) return ExitStatus::kInputOutput;
+  const bool nothing = summary.ok == 0 && summary.skipped > 0;
+  return summary.failed > 0 || nothing ? ExitStatus::kFindings : ExitStatus::kDone;
+}
+
 std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
   std::vector<spec::Setting> settings;
   for (const std::string& text : texts) {

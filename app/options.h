@@ -61,6 +61,8 @@ struct ManyOptions {
 void AddManyOptions(CLI::App& command, ManyOptions& options);
 /// The request with its seed, and with draws spread over its variants unless --batch was given.
 batch::Request RequestOf(const ManyOptions& options);
+/// Of a batch that came to its end, or was stopped.
+ExitStatus StatusOf(const batch::Summary& summary);
 
 /// --set NAME=VALUE
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);

@@ -1,4 +1,4 @@
-"""Makes one call of the program fail, or kills it there, and goes on with --resume.
+"""Makes one call of the program fail or late, or kills it there, and goes on with --resume.
 
 For each kind of call and each number: the exit status must say that something failed (or everything
 must be there), nothing under a final name may be wrong, and --resume must give the same bytes.
@@ -25,7 +25,8 @@ KINDS = {
     "mmap": [errno.ENOMEM],
 }
 # What is not a fault: the call is made again, or its failure does not matter.
-HARMLESS = {("read", errno.EINTR), ("read", "short"), ("write", errno.EINTR), ("write", "short"), ("unlink", errno.EIO)}
+HARMLESS = {("read", errno.EINTR), ("read", "short"), ("write", errno.EINTR), ("write", "short"),
+            ("unlink", errno.EIO), *((kind, "late") for kind in KINDS)}
 
 
 def what_is_wrong(batch, whole, result, kind, how):
@@ -59,10 +60,11 @@ def main():
         batch.clear()
         batch.run(fail=f"{kind} 0 0")
         calls = batch.calls()
-        for how in [*hows, "kill", "killed"]:
+        for how in [*hows, "late", "kill", "killed"]:
             for number in range(1, calls + 1, options.every):
                 batch.clear()
-                result = batch.run(fail=f"{kind} {number} {how}")
+                # Late calls matter to whoever waits for them: two workers and their leader.
+                result = batch.run(fail=f"{kind} {number} {how}", jobs=2 if how == "late" else 1)
                 wrong = what_is_wrong(batch, whole, result, kind, how)
                 if not wrong:
                     again = batch.run("--resume")

@@ -52,8 +52,8 @@ class Batch:
         shutil.rmtree(self.out, ignore_errors=True)
         self.out.mkdir()
 
-    def run(self, *more, fail="", record=False):
-        """One run of `generate`, one worker, no validation."""
+    def run(self, *more, fail="", record=False, jobs=1):
+        """One run of `generate` without validation."""
         words = [word.replace("{out}", str(self.out)) for word in self.words]
         environment = dict(os.environ)
         if fail or record:
@@ -67,7 +67,7 @@ class Batch:
         if record:
             environment["FAULTS_RECORD"] = str(self.record)
         return subprocess.run(
-            [self.program, "generate", "crate.yaml", "--on-invalid", "skip", "-j", "1",
+            [self.program, "generate", "crate.yaml", "--on-invalid", "skip", "-j", str(jobs),
              "--validate", "none", "-q", *words, *more],
             cwd=self.folder, env=environment, capture_output=True, text=True, timeout=60,
             start_new_session=True)

@@ -10,8 +10,8 @@
 //                   made
 //   FAULTS_FAIL     "KIND NUMBER HOW": the call of that kind and number (from 1) fails. KIND: open
 //                   read write rename sync mkdir close truncate fork mmap (of memory that processes
-//                   share); HOW: an errno, "short" (half of a read or write), "kill" (before the
-//                   call) or "killed" (after it)
+//                   share); HOW: an errno, "short" (half of a read or write), "late" (a tenth of a
+//                   second), "kill" (before the call) or "killed" (after it)
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -106,6 +106,10 @@ Fate FateOf(const char* kind) {
   if (the.how == "kill") ::kill(0, SIGKILL);  // the whole group, as a power cut would
   if (the.how == "killed") return Fate::kDiesAfter;
   if (the.how == "short") return Fate::kIsShort;
+  if (the.how == "late") {
+    ::usleep(100'000);
+    return Fate::kGoesOn;
+  }
   errno = std::atoi(the.how.c_str());
   return Fate::kFails;
 }

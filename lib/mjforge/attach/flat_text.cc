@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
@@ -91,11 +92,11 @@ FileNames ResolveFiles(XmlElement& root, const fs::path& folder, diag::Findings&
       name = (asset.tag == "texture" ? folders.texture : folders.mesh) + name;
     }
     const fs::path file = IsAbsolute(name) ? fs::path(name) : folder / name;
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-      AddError(findings, diag::Code::kModelFileNotFound, asset.mark,
-               fmt::format("cannot read '{}', the {} of {}", file.string(), attribute,
-                           asset.Description()));
+    std::string why_not;
+    if (!bytes::MayRead(file, bytes::kMaxAsset, why_not)) {
+      AddError(findings, engine::CodeOfUnread(file), asset.mark,
+               fmt::format("cannot read '{}', the {} of {}: {}", file.string(), attribute,
+                           asset.Description(), why_not));
     }
     const std::string absolute = Absolute(file).string();
     names.emplace(absolute, file.string());

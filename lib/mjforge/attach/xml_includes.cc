@@ -53,7 +53,7 @@ class TreeReader {
     std::string why_not;
     std::optional<std::string> text = bytes::Read(main_, bytes::kMaxMjcf, why_not);
     if (!text) {
-      AddError(findings_, Code::kModelFileNotFound, {},
+      AddError(findings_, engine::CodeOfUnread(main_), {},
                fmt::format("cannot read '{}': {}", main_.string(), why_not));
       return std::nullopt;
     }
@@ -128,6 +128,11 @@ class TreeReader {
     if (!IsNew(file, name, place)) return false;
     std::string why_not;
     std::optional<std::string> text = bytes::Read(file, bytes::kMaxMjcf, why_not);
+    if (!text && engine::CodeOfUnread(file) == Code::kYamlCannotRead) {
+      AddError(findings_, Code::kYamlCannotRead, place,
+               fmt::format("cannot read '{}': {}", file.string(), why_not));
+      return false;
+    }
     if (!text) {
       return Bad(place, fmt::format("includes '{}', which cannot be read: {}", name, why_not),
                  open_.size() > 1

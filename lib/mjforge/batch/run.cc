@@ -135,6 +135,7 @@ class Batch {
     while (!waiting_.empty() && waiting_.begin()->first == next_) {
       Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
       waiting_bytes_ -= SizeOf(result);
+      RenumberSources(result);
       const bool taken = sink.Take(result, output_findings);
       // What failed is the chunk's first variant, or one after it.
       if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
@@ -153,23 +154,14 @@ class Batch {
   void Count(Result& result) {
     for (const Status status : result.statuses) summary_.Add(status);
     summary_.inputs.insert(result.inputs.begin(), result.inputs.end());
-    const std::map<std::uint32_t, std::uint32_t> numbers = NumberSources(result);
-    for (Digest::Entry& entry : result.findings) {
-      const auto renumber = [&](diag::SourceMark& mark) {
-        if (const auto number = numbers.find(mark.file); number != numbers.end())
-          mark.file = number->second;
-      };
-      renumber(entry.finding.mark);
-      for (diag::Note& note : entry.finding.notes) renumber(note.mark);
-      digest_.Add(std::move(entry));
-    }
+    for (Digest::Entry& entry : result.findings) digest_.Add(std::move(entry));
     digest_.AddNotShown(result.more_findings);
     if (!watch_.variant) return;
     for (const Done& done : result.variants) watch_.variant(done);
   }
 
   // A worker's sources get the numbers they have here; each is added once.
-  std::map<std::uint32_t, std::uint32_t> NumberSources(Result& result) {
+  void RenumberSources(Result& result) {
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (SourceText& source : result.sources) {
       auto known = attached_.find(source.name);
@@ -179,7 +171,16 @@ class Batch {
       }
       numbers.emplace(source.number, known->second);
     }
-    return numbers;
+    const auto renumber = [&](diag::Finding& finding) {
+      const auto change = [&](diag::SourceMark& mark) {
+        if (const auto number = numbers.find(mark.file); number != numbers.end())
+          mark.file = number->second;
+      };
+      change(finding.mark);
+      for (diag::Note& note : finding.notes) change(note.mark);
+    };
+    for (Digest::Entry& entry : result.findings) renumber(entry.finding);
+    for (diag::Finding& finding : result.output_findings) renumber(finding);
   }
 
   void ShowProgress() {

@@ -45,6 +45,7 @@ class Worker {
     result.more_findings = digest.not_shown();
     result.findings.assign(digest.entries().begin(), digest.entries().end());
     for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
+    for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
     // Attached files became sources as they were read.
     while (told_sources_ < sources_.size()) result.inputs.push_back(sources_.Name(++told_sources_));
     return result;

@@ -80,6 +80,8 @@ class Findings {
   bool HasErrors() const;
   bool empty() const { return list_.empty(); }
   std::size_t size() const { return list_.size(); }
+  auto begin() { return list_.begin(); }
+  auto end() { return list_.end(); }
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
   const Finding& operator[](std::size_t i) const { return list_[i]; }

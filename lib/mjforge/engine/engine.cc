@@ -95,9 +95,7 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
     std::string why_not;
     const std::string* bytes = ReadOnce(file, why_not);
     if (bytes == nullptr) {
-      std::error_code error;
-      const bool exists = std::filesystem::exists(file, error);
-      return AssetProblem{i, exists ? Code::kYamlCannotRead : Code::kModelFileNotFound,
+      return AssetProblem{i, CodeOfUnread(file),
                           fmt::format("cannot read '{}': {}", file.string(), why_not)};
     }
     if (bytes->empty()) {

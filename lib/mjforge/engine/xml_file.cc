@@ -51,6 +51,12 @@ std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes) {
                   "an MJCF file has the root element <mujoco>"};
 }
 
+diag::Code CodeOfUnread(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(file, error) || error ? Code::kYamlCannotRead
+                                                       : Code::kModelFileNotFound;
+}
+
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings) {
   const std::string name = file == bytes::kStandardInput ? "<stdin>" : file.string();

@@ -11,6 +11,10 @@
 
 namespace mjforge::engine {
 
+/// Of a file that could not be read: model/file-not-found if it does not exist, else
+/// yaml/cannot-read.
+diag::Code CodeOfUnread(const std::filesystem::path& file);
+
 /// A file that is XML with a root element <mujoco>.
 struct XmlFile {
   std::uint32_t source = 0;  // its number in Sources

@@ -62,7 +62,7 @@ TEST_CASE("a missing file, a folder, and what is not MJCF are errors") {
   CHECK(files.OnlyFinding() ==
         "error model/file-not-found: cannot read 'arm.xml': No such file or directory");
   CHECK(files.Try("", "") == nullptr);
-  CHECK(files.OnlyFinding() == "error model/file-not-found: cannot read '': it is a folder");
+  CHECK(files.OnlyFinding() == "error yaml/cannot-read: cannot read '': it is a folder");
   files.Write("empty.xml", "");
   CHECK(files.Try("", "empty.xml") == nullptr);
   CHECK(files.OnlyFinding() ==
