@@ -38,6 +38,7 @@ void Joints(Json& json, const model::Body& body) {
     json.Member("type", joint.type);
     if (joint.type == "hinge" || joint.type == "slide") json.Member("axis", joint.axis);
     if (joint.range) json.Member("range", *joint.range);
+    if (!joint.start.empty()) json.Member("start", joint.start);
   });
 }
 

@@ -87,14 +87,15 @@ std::string Bodies(const model::Object& object, std::span<const int> geoms) {
     const auto i = static_cast<std::size_t>(number);
     const model::Body& body = object.bodies[i];
     const model::MassProperties& mass = body.mass_properties;
-    const char* of_root = geoms.empty() ? "" : "world";
-    table.Add(
-        {body.name,
-         body.parent < 0 ? of_root : object.bodies[static_cast<std::size_t>(body.parent)].name,
-         NumbersText(body.X_PB.p), QuatText(body.X_PB.q),
-         geoms.empty() ? "" : fmt::format("{}", geoms[i]), Number(mass.mass),
-         mass.mass > 0 ? ComText(mass, object.bounds.aabb) : "",
-         mass.mass > 0 ? InertiaText(mass) : ""});
+    const bool is_root = geoms.empty() && i == 0;
+    table.Add({body.name,
+               is_root           ? ""
+               : body.parent < 0 ? "world"
+                                 : object.bodies[static_cast<std::size_t>(body.parent)].name,
+               NumbersText(body.X_PB.p), QuatText(body.X_PB.q),
+               geoms.empty() ? "" : fmt::format("{}", geoms[i]), Number(mass.mass),
+               mass.mass > 0 ? ComText(mass, object.bounds.aabb) : "",
+               mass.mass > 0 ? InertiaText(mass) : ""});
   }
   return table.Render() + "\n";
 }
@@ -112,13 +113,13 @@ std::string Parts(const model::Object& object) {
 }
 
 std::string Joints(const model::Object& object, bool always_bodies) {
-  Table table({"joint", "body", "type", "axis", "range"});
+  Table table({"joint", "body", "type", "axis", "range", "start"});
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
       const bool has_axis = joint.type == "hinge" || joint.type == "slide";
       table.Add({joint.name, always_bodies ? body.name : BodyText(object, body),
                  std::string(joint.type), has_axis ? NumbersText(joint.axis) : "",
-                 joint.range ? NumbersText(*joint.range) : ""});
+                 joint.range ? NumbersText(*joint.range) : "", NumbersText(joint.start)});
     }
   }
   return table.empty() ? "" : table.Render() + "\n";

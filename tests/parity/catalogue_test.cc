@@ -64,6 +64,7 @@ TEST_CASE("the catalogue has the specs it is said to have") {
                                                             "fasteners/hex_bolt",
                                                             "fasteners/hex_nut",
                                                             "fixtures/hook_frame",
+                                                            "fixtures/peg_board",
                                                             "fixtures/stand_with_mount",
                                                             "furniture/bookshelf",
                                                             "furniture/chair",

@@ -70,6 +70,10 @@ struct JointRange {
 /// Nothing for free joints and for slides without a range.
 std::optional<JointRange> RangeOf(const mjModel& m, int joint);
 
+/// Where the joints stand at the start, nq numbers: in the keyframe that is named as the model and
+/// `_start`, as mjforge writes it; without one, qpos0.
+std::span<const mjtNum> StartOf(const mjModel& m);
+
 /// The qpos of a ball joint that is turned from its zero.
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,
                              double angle);

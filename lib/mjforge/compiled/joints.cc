@@ -1,4 +1,5 @@
 #include <numbers>
+#include <string>
 
 #include "mjforge/compiled/compiled.h"
 
@@ -14,6 +15,13 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
   if (limited) return JointRange{true, range[0], range[1]};
   const double zero = m.qpos0[m.jnt_qposadr[joint]];
   return JointRange{false, zero - kTurn, zero + kTurn};
+}
+
+std::span<const mjtNum> StartOf(const mjModel& m) {
+  const std::string name = std::string(m.names) + "_start";  // the model's name is the first
+  const int key = mj_name2id(&m, mjOBJ_KEY, name.c_str());
+  const auto count = static_cast<std::size_t>(m.nq);
+  return key < 0 ? std::span(m.qpos0, count) : std::span(m.key_qpos + key * m.nq, count);
 }
 
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,

@@ -91,9 +91,38 @@ void DropLooksAtRoot(model::Object& object, const TargetRules& rules, diag::Find
   }
 }
 
+// The host takes one body, with all that is on it.
+bool HasOneRoot(const model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  const auto is_other_root = [&](const model::Body& body) {
+    return body.parent < 0 && &body != &object.bodies.front();
+  };
+  const auto found = std::ranges::find_if(object.bodies, is_other_root);
+  if (found == object.bodies.end()) return true;
+  findings.Add(
+      Code::kTargetOneRoot, found->mark,
+      fmt::format("{} takes objects of one root, but body '{}' is free", rules.name, found->name),
+      "make it an object of its own, or use --target mujoco, scene or mjx");
+  return false;
+}
+
+void DropPositions(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  for (model::Body& body : object.bodies) {
+    for (model::Joint& joint : body.joints) {
+      if (joint.start.empty()) continue;
+      findings.Warn(Code::kTargetDropped, joint.mark,
+                    fmt::format("{} has no keyframes in objects: the pose of joint '{}' is dropped",
+                                rules.name, joint.name),
+                    "set it where the object is put into a task");
+      joint.start.clear();
+    }
+  }
+}
+
 }  // namespace
 
 void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  if (!rules.sections) DropPositions(object, rules, findings);
+  if (!rules.root.empty() && !HasOneRoot(object, rules, findings)) return;
   if (!rules.free_joint) DropFreeJoint(object.bodies.front(), rules, findings);
   if (!rules.root.empty()) DropLooksAtRoot(object, rules, findings);
   if (rules.region_box) AddRegionBox(object);

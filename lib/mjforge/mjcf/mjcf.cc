@@ -50,7 +50,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   if (scene) WriteSceneWorld(object, writer);
   WriteBodies(object, GroupsOf(target), document.lift, writer);
   writer.End("worldbody");
-  WriteSections(object, writer);
+  WriteSections(object, document.lift, writer);
   writer.End("mujoco");
 }
 

@@ -93,6 +93,13 @@ class Form {
 /// The name of a visual geom is its part's name with this suffix.
 inline constexpr std::string_view kVisualSuffix = "_vis";
 
+/// The name of the keyframe is the object's with this suffix.
+inline constexpr std::string_view kStartSuffix = "_start";
+/// qpos of the joints at the start, in MuJoCo's order; empty if none has a position of its own.
+/// `lift`, m, is added to the height of bodies of the world.
+std::vector<tape::Traced<double>> StartPositions(const model::Object& object,
+                                                 const tape::Traced<double>& lift);
+
 /// Object::bodies in the order of the text, which is MuJoCo's: depth first.
 std::vector<int> DepthFirst(const model::Object& object);
 

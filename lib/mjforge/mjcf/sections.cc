@@ -42,10 +42,11 @@ void WriteSettings(const model::Object& object, ElementWriter& writer) {
   }
 }
 
-void WriteSections(const model::Object& object, ElementWriter& writer) {
+void WriteSections(const model::Object& object, const Traced<double>& lift, ElementWriter& writer) {
   for (const model::Section& section : object.sections) {
     if (!IsSetting(section)) WriteSection(section, writer);
   }
+  WriteKeyframe(object, lift, writer);
 }
 
 }  // namespace mjforge::mjcf

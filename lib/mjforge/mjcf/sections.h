@@ -31,8 +31,11 @@ void WriteBodies(const model::Object& object, const GeomGroups& groups, const Tr
 void WriteElement(const model::Element& element, ElementWriter& writer);
 /// Settings of the whole model (option, size, visual, statistic, custom).
 void WriteSettings(const model::Object& object, ElementWriter& writer);
-/// Sections that refer to bodies (contact, equality, tendon, actuator, sensor).
-void WriteSections(const model::Object& object, ElementWriter& writer);
+/// Sections that refer to bodies (contact, equality, tendon, actuator, sensor), and the keyframe.
+void WriteSections(const model::Object& object, const Traced<double>& lift, ElementWriter& writer);
+
+/// The keyframe of the positions that joints start from, if any has one.
+void WriteKeyframe(const model::Object& object, const Traced<double>& lift, ElementWriter& writer);
 
 /// How far a scene lifts the object so that it rests on the floor at z = 0, m.
 Traced<double> LiftOntoFloor(const model::Object& object);

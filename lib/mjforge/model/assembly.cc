@@ -86,6 +86,7 @@ void Assembly::AddSpec(Scope& scope) {
   if (!spec.bodies.empty()) AddBodies(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
+  if (!spec.pose.empty()) ReadPositions(scope);
 }
 
 void Assembly::ReadTotalSize(Scope& scope) {

@@ -65,6 +65,18 @@ class Assembly {
 
   void Finish(const Scope& scope);  // finish.cc
 
+  // positions.cc
+  struct Position {
+    std::string joint;  // its full name
+    std::string shown;  // as the spec says it
+    sample::Numbers numbers;
+    diag::SourceMark mark;
+  };
+  /// Reads `pose:` of a spec; SetPositions, once all joints are there, gives it to them.
+  void ReadPositions(Scope& scope);
+  void SetPositions();
+  bool SetPosition(const Position& position, Joint& joint);
+
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, Part& part,
@@ -100,6 +112,7 @@ class Assembly {
   std::size_t spec_count_ = 0;              // brought by parts and bodies
   bool is_full_ = false;
   std::unordered_map<std::string, int> bodies_;  // by full name
+  std::vector<Position> positions_;              // those of inner specs first
 };
 
 }  // namespace mjforge::model

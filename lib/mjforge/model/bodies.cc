@@ -85,6 +85,10 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
+  if (entry.is_free) {
+    Joint& joint = object_.bodies[index].joints.emplace_back();
+    joint.name = object_.bodies[index].name + "_joint0";
+  }
   ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
   at_ = outer;
   scope.X_BS = X_BS;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/model/assembly.h"
+#include "mjforge/model/free_bodies.h"
 #include "mjforge/model/names.h"
 #include "mjforge/model/sums.h"
 
@@ -65,6 +66,8 @@ void Assembly::Finish(const Scope& scope) {
   CheckMass(object_, findings_);
   object_.bounds =
       scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsFrom(object_.bodies, 0);
+  ReleaseFreeBodies(object_.bodies, findings_);
+  SetPositions();
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
   for (Section& section : object_.sections) {
     // MuJoCo 2.2 wants actuators with a state behind those without.

@@ -76,14 +76,6 @@ void Assembly::AddRootJoints(Scope& scope) {
   }
   if (spec.root_joints != spec::RootJoints::kList) return;
   AddJoints(scope, spec.joints, sample::Child(scope.values.root(), "joints"));
-  if (body().joints.size() < 2) return;
-  for (const Joint& joint : body().joints) {
-    if (joint.type != "free") continue;
-    findings_.Add(Code::kModelBadValue, joint.mark,
-                  fmt::format("free joint '{}' is not the only joint of its body", joint.name),
-                  "a free joint already allows every motion");
-    return;
-  }
 }
 
 void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
@@ -117,11 +109,6 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
   joint.name = scope.prefix + *name;
   joint.mark = entry.mark;
   bool good = ReadType(reader, entry, joint);
-  if (good && joint.type == "free" && at_ != 0) {
-    reader.ReportElement(Code::kModelBadValue, entry.mark, "is free, but its body is not the root",
-                         "MuJoCo allows a free joint only on a body whose parent is the world");
-    return;
-  }
   if (const spec::Field* field = entry.Find(Key::kPos)) {
     const auto pos = reader.Vector<3>(*field);
     if (pos) joint.pos = *pos;

@@ -57,6 +57,7 @@ class Taker {
       links_.Take(joint.pos);
       links_.Take(joint.axis);
       if (joint.range) links_.Take(*joint.range);
+      for (Traced<double>& number : joint.start) links_.Take(number);
       Take(joint.attributes);
     }
     for (Part& part : body.parts) {

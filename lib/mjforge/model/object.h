@@ -122,6 +122,9 @@ struct Joint {
   Traced<Eigen::Vector3d> pos = Eigen::Vector3d::Zero();
   Traced<Eigen::Vector3d> axis = Eigen::Vector3d::UnitZ();
   std::optional<Traced<Eigen::Vector2d>> range;  // limited if present
+  /// Where it stands at the start, as qpos has it: m or rad, of a ball joint w, x, y, z. Empty: at
+  /// its zero.
+  sample::Numbers start;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -138,7 +141,7 @@ struct Site {
 
 struct Body {
   std::string name;
-  int parent = -1;  // in Object::bodies; -1: the world
+  int parent = -1;  // in Object::bodies; -1: the world, for the root and for free bodies
   Pose X_PB;
   std::vector<Joint> joints;
   std::vector<Part> parts;
@@ -179,7 +182,8 @@ struct Object {
 /// Takes all numbers of the object off their tape; it must stay where it is.
 void TakeOffTape(Object& object, tape::Links& links);
 
-/// X_RootB of every body with all joints at zero; the root's is the identity.
+/// X_RootB of every body with all joints at zero; that of the first body, the root, is the
+/// identity.
 std::vector<Pose> BodyPoses(const Object& object);
 
 /// How many geoms MJCF has for the body's parts: a part that is both collision and visual has two.

@@ -59,6 +59,11 @@ References::Names References::Collect() const {
   return names;
 }
 
+bool References::IsTakenAway(const std::string& joint) const {
+  const auto joints = gone_.find("joint");
+  return joints != gone_.end() && joints->second.contains(joint);
+}
+
 void References::Check() {
   if (references_.empty()) return;
   // Taking one element out may leave another without what it refers to.

@@ -32,6 +32,7 @@ class References {
            std::string owner, diag::SourceMark mark);
   /// A joint that attaching removed; `origin` names the spec or file it came from.
   void TakeAway(std::string joint, std::string origin);
+  bool IsTakenAway(const std::string& joint) const;
 
   /// Removes elements that refer to something removed, with a warning for each; reports names that
   /// no element has.

@@ -5,15 +5,6 @@
 namespace mjforge::model {
 namespace {
 
-/// X_FB of the bodies from `first`, F, on, all below it.
-std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) {
-  std::vector<Pose> X_FB(bodies.size() - first);
-  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
-    X_FB[i - first] = X_FB[static_cast<std::size_t>(bodies[i].parent) - first] * bodies[i].X_PB;
-  }
-  return X_FB;
-}
-
 /// `for_each` calls what it is given with every part and its pose X_FG.
 template <typename ForEach>
 Bounds BoundsOfAll(const ForEach& for_each) {
@@ -34,6 +25,17 @@ Bounds BoundsOfAll(const ForEach& for_each) {
 }
 
 }  // namespace
+
+std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) {
+  std::vector<Pose> X_FB(bodies.size() - first);
+  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
+    const Body& body = bodies[i];
+    X_FB[i - first] = body.parent < 0
+                          ? bodies[first].X_PB.Inverse() * body.X_PB
+                          : X_FB[static_cast<std::size_t>(body.parent) - first] * body.X_PB;
+  }
+  return X_FB;
+}
 
 Bounds DeclaredBounds(const Traced<Eigen::Vector3d>& total_size) {
   using Eigen::Vector3d;

@@ -26,5 +26,8 @@ void ScaleMass(const Traced<double>& factor, std::vector<Body>& bodies, std::siz
                std::size_t first_part, std::size_t first_body);
 /// A body with joints that has no mass takes half the mass of the first body fixed to it.
 void ShareMass(std::vector<Body>& bodies);
+/// X_FB of the bodies from `first`, F, on, with all joints at zero: all below F or, if F is the
+/// root, bodies of the world.
+std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first);
 
 }  // namespace mjforge::model

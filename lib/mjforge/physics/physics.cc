@@ -148,6 +148,10 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
                              engine::ParseRefusal(loaded.error).reason));
     return std::nullopt;
   }
+  // What stands fixed with free bodies on it stands on the floor, too.
+  const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
+  if (floor >= 0 && !document.host_frees && loaded.model->body_dofnum[1] == 0)
+    LevelFloor(*loaded.model, floor);
   return state_->Examine(std::move(loaded.model), object, mark, object.checks, findings);
 }
 

@@ -51,10 +51,11 @@ class Drop {
   }
 
   Trouble Run() {
+    std::ranges::copy(compiled::StartOf(m_), d_.qpos);
     mj_kinematics(&m_, &d_);
     const Ground ground = GroundOf(m_, d_);
     result_.dropped = !roots_.empty() && ground.planes + ground.others > 0;
-    if (roots_.size() == 1 && ground.planes == 1 && ground.others == 0) Lift(ground.height);
+    if (result_.dropped && ground.planes == 1 && ground.others == 0) Lift(ground.height);
     mj_forward(&m_, &d_);
     Begin();
     const int most = static_cast<int>(std::ceil(checks_.settle_time / m_.opt.timestep));
@@ -84,15 +85,21 @@ class Drop {
     Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // upwards at the start, in the body
   };
 
+  /// All by the same height, so that they keep their places.
   void Lift(double floor) {
-    const int root = roots_.front().body;
-    const model::Box3 box = compiled::CollidingBox(m_, d_, root);
-    if (box.empty()) {
+    model::Box3 all;
+    for (const Root& root : roots_) {
+      const model::Box3 box = compiled::CollidingBox(m_, d_, root.body);
+      if (!box.empty()) all.Add(box);
+    }
+    if (all.empty()) {
       result_.dropped = false;  // it would fall for ever
       return;
     }
-    const int joint = m_.body_jntadr[root];
-    d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + DropHeight(m_) - box.min.z();
+    for (const Root& root : roots_) {
+      const int joint = m_.body_jntadr[root.body];
+      d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + DropHeight(m_) - all.min.z();
+    }
   }
 
   Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }

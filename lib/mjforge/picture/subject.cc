@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mjforge::picture {
 namespace {
 
@@ -45,7 +47,10 @@ void Subject::State::Move(const Pose& pose) {
   Update();
 }
 
-Subject::Subject(std::unique_ptr<State> state) : state_(std::move(state)) { state_->Update(); }
+Subject::Subject(std::unique_ptr<State> state) : state_(std::move(state)) {
+  std::ranges::copy(compiled::StartOf(*state_->model), state_->data->qpos);
+  state_->Update();
+}
 Subject::~Subject() = default;
 
 std::vector<Joint> Subject::joints() const {

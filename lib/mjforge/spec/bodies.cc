@@ -94,12 +94,7 @@ class BodyReader {
 
   void ReadBodyJoints(const YamlNode& joints, BodyEntry& body) {
     if (joints.kind == YamlNode::Kind::kScalar) {
-      if (joints.text == "none") return;
-      reading_.findings.Add(Code::kSpecBadValue, joints.mark,
-                            fmt::format("'{}' is neither 'none' nor a list of joints", joints.text),
-                            joints.text == "free"
-                                ? "only the root body may move freely: use `joints:` of the object"
-                                : "");
+      body.is_free = IsFreeWord(joints, reading_) == true;
       return;
     }
     entries_.ReadList(JointElement(), joints, body.joints);

@@ -312,22 +312,43 @@ void ReadSites(const YamlNode& sites, Reading& reading) {
   CheckUniqueNames("site", reading.spec.sites, reading);
 }
 
+std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading) {
+  constexpr std::string_view kWords[] = {"free", "none"};
+  if (joints.text == kWords[0] || joints.text == kWords[1]) return joints.text == kWords[0];
+  reading.findings.Add(
+      Code::kSpecBadValue, joints.mark,
+      fmt::format("'{}' is neither 'free', 'none' nor a list of joints", joints.text),
+      diag::DidYouMean(joints.text, kWords));
+  return std::nullopt;
+}
+
 void ReadJoints(const YamlNode& joints, Reading& reading) {
   if (joints.kind == YamlNode::Kind::kScalar) {
-    const std::string_view word = joints.text;
-    if (word == "free" || word == "none") {
-      reading.spec.root_joints = word == "free" ? RootJoints::kFree : RootJoints::kNone;
-      return;
-    }
-    constexpr std::string_view kWords[] = {"free", "none"};
-    reading.findings.Add(Code::kSpecBadValue, joints.mark,
-                         fmt::format("'{}' is neither 'free', 'none' nor a list of joints", word),
-                         diag::DidYouMean(word, kWords));
+    const std::optional<bool> is_free = IsFreeWord(joints, reading);
+    if (is_free) reading.spec.root_joints = *is_free ? RootJoints::kFree : RootJoints::kNone;
     return;
   }
   reading.spec.root_joints = RootJoints::kList;
   EntryReader(reading).ReadList(JointElement(), joints, reading.spec.joints);
   CheckUniqueNames("joint", reading.spec.joints, reading);
+}
+
+void ReadPose(const YamlNode& pose, Reading& reading) {
+  if (!IsMap(pose, "names and positions of joints", reading)) return;
+  for (const YamlNode::Pair& pair : pose.pairs) {
+    Position position = {pair.key, pair.mark, reading.values.ReadAnything(pair.value)};
+    const Value& value = position.value;
+    if (value.components == 0) continue;  // reported
+    if (value.type != expr::Type::kNumber || value.is_list ||
+        (value.components != 1 && value.components != 4)) {
+      reading.findings.Add(Code::kSpecWrongType, value.mark,
+                           fmt::format("the position of joint '{}' is {}, not a number or the four "
+                                       "of a quaternion",
+                                       pair.key, KindText(value)));
+      continue;
+    }
+    reading.spec.pose.push_back(std::move(position));
+  }
 }
 
 void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading) {

@@ -110,6 +110,8 @@ constexpr FieldInfo kObjectFields[] = {
          Slot::kJoints),
     Row({"bodies", Key::kBodies}, Slot::kBodies,
         "Further bodies: parts, other specs and MJCF files, each with its joints."),
+    Row({"pose", Key::kPose}, Slot::kPositions,
+        "Where joints stand at the start, a keyframe: m or rad, of a ball joint w, x, y, z."),
     Row({"contact", Key::kContact}, Slot::kContact,
         "Pairs of bodies that do not collide with each other."),
     Row({"mjcf", Key::kMjcf}, Slot::kSections,
@@ -366,9 +368,10 @@ constexpr FieldInfo kBodyFields[] = {
     kAxisAngle,
     kXyAxes,
     kZAxis,
-    Word({"joints", Key::kJoints}, "none", "none",
-         "Its joints; without any it is fixed to its parent. Top-level joints that a spec or an "
-         "MJCF file brings are removed.",
+    Word({"joints", Key::kJoints}, "free none", "none",
+         "Its joints; without any it is fixed to its parent. `free`: a body of the world, which "
+         "starts where its parent has it. Top-level joints that a spec or an MJCF file brings are "
+         "removed.",
          Slot::kJoints),
     Row({"sites", Key::kSites}, Slot::kSites, "Sites of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",

@@ -103,6 +103,7 @@ class SpecLoader : public NestedLoader {
     }
     if (joints != nullptr) ReadJoints(*joints, reading);
     if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
+    if (const YamlNode* pose = root.Find("pose")) ReadPose(*pose, reading);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadChecks(root.Find("checks"), settings, reading);

@@ -84,6 +84,10 @@ void ReadDefaults(const YamlNode& defaults, Reading& reading);
 void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading);
 void ReadSites(const YamlNode& sites, Reading& reading);
 void ReadJoints(const YamlNode& joints, Reading& reading);
+/// Of joints that are one word: whether it is `free` or `none`; else a finding.
+std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading);
+/// pose: of an object.
+void ReadPose(const YamlNode& pose, Reading& reading);
 
 /// Reads bodies: in order, since each may use properties of earlier ones.
 void ReadBodies(const YamlNode& bodies, Reading& reading);

@@ -44,6 +44,9 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kSubstitutes, "name: material's name", R"("@map text")"},
     SlotInfo{Slot::kFields, "keys"},
     SlotInfo{Slot::kBodies, "list of bodies", R"("@list body")"},
+    SlotInfo{Slot::kPositions, "joint: position",
+             R"("type": "object", "additionalProperties": {"anyOf": [{"@is number"}, )"
+             R"({"@list number", "minItems": 4, "maxItems": 4}, {"@is vector_draw"}]})"},
     SlotInfo{Slot::kContact, "contact", R"("@is contacts")"},
     SlotInfo{Slot::kExcludes, "list of pairs",
              R"("type": "array", "items": {"anyOf": [{"@pair"}, {"@is exclude"}]})"},

@@ -34,6 +34,13 @@ struct Parameter {
   std::string record;
 };
 
+/// One of `pose:`: where a joint stands at the start, as qpos has it.
+struct Position {
+  std::string joint;
+  diag::SourceMark mark;
+  Value value;  // a number, or four
+};
+
 struct Requirement {
   expr::Expression expression;
   diag::SourceMark mark;
@@ -97,6 +104,7 @@ struct ObjectSpec {
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
   std::vector<BodyEntry> bodies;
+  std::vector<Position> pose;
   std::vector<Section> sections;
   std::optional<Field> mass;  // kg, of the whole object
   Placement placement = Placement::kCenter;

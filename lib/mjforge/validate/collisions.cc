@@ -26,22 +26,33 @@ class SelfCollisions {
 
   bool Check() {
     ContactFinder finder(m_);
-    std::size_t found = 0;
-    for (const BodyContact& contact : finder.Find()) {
-      if (contact.margin - contact.distance < object_.checks.self_collision) continue;
-      const bool related = AreParentAndChild(contact.body1, contact.body2);
-      if (related && InHost()) continue;
-      if (++found <= kMostPairs) Report(contact, related);
-    }
-    if (found > kMostPairs) {
-      findings_.Add(
-          diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
-          fmt::format("{} more pairs of bodies touch with all joints at zero", found - kMostPairs));
+    std::size_t found = Look(finder, "with all joints at zero");
+    const std::span<const mjtNum> start = compiled::StartOf(m_);
+    if (found == 0 && start.data() != m_.qpos0) {
+      std::ranges::copy(start, finder.qpos().begin());
+      finder.Move();
+      found = Look(finder, "in the start pose");
     }
     return found > 0;
   }
 
  private:
+  /// How many pairs touch where the joints stand.
+  std::size_t Look(ContactFinder& finder, std::string_view when) {
+    std::size_t found = 0;
+    for (const BodyContact& contact : finder.Find()) {
+      if (contact.margin - contact.distance < object_.checks.self_collision) continue;
+      const bool related = AreParentAndChild(contact.body1, contact.body2);
+      if (related && InHost()) continue;
+      if (++found <= kMostPairs) Report(contact, related, when);
+    }
+    if (found > kMostPairs) {
+      findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
+                    fmt::format("{} more pairs of bodies touch {}", found - kMostPairs, when));
+    }
+    return found;
+  }
+
   const model::Body& BodyOf(int id) const {
     return object_.bodies[static_cast<std::size_t>(order_[static_cast<std::size_t>(id - 1)])];
   }
@@ -80,7 +91,7 @@ class SelfCollisions {
     return first.attached >= 0 && first.attached == second.attached;
   }
 
-  void Report(const BodyContact& contact, bool related) {
+  void Report(const BodyContact& contact, bool related, std::string_view when) {
     const model::Body* first = &BodyOf(contact.body1);
     const model::Body* second = &BodyOf(contact.body2);
     int first_geom = contact.geom1;
@@ -90,8 +101,8 @@ class SelfCollisions {
       std::swap(first_geom, second_geom);
     }
     std::string message =
-        fmt::format("bodies '{}' and '{}' touch with all joints at zero: geoms '{}' and '{}', {}",
-                    first->name, second->name, m_.names + m_.name_geomadr[first_geom],
+        fmt::format("bodies '{}' and '{}' touch {}: geoms '{}' and '{}', {}", first->name,
+                    second->name, when, m_.names + m_.name_geomadr[first_geom],
                     m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
     if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
     std::string hint = fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",

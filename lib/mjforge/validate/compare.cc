@@ -94,6 +94,21 @@ void Comparison::Run(double lift) {
     CompareBody(++id, object_.bodies[static_cast<std::size_t>(i)], lift);
   }
   CompareSections(m_, object_, findings_);
+  CompareStart(lift);
+}
+
+void Comparison::CompareStart(double lift) {
+  const auto meant = mjcf::StartPositions(object_, lift);
+  if (meant.empty()) return;
+  const Subject subject{"keyframe", object_.name, mjcf::kStartSuffix, object_.bodies.front().mark};
+  if (!SameCount("keyframes", m_.nkey, 1, subject.mark, findings_) ||
+      !SameName(m_.names + m_.name_keyadr[0], subject, findings_)) {
+    return;
+  }
+  for (std::size_t i = 0; i < meant.size(); ++i) {
+    Number(subject, "qpos", static_cast<int>(i), m_.key_qpos[i], meant[i],
+           kRelative * std::max(1.0, std::abs(meant[i].value())) + length_tolerance_);
+  }
 }
 
 bool Comparison::SameCounts() {

@@ -93,7 +93,8 @@ TEST_CASE("a mesh file that is missing is named with its place in the XML") {
            "</asset>\n"));
   CHECK(files.Try() == nullptr);
   CHECK(files.OnlyFinding() ==
-        "error model/file-not-found: cannot read 'meshes/gone.stl', the file of mesh 'm': No such file or directory "
+        "error model/file-not-found: cannot read 'meshes/gone.stl', the file of mesh 'm': No such "
+        "file or directory "
         "[arm.xml:4:1 here]");
 }
 

@@ -212,11 +212,73 @@ TEST_CASE("what moves needs a mass, of its own or of what is fixed to it") {
                   .failed());
 }
 
-TEST_CASE("only the root may be free") {
-  CHECK(OnlyFinding("bodies: [{name: a, parts: [{name: g, type: sphere, size: 1}], joints: [{name: "
-                    "j, type: free}]}]\n") ==
-        "3:72 joint 'j' is free, but its body is not the root (MuJoCo allows a free joint only on "
-        "a body whose parent is the world)");
+TEST_CASE("a free body is one of the world, where its parent has it") {
+  const Assembling thing(
+      "parts: [{name: plate, type: box, size: [1, 1, 1], mass: 1}]\nbodies:\n"
+      "- {name: tray, pos: [0, 0, 2], euler: [0, 0, 90deg],\n"
+      "   parts: [{name: g, type: sphere, size: 0.5, mass: 1}]}\n"
+      "- {name: ball, parent: tray, joints: free, pos: [3, 0, 0],\n"
+      "   parts: [{name: h, type: sphere, size: 0.5, mass: 2}]}\n"
+      "- {name: on_ball, parent: ball, pos: [0, 0, 1], joints: [{name: own, type: free}],\n"
+      "   parts: [{name: k, type: sphere, size: 0.25, mass: 4}]}\n");
+  const model::Body& ball = BodyOf(thing, "thing_ball");
+  CHECK(ball.parent == -1);
+  CHECK((ball.X_PB.p - Eigen::Vector3d(0, 3, 2)).norm() < 1e-12);
+  REQUIRE(ball.joints.size() == 1);
+  CHECK(ball.joints[0].name == "thing_ball_joint0");
+  CHECK(ball.joints[0].type == "free");
+  const model::Body& on_ball = BodyOf(thing, "thing_on_ball");
+  CHECK(on_ball.parent == -1);
+  CHECK((on_ball.X_PB.p - Eigen::Vector3d(0, 3, 3)).norm() < 1e-12);
+  CHECK(on_ball.joints[0].name == "thing_own");
+  // Bounds and mass are those of all.
+  CHECK(thing.object().bounds.aabb.max.y() == Approx(3.5));
+  CHECK(thing.object().mass_properties.mass == Approx(8));
+  CHECK(model::BodyPoses(thing.object())[3].p.z() == Approx(3));
+  CHECK(model::Contains(thing.object(), {0, 3.4, 2}));
+}
+
+TEST_CASE("what an outer spec says of the start of a joint wins") {
+  const TemporaryFolder folder;
+  folder.Write("box.yaml",
+               "mjforge: 1\nname: box\njoints: [{name: root, type: slide}]\n"
+               "parts: [{name: q, type: sphere, size: 1}]\n"
+               "bodies: [{name: lid, joints: [{name: hinge, range: [0, 2]}, {name: slip, type: "
+               "slide}], parts: [{name: p, type: sphere, size: 1}]}]\n"
+               "pose: {hinge: 1, root: 3, slip: 0.5}\n");
+  const Assembling thing(
+      "joints: none\nbodies:\n- {name: left, spec: box.yaml}\npose: {left_hinge: 2}\n", 1, 0,
+      folder.path());
+  const model::Body& lid = BodyOf(thing, "thing_left_lid");
+  CHECK(lid.joints[0].start == sample::Numbers{2.0});
+  CHECK(lid.joints[1].start == sample::Numbers{0.5});
+}
+
+TEST_CASE("what a nested spec leaves free is free, too") {
+  const TemporaryFolder folder;
+  folder.Write("set.yaml",
+               "mjforge: 1\nname: set\nparts: [{name: board, type: box, size: [1, 1, 1]}]\n"
+               "bodies: [{name: peg, joints: free, pos: [2, 0, 0], parts: [{name: p, type: "
+               "sphere, size: 1}]}]\n");
+  const Assembling thing("bodies:\n- {name: left, spec: set.yaml, pos: [0, 5, 0]}\n", 1, 0,
+                         folder.path());
+  CHECK((BodyOf(thing, "thing_left_peg").X_PB.p - Eigen::Vector3d(2, 5, 0)).norm() < 1e-12);
+  CHECK(BodyOf(thing, "thing_left_peg").parent == -1);
+}
+
+TEST_CASE("a body that is free cannot stand on one that moves") {
+  CHECK(
+      OnlyFinding("joints: none\nbodies:\n- {name: drawer, joints: [{name: slide, type: slide}], "
+                  "parts: [{name: "
+                  "d, type: sphere, size: 1}]}\n- {name: pen, parent: drawer, joints: free, parts: "
+                  "[{name: p, type: sphere, size: 1}]}\n") ==
+      "6:3 body 'thing_pen' is free, but stands on body 'thing_drawer', which moves (a free body "
+      "is one of the world: its parent may be fixed to the root, or free itself)");
+  CHECK(OnlyFinding("joints: none\nbodies:\n- {name: a, parts: [{name: g, type: sphere, size: "
+                    "1}],\n   joints: "
+                    "[{name: j, type: free}, {name: k}]}\n") ==
+        "6:13 free joint 'thing_j' is not the only joint of its body (a free joint already allows "
+        "every motion)");
 }
 
 TEST_CASE("placement: corner puts bodies of the root by their own lower corner") {

@@ -66,11 +66,12 @@ TEST_CASE("a body's properties can be used from its own pose on", "[bodies]") {
         Strings{"5:25 expr/unknown-name: unknown name 'a.tip' (did you mean 'a.top'?)"});
 }
 
-TEST_CASE("only the root moves freely", "[bodies]") {
+TEST_CASE("a body's joints are a list or one of two words", "[bodies]") {
   CHECK(ReportBodies("- {name: a, joints: none}\n").empty());
-  CHECK(ReportBodies("- {name: a, joints: free}\n") ==
-        Strings{"4:21 spec/bad-value: 'free' is neither 'none' nor a list of joints (only the root "
-                "body may move freely: use `joints:` of the object)"});
+  CHECK(ReportBodies("- {name: a, joints: free}\n").empty());
+  CHECK(ReportBodies("- {name: a, joints: fre}\n") ==
+        Strings{"4:21 spec/bad-value: 'fre' is neither 'free', 'none' nor a list of joints (did you "
+                "mean 'free'?)"});
 }
 
 TEST_CASE("contact: exclude takes pairs of names", "[bodies]") {

@@ -1,0 +1,66 @@
+#include "mjforge/model/free_bodies.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/sums.h"
+
+namespace mjforge::model {
+namespace {
+
+const Joint* FreeJointOf(const Body& body) {
+  const auto found = std::ranges::find(body.joints, "free", &Joint::type);
+  return found == body.joints.end() ? nullptr : &*found;
+}
+
+/// The next body above that moves against its own parent, and is not free; null: there is none.
+const Body* MovingParent(const std::vector<Body>& bodies, int parent) {
+  for (; parent >= 0; parent = bodies[static_cast<std::size_t>(parent)].parent) {
+    const Body& body = bodies[static_cast<std::size_t>(parent)];
+    if (!body.joints.empty() && FreeJointOf(body) == nullptr) return &body;
+  }
+  return nullptr;
+}
+
+bool MayBeFree(const std::vector<Body>& bodies, const Body& body, const Joint& joint,
+               diag::Findings& findings) {
+  const diag::SourceMark mark = joint.mark ? joint.mark : body.mark;
+  if (body.joints.size() > 1) {
+    findings.Add(diag::Code::kModelBadValue, mark,
+                 fmt::format("free joint '{}' is not the only joint of its body", joint.name),
+                 "a free joint already allows every motion");
+    return false;
+  }
+  const Body* moving = MovingParent(bodies, body.parent);
+  if (moving == nullptr) return true;
+  findings
+      .Add(diag::Code::kModelBadValue, mark,
+           fmt::format("body '{}' is free, but stands on body '{}', which moves", body.name,
+                       moving->name),
+           "a free body is one of the world: its parent may be fixed to the root, or free itself")
+      .notes.push_back(
+          {moving->joints.front().mark, fmt::format("'{}' moves by this joint", moving->name)});
+  return false;
+}
+
+}  // namespace
+
+void ReleaseFreeBodies(std::vector<Body>& bodies, diag::Findings& findings) {
+  const auto is_free = [](const Body& body) { return FreeJointOf(body) != nullptr; };
+  if (std::ranges::none_of(bodies, is_free)) return;
+  const std::vector<Pose> X_RootB = PosesFrom(bodies, 0);
+  std::vector<std::size_t> released;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Joint* joint = FreeJointOf(bodies[i]);
+    if (joint == nullptr || !MayBeFree(bodies, bodies[i], *joint, findings)) continue;
+    released.push_back(i);
+  }
+  for (const std::size_t i : released) {
+    if (bodies[i].parent < 0) continue;  // the root
+    bodies[i].parent = -1;
+    bodies[i].X_PB = bodies.front().X_PB * X_RootB[i];
+  }
+}
+
+}  // namespace mjforge::model

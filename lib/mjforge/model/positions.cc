@@ -1,0 +1,92 @@
+// pose: where joints stand at the start.
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+
+// A turn given in degrees may miss the end of its range by a rounding.
+constexpr double kRounding = 1e-9;
+
+bool IsWithin(const Eigen::Vector2d& range, double position) {
+  const double slack = kRounding * (range[1] - range[0]);
+  return position >= range[0] - slack && position <= range[1] + slack;
+}
+
+Eigen::Vector4d Normalized(const Eigen::Vector4d& q) { return q.normalized(); }
+
+}  // namespace
+
+void Assembly::ReadPositions(Scope& scope) {
+  const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
+  for (const spec::Position& entry : scope.values.spec().pose) {
+    Position& position = positions_.emplace_back();
+    position.joint = scope.prefix + entry.joint;
+    position.shown = entry.joint;
+    position.mark = entry.mark;
+    scope.values.Vector(entry.value, sample::Child(pose, std::string_view(entry.joint)),
+                        position.numbers);
+  }
+}
+
+// What an outer spec says comes later and wins.
+void Assembly::SetPositions() {
+  if (positions_.empty()) return;
+  std::map<std::string_view, Joint*> joints;
+  for (Body& body : object_.bodies) {
+    for (Joint& joint : body.joints) joints.emplace(joint.name, &joint);
+  }
+  for (const Position& position : positions_) {
+    const auto found = joints.find(position.joint);
+    if (found != joints.end()) {
+      if (!SetPosition(position, *found->second)) return;
+      continue;
+    }
+    if (references_.IsTakenAway(position.joint)) continue;
+    const std::size_t prefix = position.joint.size() - position.shown.size();
+    std::vector<std::string_view> names;
+    for (const auto& [name, joint] : joints) {
+      if (name.starts_with(position.joint.substr(0, prefix))) names.push_back(name.substr(prefix));
+    }
+    findings_.Add(Code::kModelUnknownReference, position.mark,
+                  fmt::format("pose: the object has no joint {}", Quoted(position.shown)),
+                  diag::DidYouMean(position.shown, names));
+  }
+}
+
+// False after a finding.
+bool Assembly::SetPosition(const Position& position, Joint& joint) {
+  const sample::Numbers& numbers = position.numbers;
+  const auto bad = [&](const std::string& what, std::string hint = {}) {
+    findings_.Add(Code::kModelBadValue, position.mark,
+                  fmt::format("pose of joint {} {}", Quoted(position.shown), what),
+                  std::move(hint));
+    return false;
+  };
+  if (joint.type == "free") return bad("cannot be set: it is free", "give its body a `pos`");
+  const std::size_t wanted = joint.type == "ball" ? 4 : 1;
+  if (numbers.size() != wanted) {
+    return bad(fmt::format("has {} numbers, but a {} takes {}", numbers.size(), joint.type, wanted),
+               wanted == 4 ? "a quaternion: w, x, y, z" : "");
+  }
+  joint.start = numbers;
+  if (wanted == 4) {
+    const auto q = tape::Gather<Eigen::Vector4d>(std::span(numbers.data(), wanted));
+    const auto is_turn = [](const Eigen::Vector4d& w) { return w.norm() > kRounding; };
+    if (!tape::Test(is_turn, q)) return bad("is not a rotation: all numbers are 0");
+    const Traced<Eigen::Vector4d> unit = tape::Apply(Normalized, q);
+    for (std::size_t i = 0; i < wanted; ++i) joint.start[i] = tape::Element(unit, i);
+  } else if (joint.range && !tape::Test(IsWithin, *joint.range, numbers[0])) {
+    return bad(fmt::format("is {}, outside its range {} .. {}", expr::NumberText(numbers[0]),
+                           expr::NumberText((*joint.range)(0)),
+                           expr::NumberText((*joint.range)(1))));
+  }
+  return true;
+}
+
+}  // namespace mjforge::model
