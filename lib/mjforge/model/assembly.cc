@@ -8,6 +8,7 @@
 #include "mjforge/model/names.h"
 #include "mjforge/model/pose_reader.h"
 #include "mjforge/model/sums.h"
+#include "mjforge/model/views.h"
 
 namespace mjforge::model {
 
@@ -83,6 +84,7 @@ void Assembly::AddSpec(Scope& scope) {
   ReadTotalSize(scope);
   AddParts(scope, spec.parts, Pose());
   AddSites(scope, spec.sites, sample::Child(scope.values.root(), "sites"));
+  AddViews(scope, spec.views, scope.values.root());
   if (!spec.bodies.empty()) AddBodies(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
@@ -143,25 +145,33 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(at_),
               corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
   HandIn(scope, entry, path, inner);
-  const std::size_t first_part = body().parts.size();
-  const std::size_t first_site = body().sites.size();
-  const std::size_t first_body = object_.bodies.size();
+  const Extent before = ExtentNow();
   AddSpec(inner);
   TakeAwayJoints(inner);
   if (!corner) return;
   // Placed by its own lower corner, which is known only now.
-  const Box3 box = BoundsOf(body().parts, first_part).aabb;
+  const Box3 box = BoundsOf(body().parts, before.parts).aabb;
   if (box.empty()) return;
-  const Pose X_BC = scope.X_BS * Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)};
-  for (std::size_t i = first_part; i < body().parts.size(); ++i) {
+  Move(scope.X_BS * Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before, inner.body);
+}
+
+Assembly::Extent Assembly::ExtentNow() {
+  return {body().parts.size(), body().sites.size(), body().elements.size(), object_.bodies.size()};
+}
+
+void Assembly::Move(const Pose& X_BC, const Extent& from, int parent) {
+  for (std::size_t i = from.parts; i < body().parts.size(); ++i) {
     body().parts[i].X_BG = X_BC * body().parts[i].X_BG;
   }
-  for (std::size_t i = first_site; i < body().sites.size(); ++i) {
+  for (std::size_t i = from.sites; i < body().sites.size(); ++i) {
     body().sites[i].X_BS = X_BC * body().sites[i].X_BS;
   }
-  for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
-    Body& inner_body = object_.bodies[i];
-    if (inner_body.parent == inner.body) inner_body.X_PB = X_BC * inner_body.X_PB;
+  for (std::size_t i = from.views; i < body().elements.size(); ++i) {
+    MoveView(X_BC, body().elements[i]);
+  }
+  for (std::size_t i = from.bodies; i < object_.bodies.size(); ++i) {
+    Body& moved = object_.bodies[i];
+    if (moved.parent == parent) moved.X_PB = X_BC * moved.X_PB;
   }
 }
 

@@ -39,6 +39,17 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
+  /// How much the body at hand and the object have.
+  struct Extent {
+    std::size_t parts = 0;
+    std::size_t sites = 0;
+    std::size_t views = 0;
+    std::size_t bodies = 0;
+  };
+  Extent ExtentNow();
+  /// Moves what came since `from`: parts, sites and views of the body at hand, and the bodies on
+  /// `parent`.
+  void Move(const Pose& X_BC, const Extent& from, int parent);
   /// Whether one more of `what` may come to the `count` there are; else a finding, the first time.
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   // nested.cc
@@ -86,6 +97,11 @@ class Assembly {
   bool SetMass(FieldReader& reader, const std::optional<Traced<double>>& mass, Part& part);
   bool SetDensity(FieldReader& reader, const spec::Field& field, const Traced<double>& density,
                   Part& part);
+
+  // views.cc
+  /// Cameras and lights; `path` is that of the body.
+  void AddViews(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId path);
+  void AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list);
 
   // sites.cc, joints.cc
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);

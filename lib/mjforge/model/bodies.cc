@@ -84,6 +84,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   if (by_corner || entry.first_property >= 0) bounds = BoundsFrom(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
+  AddViews(scope, entry.views, path);
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
   if (entry.is_free) {
     Joint& joint = object_.bodies[index].joints.emplace_back();

@@ -10,6 +10,7 @@
 #include "mjforge/model/free_bodies.h"
 #include "mjforge/model/names.h"
 #include "mjforge/model/sums.h"
+#include "mjforge/model/views.h"
 
 namespace mjforge::model {
 namespace {
@@ -60,6 +61,7 @@ void Assembly::Finish(const Scope& scope) {
   assets_.CheckPixels();
   CheckUniqueNames(object_, findings_);
   references_.Check();
+  CheckViews(object_, findings_);
   SumMass(object_.bodies.front(), assets_);
   object_.mass_properties = MassFrom(object_.bodies, 0);
   ShareMass(object_.bodies);

@@ -116,7 +116,8 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
 
 // As mjCGeom::Compile of MuJoCo 2.2 (src/user/user_objects.cc): z points from
 // the second point to the first.
-std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field) {
+std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
+                               const spec::Field* up_field) {
   const auto ends = reader.Vector<6>(field);
   if (!ends) return std::nullopt;
   const Traced<Vector3d> from = FirstOf(*ends);
@@ -130,9 +131,28 @@ std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field) {
     return std::nullopt;
   }
   const auto middle = [](const Vector3d& a, const Vector3d& b) { return Vector3d((a + b) / 2); };
-  const auto along = [](const Vector3d& a, const Vector3d& b) { return FromZAxis(a - b); };
-  return Span{.pose = {.p = tape::Apply(middle, from, to), .q = tape::Apply(along, from, to)},
-              .half_length = half};
+  Span span = {.pose = {.p = tape::Apply(middle, from, to)}, .half_length = half};
+  if (up_field == nullptr) {
+    const auto along = [](const Vector3d& a, const Vector3d& b) { return FromZAxis(a - b); };
+    span.pose.q = tape::Apply(along, from, to);
+    return span;
+  }
+  const std::optional<Traced<Vector3d>> up = ReadDirection(reader, *up_field);
+  if (!up) return std::nullopt;
+  const auto crosses = [](const Vector3d& a, const Vector3d& b, const Vector3d& u) {
+    return (a - b).stableNormalized().cross(u).norm() > 1e-10;
+  };
+  if (!tape::Test(crosses, from, to, *up)) {
+    reader.Report(Code::kModelBadRotation, *up_field, "is along `fromto`");
+    return std::nullopt;
+  }
+  const auto rolled = [](const Vector3d& a, const Vector3d& b, const Vector3d& u) {
+    const Vector3d z = (a - b).stableNormalized();
+    const Vector3d x = u.cross(z);
+    return FromXyAxes(x, z.cross(x));
+  };
+  span.pose.q = tape::Apply(rolled, from, to, *up);
+  return span;
 }
 
 }  // namespace mjforge::model

@@ -20,11 +20,8 @@ bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_vie
   const bool is_prism = type == "prism";
   const bool is_mesh = type == "mesh";
   const std::pair<Key, bool> kKnown[] = {
-      {Key::kSize, !is_prism && !is_mesh},
-      {Key::kFromTo, HasEnds(type)},
-      {Key::kPolygon, is_prism},
-      {Key::kHeight, is_prism},
-      {Key::kFile, is_mesh},
+      {Key::kSize, !is_prism && !is_mesh}, {Key::kFromTo, HasEnds(type)}, {Key::kUp, HasEnds(type)},
+      {Key::kPolygon, is_prism},           {Key::kHeight, is_prism},      {Key::kFile, is_mesh},
       {Key::kScale, is_prism || is_mesh},
   };
   bool stray = false;
@@ -83,7 +80,7 @@ bool ReadShape(FieldReader& reader, const spec::Entry& entry, const std::filesys
   if (!word || HasStrayKeys(reader, entry, *word)) return false;
   part.shape.type = TypeOf(*word);
   if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
-    const std::optional<Span> span = ReadFromTo(reader, *fromto);
+    const std::optional<Span> span = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
     if (!span) return false;
     X_FG = span->pose;
     return ReadSize(reader, entry, *word, span->half_length, part);

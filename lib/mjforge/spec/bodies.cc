@@ -37,6 +37,7 @@ class BodyReader {
       entries_.ReadList(SiteElement(), *sites, body.sites);
       CheckUniqueNames("site", body.sites, reading_);
     }
+    ReadViews(map, body.views, reading_);
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
     entries_.End(body.head);
     reading_.spec.bodies.push_back(std::move(body));

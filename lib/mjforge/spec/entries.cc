@@ -147,6 +147,7 @@ void EntryReader::ReadLocals(const YamlNode& locals, bool has_name, Entry& entry
       local.value = Value{.mark = local.value.mark, .components = 0};
     }
     local.slot = Declare(reading_.spec.names, pair.key, local.value).slot;
+    reading_.locals.emplace_back(pair.key, pair.mark);
     entry.locals.push_back(std::move(local));
   }
 }
@@ -310,6 +311,19 @@ void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading)
 void ReadSites(const YamlNode& sites, Reading& reading) {
   EntryReader(reading).ReadList(SiteElement(), sites, reading.spec.sites);
   CheckUniqueNames("site", reading.spec.sites, reading);
+}
+
+void ReadViews(const YamlNode& map, std::vector<Entry>& out, Reading& reading) {
+  const auto read = [&](std::string_view key, const ElementInfo& element) {
+    const YamlNode* list = map.Find(key);
+    if (list == nullptr) return;
+    std::vector<Entry> entries;
+    EntryReader(reading).ReadList(element, *list, entries);
+    CheckUniqueNames(element.name, entries, reading);
+    std::ranges::move(entries, std::back_inserter(out));
+  };
+  read("cameras", CameraElement());
+  read("lights", LightElement());
 }
 
 std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading) {

@@ -81,6 +81,10 @@ constexpr FieldInfo On(Applies applies, FieldInfo row) {
   row.applies = applies;
   return row;
 }
+constexpr FieldInfo RefersTo(std::string_view kind, FieldInfo row) {
+  row.refers = kind;
+  return row;
+}
 constexpr FieldInfo Contact(const FieldInfo& row) { return On(Applies::kCollision, row); }
 
 constexpr FieldInfo kObjectFields[] = {
@@ -105,6 +109,8 @@ constexpr FieldInfo kObjectFields[] = {
         "Values for the keys that parts, sites and joints leave out."),
     Row({"parts", Key::kParts}, Slot::kParts, "The solid parts of the root body."),
     Row({"sites", Key::kSites}, Slot::kSites, "Sites of the root body."),
+    Row({"cameras", Key::kCameras}, Slot::kCameras, "Cameras of the root body."),
+    Row({"lights", Key::kLights}, Slot::kLights, "Lights of the root body."),
     Word({"joints", Key::kJoints}, "free none", "free",
          "Joints of the root body: `free` (one free joint named joint0), `none`, or a list.",
          Slot::kJoints),
@@ -243,7 +249,10 @@ constexpr FieldInfo kPartFields[] = {
     kXyAxes,
     kZAxis,
     Numbers({"fromto", Key::kFromTo}, {6, 6}, "m", kAnyNumber, "",
-            "Two end points in place of a pose (capsule, cylinder, box, ellipsoid)."),
+            "Two end points in place of a pose (capsule, cylinder, box, ellipsoid): the part's z "
+            "axis points from the second to the first, turned the shortest way from +z."),
+    Numbers({"up", Key::kUp}, {3, 3}, "", kAnyNumber, "",
+            "Beside `fromto`: the direction that the part's y axis takes, as far as it can."),
     Points({"polygon", Key::kPolygon}, {3, 1000}, "m", "Corners x, y of a prism's convex outline."),
     Number({"height", Key::kHeight}, "m", Above(0), "",
            "Full height of a prism along z, centred on its position."),
@@ -307,6 +316,52 @@ constexpr FieldInfo kSiteFields[] = {
     kRgba,
     Integer("group", Between(0, 5), "0", "Group that viewers show or hide together."),
     kUser,
+};
+
+constexpr FieldInfo kMode = Word("mode", "fixed track trackcom targetbody targetbodycom",
+                                 "targetbody where `target` is given, else fixed",
+                                 "How it follows its body, or which body it looks at.");
+constexpr FieldInfo kTarget =
+    RefersTo("body", Row("target", Slot::kText, "The body that it looks at."));
+
+constexpr FieldInfo kCameraFields[] = {
+    Required(kName),
+    kIf,
+    kFor,
+    kLet,
+    Number("fovy", "degrees", Between(0, 180), "45", "Angle that it sees from top to bottom."),
+    Number("ipd", "m", AtLeast(0), "0.068",
+           "Distance between the eyes, for stereoscopic pictures."),
+    kPos,
+    kQuat,
+    kEuler,
+    kAxisAngle,
+    kXyAxes,
+    kZAxis,
+    kMode,
+    kTarget,
+    kUser,
+};
+
+constexpr FieldInfo kLightFields[] = {
+    Required(kName),
+    kIf,
+    kFor,
+    kLet,
+    kPos,
+    Numbers({"dir", Key::kAxis}, {3, 3}, "", kAnyNumber, "0 0 -1", "The direction of the light."),
+    Row("directional", Slot::kBoolean, "false", "Whether it comes from far away."),
+    Row("castshadow", Slot::kBoolean, "true", "Whether it throws shadows."),
+    Row("active", Slot::kBoolean, "true", "Whether it is on."),
+    Numbers("attenuation", {3, 3}, "", AtLeast(0), "1 0 0",
+            "Constant, linear and quadratic loss with distance."),
+    Number("cutoff", "degrees", Between(0, 180), "45", "Half angle of its cone."),
+    Number("exponent", "", AtLeast(0), "10", "How fast it fades towards the edge of the cone."),
+    Numbers("ambient", {3, 3}, "", Between(0, 1), "0 0 0", "Colour of its ambient light."),
+    Numbers("diffuse", {3, 3}, "", Between(0, 1), "0.7 0.7 0.7", "Colour of its diffuse light."),
+    Numbers("specular", {3, 3}, "", Between(0, 1), "0.3 0.3 0.3", "Colour of its highlights."),
+    kMode,
+    kTarget,
 };
 
 constexpr FieldInfo kJointFields[] = {
@@ -374,6 +429,8 @@ constexpr FieldInfo kBodyFields[] = {
          "removed.",
          Slot::kJoints),
     Row({"sites", Key::kSites}, Slot::kSites, "Sites of the body."),
+    Row({"cameras", Key::kCameras}, Slot::kCameras, "Cameras of the body."),
+    Row({"lights", Key::kLights}, Slot::kLights, "Lights of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
            "Mass of the body with everything that a spec or an MJCF file brings; the parts are "
            "scaled to it."),
@@ -457,6 +514,8 @@ constexpr ElementInfo kPart = {
     kPartFields};
 constexpr ElementInfo kFrame = {"frame", "A rigid offset in the body's frame.", kFrameFields};
 constexpr ElementInfo kSite = {"site", "A named place on the body.", kSiteFields};
+constexpr ElementInfo kCamera = {"camera", "A camera that moves with the body.", kCameraFields};
+constexpr ElementInfo kLight = {"light", "A light that moves with the body.", kLightFields};
 constexpr ElementInfo kJoint = {"joint", "A degree of freedom of the body relative to its parent.",
                                 kJointFields};
 constexpr ElementInfo kBody = {
@@ -478,8 +537,8 @@ constexpr ElementInfo kChecks = {
     kChecksFields};
 
 constexpr const ElementInfo* kElements[] = {
-    &kObject, &kParameter, &kMaterial, &kTexture, &kPart,     &kFrame, &kSite,
-    &kJoint,  &kBody,      &kContact,  &kExclude, &kDefaults, &kChecks};
+    &kObject, &kParameter, &kMaterial, &kTexture, &kPart,    &kFrame,    &kSite,  &kCamera,
+    &kLight,  &kJoint,     &kBody,     &kContact, &kExclude, &kDefaults, &kChecks};
 
 }  // namespace
 
@@ -500,6 +559,8 @@ const ElementInfo& TextureElement() { return kTexture; }
 const ElementInfo& PartElement() { return kPart; }
 const ElementInfo& FrameElement() { return kFrame; }
 const ElementInfo& SiteElement() { return kSite; }
+const ElementInfo& CameraElement() { return kCamera; }
+const ElementInfo& LightElement() { return kLight; }
 const ElementInfo& JointElement() { return kJoint; }
 const ElementInfo& BodyElement() { return kBody; }
 const ElementInfo& ContactElement() { return kContact; }

@@ -25,6 +25,8 @@ enum class Key {
   kDefaults,
   kParts,
   kSites,
+  kCameras,
+  kLights,
   kJoints,
   kBodies,
   kPose,
@@ -49,6 +51,7 @@ enum class Key {
   kXyAxes,
   kZAxis,
   kFromTo,
+  kUp,
   // parts
   kType,
   kSize,
@@ -106,6 +109,8 @@ enum class Slot {
   kImports,
   kParts,
   kSites,
+  kCameras,
+  kLights,
   kJoints,
   kPose,
   kTexture,
@@ -165,6 +170,8 @@ const ElementInfo& TextureElement();
 const ElementInfo& PartElement();
 const ElementInfo& FrameElement();  // the mapping under `frame:`
 const ElementInfo& SiteElement();
+const ElementInfo& CameraElement();
+const ElementInfo& LightElement();
 const ElementInfo& JointElement();
 const ElementInfo& BodyElement();
 const ElementInfo& ContactElement();

@@ -97,6 +97,7 @@ class SpecLoader : public NestedLoader {
     for (const ImportedFile& from : imports) ReadImported(from, reading);
     if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, reading);
     if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, reading);
+    ReadViews(root, spec.views, reading);
     const YamlNode* joints = root.Find("joints");
     for (const NamedNode& setting : settings) {
       if (setting.name == kRootJoints) joints = &setting.value;

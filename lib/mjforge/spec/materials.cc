@@ -36,9 +36,9 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
 }
 
 // Keys that a default cannot give: what an entry is, and where.
-constexpr Key kWithoutDefault[] = {Key::kName,   Key::kIf,        Key::kFor,   Key::kSpec,
-                                   Key::kParams, Key::kMaterials, Key::kFrame, Key::kParts,
-                                   Key::kFromTo, Key::kPolygon};
+constexpr Key kWithoutDefault[] = {Key::kName,   Key::kIf,        Key::kFor,    Key::kSpec,
+                                   Key::kParams, Key::kMaterials, Key::kFrame,  Key::kParts,
+                                   Key::kFromTo, Key::kUp,        Key::kPolygon};
 
 void MergeDefaults(const ElementInfo& element, const YamlNode& node, std::vector<Field>& into,
                    Reading& reading) {

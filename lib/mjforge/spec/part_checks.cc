@@ -49,6 +49,11 @@ void CheckSizes(const Entry& part, const ShapeKeys& shape, Reading& reading) {
                          fmt::format("'fromto' has no meaning for a {}", shape.type));
     return;
   }
+  const Field* up = part.Find(Key::kUp);
+  if (up != nullptr && fromto == nullptr) {
+    reading.findings.Add(Code::kSpecConflict, up->mark, "'up' needs 'fromto' in the same entry",
+                         "give the orientation by `xyaxes`, `euler` or `quat`");
+  }
   if (size == nullptr) return;
   if (shape.sizes == 0) {
     if (part.Find(Key::kSize) != nullptr) {

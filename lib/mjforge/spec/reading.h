@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/spec/spec.h"
@@ -32,6 +34,7 @@ struct Reading {
   ObjectSpec& spec;
   NestedLoader& loader;
   ValueReader values;
+  std::vector<std::pair<std::string, diag::SourceMark>> locals = {};  // names of all `let:`
 };
 
 /// Reports keys that the element does not have, with suggestions.
@@ -83,6 +86,8 @@ void ReadDefaults(const YamlNode& defaults, Reading& reading);
 
 void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading);
 void ReadSites(const YamlNode& sites, Reading& reading);
+/// cameras: and lights: of an object or a body.
+void ReadViews(const YamlNode& map, std::vector<Entry>& out, Reading& reading);
 void ReadJoints(const YamlNode& joints, Reading& reading);
 /// Of joints that are one word: whether it is `free` or `none`; else a finding.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading);

@@ -34,6 +34,8 @@ constexpr std::array kSlots = {
              R"("anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}])"},
     SlotInfo{Slot::kParts, "list of parts", R"("@list part")"},
     SlotInfo{Slot::kSites, "list of sites", R"("@list site")"},
+    SlotInfo{Slot::kCameras, "list of cameras", R"("@list camera")"},
+    SlotInfo{Slot::kLights, "list of lights", R"("@list light")"},
     SlotInfo{Slot::kJoints, "list of joints"},
     SlotInfo{Slot::kPose, "frame", R"("@is frame")"},
     SlotInfo{Slot::kTexture, "texture", R"("@is texture")"},

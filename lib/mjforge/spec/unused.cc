@@ -40,6 +40,9 @@ void ReportUnused(const YamlNode* materials, Reading& reading) {
   for (const auto& [name, mark] : reading.spec.functions) {
     if (!uses.names.contains(name)) report("function", name, mark);
   }
+  for (const auto& [name, mark] : reading.locals) {
+    if (!uses.names.contains(name)) report("local value", name, mark);
+  }
   if (materials == nullptr || uses.any_material) return;
   for (const YamlNode::Pair& pair : materials->pairs) {
     if (!uses.materials.contains(pair.key)) report("material", pair.key, pair.mark);

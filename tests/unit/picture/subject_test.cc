@@ -20,9 +20,10 @@ TEST_CASE("joints are listed with their ranges and values") {
 
 TEST_CASE("the start pose is shown") {
   const auto posed = [](const char* name) {
-    return Load("<mujoco model=\"chest\"><worldbody><body><joint/><geom size=\"1\"/></body>"
-                "</worldbody><keyframe><key name=\"" +
-                std::string(name) + "\" qpos=\"0.5\"/></keyframe></mujoco>");
+    return Load(
+        "<mujoco model=\"chest\"><worldbody><body><joint/><geom size=\"1\"/></body>"
+        "</worldbody><keyframe><key name=\"" +
+        std::string(name) + "\" qpos=\"0.5\"/></keyframe></mujoco>");
   };
   CHECK(posed("chest_start")->joints()[0].value == 0.5);
   CHECK(posed("home")->joints()[0].value == 0);

@@ -69,9 +69,10 @@ TEST_CASE("a body's properties can be used from its own pose on", "[bodies]") {
 TEST_CASE("a body's joints are a list or one of two words", "[bodies]") {
   CHECK(ReportBodies("- {name: a, joints: none}\n").empty());
   CHECK(ReportBodies("- {name: a, joints: free}\n").empty());
-  CHECK(ReportBodies("- {name: a, joints: fre}\n") ==
-        Strings{"4:21 spec/bad-value: 'fre' is neither 'free', 'none' nor a list of joints (did you "
-                "mean 'free'?)"});
+  CHECK(
+      ReportBodies("- {name: a, joints: fre}\n") ==
+      Strings{"4:21 spec/bad-value: 'fre' is neither 'free', 'none' nor a list of joints (did you "
+              "mean 'free'?)"});
 }
 
 TEST_CASE("contact: exclude takes pairs of names", "[bodies]") {

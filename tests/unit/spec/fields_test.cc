@@ -26,8 +26,10 @@ TEST_CASE("every field has a meaning, a unique key and sound bounds", "[fields]"
 
 TEST_CASE("the reference says that bodies may move freely", "[fields]") {
   const std::string reference = mjforge::spec::FieldReference();
-  CHECK(reference.find("| `joints` | free, none or list of joints |  |  | free |") != std::string::npos);
-  CHECK(reference.find("| `joints` | free, none or list of joints |  |  | none |") != std::string::npos);
+  CHECK(reference.find("| `joints` | free, none or list of joints |  |  | free |") !=
+        std::string::npos);
+  CHECK(reference.find("| `joints` | free, none or list of joints |  |  | none |") !=
+        std::string::npos);
 }
 
 TEST_CASE("the reference names every key, distribution, function and unit", "[fields]") {

@@ -32,6 +32,11 @@ TEST_CASE("a parameter is used wherever its name is read", "[unused]") {
   }
 }
 
+TEST_CASE("a local value that nothing uses is a warning at its name", "[unused]") {
+  CHECK(LoadWithBox("sites: [{name: s, let: {a: 1cm, b: a, c: 2}, pos: [0, 0, b]}]\n").Unused() ==
+        Strings{"4:39 local value 'c' is never used"});
+}
+
 TEST_CASE("texts, vectors and parameters of parameters are used, too", "[unused]") {
   CHECK(LoadWithBox("params: {word: red, place: [1, 2, 3], a: 1, b: a + place.x}\n"
                     "sites: [{name: '${word}', pos: place, size: b}]\n")

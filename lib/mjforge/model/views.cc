@@ -1,0 +1,144 @@
+#include "mjforge/model/views.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+#include "mjforge/model/pose_reader.h"
+
+namespace mjforge::model {
+namespace {
+
+using spec::Key;
+
+constexpr std::string_view kPos = "pos";
+constexpr std::string_view kQuat = "quat";
+constexpr std::string_view kDir = "dir";
+
+Attribute* FindIn(Element& view, std::string_view name) {
+  const auto found = std::ranges::find(view.attributes, name, &Attribute::name);
+  return found == view.attributes.end() ? nullptr : &*found;
+}
+
+void SetVector(Element& view, std::string_view name, const Traced<Eigen::Vector3d>& vector) {
+  Attribute* attribute = FindIn(view, name);
+  if (attribute == nullptr) attribute = &view.attributes.emplace_back();
+  attribute->name = name;
+  attribute->numbers.clear();
+  for (std::size_t i = 0; i < 3; ++i) attribute->numbers.push_back(tape::Element(vector, i));
+}
+
+Traced<Eigen::Vector3d> VectorOf(Element& view, std::string_view name,
+                                 const Eigen::Vector3d& otherwise) {
+  const Attribute* attribute = FindIn(view, name);
+  if (attribute == nullptr) return otherwise;
+  return tape::Gather<Eigen::Vector3d>(std::span(attribute->numbers.data(), 3));
+}
+
+void SetTurn(Element& view, const Traced<Eigen::Quaterniond>& q) {
+  Attribute* attribute = FindIn(view, kQuat);
+  if (attribute == nullptr) attribute = &view.attributes.emplace_back();
+  attribute->name = kQuat;
+  attribute->numbers.clear();
+  const auto wxyz = [](const Eigen::Quaterniond& turn) {
+    return Eigen::Vector4d(turn.w(), turn.x(), turn.y(), turn.z());
+  };
+  const Traced<Eigen::Vector4d> numbers = tape::Apply(wxyz, q);
+  for (std::size_t i = 0; i < 4; ++i) attribute->numbers.push_back(tape::Element(numbers, i));
+}
+
+Traced<Eigen::Quaterniond> TurnOf(Element& view) {
+  const Attribute* attribute = FindIn(view, kQuat);
+  if (attribute == nullptr) return Eigen::Quaterniond::Identity();
+  const auto turn = [](const Eigen::Vector4d& wxyz) {
+    return Eigen::Quaterniond(wxyz(0), wxyz(1), wxyz(2), wxyz(3));
+  };
+  return tape::Apply(turn, tape::Gather<Eigen::Vector4d>(std::span(attribute->numbers.data(), 4)));
+}
+
+}  // namespace
+
+void MoveView(const Pose& X_AB, Element& view) {
+  const Pose X_BV = {VectorOf(view, kPos, Eigen::Vector3d::Zero()), TurnOf(view)};
+  const Pose X_AV = X_AB * X_BV;
+  SetVector(view, kPos, X_AV.p);
+  if (view.tag == "camera") {
+    SetTurn(view, X_AV.q);
+    return;
+  }
+  const auto turned = [](const Eigen::Quaterniond& q, const Eigen::Vector3d& dir) {
+    return Eigen::Vector3d(q * dir);
+  };
+  const auto dir = VectorOf(view, kDir, -Eigen::Vector3d::UnitZ());
+  SetVector(view, kDir, tape::Apply(turned, X_AB.q, dir));
+}
+
+void Assembly::AddViews(Scope& scope, const std::vector<spec::Entry>& entries,
+                        sample::StreamId path) {
+  for (const spec::Entry& entry : entries) {
+    const bool is_camera = entry.element == &spec::CameraElement();
+    const sample::StreamId list = sample::Child(path, is_camera ? "cameras" : "lights");
+    if (!repetition_.Count(entry, scope.values, body().elements.size())) continue;
+    repetition_.ForEach(entry, scope.values, list, [&] { AddView(scope, entry, list); });
+  }
+}
+
+void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list) {
+  const std::optional<std::string> name = ReadName(scope, entry, list, findings_);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, entry.element->name, *name,
+                     sample::Child(list, std::string_view(*name)));
+  Element view;
+  view.tag = entry.element->name;
+  view.name = scope.prefix + *name;
+  view.mark = entry.mark;
+  bool good = ReadAttributes(reader, entry, view.attributes);
+  if (const spec::Field* field = entry.Find(Key::kAxis)) {
+    const auto dir = ReadDirection(reader, *field);
+    if (dir) SetVector(view, kDir, *dir);
+    good &= dir.has_value();
+  }
+  const std::optional<Pose> X_SV = ReadPose(reader, entry);
+  if (!good || !X_SV) return;
+  SetVector(view, kPos, X_SV->p);
+  if (view.tag == "camera") SetTurn(view, X_SV->q);
+  MoveView(scope.X_BS, view);
+  if (Attribute* target = FindIn(view, "target")) {
+    const bool is_root = target->text == scope.values.spec().name;
+    target->text = is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name
+                           : scope.prefix + target->text;
+    if (FindIn(view, "mode") == nullptr) {
+      Attribute& mode = view.attributes.emplace_back();
+      mode.name = "mode";
+      mode.text = "targetbody";
+    }
+  }
+  body().elements.push_back(std::move(view));
+}
+
+void CheckViews(const Object& object, diag::Findings& findings) {
+  std::vector<std::string_view> names;
+  for (const Body& body : object.bodies) names.push_back(body.name);
+  for (const Body& body : object.bodies) {
+    for (const Element& view : body.elements) {
+      const auto target = std::ranges::find(view.attributes, "target", &Attribute::name);
+      if (target == view.attributes.end()) continue;
+      if (target->text == body.name) {
+        findings.Add(
+            diag::Code::kModelBadValue, view.mark,
+            fmt::format("{} {} looks at the body that it is on", view.tag, Quoted(view.name)),
+            "turn it by `xyaxes` or another orientation, or put it on another body");
+        continue;
+      }
+      if (std::ranges::find(names, target->text) != names.end()) continue;
+      findings.Add(diag::Code::kModelUnknownReference, view.mark,
+                   fmt::format("{} {} looks at {}, but the object has no body of that name",
+                               view.tag, Quoted(view.name), Quoted(target->text)),
+                   diag::DidYouMean(target->text, names));
+    }
+  }
+}
+
+}  // namespace mjforge::model
