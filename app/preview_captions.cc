@@ -83,8 +83,10 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
 // What is computed from others says less than those.
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
-  const auto* draw =
-      parameter != nullptr ? std::get_if<spec::Draw>(&parameter->value.form) : nullptr;
+  if (parameter == nullptr) return false;
+  if (const auto* shared = std::get_if<spec::SharedParameter>(&parameter->value.form))
+    parameter = &spec.shared[shared->file]->parameters[shared->position];
+  const auto* draw = std::get_if<spec::Draw>(&parameter->value.form);
   return draw != nullptr && draw->rows == nullptr;  // not looked up
 }
 

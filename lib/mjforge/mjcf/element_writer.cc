@@ -144,9 +144,15 @@ void ElementWriter::Pose(const model::Pose& pose) {
 void ElementWriter::Attribute(const model::Attribute& attribute) {
   if (attribute.numbers.empty()) {
     Text(attribute.name, attribute.text);
-  } else {
-    Numbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()});
+    return;
   }
+  // Cameras and lights are turned and moved with what brings them.
+  const bool is_place =
+      attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
+  Begin(attribute.name);
+  for (const Traced<double>& number : attribute.numbers)
+    Append(number, is_place ? Spelling::kWithoutNoise : Spelling::kNumber);
+  text_ += '"';
 }
 
 }  // namespace mjforge::mjcf

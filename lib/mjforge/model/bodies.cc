@@ -105,7 +105,9 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
     HandIn(scope, entry.head, path, inner);
     AddSpec(inner);
-    TakeAwayJoints(inner);
+    // A body that stays free keeps its joint, under the same name.
+    const bool stays = entry.is_free && nested->spec().root_joints == spec::RootJoints::kFree;
+    if (!stays) TakeAwayJoints(inner);
     for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
       const int slot = entry.parameter_slots[i];
       if (slot >= 0) scope.values.SetVariable(slot, *nested, i);

@@ -1,6 +1,7 @@
 #include "mjforge/model/views.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,16 @@ void SetTurn(Element& view, const Traced<Eigen::Quaterniond>& q) {
   for (std::size_t i = 0; i < 4; ++i) attribute->numbers.push_back(tape::Element(numbers, i));
 }
 
+// MJCF has these in degrees, whatever its compiler element says.
+void ToDegrees(Element& view) {
+  for (const std::string_view name : {"fovy", "cutoff"}) {
+    Attribute* attribute = FindIn(view, name);
+    if (attribute == nullptr) continue;
+    Traced<double>& angle = attribute->numbers.front();
+    angle = angle * (180 / std::numbers::pi);
+  }
+}
+
 Traced<Eigen::Quaterniond> TurnOf(Element& view) {
   const Attribute* attribute = FindIn(view, kQuat);
   if (attribute == nullptr) return Eigen::Quaterniond::Identity();
@@ -95,6 +106,7 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
   view.name = scope.prefix + *name;
   view.mark = entry.mark;
   bool good = ReadAttributes(reader, entry, view.attributes);
+  if (good) ToDegrees(view);
   if (const spec::Field* field = entry.Find(Key::kAxis)) {
     const auto dir = ReadDirection(reader, *field);
     if (dir) SetVector(view, kDir, *dir);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace mjforge::spec {
 namespace {
@@ -329,7 +330,8 @@ constexpr FieldInfo kCameraFields[] = {
     kIf,
     kFor,
     kLet,
-    Number("fovy", "degrees", Between(0, 180), "45", "Angle that it sees from top to bottom."),
+    Number("fovy", "rad", Between(0, std::numbers::pi), "45deg",
+           "Angle that it sees from top to bottom; MJCF has it in degrees."),
     Number("ipd", "m", AtLeast(0), "0.068",
            "Distance between the eyes, for stereoscopic pictures."),
     kPos,
@@ -355,7 +357,8 @@ constexpr FieldInfo kLightFields[] = {
     Row("active", Slot::kBoolean, "true", "Whether it is on."),
     Numbers("attenuation", {3, 3}, "", AtLeast(0), "1 0 0",
             "Constant, linear and quadratic loss with distance."),
-    Number("cutoff", "degrees", Between(0, 180), "45", "Half angle of its cone."),
+    Number("cutoff", "rad", Between(0, std::numbers::pi), "45deg",
+           "Half angle of its cone; MJCF has it in degrees."),
     Number("exponent", "", AtLeast(0), "10", "How fast it fades towards the edge of the cone."),
     Numbers("ambient", {3, 3}, "", Between(0, 1), "0 0 0", "Colour of its ambient light."),
     Numbers("diffuse", {3, 3}, "", Between(0, 1), "0.7 0.7 0.7", "Colour of its diffuse light."),

@@ -254,6 +254,24 @@ TEST_CASE("what an outer spec says of the start of a joint wins") {
   CHECK(lid.joints[1].start == sample::Numbers{0.5});
 }
 
+TEST_CASE("a spec that stays free keeps what refers to its joint") {
+  const TemporaryFolder folder;
+  folder.Write("ball.yaml",
+               "mjforge: 1\nname: ball\nparts: [{name: p, type: sphere, size: 1}]\n"
+               "mjcf: {sensor: [{framepos: {name: at, objtype: body, objname: ball}}, "
+               "{user: {name: moved, objtype: joint, objname: joint0, dim: 1}}]}\n");
+  const auto sensors = [&](const std::string& joints) {
+    const Assembling thing(
+        "parts: [{name: q, type: box, size: [1, 1, 1]}]\n"
+        "bodies: [{name: left, spec: ball.yaml" +
+            joints + "}]\n",
+        1, 0, folder.path());
+    return model::ElementsOf(thing.object(), "sensor").size();
+  };
+  CHECK(sensors(", joints: free") == 2);
+  CHECK(sensors("") == 1);
+}
+
 TEST_CASE("what a nested spec leaves free is free, too") {
   const TemporaryFolder folder;
   folder.Write("set.yaml",
