@@ -110,9 +110,10 @@ void ElementWriter::Number(std::string_view name, const Traced<double>& value) {
   Numbers(name, {&value, 1});
 }
 
-void ElementWriter::Numbers(std::string_view name, std::span<const Traced<double>> values) {
+void ElementWriter::Numbers(std::string_view name, std::span<const Traced<double>> values,
+                            Spelling spelling) {
   Begin(name);
-  for (const Traced<double>& value : values) Append(value);
+  for (const Traced<double>& value : values) Append(value, spelling);
   text_ += '"';
 }
 
@@ -149,10 +150,8 @@ void ElementWriter::Attribute(const model::Attribute& attribute) {
   // Cameras and lights are turned and moved with what brings them.
   const bool is_place =
       attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
-  Begin(attribute.name);
-  for (const Traced<double>& number : attribute.numbers)
-    Append(number, is_place ? Spelling::kWithoutNoise : Spelling::kNumber);
-  text_ += '"';
+  Numbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()},
+          is_place ? Spelling::kWithoutNoise : Spelling::kNumber);
 }
 
 }  // namespace mjforge::mjcf

@@ -48,7 +48,8 @@ class ElementWriter {
   /// Attributes, written unchanged: ` group="3"`.
   void Raw(std::string_view attributes) { text_ += attributes; }
   void Number(std::string_view name, const Traced<double>& value);
-  void Numbers(std::string_view name, std::span<const Traced<double>> values);
+  void Numbers(std::string_view name, std::span<const Traced<double>> values,
+               Spelling spelling = Spelling::kNumber);
   /// The first `count` elements.
   template <typename V>
   void Vector(std::string_view name, const Traced<V>& value,

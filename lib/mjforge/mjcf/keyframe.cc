@@ -58,7 +58,7 @@ void WriteKeyframe(const model::Object& object, const Traced<double>& lift, Elem
   writer.Content();
   writer.Open("key");
   writer.Text("name", object.name, kStartSuffix);
-  writer.Numbers("qpos", positions);
+  writer.Numbers("qpos", positions, ElementWriter::Spelling::kWithoutNoise);
   writer.Close();
   writer.End("keyframe");
 }

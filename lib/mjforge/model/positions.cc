@@ -1,5 +1,8 @@
 // pose: where joints stand at the start.
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "mjforge/model/assembly.h"
@@ -16,6 +19,11 @@ constexpr double kRounding = 1e-9;
 bool IsWithin(const Eigen::Vector2d& range, double position) {
   const double slack = kRounding * (range[1] - range[0]);
   return position >= range[0] - slack && position <= range[1] + slack;
+}
+
+// Of a ball joint: w is the cosine of half the turn.
+bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
+  return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kRounding;
 }
 
 Eigen::Vector4d Normalized(const Eigen::Vector4d& q) { return q.normalized(); }
@@ -47,7 +55,14 @@ void Assembly::SetPositions() {
       if (!SetPosition(position, *found->second)) return;
       continue;
     }
-    if (references_.IsTakenAway(position.joint)) continue;
+    if (references_.IsTakenAway(position.joint)) {
+      findings_
+          .Add(Code::kAttachNotCarried, position.mark,
+               fmt::format("pose of joint {} is left out: attaching its spec removed the joint",
+                           Quoted(position.shown)))
+          .severity = diag::Severity::kWarning;
+      continue;
+    }
     const std::size_t prefix = position.joint.size() - position.shown.size();
     std::vector<std::string_view> names;
     for (const auto& [name, joint] : joints) {
@@ -81,6 +96,10 @@ bool Assembly::SetPosition(const Position& position, Joint& joint) {
     if (!tape::Test(is_turn, q)) return bad("is not a rotation: all numbers are 0");
     const Traced<Eigen::Vector4d> unit = tape::Apply(Normalized, q);
     for (std::size_t i = 0; i < wanted; ++i) joint.start[i] = tape::Element(unit, i);
+    if (joint.range && !tape::Test(IsTurnedWithin, *joint.range, unit)) {
+      return bad(fmt::format("is turned by more than its range, {} rad",
+                             expr::NumberText((*joint.range)(1))));
+    }
   } else if (joint.range && !tape::Test(IsWithin, *joint.range, numbers[0])) {
     return bad(fmt::format("is {}, outside its range {} .. {}", expr::NumberText(numbers[0]),
                            expr::NumberText((*joint.range)(0)),

@@ -131,24 +131,30 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
 }
 
 void CheckViews(const Object& object, diag::Findings& findings) {
+  // As the spec has them, without the object's prefix.
+  const auto shown = [&](std::string_view name) {
+    const bool has_prefix = name.starts_with(object.name + "_");
+    return has_prefix ? name.substr(object.name.size() + 1) : name;
+  };
   std::vector<std::string_view> names;
-  for (const Body& body : object.bodies) names.push_back(body.name);
+  for (const Body& body : object.bodies) names.push_back(shown(body.name));
   for (const Body& body : object.bodies) {
     for (const Element& view : body.elements) {
       const auto target = std::ranges::find(view.attributes, "target", &Attribute::name);
       if (target == view.attributes.end()) continue;
       if (target->text == body.name) {
-        findings.Add(
-            diag::Code::kModelBadValue, view.mark,
-            fmt::format("{} {} looks at the body that it is on", view.tag, Quoted(view.name)),
-            "turn it by `xyaxes` or another orientation, or put it on another body");
+        findings.Add(diag::Code::kModelBadValue, view.mark,
+                     fmt::format("{} {} looks at the body that it is on", view.tag,
+                                 Quoted(shown(view.name))),
+                     "turn it by `xyaxes` or another orientation, or put it on another body");
         continue;
       }
-      if (std::ranges::find(names, target->text) != names.end()) continue;
+      const std::string_view name = shown(target->text);
+      if (std::ranges::find(names, name) != names.end()) continue;
       findings.Add(diag::Code::kModelUnknownReference, view.mark,
                    fmt::format("{} {} looks at {}, but the object has no body of that name",
-                               view.tag, Quoted(view.name), Quoted(target->text)),
-                   diag::DidYouMean(target->text, names));
+                               view.tag, Quoted(shown(view.name)), Quoted(name)),
+                   diag::DidYouMean(name, names));
     }
   }
 }

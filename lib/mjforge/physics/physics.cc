@@ -86,12 +86,14 @@ std::string FloorName(const mjModel& m) {
 }
 
 /// The file as it is, with a floor, as a text in the file's folder.
-std::string WithFloor(const std::filesystem::path& file, std::string text,
+std::string WithFloor(const std::filesystem::path& file, std::string text, std::string_view model,
                       const std::string& floor) {
   const std::string world = fmt::format("<worldbody>{}</worldbody>", FloorElement(floor));
   if (file != bytes::kStandardInput) {
-    return fmt::format(R"(<mujoco><include file="{}"/>{}</mujoco>)",
-                       engine::EscapeXml(file.filename().string()), world);
+    // The start pose goes by the model's name.
+    return fmt::format(R"(<mujoco model="{}"><include file="{}"/>{}</mujoco>)",
+                       engine::EscapeXml(model), engine::EscapeXml(file.filename().string()),
+                       world);
   }
   const std::size_t end = text.rfind("</mujoco");
   if (end != text.npos) text.insert(end, world);
@@ -175,7 +177,8 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   if (LacksFloor(*loaded.model)) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     const std::string floor = FloorName(*loaded.model);
-    loaded = state_->engine.LoadTextIn(folder, WithFloor(file, sources.Text(xml->source), floor));
+    loaded = state_->engine.LoadTextIn(
+        folder, WithFloor(file, sources.Text(xml->source), object.name, floor));
     if (!loaded.model)
       return refused(" with a floor", loaded, "a plane in the file would be used instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));

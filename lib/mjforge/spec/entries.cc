@@ -355,10 +355,12 @@ void ReadPose(const YamlNode& pose, Reading& reading) {
     if (value.components == 0) continue;  // reported
     if (value.type != expr::Type::kNumber || value.is_list ||
         (value.components != 1 && value.components != 4)) {
-      reading.findings.Add(Code::kSpecWrongType, value.mark,
-                           fmt::format("the position of joint '{}' is {}, not a number or the four "
-                                       "of a quaternion",
-                                       pair.key, KindText(value)));
+      reading.findings.Add(
+          Code::kSpecWrongType, value.mark,
+          fmt::format("the position of joint '{}' is {}, not a number or the four "
+                      "of a quaternion",
+                      pair.key, KindText(value)),
+          value.components == 2 ? "a value that is drawn is written `LOW .. HIGH`" : "");
       continue;
     }
     reading.spec.pose.push_back(std::move(position));

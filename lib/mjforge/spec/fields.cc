@@ -96,7 +96,8 @@ constexpr FieldInfo kObjectFields[] = {
     Row({"description", Key::kDescription}, Slot::kPlainText,
         "What the object is, for the catalogue."),
     Row({"import", Key::kImport}, Slot::kImports,
-        "YAML files whose `materials` and `defaults` may be used here; they are found like specs."),
+        "YAML files whose `materials`, `defaults`, `params` and `functions` may be used here; they "
+        "are found like specs."),
     Row({"params", Key::kParams}, Slot::kParameters,
         "Parameters, drawn once per variant and visible to every expression, in any order."),
     Row({"functions", Key::kFunctions}, Slot::kFunctions,

@@ -105,6 +105,7 @@ class SpecLoader : public NestedLoader {
     if (joints != nullptr) ReadJoints(*joints, reading);
     if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
     if (const YamlNode* pose = root.Find("pose")) ReadPose(*pose, reading);
+    if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadChecks(root.Find("checks"), settings, reading);
@@ -113,6 +114,17 @@ class SpecLoader : public NestedLoader {
     // Who welds a spec in may well need less of it.
     if (shared_.files.depth() == 1) ReportUnused(root.Find("materials"), reading);
     if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
+  }
+
+  // The root's own joints, in whose place there are others: they have no pose.
+  static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
+    if (joints == nullptr) return;
+    for (const YamlNode& joint : joints->items) {
+      const YamlNode* name = joint.Find("name");
+      if (name != nullptr)
+        std::erase_if(spec.pose,
+                      [&](const Position& position) { return position.joint == name->text; });
+    }
   }
 
   void ReadHead(const YamlNode& root, Reading& reading) {

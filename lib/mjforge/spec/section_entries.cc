@@ -21,7 +21,7 @@ constexpr Elsewhere kElsewhere[] = {
     {"default", "use `defaults:` of the spec"},
     {"asset", "assets come from `materials:` and the parts that use them"},
     {"worldbody", "use `parts:` and `bodies:`"},
-    {"keyframe", "a keyframe covers all joints of the host's world, so it belongs there"},
+    {"keyframe", "write where joints start under `pose:`, which makes the keyframe"},
     {"include", "use `import:` for YAML, or a body with `mjcf:`"},
 };
 
