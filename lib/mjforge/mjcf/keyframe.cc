@@ -19,7 +19,7 @@ void AddPose(const model::Pose& pose, const Traced<double>& lift,
 
 void AddZero(const model::Joint& joint, std::vector<Traced<double>>& out) {
   if (joint.type == "ball") {
-    for (const double number : {1.0, 0.0, 0.0, 0.0}) out.push_back(number);
+    for (const double number : {1.0, 0.0, 0.0, 0.0}) out.emplace_back(number);
     return;
   }
   const auto ref = std::ranges::find(joint.attributes, "ref", &model::Attribute::name);

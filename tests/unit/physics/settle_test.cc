@@ -198,6 +198,19 @@ TEST_CASE("the drop begins in the start pose") {
         2 * Examine(pendulum, key("other")).result->time);
 }
 
+TEST_CASE("the start pose goes with a file that gets a floor") {
+  const std::string flag =
+      Free(1, std::string(kCube) +
+                  R"(<body pos="0 0 0.1"><joint axis="0 1 0" damping="0.0005"/>)"
+                  R"(<geom type="capsule" fromto="0 0 0 0 0 0.1" size="0.01"/></body>)");
+  const auto time = [&](const char* name) {
+    return Examine(flag, "<keyframe><key name=\"" + std::string(name) +
+                             "\" qpos=\"0 0 1 1 0 0 0 1.2\"/></keyframe>")
+        .result->time;
+  };
+  CHECK(time("m_start") != time("other"));
+}
+
 TEST_CASE("steps that are none, or longer than a fall, are an error") {
   for (const std::string timestep : {"0", "-1", "0.5", "1e-9"}) {
     CAPTURE(timestep);
