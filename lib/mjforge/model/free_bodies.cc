@@ -47,17 +47,15 @@ bool MayBeFree(const std::vector<Body>& bodies, const Body& body, const Joint& j
 }  // namespace
 
 void ReleaseFreeBodies(std::vector<Body>& bodies, diag::Findings& findings) {
-  const auto is_free = [](const Body& body) { return FreeJointOf(body) != nullptr; };
-  if (std::ranges::none_of(bodies, is_free)) return;
-  const std::vector<Pose> X_RootB = PosesFrom(bodies, 0);
   std::vector<std::size_t> released;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Joint* joint = FreeJointOf(bodies[i]);
     if (joint == nullptr || !MayBeFree(bodies, bodies[i], *joint, findings)) continue;
-    released.push_back(i);
+    if (i > 0) released.push_back(i);  // the root is one of the world
   }
+  if (released.empty()) return;
+  const std::vector<Pose> X_RootB = PosesFrom(bodies, 0);
   for (const std::size_t i : released) {
-    if (bodies[i].parent < 0) continue;  // the root
     bodies[i].parent = -1;
     bodies[i].X_PB = bodies.front().X_PB * X_RootB[i];
   }
