@@ -58,7 +58,7 @@ def generate(program, folder):
             except RuntimeError as error:
                 if "[target/one-root]" not in str(error):
                     raise
-                shutil.rmtree(folder / target / name)
+                shutil.rmtree(folder / target / name, ignore_errors=True)
                 print(f"{target} cannot take {name}: it has free bodies", flush=True)
     for file in sorted((folder / "mujoco").rglob("*.xml")):
         seen = run([program, "inspect", file, "--json"])
