@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/expr/dimension.h"
 #include "mjforge/expr/names.h"
 
 namespace mjforge::expr {
@@ -78,6 +79,8 @@ class Expression {
   const std::string& text() const { return text_; }
   /// Of the result. A text is a TextKey(): of one of texts(), or of an input.
   Type type() const { return type_; }
+  /// What the result measures.
+  const Dimension& dimension() const { return dimension_; }
   std::span<const Input> inputs() const { return inputs_; }
   /// The texts that it has in quotes.
   const std::vector<std::string>& texts() const { return texts_; }
@@ -108,6 +111,7 @@ class Expression {
 
   std::string text_;
   Type type_ = Type::kNumber;
+  Dimension dimension_;
   std::vector<Input> inputs_;
   std::vector<std::string> texts_;
   std::set<std::string> formulas_;

@@ -37,6 +37,7 @@ std::optional<Expression> Expression::Compile(std::string_view text, const Names
   Expression expression;
   expression.text_ = text;
   expression.type_ = parsed.type;
+  expression.dimension_ = parsed.dimension;
   expression.inputs_ = std::move(parsed.inputs);
   expression.texts_ = std::move(parsed.texts);
   expression.formulas_ = std::move(parsed.formulas);

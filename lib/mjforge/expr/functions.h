@@ -8,6 +8,11 @@
 
 namespace mjforge::expr {
 
+/// What the arguments of a function must measure.
+enum class Takes { kAnything, kSame, kSameAndCount, kSameAfterFirst, kCount, kAngle };
+/// What its result measures, by its arguments.
+enum class Gives { kSame, kCount, kAngle, kProduct, kQuotient, kPower, kRoot };
+
 /// A function, or an operator.
 struct Callee {
   using One = double (*)(double);
@@ -16,6 +21,8 @@ struct Callee {
 
   std::string_view name;
   std::variant<One, Two, Three> function;
+  Takes takes = Takes::kAnything;
+  Gives gives = Gives::kCount;
   bool repeats = false;  // takes one or more: f(f(a, b), c)
 
   /// How many arguments it takes; 0: one or more.

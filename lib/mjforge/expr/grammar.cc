@@ -1,16 +1,17 @@
 #include "mjforge/expr/grammar.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "mjforge/expr/complaints.h"
+#include "mjforge/expr/measures.h"
 #include "mjforge/expr/operands.h"
 #include "mjforge/expr/units.h"
 #include "mjforge/expr/words.h"
@@ -75,8 +76,10 @@ class Grammar : Operands {
     if (condition->type == Type::kText) return FailText(*condition);
     const std::size_t question = Now().offset;
     ++at_;
+    const std::size_t first = at_;
     const Result yes = Choice();
     if (!yes) return yes;
+    const std::size_t colon = at_;
     if (!Take(":")) {
       if (Now().kind != Word::Kind::kEnd) return Fail(Unexpected(words_, at_, names_));
       return Fail({Code::kExprSyntax, question, "'?' has no ':'", "write condition ? a : b"});
@@ -86,8 +89,10 @@ class Grammar : Operands {
     if ((yes->type == Type::kText) != (no->type == Type::kText))
       return Fail(TextBeside(words_[yes->type == Type::kText ? yes->word : no->word]));
     const Type type = yes->type == no->type ? yes->type : Type::kNumber;
-    Typed result = Applied(Operator("?"), type, {condition->value, yes->value, no->value});
-    result.word = yes->word;
+    const std::array arguments = {Argument{*condition, {}}, Argument{*yes, Source(first, colon)},
+                                  Argument{*no, Source(colon + 1, at_)}};
+    Result result = Applied(Operator("?"), type, arguments, words_[colon].offset);
+    if (result) result->word = yes->word;
     return result;
   }
 
@@ -96,6 +101,7 @@ class Grammar : Operands {
   // rule (sign rule)*, where all but texts fit; `word` is another way to write the first sign.
   Result Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
                std::string_view word = {}) {
+    const std::size_t first = at_;
     Result left = (this->*rule)();
     while (left) {
       const auto* sign = std::find_if(signs.begin(), signs.end(),
@@ -103,14 +109,27 @@ class Grammar : Operands {
       if (!word.empty() && Now().IsName(word)) sign = signs.begin();
       if (sign == signs.end()) break;
       if (left->type == Type::kText) return FailText(*left);
-      ++at_;
+      const std::size_t between = at_++;
       const Result right = (this->*rule)();
       if (!right) return right;
       if (right->type == Type::kText) return FailText(*right);
-      left = Applied(Operator(*sign), type, {left->value, right->value});
+      left = Applied(Operator(*sign), type, *left, *right, {first, between});
     }
     return left;
   }
+
+  // An operator at the word `between` its operands, the first of which begins at `first`.
+  struct Place {
+    std::size_t first;
+    std::size_t between;
+  };
+  Result Applied(const Callee& callee, Type type, const Typed& left, const Typed& right,
+                 Place place) {
+    const std::array arguments = {Argument{left, Source(place.first, place.between)},
+                                  Argument{right, Source(place.between + 1, at_)}};
+    return Applied(callee, type, arguments, words_[place.between].offset);
+  }
+  using Operands::Applied;
 
   Result Any() { return Chain(&Grammar::All, {"||"}, Type::kBoolean, "or"); }
 
@@ -129,7 +148,7 @@ class Grammar : Operands {
     const Result operand = (this->*rule)();
     if (!operand) return operand;
     if (operand->type == Type::kText) return FailText(*operand);
-    return Applied(UnaryOperator(sign), type, {operand->value});
+    return Applied(UnaryOperator(sign), type, std::array{Argument{*operand, {}}}, 0);
   }
 
   Result Comparison() {
@@ -148,7 +167,7 @@ class Grammar : Operands {
       return Fail(TextAgainst(words_[left->type == Type::kText ? left->word : right->word]));
     }
     if (AtComparison()) return FailChained(first, sign);
-    return Applied(Operator(words_[sign].text), Type::kBoolean, {left->value, right->value});
+    return Applied(Operator(words_[sign].text), Type::kBoolean, *left, *right, {first, sign});
   }
 
   Result FailChained(std::size_t first, std::size_t sign) {
@@ -172,20 +191,21 @@ class Grammar : Operands {
     const Result operand = Signed();
     if (!operand) return operand;
     if (operand->type == Type::kText) return FailText(*operand);
-    return Typed{.value = operand->value, .word = operand->word};
+    return Typed{.value = operand->value, .word = operand->word, .dimension = operand->dimension};
   }
 
   Result Power() {
+    const std::size_t first = at_;
     const Result base = Primary();
     if (!base || !Now().IsSign("^")) return base;
     if (base->type == Type::kText) return FailText(*base);
     const Level level(*this);
     if (level.too_deep()) return FailDepth();
-    ++at_;
+    const std::size_t sign = at_++;
     const Result exponent = Signed();
     if (!exponent) return exponent;
     if (exponent->type == Type::kText) return FailText(*exponent);
-    return Applied(Operator("^"), Type::kNumber, {base->value, exponent->value});
+    return Applied(Operator("^"), Type::kNumber, *base, *exponent, {first, sign});
   }
 
   Result Primary() {
@@ -210,11 +230,15 @@ class Grammar : Operands {
 
   Result Number() {
     const Word& word = Now();
-    const std::optional<double> value =
-        word.unit.empty() ? word.number : InSi(word.number, word.unit);
-    if (!value) return Fail(UnknownUnit(word, names_));
+    if (word.unit.empty()) {
+      ++at_;
+      return Literal(word.number, Type::kNumber, OfPlainNumber(word.number));
+    }
+    const std::optional<KnownUnit> unit = FindKnownUnit(word.unit);
+    if (!unit) return Fail(UnknownUnit(word, names_));
     ++at_;
-    return Literal(*value, Type::kNumber);
+    return Literal(word.number * unit->numerator / unit->denominator, Type::kNumber,
+                   unit->dimension);
   }
 
   Result Group() {
@@ -248,14 +272,15 @@ class Grammar : Operands {
   Result Element() {
     const Word& name = Now();
     const std::size_t open = words_[++at_].offset;
-    ++at_;
+    const std::size_t first = ++at_;
     const Level level(*this);
     if (level.too_deep()) return FailDepth();
     const Result index = Choice();
     if (!index) return index;
     if (index->type == Type::kText) return FailText(*index);
+    const std::size_t end = at_;
     if (!Take("]")) return FailOpen(open, "'[' is not closed");
-    return ElementOf(name, *index);
+    return ElementOf(name, {*index, Source(first, end)});
   }
 
   // sum(list), sum(list, n), len(list)
@@ -266,11 +291,13 @@ class Grammar : Operands {
     const std::size_t list = at_;
     if (!IsListAt(at_)) return Fail(NotAList(Now(), UsageOf(function.text)));
     ++at_;
-    std::optional<Typed> count;
+    std::optional<Argument> count;
     if (callee.name == "sum" && Take(",")) {
-      count = Choice();
-      if (!count) return count;
-      if (count->type == Type::kText) return FailText(*count);
+      const std::size_t first = at_;
+      const Result read = Choice();
+      if (!read) return read;
+      if (read->type == Type::kText) return FailText(*read);
+      count = {*read, Source(first, at_)};
     }
     if (Now().IsSign(",")) return Fail(WrongCount(function, 1, 2, UsageOf(function.text)));
     if (!Take(")")) return FailOpen(open, "'(' is not closed");
@@ -279,17 +306,18 @@ class Grammar : Operands {
 
   // What is in the parentheses of a call, read to its end; a list is what `of_list`, if any, gives.
   // False after an error.
-  bool ReadArguments(const ListCallee* of_list, std::vector<Typed>& arguments) {
+  bool ReadArguments(const ListCallee* of_list, std::vector<Argument>& arguments) {
     const std::size_t open = words_[at_ + 1].offset;
     at_ += 2;
     if (!Now().IsSign(")")) {
       do {
+        const std::size_t first = at_;
         const bool is_list = of_list != nullptr && IsListAt(at_) &&
                              (words_[at_ + 1].IsSign(",") || words_[at_ + 1].IsSign(")"));
         const Result argument = is_list ? OfList(*of_list, at_++, nullptr) : Choice();
         if (!argument) return false;
         if (argument->type == Type::kText) return FailText(*argument).has_value();
-        arguments.push_back(*argument);
+        arguments.push_back({*argument, Source(first, at_)});
       } while (Take(","));
     }
     return Take(")") || FailOpen(open, "'(' is not closed").has_value();
@@ -297,26 +325,19 @@ class Grammar : Operands {
 
   Result Call(const Callee& callee) {
     const Word& name = Now();
-    std::vector<Typed> read;
-    if (!ReadArguments(FindListCallee(callee.name), read)) return std::nullopt;
-    std::vector<Operand> arguments(read.size());
-    std::ranges::transform(read, arguments.begin(), &Typed::value);
+    std::vector<Argument> arguments;
+    if (!ReadArguments(FindListCallee(callee.name), arguments)) return std::nullopt;
     const int arity = callee.arity();
     const int count = static_cast<int>(arguments.size());
     if (arity == 0 ? count == 0 : count != arity) {
       return Fail(WrongCount(name, arity, count, UsageOf(name.text)));
     }
-    if (arity > 0) return Typed{parsed_.program.Apply(callee, arguments)};
-    Typed result{arguments.front()};
-    for (const Operand& argument : std::span(arguments).subspan(1)) {
-      result = Applied(callee, Type::kNumber, {result.value, argument});
-    }
-    return result;
+    return Applied(callee, Type::kNumber, arguments, name.offset);
   }
 
   Result Call(const Formula& formula) {
     const Word& name = Now();
-    std::vector<Typed> read;
+    std::vector<Argument> read;
     if (!ReadArguments(nullptr, read)) return std::nullopt;
     const auto arity = static_cast<int>(formula.arguments.size());
     if (const auto count = static_cast<int>(read.size()); count != arity)
@@ -325,9 +346,10 @@ class Grammar : Operands {
     Parts::Call call = {&formula, {}};
     Arguments arguments;
     for (std::size_t i = 0; i < read.size(); ++i) {
-      const auto& [operand, type, word] = read[i];
-      call.second.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant), type);
-      arguments.emplace(formula.arguments[i], read[i]);
+      const auto& [operand, type, word, dimension] = read[i].read;
+      call.second.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant), type,
+                               dimension);
+      arguments.emplace(formula.arguments[i], read[i].read);
     }
     const auto known = parts_.made.find(call);
     if (known != parts_.made.end()) return known->second;
@@ -369,6 +391,7 @@ bool Parse(std::string_view text, const Names& names, Expression::Result wanted,
   const auto result = Grammar(text, std::move(words), parts).Run(wanted);
   if (!result) return false;
   parsed.type = result->type;
+  parsed.dimension = result->dimension;
   parsed.program.SetResult(result->value);
   return true;
 }

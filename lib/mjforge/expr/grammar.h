@@ -20,6 +20,7 @@ namespace mjforge::expr {
 struct Parsed {
   Program program;
   Type type = Type::kNumber;
+  Dimension dimension = {};
   std::vector<Expression::Input> inputs;  // in order of first use
   std::vector<std::string> texts;         // in quotes
   std::set<std::string> formulas;         // called
@@ -30,12 +31,20 @@ struct Typed {
   Operand value;
   Type type = Type::kNumber;
   std::size_t word = 0;  // a text: where it stands
+  Dimension dimension = {};
+};
+
+/// One of the arguments of a function or an operator.
+struct Argument {
+  Typed read;
+  std::string_view source;  // as written
 };
 
 /// What an expression and the functions in it have in common.
 struct Parts {
-  /// A function, and of each argument its step, its bits, its type.
-  using Call = std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type>>>;
+  /// A function, and of each argument its step, its bits, its type, what it measures.
+  using Call =
+      std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
 
   const Names& names;
   Parsed& parsed;

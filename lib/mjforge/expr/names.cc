@@ -41,17 +41,26 @@ std::string_view TypeName(Type type) {
   return {};
 }
 
-const Names::Variable& Names::Declare(std::string name, Type type, int components) {
+const Names::Variable& Names::Declare(std::string name, Type type, int components,
+                                      Dimensions dimensions) {
   const int slot = std::exchange(slot_count_, slot_count_ + components);
   std::string key = name;
-  const auto [at, is_new] = variables_.insert_or_assign(
-      std::move(key), Variable{std::move(name), type, slot, components});
+  const auto [at, is_new] =
+      variables_.insert_or_assign(std::move(key), Variable{.name = std::move(name),
+                                                           .type = type,
+                                                           .slot = slot,
+                                                           .components = components,
+                                                           .dimensions = std::move(dimensions)});
   return at->second;
 }
 
-const Names::Variable& Names::DeclareList(std::string name, Type type) {
+const Names::Variable& Names::DeclareList(std::string name, Type type, Dimensions dimensions) {
   std::string key = name;
-  const Variable list{std::move(name), type, slot_count_++, 1, list_count_++};
+  const Variable list{.name = std::move(name),
+                      .type = type,
+                      .slot = slot_count_++,
+                      .list = list_count_++,
+                      .dimensions = std::move(dimensions)};
   return variables_.insert_or_assign(std::move(key), list).first->second;
 }
 

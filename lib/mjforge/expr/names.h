@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/expr/dimension.h"
 
 namespace mjforge::expr {
 
@@ -45,14 +46,16 @@ class Names {
     int slot = 0;
     int components = 1;
     int list = -1;  // -1: not a list
+    Dimensions dimensions = {};
 
     bool is_list() const { return list >= 0; }
   };
 
   /// The name must not be declared already.
-  const Variable& Declare(std::string name, Type type, int components = 1);
+  const Variable& Declare(std::string name, Type type, int components = 1,
+                          Dimensions dimensions = {});
   /// A list of any length.
-  const Variable& DeclareList(std::string name, Type type);
+  const Variable& DeclareList(std::string name, Type type, Dimensions dimensions = {});
   /// What has unknown members: any NAME.MEMBER counts as a number. After a finding, so that reading
   /// continues.
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }

@@ -1,12 +1,30 @@
 #include "mjforge/expr/operands.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
 #include "mjforge/expr/complaints.h"
+#include "mjforge/expr/measures.h"
 
 namespace mjforge::expr {
+namespace {
+
+Measured MeasuredAs(const Typed& read, std::string_view source) {
+  const bool is_constant = read.value.step < 0;
+  return {.dimension = read.type == Type::kNumber ? read.dimension : Dimension::Count(),
+          .source = source,
+          .constant = is_constant ? std::optional(read.value.constant) : std::nullopt};
+}
+
+// What each value of a list or a vector measures; unknown if they differ.
+Dimension OfAll(const Names::Variable& variable) {
+  const bool is_one = variable.dimensions.size() == 1;
+  return is_one ? variable.dimensions.front() : Dimension();
+}
+
+}  // namespace
 
 Operands::Operands(std::string_view text, std::vector<Word> words, Parts& parts,
                    Arguments arguments)
@@ -25,8 +43,8 @@ Operands::Result Operands::FailText(const Typed& operand) {
   return Fail(MisusedText(words_[operand.word]));
 }
 
-Typed Operands::Literal(double value, Type type) const {
-  return {.value = {.constant = value}, .type = type, .word = at_ - 1};
+Typed Operands::Literal(double value, Type type, Dimension dimension) const {
+  return {.value = {.constant = value}, .type = type, .word = at_ - 1, .dimension = dimension};
 }
 
 Typed Operands::Quoted(const Word& word) {
@@ -34,21 +52,37 @@ Typed Operands::Quoted(const Word& word) {
   return Literal(TextKey(word.text), Type::kText);
 }
 
-Typed Operands::Applied(const Callee& callee, Type type, std::initializer_list<Operand> operands) {
-  return {.value = parsed_.program.Apply(callee, {operands.begin(), operands.size()}),
-          .type = type};
+Operands::Result Operands::Applied(const Callee& callee, Type type,
+                                   std::span<const Argument> arguments, std::size_t offset) {
+  std::vector<Measured> measured;
+  for (const auto& [read, source] : arguments) measured.push_back(MeasuredAs(read, source));
+  const auto dimension = MeasureOf(callee, measured, offset, error_);
+  if (!dimension) return std::nullopt;
+  std::vector<Operand> operands;
+  for (const auto& [read, source] : arguments) operands.push_back(read.value);
+  // max(a, b, c) is max(max(a, b), c).
+  Operand value = operands.front();
+  if (callee.repeats) {
+    for (const Operand& operand : std::span(operands).subspan(1))
+      value = parsed_.program.Apply(callee, std::array{value, operand});
+  } else {
+    value = parsed_.program.Apply(callee, operands);
+  }
+  return Typed{.value = value, .type = type, .dimension = *dimension};
 }
 
 Operands::Result Operands::Named(const Word& word, bool beside_text) {
   if (const auto argument = arguments_.find(word.text); argument != arguments_.end())
-    return Typed{argument->second.value, argument->second.type, at_ - 1};
+    return Typed{argument->second.value, argument->second.type, at_ - 1,
+                 argument->second.dimension};
   if (const Names::Variable* variable = names_.Find(word.text)) {
     if (variable->is_list()) return Fail(WholeList(word));
     if (variable->components > 1) return Fail(WrongComponent(word, *variable, {}));
     return Input(word, *variable, 0);
   }
   if (const Constant* constant = FindConstant(word.text)) {
-    return Literal(constant->value, constant->is_boolean ? Type::kBoolean : Type::kNumber);
+    return Literal(constant->value, constant->is_boolean ? Type::kBoolean : Type::kNumber,
+                   Dimension::Count());
   }
   const std::size_t dot = word.text.rfind('.');
   if (dot != std::string_view::npos) {
@@ -72,7 +106,8 @@ Operands::Result Operands::Component(const Word& word, const Names::Variable& ve
 Typed Operands::Input(const Word& word, const Names::Variable& variable, int component) {
   const int slot = variable.slot + component;
   NoteInput(word.text, variable, slot);
-  return {parsed_.program.Variable(slot), variable.type, at_ - 1};
+  return {parsed_.program.Variable(slot), variable.type, at_ - 1,
+          DimensionAt(variable.dimensions, static_cast<std::size_t>(component))};
 }
 
 void Operands::NoteInput(std::string_view name, const Names::Variable& variable, int slot) {
@@ -99,32 +134,43 @@ ListSource Operands::AsList(const Names::Variable& variable) {
           .components = variable.is_list() ? 0 : variable.components};
 }
 
-Operands::Result Operands::ElementOf(const Word& list, const Typed& index) {
+Operands::Result Operands::ElementOf(const Word& list, const Argument& argument) {
   const Names::Variable& variable = *names_.Find(list.text);
   const std::size_t word = static_cast<std::size_t>(&list - words_.data());
+  const Typed& index = argument.read;
+  if (!IsCount(MeasuredAs(index, argument.source), "the number of a value in a list", list.offset,
+               error_))
+    return std::nullopt;
   // A vector's length is known.
   if (const bool is_known = !variable.is_list() && index.value.step < 0; is_known) {
     const double number = index.value.constant;
     for (int i = 0; i < variable.components; ++i) {
       if (i != number) continue;
       NoteItem(variable, i);
-      return Typed{parsed_.program.Variable(variable.slot + i), variable.type, word};
+      return Typed{parsed_.program.Variable(variable.slot + i), variable.type, word,
+                   DimensionAt(variable.dimensions, static_cast<std::size_t>(i))};
     }
     return Fail(NoSuchElement(list, number, variable.components));
   }
   return Typed{parsed_.program.Apply(*FindListCallee("[]"), AsList(variable), index.value),
-               variable.type, word};
+               variable.type, word, OfAll(variable)};
 }
 
-Operands::Result Operands::OfList(const ListCallee& callee, std::size_t word, const Typed* count) {
+Operands::Result Operands::OfList(const ListCallee& callee, std::size_t word,
+                                  const Argument* count) {
   const Names::Variable& variable = *names_.Find(words_[word].text);
   const ListCallee& length = *FindListCallee("len");
   const ListSource source = AsList(variable);
   const Operand all = variable.is_list() ? parsed_.program.Apply(length, source, {})
                                          : Operand{.constant = 1.0 * variable.components};
-  if (&callee == &length) return Typed{all};
+  if (&callee == &length) return Typed{.value = all, .dimension = Dimension::Count()};
   if (variable.type == Type::kText) return Fail(MisusedText(words_[word]));
-  return Typed{parsed_.program.Apply(callee, source, count != nullptr ? count->value : all)};
+  if (count != nullptr && !IsCount(MeasuredAs(count->read, count->source), "how many to add",
+                                   words_[word].offset, error_))
+    return std::nullopt;
+  const Operand& argument = count != nullptr ? count->read.value : all;
+  return Typed{.value = parsed_.program.Apply(callee, source, argument),
+               .dimension = OfAll(variable)};
 }
 
 }  // namespace mjforge::expr

@@ -3,9 +3,9 @@
 // Private to the room: what the words of an expression stand for, as operands of its program.
 
 #include <cstddef>
-#include <initializer_list>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -25,18 +25,21 @@ class Operands : protected Cursor {
   Result FailText(const Typed& operand);
 
   /// Of the word just taken.
-  Typed Literal(double value, Type type) const;
+  Typed Literal(double value, Type type, Dimension dimension = {}) const;
   Typed Quoted(const Word& word);
-  Typed Applied(const Callee& callee, Type type, std::initializer_list<Operand> operands);
+  /// What a function gives. `offset`: of its name or sign, where it is told if the units of the
+  /// arguments do not fit.
+  Result Applied(const Callee& callee, Type type, std::span<const Argument> arguments,
+                 std::size_t offset);
   /// The value of the name just taken. `beside_text`: it is compared with a text.
   Result Named(const Word& word, bool beside_text);
 
   /// Whether the word names a list or a vector.
   bool IsListAt(std::size_t word) const;
-  Result ElementOf(const Word& list, const Typed& index);
+  Result ElementOf(const Word& list, const Argument& index);
   /// What a function of lists gives for the one that a word names; `count`: of its first ones, null
   /// for all.
-  Result OfList(const ListCallee& callee, std::size_t word, const Typed* count);
+  Result OfList(const ListCallee& callee, std::size_t word, const Argument* count);
 
   const Names& names_;
   Parsed& parsed_;

@@ -27,40 +27,36 @@ constexpr std::array kUnits = {
     Unit{"Nm", "newton metre"},
 };
 
-// Two whole numbers rather than a factor: 15 / 1000 is the double nearest to
-// 0.015, 15 * 0.001 is not.
-struct Ratio {
-  double numerator;
-  double denominator;
-};
+constexpr Dimension kLength = {1, 0, 0};
+constexpr Dimension kMass = {0, 1, 0};
+constexpr Dimension kTime = {0, 0, 1};
+constexpr Dimension kAngle = {0, 0, 0, 1};
 
 // In the order of kUnits.
-constexpr std::array<Ratio, kUnits.size()> kRatios = {{
-    {1, 1000},  // mm
-    {1, 100},   // cm
-    {1, 1},     // m
-    {1000, 1},  // km
-    {1, 1e6},   // um
-    {std::numbers::pi, 180},
-    {1, 1},     // rad
-    {1, 1000},  // g
-    {1, 1},     // kg
-    {1, 1},     // s
-    {1, 1000},  // ms
-    {1, 1},     // N
-    {1, 1},     // Nm
+constexpr std::array<KnownUnit, kUnits.size()> kKnownUnits = {{
+    {kLength, 1, 1000},  // mm
+    {kLength, 1, 100},   // cm
+    {kLength, 1, 1},     // m
+    {kLength, 1000, 1},  // km
+    {kLength, 1, 1e6},   // um
+    {kAngle, std::numbers::pi, 180},
+    {kAngle, 1, 1},      // rad
+    {kMass, 1, 1000},    // g
+    {kMass, 1, 1},       // kg
+    {kTime, 1, 1},       // s
+    {kTime, 1, 1000},    // ms
+    {{1, 1, -2}, 1, 1},  // N
+    {{2, 1, -2}, 1, 1},  // Nm
 }};
 
 }  // namespace
 
 std::span<const Unit> Units() { return kUnits; }
 
-std::optional<double> InSi(double value, std::string_view unit) {
-  const auto found = std::find_if(kUnits.begin(), kUnits.end(),
-                                  [unit](const Unit& each) { return each.name == unit; });
+std::optional<KnownUnit> FindKnownUnit(std::string_view unit) {
+  const auto found = std::ranges::find(kUnits, unit, &Unit::name);
   if (found == kUnits.end()) return std::nullopt;
-  const Ratio ratio = kRatios[static_cast<std::size_t>(found - kUnits.begin())];
-  return value * ratio.numerator / ratio.denominator;
+  return kKnownUnits[static_cast<std::size_t>(found - kUnits.begin())];
 }
 
 }  // namespace mjforge::expr

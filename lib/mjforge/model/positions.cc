@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -101,9 +102,13 @@ bool Assembly::SetPosition(const Position& position, Joint& joint) {
                              expr::NumberText((*joint.range)(1))));
     }
   } else if (joint.range && !tape::Test(IsWithin, *joint.range, numbers[0])) {
-    return bad(fmt::format("is {}, outside its range {} .. {}", expr::NumberText(numbers[0]),
-                           expr::NumberText((*joint.range)(0)),
-                           expr::NumberText((*joint.range)(1))));
+    const double degrees = numbers[0];
+    const bool is_degrees = joint.type == "hinge" && std::abs(degrees) > 2 * std::numbers::pi &&
+                            tape::Test(IsWithin, *joint.range, degrees * std::numbers::pi / 180);
+    return bad(
+        fmt::format("is {}, outside its range {} .. {}", expr::NumberText(numbers[0]),
+                    expr::NumberText((*joint.range)(0)), expr::NumberText((*joint.range)(1))),
+        is_degrees ? fmt::format("angles are in rad: write {}deg", expr::NumberText(degrees)) : "");
   }
   return true;
 }

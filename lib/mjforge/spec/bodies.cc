@@ -78,7 +78,10 @@ class BodyReader {
     const std::string prefix = std::string(*name) + ".";
     if (names.Find(prefix + "top") != nullptr) return;  // of another body of that name
     for (const std::string_view property : BodyPropertyNames()) {
-      const int slot = names.Declare(prefix + std::string(property), expr::Type::kNumber).slot;
+      const Key key = property == "mass" ? Key::kMass : Key::kPos;
+      const auto unit = DimensionsOf(BodyElement().Find(key)->unit);
+      const int slot =
+          names.Declare(prefix + std::string(property), expr::Type::kNumber, 1, *unit).slot;
       if (body.first_property < 0) body.first_property = slot;
     }
     if (body.head.nested == nullptr) return;

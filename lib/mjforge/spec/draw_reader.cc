@@ -97,7 +97,9 @@ void ValueReader::CheckMeaning(bool is_color, const Expected& expected, const Ya
 
 Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected,
                                   const YamlNode& node) {
-  Value value{.mark = node.mark, .components = key == kOnSphere ? 3 : 4};
+  Value value{.mark = node.mark,
+              .components = key == kOnSphere ? 3 : 4,
+              .dimensions = {expr::Dimension::Count()}};
   if (!IsVectorForm(key, expected)) {
     findings_.Add(
         Code::kSpecWrongType, node.mark,
@@ -112,7 +114,9 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
     value.form = RotationAbout{std::make_shared<const Value>(
         ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 3}, node))};
   } else if (key == kOnSphere) {
-    value.form = PointOnSphere{std::make_shared<const Value>(ReadNumber(node))};
+    Value radius = ReadNumber(node);
+    value.dimensions = radius.dimensions;
+    value.form = PointOnSphere{std::make_shared<const Value>(std::move(radius))};
   } else {
     Value items = ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 4}, node);
     auto* list = std::get_if<List>(&items.form);
@@ -196,6 +200,7 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expect
   if (const YamlNode* flag = info.flag.empty() ? nullptr : map.Find(info.flag)) {
     ReadExact(*flag, draw);
   }
+  if (value.type == Type::kNumber) value.dimensions = Measured(info, expected, draw);
   value.form = std::move(draw);
   return value;
 }

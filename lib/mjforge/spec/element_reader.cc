@@ -54,6 +54,18 @@ void CheckOneOf(const Group& group, const std::vector<Field>& fields, Reading& r
   }
 }
 
+// Of the joint that a mapping describes; kAny for other elements and where the type is drawn.
+Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Reading& reading) {
+  if (&element != &JointElement()) return Motion::kAny;
+  const YamlNode* own = map.Find("type");
+  const Field* fallback = FindField(reading.spec.defaults.joint, Key::kType);
+  const std::string_view type = own != nullptr        ? std::string_view(own->text)
+                                : fallback != nullptr ? LiteralText(fallback->value).value_or("")
+                                                      : "hinge";
+  if (type == "slide") return Motion::kSlide;
+  return type == "hinge" || type == "ball" ? Motion::kTurn : Motion::kAny;
+}
+
 }  // namespace
 
 const Field* FindField(std::span<const Field> fields, Key id) {
@@ -102,10 +114,11 @@ bool IsList(const YamlNode& node, std::string_view what, Reading& reading) {
 
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading) {
   std::vector<Field> fields;
+  const Motion motion = MotionOf(element, map, reading);
   for (const auto& pair : map.pairs) {
     const FieldInfo* info = element.Find(pair.key);
     if (info == nullptr || !HoldsValue(info->slot) || info->id == Key::kName) continue;
-    fields.push_back({info, reading.values.Read(*info, pair.value), pair.mark});
+    fields.push_back({info, reading.values.Read(*info, pair.value, motion), pair.mark});
   }
   for (const Group& group : kGroups) CheckOneOf(group, fields, reading);
   return fields;

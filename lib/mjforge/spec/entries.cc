@@ -115,7 +115,16 @@ void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
                                                : "a loop's count cannot be drawn here",
                             "draw it as a parameter and use that parameter's name");
     }
-    loop.slot = reading_.spec.names.Declare(pair.key, loop.range.type).slot;
+    // Values of a list, or a count.
+    expr::Dimensions dimensions = loop.range.dimensions;
+    if (!loop.over_values()) {
+      reading_.values.CheckPlain("a loop's count", loop.range);
+      dimensions = {expr::Dimension::Count()};
+    } else if (dimensions.size() > 1) {
+      dimensions.clear();
+    }
+    loop.slot =
+        reading_.spec.names.Declare(pair.key, loop.range.type, 1, std::move(dimensions)).slot;
     entry.loops.push_back(std::move(loop));
   }
 }
@@ -260,6 +269,8 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
                       KindText(parameter->value), KindText(value)));
       return;
     }
+    reading_.values.CheckUnit(fmt::format("parameter '{}' of '{}'", pair.key, entry.nested->name),
+                              parameter->value.dimensions, value);
   }
   entry.overrides.emplace_back(parameter != nullptr ? parameter->name : pair.key, std::move(value));
 }
@@ -363,6 +374,8 @@ void ReadPose(const YamlNode& pose, Reading& reading) {
           value.components == 2 ? "a value that is drawn is written `LOW .. HIGH`" : "");
       continue;
     }
+    static constexpr FieldInfo kPosition = {.key = "a position", .unit = "rad or m"};
+    reading.values.CheckUnits(kPosition, value);
     reading.spec.pose.push_back(std::move(position));
   }
 }

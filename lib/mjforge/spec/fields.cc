@@ -78,6 +78,10 @@ constexpr FieldInfo Required(FieldInfo row) {
   row.required = true;
   return row;
 }
+constexpr FieldInfo AnyUnit(FieldInfo row) {
+  row.any_unit = true;
+  return row;
+}
 constexpr FieldInfo On(Applies applies, FieldInfo row) {
   row.applies = applies;
   return row;
@@ -140,7 +144,8 @@ constexpr FieldInfo kParameterFields[] = {
     Row({"value", Key::kValue}, Slot::kAnything, "The value, in any form."),
     Row({"doc", Key::kDoc}, Slot::kPlainText, "What the parameter means."),
     Row({"unit", Key::kUnit}, Slot::kPlainText,
-        "Its unit, for readers only: the value itself is in SI units."),
+        "Its unit: of SI (`m`, `kg/m^3`, `rad`), `1` for a plain number, `s, 1` for a vector. What "
+        "the value is in where it names one; any other text is for readers only."),
 };
 
 // Fields that several elements share.
@@ -166,8 +171,9 @@ constexpr FieldInfo kQuat = Numbers(
     "Orientation as a quaternion w x y z (normalised for you), `random`, or `{about: axis}`.");
 constexpr FieldInfo kEuler = Numbers({"euler", Key::kEuler}, {3, 3}, "rad", kAnyNumber, "",
                                      "Orientation as rotations about the moving x, y and z axes.");
-constexpr FieldInfo kAxisAngle = Numbers({"axisangle", Key::kAxisAngle}, {4, 4}, "", kAnyNumber, "",
-                                         "Orientation as an axis x y z and an angle in rad.");
+constexpr FieldInfo kAxisAngle =
+    Numbers({"axisangle", Key::kAxisAngle}, {4, 4}, "1, 1, 1, rad", kAnyNumber, "",
+            "Orientation as an axis x y z and an angle.");
 constexpr FieldInfo kXyAxes = Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "", kAnyNumber, "",
                                       "Orientation as the directions of the x and y axes.");
 constexpr FieldInfo kZAxis =
@@ -179,19 +185,18 @@ constexpr FieldInfo kRgba =
     On(Applies::kVisual, Numbers({"rgba", Key::kRgba}, {4, 4}, "", Between(0, 1), "",
                                  "Red, green, blue, opacity, or `{hsv: [h, s, v]}`."));
 constexpr FieldInfo kUser =
-    Numbers("user", {1, 64}, "", kAnyNumber, "", "Numbers for the user's own code.");
+    AnyUnit(Numbers("user", {1, 64}, "", kAnyNumber, "", "Numbers for the user's own code."));
 
 constexpr FieldInfo kDensity = Number({"density", Key::kDensity}, "kg/m^3", AtLeast(0), "1000",
                                       "Density. Not together with `mass`.");
 constexpr FieldInfo kFriction =
-    Contact(Numbers("friction", {1, 3}, "", AtLeast(0), "1 0.005 0.0001",
-                    "Sliding, torsional (m) and rolling (m) friction."));
-constexpr FieldInfo kSolref =
-    Contact(Numbers("solref", {1, 2}, "", kAnyNumber, "0.02 1",
-                    "Contact solver: time constant (s) and damping ratio."));
+    Contact(Numbers("friction", {1, 3}, "1, m, m", AtLeast(0), "1 0.005 0.0001",
+                    "Sliding, torsional and rolling friction."));
+constexpr FieldInfo kSolref = Contact(Numbers("solref", {1, 2}, "s, 1", kAnyNumber, "0.02 1",
+                                              "Contact solver: time constant and damping ratio."));
 constexpr FieldInfo kSolimp =
-    Contact(Numbers("solimp", {1, 5}, "", AtLeast(0), "0.9 0.95 0.001 0.5 2",
-                    "Contact solver: impedance dmin, dmax, width (m), midpoint, power."));
+    Contact(Numbers("solimp", {1, 5}, "1, 1, m, 1, 1", AtLeast(0), "0.9 0.95 0.001 0.5 2",
+                    "Contact solver: impedance dmin, dmax, width, midpoint, power."));
 constexpr FieldInfo kCondim = Contact(
     Integer("condim", Between(1, 6), "3", "Dimensions of the contact space: 1, 3, 4 or 6."));
 
@@ -259,7 +264,7 @@ constexpr FieldInfo kPartFields[] = {
     Number({"height", Key::kHeight}, "m", Above(0), "",
            "Full height of a prism along z, centred on its position."),
     Row({"file", Key::kFile}, Slot::kText, "An OBJ or STL file for a mesh, relative to the spec."),
-    Numbers({"scale", Key::kScale}, {1, 3}, "", kAnyNumber, "1",
+    Numbers({"scale", Key::kScale}, {1, 3}, "m or 1", kAnyNumber, "1",
             "Multiplies a mesh's coordinates (one number or x y z) or a prism's polygon (one "
             "number or x y)."),
     kDensity,
@@ -279,9 +284,9 @@ constexpr FieldInfo kPartFields[] = {
                    "Weight of this geom when contact parameters are mixed.")),
     Contact(Integer("priority", kAnyNumber, "0",
                     "The geom of higher priority sets the contact parameters.")),
-    Contact(Number("margin", "", AtLeast(0), "0", "Distance at which contacts appear, m.")),
-    Contact(Number("gap", "", AtLeast(0), "0",
-                   "Part of the margin in which contacts exert no force, m.")),
+    Contact(Number("margin", "m", AtLeast(0), "0", "Distance at which contacts appear.")),
+    Contact(Number("gap", "m", AtLeast(0), "0",
+                   "Part of the margin in which contacts exert no force.")),
     Contact(Integer("contype", Between(0, 2147483647), "1", "Collision bits of this geom.")),
     Contact(Integer("conaffinity", Between(0, 2147483647), "1",
                     "Collision bits that it collides with.")),
@@ -356,7 +361,7 @@ constexpr FieldInfo kLightFields[] = {
     Row("directional", Slot::kBoolean, "false", "Whether it comes from far away."),
     Row("castshadow", Slot::kBoolean, "true", "Whether it throws shadows."),
     Row("active", Slot::kBoolean, "true", "Whether it is on."),
-    Numbers("attenuation", {3, 3}, "", AtLeast(0), "1 0 0",
+    Numbers("attenuation", {3, 3}, "1, 1/m, 1/m^2", AtLeast(0), "1 0 0",
             "Constant, linear and quadratic loss with distance."),
     Number("cutoff", "rad", Between(0, std::numbers::pi), "45deg",
            "Half angle of its cone; MJCF has it in degrees."),
@@ -382,25 +387,26 @@ constexpr FieldInfo kJointFields[] = {
     Row({"limited", Key::kLimited}, Slot::kBoolean, "true where `range` is given",
         "Whether the range applies."),
     Integer("group", Between(0, 5), "0", "Group that viewers show or hide together."),
-    Number("stiffness", "", AtLeast(0), "0", "Spring towards springref, N/m or Nm/rad."),
-    Number("damping", "", AtLeast(0), "0",
-           "Damping: force per speed, against the motion, Ns/m or Nms/rad."),
-    Numbers("springdamper", {2, 2}, "", AtLeast(0), "0 0",
-            "Time constant (s) and damping ratio, from which MuJoCo sets stiffness and damping."),
-    Number("frictionloss", "", AtLeast(0), "0", "Dry friction, N or Nm."),
-    Number("armature", "", AtLeast(0), "0", "Added inertia, kg or kg m^2."),
+    Number("stiffness", "Nm/rad or N/m", AtLeast(0), "0", "Spring towards springref."),
+    Number("damping", "Nms/rad or Ns/m", AtLeast(0), "0",
+           "Damping: force per speed, against the motion."),
+    Numbers("springdamper", {2, 2}, "s, 1", AtLeast(0), "0 0",
+            "Time constant and damping ratio, from which MuJoCo sets stiffness and damping."),
+    Number("frictionloss", "Nm or N", AtLeast(0), "0", "Dry friction."),
+    Number("armature", "kg m^2 or kg", AtLeast(0), "0", "Added inertia."),
     Number("ref", "rad or m", kAnyNumber, "0",
            "Value of the joint in the pose that the spec gives."),
     Number("springref", "rad or m", kAnyNumber, "0", "Position at which the spring is at rest."),
     Number("margin", "rad or m", AtLeast(0), "0",
            "Distance from a limit at which the limit begins to act."),
-    Numbers("solreflimit", {1, 2}, "", kAnyNumber, "0.02 1", "Solver parameters of the limits."),
-    Numbers("solimplimit", {1, 5}, "", kAnyNumber, "0.9 0.95 0.001 0.5 2",
+    Numbers("solreflimit", {1, 2}, "s, 1", kAnyNumber, "0.02 1",
             "Solver parameters of the limits."),
-    Numbers("solreffriction", {1, 2}, "", kAnyNumber, "0.02 1",
+    Numbers("solimplimit", {1, 5}, "1, 1, rad or m, 1, 1", kAnyNumber, "0.9 0.95 0.001 0.5 2",
+            "Solver parameters of the limits."),
+    Numbers("solreffriction", {1, 2}, "s, 1", kAnyNumber, "0.02 1",
             "Solver parameters of the dry friction."),
-    Numbers("solimpfriction", {1, 5}, "", kAnyNumber, "0.9 0.95 0.001 0.5 2",
-            "Solver parameters of the dry friction."),
+    Numbers("solimpfriction", {1, 5}, "1, 1, rad/s or m/s, 1, 1", kAnyNumber,
+            "0.9 0.95 0.001 0.5 2", "Solver parameters of the dry friction."),
     kUser,
 };
 

@@ -133,13 +133,19 @@ constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kPoints; }
 /// Which of a part's two geoms an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };
 
+/// What decides between the two units of a joint's field.
+enum class Motion { kAny, kTurn, kSlide };
+
 struct FieldInfo {
   std::string_view key;
   Key id = Key::kAttribute;
   Slot slot = Slot::kNumber;
   int min_count = 1;
   int max_count = 1;
-  std::string_view unit = {};                               // "m", "kg/m^3", "rad"; empty: none
+  /// "m", "kg/m^3"; "rad or m" of hinges and of slides; "s, 1" of the first and the second; empty:
+  /// plain numbers.
+  std::string_view unit = {};
+  bool any_unit = false;                                    // the unit is not known here
   std::string_view default_text = {};                       // as the manual shows it; empty: none
   std::string_view words = {};                              // allowed words, one space apart
   double lower = -std::numeric_limits<double>::infinity();  // inclusive unless `above`

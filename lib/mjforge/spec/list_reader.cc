@@ -42,7 +42,13 @@ Value ValueReader::ReadItems(Type type, const YamlNode& node) {
   List list;
   for (const YamlNode& item : node.items)
     list.items.push_back(type == Type::kText ? ReadText(item) : ReadNumber(item));
-  return {.mark = node.mark, .type = type, .is_list = true, .form = std::move(list)};
+  expr::Dimensions dimensions;
+  if (type == Type::kNumber) dimensions = Agree("the values of a list", list.items);
+  return {.mark = node.mark,
+          .type = type,
+          .is_list = true,
+          .dimensions = std::move(dimensions),
+          .form = std::move(list)};
 }
 
 Value ValueReader::ReadLike(const Value& wanted, const YamlNode& node,
@@ -61,6 +67,7 @@ std::optional<Value> ValueReader::ReadListOrName(const YamlNode& node) {
 
 std::shared_ptr<const Value> ValueReader::ReadCount(const YamlNode& node) {
   Value count = ReadNumber(node);
+  CheckPlain("count", count);
   const auto number = ConstantOf(count);
   if (number && !IsListLength(*number)) {
     findings_.Add(Code::kSpecBadValue, node.mark,
@@ -87,7 +94,7 @@ Value ValueReader::ReadEach(const YamlNode& map) {
     return Harmless(map);
   }
   Value item = ReadAnything(*map.Find("each"));
-  Value list{.mark = map.mark, .type = item.type, .is_list = true};
+  Value list{.mark = map.mark, .type = item.type, .is_list = true, .dimensions = item.dimensions};
   const bool is_single = item.components == 1 && !item.is_list && item.type != Type::kBoolean;
   if (item.components == 0) return Harmless(map);
   if (!is_single) {
@@ -109,7 +116,8 @@ Value ValueReader::ReadArrangement(std::string_view key, const YamlNode& map) {
                   "write {sample: [a, b, c], count: 2}; all of them: {shuffle: [a, b, c]}");
     return Harmless(map);
   }
-  Value value{.mark = map.mark, .type = list->type, .is_list = true};
+  Value value{
+      .mark = map.mark, .type = list->type, .is_list = true, .dimensions = list->dimensions};
   value.form = Arrangement{std::make_shared<const Value>(*std::move(list)),
                            count != nullptr ? ReadCount(*count) : nullptr};
   return value;

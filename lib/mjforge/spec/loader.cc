@@ -48,7 +48,7 @@ class SpecLoader : public NestedLoader {
     spec->file = shared_.sources.Name(source);
     spec->mark = root->mark;
     spec->folder = folder;
-    spec->names.Declare("index", expr::Type::kNumber);
+    DeclareIndex(spec->names);
     const Files::Opened opened(shared_.files, file);
     ReadObject(*root, *spec, settings);
     return spec;
@@ -220,7 +220,7 @@ class SpecLoader : public NestedLoader {
     const fs::path folder = std::exchange(folder_, file.parent_path());  // of its tables
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();
-    spec->names.Declare("index", expr::Type::kNumber);
+    DeclareIndex(spec->names);
     Reading reading{shared_.sources, shared_.findings, *spec, *this,
                     ValueReader(spec->names, shared_.sources, shared_.findings)};
     if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
@@ -240,7 +240,7 @@ class SpecLoader : public NestedLoader {
   // What is imported must stand alone: it sees no parameter of the importer.
   void ReadImported(const ImportedFile& from, Reading& reading) {
     expr::Names names;
-    names.Declare("index", expr::Type::kNumber);
+    DeclareIndex(names);
     Reading inner{shared_.sources, shared_.findings, reading.spec, *this,
                   ValueReader(names, shared_.sources, shared_.findings)};
     if (const YamlNode* materials = from.root.Find("materials"))

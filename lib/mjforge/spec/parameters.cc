@@ -77,7 +77,7 @@ std::vector<std::vector<int>> UsesOf(const std::vector<Declared>& declared,
 std::vector<Parameter> OwnParameters(const YamlNode& params, Reading& reading) {
   ObjectSpec own;
   own.shared = reading.spec.shared;
-  own.names.Declare("index", expr::Type::kNumber);
+  DeclareIndex(own.names);
   for (const auto& [name, formula] : reading.spec.names.formulas()) own.names.Define(formula);
   diag::Findings ignored;
   Reading inner{reading.sources, ignored, own, reading.loader,
@@ -93,7 +93,12 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
   const Value& wanted = own.value;
   Value& value = parameter.value;
   if (wanted.components == 0) return;  // it is wrong itself
-  if (IsSameKind(value, wanted)) return;
+  if (IsSameKind(value, wanted)) {
+    const bool fits =
+        reading.values.CheckUnit(fmt::format("parameter '{}'", own.name), wanted.dimensions, value);
+    if (!fits || IsMeasured(wanted.dimensions)) value.dimensions = wanted.dimensions;
+    return;
+  }
   if (value.components != 0) {
     const std::string given = node.kind == YamlNode::Kind::kScalar ? node.text : FlowText(node);
     reading.findings.Add(Code::kSpecWrongType, node.mark,
@@ -125,6 +130,30 @@ void CheckKey(const Declared& declared, const Value& value, Reading& reading) {
       fmt::format("the rows are {}", SomeOf(declared.rows->names)));
 }
 
+// Says what a parameter's value measures, or that it is not what its unit says.
+void ApplyUnit(Parameter& parameter, Reading& reading) {
+  Value& value = parameter.value;
+  if (value.type != expr::Type::kNumber) return;
+  const auto wanted = DimensionsOf(parameter.unit);
+  if (wanted) {
+    reading.values.CheckUnit(fmt::format("parameter '{}'", parameter.name), *wanted, value);
+    value.dimensions = *wanted;
+  } else if (parameter.unit.empty() && IsMeasured(value.dimensions)) {
+    parameter.unit = UnitText(value.dimensions);
+  }
+}
+
+// A unit says what a number is: values are in SI units.
+void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Reading& reading) {
+  const auto unit = expr::FindUnit(parameter.unit);
+  if (!unit || unit->is_si) return;
+  const std::string si = unit->dimension.Text();
+  reading.findings.Add(
+      Code::kSpecBadValue, mark,
+      fmt::format("'{}' is not a unit of parameters, whose values are in {}", parameter.unit, si),
+      fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
+}
+
 // `own`: what a setting stands in for; null: nothing was set. `key`: of the record that it is a
 // column of.
 void ReadOne(Parameter& parameter, const Declared& declared, const Parameter* own,
@@ -147,6 +176,7 @@ void ReadOne(Parameter& parameter, const Declared& declared, const Parameter* ow
   } else {
     parameter.value = reading.values.ReadAnything(node, extra_keys);
   }
+  ApplyUnit(parameter, reading);
   const auto& variable = Declare(reading.spec.names, parameter.name, parameter.value);
   parameter.slot = variable.slot;
   parameter.list = variable.list;
@@ -270,6 +300,7 @@ std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading
         }
         if (const YamlNode* unit = pair.value.Find("unit")) {
           parameter.unit = reading.values.ReadPlainText("unit", *unit);
+          CheckIsSi(parameter, unit->mark, reading);
         }
       }
       reading.spec.parameters.push_back(std::move(parameter));

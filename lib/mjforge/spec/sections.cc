@@ -163,6 +163,7 @@ FieldInfo Parse(std::string_view word) {
   if (word[end] == '#') {
     field.slot = Slot::kNumbers;
     field.max_count = kMostNumbers;
+    field.any_unit = true;
   } else if (word[end] == '?') {
     field.slot = Slot::kBoolean;
   } else {

@@ -83,13 +83,6 @@ YamlNode Scalar(std::string text, SourceMark mark, bool quoted) {
   return node;
 }
 
-std::string_view SiOf(std::string_view unit) {
-  if (unit == "g") return "kg";
-  if (unit == "deg") return "rad";
-  if (unit == "ms") return "s";
-  return unit.ends_with('m') && unit != "Nm" ? "m" : unit;
-}
-
 std::string_view Trimmed(std::string_view text) {
   const auto words = expr::WordsOf(text);
   return words.empty()
@@ -137,7 +130,8 @@ class Reader {
     const auto rows = std::span(rows_).subspan(1);
     CheckUnit(unit, header.mark);
     column.is_text = unit == "text" || (unit.empty() && !std::ranges::all_of(rows, is_number));
-    if (!column.is_text) column.unit = SiOf(unit);
+    const std::optional<expr::NamedUnit> named = expr::FindUnit(unit);
+    if (named) column.unit = named->is_si ? std::string(unit) : named->dimension.Text();
     for (const Row& row : rows)
       column.cells.push_back(column.is_text ? Text(row[i]) : Number(row[i], unit));
     return column;
@@ -145,6 +139,7 @@ class Reader {
 
   void CheckUnit(std::string_view& unit, SourceMark mark) {
     if (unit.empty() || unit == "text") return;
+    if (const auto named = expr::FindUnit(unit); named && named->is_si) return;
     std::vector<std::string_view> units = {"text"};
     for (const expr::Unit& known : expr::Units()) units.push_back(known.name);
     if (std::ranges::find(units, unit) != units.end()) return;
@@ -172,7 +167,10 @@ class Reader {
                     fmt::format("'{}' is not a number; the column's unit is {}", cell.text, unit));
       return Scalar("1", cell.mark, false);
     }
-    return Scalar(std::string(Trimmed(cell.text)).append(unit), cell.mark, false);
+    // A number carries its unit as it does in expressions, unless it is in SI units already.
+    const auto named = expr::FindUnit(unit);
+    const std::string_view carried = named && !named->is_si ? unit : std::string_view();
+    return Scalar(std::string(Trimmed(cell.text)).append(carried), cell.mark, false);
   }
 
   std::vector<Row> rows_;

@@ -25,6 +25,12 @@ bool IsCutAtComma(const YamlNode& node) {
          std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
 }
 
+// A plain constant may be in any unit, however small: 2 for 2 kg.
+expr::Dimensions MeasureOf(const expr::Expression& expression) {
+  const bool is_plain = expression.constant() && expression.dimension().is_plain();
+  return is_plain ? expr::Dimensions() : expr::Dimensions{expression.dimension()};
+}
+
 std::string CountText(int min_count, int max_count) {
   if (min_count == max_count) return fmt::format("{}", min_count);
   return fmt::format("{} to {}", min_count, max_count);
@@ -94,10 +100,11 @@ Value ValueReader::Harmless(const YamlNode& node) {
   return Value{.mark = node.mark, .components = 0, .form = 1.0};
 }
 
-Value ValueReader::Read(const FieldInfo& field, const YamlNode& node) {
+Value ValueReader::Read(const FieldInfo& field, const YamlNode& node, Motion motion) {
   Value value =
       Read(Expected{field.slot, field.min_count, field.max_count, field.words, field.key}, node);
   CheckBounds(field, value, 0);
+  CheckUnits(field, value, 0, motion);
   if (field.key == "material") NoteMaterials(value);
   return value;
 }
@@ -132,41 +139,6 @@ Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
   }
 }
 
-void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {
-  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
-    for (std::size_t i = 0; i < list->items.size(); ++i) {
-      CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
-    }
-  } else if (const auto* draw = std::get_if<Draw>(&value.form)) {
-    CheckDrawBounds(field, *draw, position);
-  } else if (const auto number = ConstantOf(value); number && value.components == 1) {
-    const std::string what = position > 0 && field.max_count > 1
-                                 ? fmt::format("{} {}", field.key, position)
-                                 : std::string(field.key);
-    if (!std::isfinite(*number)) {
-      findings_.Add(Code::kExprNotFinite, value.mark,
-                    fmt::format("{} is not a finite number", what));
-    } else if (!Holds(field, *number)) {
-      findings_.Add(
-          Code::kSpecBadValue, value.mark,
-          fmt::format("{} is {}; it {}", what, expr::NumberText(*number), Rule(field, *number)));
-    }
-  }
-}
-
-// What some variant would have to refuse.
-void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position) {
-  if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
-    for (const Value& option : draw.arguments) CheckBounds(field, option, position);
-  } else if (draw.distribution == Distribution::kUniform) {
-    // An end that is excluded itself may still bound a range.
-    FieldInfo ends = field;
-    ends.above = false;
-    ends.slot = Slot::kNumber;
-    for (const Value& end : draw.arguments) CheckBounds(ends, end, position);
-  }
-}
-
 std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::size_t begin,
                                                      std::size_t length,
                                                      expr::Expression::Result result) {
@@ -188,12 +160,15 @@ std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::
 }
 
 void ValueReader::Report(expr::Error error, SourceMark mark, std::size_t begin) {
-  if (const expr::Formula* formula = names_.FindFormula(error.formula)) {
+  const SourceMark call = mark;
+  const expr::Formula* formula = names_.FindFormula(error.formula);
+  if (formula != nullptr) {
     mark = formula->mark;
     begin = 0;
   }
-  findings_.Add(error.code, At(mark, begin + error.offset), std::move(error.message),
-                std::move(error.hint));
+  diag::Finding& finding = findings_.Add(error.code, At(mark, begin + error.offset),
+                                         std::move(error.message), std::move(error.hint));
+  if (formula != nullptr) finding.notes.push_back({call, "called from here"});
 }
 
 void ValueReader::CheckBody(const expr::Formula& formula) {
@@ -208,6 +183,7 @@ Value ValueReader::ReadExpression(const YamlNode& node, expr::Expression::Result
   if (!expression) return value;
   value.type = expression->type();
   value.components = 1;
+  value.dimensions = MeasureOf(*expression);
   if (value.type == Type::kText) {
     value.form = Text{{{.literal = {}, .expression = std::move(expression)}}};
   } else {
@@ -231,11 +207,13 @@ Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
       findings_.Add(Code::kSpecWrongType, end.mark, "the end of a range must be a number");
       return value;
     }
+    end.dimensions = MeasureOf(*expression);
     end.form = std::move(*expression);
     draw.arguments.push_back(std::move(end));
   }
   CheckRangeOrder(draw.arguments[0], draw.arguments[1], node.mark);
   value.components = 1;
+  value.dimensions = Agree("the ends of a range", draw.arguments);
   value.form = std::move(draw);
   return value;
 }
@@ -291,6 +269,7 @@ Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNo
                .type = variable.type,
                .components = variable.components,
                .is_list = variable.is_list(),
+               .dimensions = variable.dimensions,
                .form = VariableReference{variable.name, variable.slot, variable.list}};
 }
 
@@ -300,7 +279,10 @@ Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
       expected.min_count == 4 && expected.max_count == 4 && names_.Find("random") == nullptr) {
     CheckMeaning(false, expected, node);
-    return Value{.mark = node.mark, .components = 4, .form = RandomRotation{}};
+    return Value{.mark = node.mark,
+                 .components = 4,
+                 .dimensions = {expr::Dimension::Count()},
+                 .form = RandomRotation{}};
   }
   Value value;
   if (const auto* variable = LoneName(node); variable && variable->components > 1) {
@@ -331,7 +313,10 @@ Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
     // One mistake, one finding: the pieces after the first belong to it.
     if (IsCutAtComma(item) && std::exchange(reported_cut, true)) continue;
     list.items.push_back(ReadNumber(item));
+    value.dimensions.push_back(DimensionAt(list.items.back().dimensions, 0));
   }
+  const auto is_first = [&](const auto& one) { return one == value.dimensions.front(); };
+  if (std::ranges::all_of(value.dimensions, is_first)) value.dimensions.resize(1);
   if (cut) value.components = 0;
   value.form = std::move(list);
   return value;

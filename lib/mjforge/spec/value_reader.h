@@ -34,8 +34,9 @@ class ValueReader {
   ValueReader(const expr::Names& names, const diag::Sources& sources, diag::Findings& findings)
       : names_(names), sources_(sources), findings_(findings) {}
 
-  /// The value of a field whose slot holds one (not structure).
-  Value Read(const FieldInfo& field, const YamlNode& node);
+  /// The value of a field whose slot holds one (not structure). `motion`: of the joint whose field
+  /// it is.
+  Value Read(const FieldInfo& field, const YamlNode& node, Motion motion = Motion::kAny);
 
   /// A value of any kind, whose type follows from its form: parameters, options. A mapping may have
   /// `extra_keys` besides the distribution.
@@ -59,6 +60,14 @@ class ValueReader {
   Value ReadText(const YamlNode& node);
   /// A boolean expression; nothing if it is wrong.
   std::optional<expr::Expression> ReadCondition(const YamlNode& node);
+  /// Reports a number whose unit is not that of the field. `position`: of the first number among
+  /// the field's.
+  void CheckUnits(const FieldInfo& field, const Value& value, int position = 0,
+                  Motion motion = Motion::kAny);
+  /// Whether the value is in the unit of `what` ("parameter 'r'"); else a finding.
+  bool CheckUnit(std::string_view what, const expr::Dimensions& wanted, const Value& value);
+  /// Reports a number that has a unit where `what` ("a weight") has none.
+  void CheckPlain(std::string_view what, const Value& value);
   /// Whether some value read so far is a choice with `exact: true`.
   bool has_exact_choice() const { return has_exact_choice_; }
   /// What the values read so far refer to.
@@ -113,6 +122,11 @@ class ValueReader {
   void NoteMaterials(const Value& value);
   const expr::Names::Variable* LoneName(const YamlNode& node) const;
   bool LooksLikeText(const YamlNode& node) const;
+  /// What numbers of one unit measure; a finding if they have different ones.
+  expr::Dimensions Agree(std::string_view what, std::span<const Value> values);
+  /// What a draw measures.
+  expr::Dimensions Measured(const DistributionInfo& info, const Expected& expected,
+                            const Draw& draw);
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
   void CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position);

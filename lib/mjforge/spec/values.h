@@ -99,6 +99,7 @@ struct Value {
   expr::Type type = expr::Type::kNumber;
   int components = 1;    // of a vector; a list of points counts its points; 0: it was reported
   bool is_list = false;  // of numbers or texts, as `type` says; of any length
+  expr::Dimensions dimensions = {};  // of numbers; of a list, those of each
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
                RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter>
       form = 0.0;
@@ -107,6 +108,15 @@ struct Value {
 /// Whether both are numbers, texts, vectors of one length, or lists of numbers or texts.
 bool IsSameKind(const Value& a, const Value& b);
 
+/// "s, 1"; empty: unknown.
+std::string UnitText(const expr::Dimensions& dimensions);
+/// Whether anything in it is not a plain number.
+bool IsMeasured(const expr::Dimensions& dimensions);
+/// What "m" or "s, 1" says of a parameter; nothing if it names no units.
+std::optional<expr::Dimensions> DimensionsOf(std::string_view units);
+
+/// Declares `index`, the number of a variant.
+void DeclareIndex(expr::Names& names);
 /// Declares a name for what has such a value.
 const expr::Names::Variable& Declare(expr::Names& names, std::string name, const Value& value);
 

@@ -90,7 +90,7 @@ TEST_CASE("a body's properties are those of what it holds, at its own origin") {
                          "}\n"
                          "- {name: b, pos: [a.half_x, a.half_y, a.half_z]}\n"
                          "- {name: c, pos: [a.top, a.bottom, a.radius]}\n"
-                         "- {name: d, pos: [a.mass, 0, 0]}\n");
+                         "- {name: d, pos: [a.mass * 1m / 1kg, 0, 0]}\n");
   CHECK((BodyOf(thing, "thing_b").X_PB.p - Eigen::Vector3d(0.1, 0.2, 0.3)).norm() < 1e-15);
   CHECK((BodyOf(thing, "thing_c").X_PB.p - Eigen::Vector3d(0.6, 0, std::hypot(0.1, 0.2))).norm() <
         1e-15);

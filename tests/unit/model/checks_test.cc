@@ -32,7 +32,7 @@ TEST_CASE("thresholds are computed from parameters, in SI units") {
                             "  tilt: 90deg\n"
                             "  sink: size / 10\n"
                             "  drift: \"light ? 5mm : 1\"\n"
-                            "  density: [10 * size, 100]\n"
+                            "  density: [size * 10kg / 1m ^ 4, 100]\n"
                             "  silence: {physics/thin: it is paper}\n" +
                             kBall)
                             .object()

@@ -59,7 +59,8 @@ TEST_CASE("names of bodies are their own, and not the root's", "[bodies]") {
 
 TEST_CASE("a body's properties can be used from its own pose on", "[bodies]") {
   const std::string a = std::string("- {name: a, ") + kRod + ", pos: [0, 0, -a.bottom]}\n";
-  CHECK(ReportBodies(a + "- {name: b, pos: [a.half_x, a.mass, a.radius + a.top]}\n").empty());
+  CHECK(ReportBodies(a + "- {name: b, pos: [a.half_x, a.half_y, a.radius + a.top], mass: a.mass}\n")
+            .empty());
   CHECK(ReportBodies("- {name: b, pos: [0, 0, a.top]}\n" + a) ==
         Strings{"4:25 expr/unknown-name: unknown name 'a.top' (did you mean 'b.top'?)"});
   CHECK(ReportBodies(a + "- {name: b, pos: [0, 0, a.tip]}\n") ==

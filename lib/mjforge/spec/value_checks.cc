@@ -1,0 +1,234 @@
+// The part of ValueReader that checks whether a value is what its key takes: bounds and units.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/value_reader.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+using expr::Dimension;
+using expr::Dimensions;
+using expr::Type;
+
+// Whether `use` is true of a piece of a text between separators, asked in order.
+template <typename Use>
+bool AnyOf(std::string_view text, std::string_view separator, Use use) {
+  for (;;) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    if (use(text.substr(0, end))) return true;
+    if (end == text.size()) return false;
+    text.remove_prefix(end + separator.size());
+  }
+}
+
+// Of the units of a field, that of one component: of "s, 1" the second is "1". One is that of all,
+// and what has none is a plain number.
+std::string_view UnitAt(std::string_view units, int component) {
+  if (units.find(", ") == units.npos) return units;
+  std::string_view found;
+  AnyOf(units, ", ", [&](std::string_view unit) {
+    found = unit;
+    return component-- == 0;
+  });
+  return component < 0 ? found : std::string_view();
+}
+
+// Of "rad or m" the first is of what turns, the second of what slides.
+std::string_view UnitOf(Motion motion, std::string_view unit) {
+  constexpr std::string_view kOr = " or ";
+  const std::size_t at = unit.find(kOr);
+  if (motion == Motion::kAny || at == unit.npos) return unit;
+  return motion == Motion::kTurn ? unit.substr(0, at) : unit.substr(at + kOr.size());
+}
+
+bool Fits(std::string_view unit, const Dimension& dimension) {
+  return dimension.is_plain() || AnyOf(unit, " or ", [&](std::string_view one) {
+           const auto named = expr::FindUnit(one);
+           return named && named->dimension == dimension;
+         });
+}
+
+// "in m".
+std::string InUnit(std::string_view unit) {
+  if (unit.empty() || unit == "1") return "a plain number";
+  constexpr std::string_view kOrPlain = " or 1";
+  if (!unit.ends_with(kOrPlain)) return fmt::format("in {}", unit);
+  unit.remove_suffix(kOrPlain.size());
+  return fmt::format("in {} or a plain number", unit);
+}
+
+bool Fits(const Dimension& wanted, const Dimension& given) {
+  return given.is_plain() || !wanted.is_known() || wanted == given;
+}
+
+std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  Dimensions both(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const auto one = expr::Common(DimensionAt(a, i), DimensionAt(b, i));
+    if (!one) return std::nullopt;
+    both[i] = *one;
+  }
+  return both;
+}
+
+// Somebody who thinks in degrees.
+std::string DegreesHint(const FieldInfo& field, double number) {
+  const bool is_degrees = field.unit == "rad" && Holds(field, number * std::numbers::pi / 180);
+  return is_degrees ? fmt::format("angles are in rad: write {}deg", expr::NumberText(number)) : "";
+}
+
+}  // namespace
+
+std::string UnitText(const Dimensions& dimensions) {
+  std::string text;
+  for (const Dimension& one : dimensions) text += (text.empty() ? "" : ", ") + one.Text();
+  return text;
+}
+
+bool IsMeasured(const Dimensions& dimensions) {
+  return !std::ranges::all_of(dimensions, &Dimension::is_plain);
+}
+
+std::optional<Dimensions> DimensionsOf(std::string_view units) {
+  Dimensions dimensions;
+  const bool is_label = AnyOf(units, ", ", [&](std::string_view unit) {
+    const auto named = expr::FindUnit(unit);
+    if (named) dimensions.push_back(named->dimension);
+    return !named;
+  });
+  return is_label ? std::nullopt : std::optional(std::move(dimensions));
+}
+
+void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {
+  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
+    }
+  } else if (const auto* draw = std::get_if<Draw>(&value.form)) {
+    CheckDrawBounds(field, *draw, position);
+  } else if (const auto number = ConstantOf(value); number && value.components == 1) {
+    const std::string what = position > 0 && field.max_count > 1
+                                 ? fmt::format("{} {}", field.key, position)
+                                 : std::string(field.key);
+    if (!std::isfinite(*number)) {
+      findings_.Add(Code::kExprNotFinite, value.mark,
+                    fmt::format("{} is not a finite number", what));
+    } else if (!Holds(field, *number)) {
+      findings_.Add(
+          Code::kSpecBadValue, value.mark,
+          fmt::format("{} is {}; it {}", what, expr::NumberText(*number), Rule(field, *number)),
+          DegreesHint(field, *number));
+    }
+  }
+}
+
+// What some variant would have to refuse.
+void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position) {
+  if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
+    for (const Value& option : draw.arguments) CheckBounds(field, option, position);
+  } else if (draw.distribution == Distribution::kUniform) {
+    // An end that is excluded itself may still bound a range.
+    FieldInfo ends = field;
+    ends.above = false;
+    ends.slot = Slot::kNumber;
+    for (const Value& end : draw.arguments) CheckBounds(ends, end, position);
+  }
+}
+
+bool ValueReader::CheckUnit(std::string_view what, const Dimensions& wanted, const Value& value) {
+  const Dimensions& given = value.dimensions;
+  bool fits = true;
+  for (std::size_t i = 0; i < std::max(wanted.size(), given.size()); ++i)
+    fits &= Fits(DimensionAt(wanted, i), DimensionAt(given, i));
+  if (fits) return true;
+  findings_.Add(Code::kExprUnits, value.mark,
+                fmt::format("{} is {}, but this is {}", what, InUnit(UnitText(wanted)),
+                            InUnit(UnitText(given))));
+  return false;
+}
+
+void ValueReader::CheckUnits(const FieldInfo& field, const Value& value, int position,
+                             Motion motion) {
+  if (field.any_unit || value.type != Type::kNumber) return;
+  const auto* list = std::get_if<List>(&value.form);
+  const auto* draw = std::get_if<Draw>(&value.form);
+  if (list != nullptr) {
+    int at = position;
+    for (const Value& item : list->items) CheckUnits(field, item, at++, motion);
+  } else if (draw != nullptr && (draw->distribution == Distribution::kChoice ||
+                                 draw->distribution == Distribution::kCycle)) {
+    for (const Value& option : draw->arguments) CheckUnits(field, option, position, motion);
+  } else {
+    for (int i = 0; i < value.components; ++i) {
+      const std::string_view unit = UnitOf(motion, UnitAt(field.unit, position + i));
+      const Dimension dimension = DimensionAt(value.dimensions, static_cast<std::size_t>(i));
+      if (Fits(unit, dimension)) continue;
+      findings_.Add(
+          Code::kExprUnits, value.mark,
+          fmt::format("{} is {}, but this is in {}", field.key, InUnit(unit), dimension.Text()));
+      return;
+    }
+  }
+}
+
+void ValueReader::CheckPlain(std::string_view what, const Value& value) {
+  CheckUnit(what, {Dimension::Count()}, value);
+}
+
+Dimensions ValueReader::Agree(std::string_view what, std::span<const Value> values) {
+  Dimensions common;
+  for (const Value& value : values) {
+    const auto both = Common(common, value.dimensions);
+    if (!both) {
+      findings_.Add(Code::kExprUnits, value.mark,
+                    fmt::format("{} must be in one unit, but are in {} and in {}", what,
+                                UnitText(common), UnitText(value.dimensions)));
+      return {};
+    }
+    common = *both;
+  }
+  return common;
+}
+
+Dimensions ValueReader::Measured(const DistributionInfo& info, const Expected& expected,
+                                 const Draw& draw) {
+  for (const Value& weight : draw.weights) CheckPlain("a weight", weight);
+  const Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);
+  switch (info.id) {
+    case Distribution::kChoice:
+    case Distribution::kCycle:
+      // A field compares each of them with its own unit.
+      return expected.key.empty() ? Agree("the values to choose from", draw.arguments)
+                                  : Dimensions();
+    case Distribution::kUniform:
+    case Distribution::kLogUniform:
+    case Distribution::kTriangular:
+    case Distribution::kNormal: {
+      const Dimensions drawn = Agree(fmt::format("the numbers of '{}'", info.key), draw.arguments);
+      for (const Value& limit : draw.limits) CheckUnit("what is drawn", drawn, limit);
+      return IsMeasured(drawn) ? drawn : limits;
+    }
+    case Distribution::kLogNormal:
+    case Distribution::kExponential:
+      return limits;
+    case Distribution::kBeta:
+    case Distribution::kPoisson:
+    case Distribution::kInteger:
+    case Distribution::kBernoulli:
+      break;
+  }
+  for (const Value& argument : draw.arguments)
+    CheckPlain(fmt::format("what '{}' takes", info.key), argument);
+  return info.id == Distribution::kBeta && !limits.empty() ? limits
+                                                           : Dimensions{Dimension::Count()};
+}
+
+}  // namespace mjforge::spec
