@@ -35,6 +35,10 @@ class Author {
     text += "parts:\n  - {name: first, type: sphere, size: 0.05}\n";
     for (int i = 0; i < 4; ++i) text += Part("p" + std::to_string(i), "  ");
     if (OneIn(2)) text += Bodies();
+    if (OneIn(6)) {
+      text += "expect:\n  - bounds.x > y\n  - mass > c * x\n";
+      text += "  - {gap: [first, p0], max: 10 * x}\n  - {apart: [p1, p2]}\n";
+    }
     return text;
   }
 

@@ -11,6 +11,7 @@
 
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
+#include "mjforge/expect/motion.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -170,6 +171,53 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
     CHECK((object->bounds.aabb.max - theirs.box.max).norm() <= 2e-9);
   }
   CHECK(bodies > 1200);
+}
+
+TEST_CASE("bodies move with their joints as MuJoCo's do") {
+  Random random(20261123);
+  engine::Engine engine;
+  mjcf::MjcfDocument document;
+  Specs specs(harness::SourceFolder() / "tests/property");
+  std::size_t moved = 0;
+  for (int i = 0; i < 100; ++i) {
+    std::string text = SpecText(random, "tree", "nested_tree.yaml");
+    text +=
+        "- {name: last, parent: b0, parts: [{name: l, type: sphere, size: 1}], joints: [{name: "
+        "turns, "
+        "type: ball, pos: [0.1, 0.2, 0.3]}, {name: slides, type: slide, axis: [1, 2, 3], ref: "
+        "0.4}]}\n";
+    INFO(text);
+    const std::optional<Object> object = specs.Make(text);
+    REQUIRE(object);
+    mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {}, document);
+    const engine::Loaded loaded = engine.LoadText(document.text);
+    INFO(loaded.error);
+    REQUIRE(loaded.model);
+    const mjModel& m = *loaded.model;
+    const std::unique_ptr<mjData, decltype(&mj_deleteData)> data(mj_makeData(&m), &mj_deleteData);
+    std::vector<std::pair<std::string, sample::Numbers>> positions;
+    for (int j = 0; j < m.njnt; ++j) {
+      if (random.Integer(4) == 0 || m.jnt_type[j] == mjJNT_FREE) continue;
+      auto& [name, numbers] = positions.emplace_back();
+      name = m.names + m.name_jntadr[j];
+      mjtNum* const qpos = data->qpos + m.jnt_qposadr[j];
+      const int count = m.jnt_type[j] == mjJNT_BALL ? 4 : 1;
+      for (int k = 0; k < count; ++k) qpos[k] = random.Uniform(-2, 2);
+      if (count == 4) mju_normalize4(qpos);
+      for (int k = 0; k < count; ++k) numbers.emplace_back(qpos[k]);
+    }
+    moved += positions.size();
+    mj_kinematics(&m, data.get());
+    const std::vector<Pose> poses = expect::PosesAt(*object, positions);
+    for (std::size_t b = 0; b < poses.size(); ++b) {
+      const int id = mj_name2id(&m, mjOBJ_BODY, object->bodies[b].name.c_str());
+      REQUIRE(id > 0);
+      CHECK((poses[b].p.value() - Vector3d(data->xpos + 3 * id)).norm() < 1e-8);
+      const mjtNum* q = data->xquat + 4 * id;
+      CHECK(poses[b].q.value().angularDistance(Eigen::Quaterniond(q[0], q[1], q[2], q[3])) < 1e-8);
+    }
+  }
+  CHECK(moved > 200);
 }
 
 }  // namespace mjforge::model

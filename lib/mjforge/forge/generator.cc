@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/expect/expect.h"
 #include "mjforge/forge/mould.h"
 
 namespace mjforge::forge {
@@ -161,7 +162,7 @@ bool Generator::Assemble(Variant& variant) {
         return finding.code == diag::Code::kTargetDropped ||
                finding.code == diag::Code::kAttachNotCarried;
       });
-  if (mould && same_warnings) {
+  if (mould && same_warnings && object->unmet.empty()) {
     mould->Close(*std::move(object), variant.document, variant.findings);
     variant.object = mould->object();
     moulds_->Add(std::move(mould));
@@ -174,6 +175,7 @@ bool Generator::Assemble(Variant& variant) {
 }
 
 void Generator::Judge(Variant& variant) {
+  expect::CheckExpectations(*variant.object, variant.findings);
   if (loader_ && loader_->Validate(variant.document, *variant.object, variant.findings) &&
       laboratory_) {
     variant.record.physics =

@@ -74,7 +74,7 @@ class Assembly {
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                      std::size_t index);
 
-  void Finish(const Scope& scope);  // finish.cc
+  void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
   struct Position {
@@ -86,7 +86,20 @@ class Assembly {
   /// Reads `pose:` of a spec; SetPositions, once all joints are there, gives it to them.
   void ReadPositions(Scope& scope);
   void SetPositions();
-  bool SetPosition(const Position& position, Joint& joint);
+  /// The position as qpos has it; nothing, and a finding, if the joint cannot be there. `what`:
+  /// "pose".
+  std::optional<sample::Numbers> Placed(std::string_view what, const Position& position,
+                                        const Joint& joint);
+  /// Reports that there is no such joint.
+  void ReportUnknown(std::string_view what, const Position& position);
+
+  // expectations.cc
+  /// Checks the conditions of `expect:`, and reads the rest of it.
+  void AddExpectations(Scope& scope);
+  void AddExpectation(Scope& scope, const spec::Expectation& entry);
+  /// The full name of a body or a part; nothing, and a finding, if it is neither.
+  std::optional<std::string> FullName(Scope& scope, const spec::Value& name);
+  void CheckCondition(Scope& scope, const spec::Expectation& entry);
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF);

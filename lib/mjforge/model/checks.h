@@ -1,15 +1,22 @@
 #pragma once
 
-// What an object must do and be, besides loading in MuJoCo: `checks:` of its spec.
+// What an object must do and be, besides loading in MuJoCo: `checks:` and `expect:` of its spec.
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "mjforge/diag/diag.h"
+#include "mjforge/sample/sample.h"
+#include "mjforge/spec/spec.h"
+
 namespace mjforge::model {
+
+using spec::ExpectationKind;  // for rooms to the right, which do not know specs
 
 /// The thresholds of checks, SI units. The defaults are those of the
 /// field table.
@@ -40,6 +47,20 @@ struct Checks {
   std::vector<std::pair<std::string, std::string>> silenced;
 
   bool operator==(const Checks&) const = default;
+};
+
+/// How two bodies or parts are expected to lie, with joints at given positions.
+struct Expectation {
+  ExpectationKind kind = ExpectationKind::kGap;  // not kThat, which is checked already
+  /// Full names of bodies or, where there is no body of that name, of parts.
+  std::string first;
+  std::string second;
+  std::optional<tape::Traced<double>> min;  // m, of a gap
+  std::optional<tape::Traced<double>> max;
+  /// By full names; joints that are not here are where they start.
+  std::vector<std::pair<std::string, sample::Numbers>> positions;
+  std::string doc;  // why
+  diag::SourceMark mark;
 };
 
 }  // namespace mjforge::model

@@ -45,7 +45,7 @@ void CheckMass(const Object& object, diag::Findings& findings) {
 
 }  // namespace
 
-void Assembly::Finish(const Scope& scope) {
+void Assembly::Finish(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   if (part_count_ == 0) {
     const diag::SourceMark mark = !spec.parts.empty()    ? spec.parts.front().mark
@@ -70,6 +70,7 @@ void Assembly::Finish(const Scope& scope) {
       scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsFrom(object_.bodies, 0);
   ReleaseFreeBodies(object_.bodies, findings_);
   SetPositions();
+  AddExpectations(scope);
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
   for (Section& section : object_.sections) {
     // MuJoCo 2.2 wants actuators with a state behind those without.

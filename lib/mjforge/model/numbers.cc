@@ -19,6 +19,7 @@ class Taker {
       Take(mesh->attributes);
     }
     for (Section& section : object.sections) Take(section.elements);
+    for (Expectation& expectation : object.expectations) Take(expectation);
     links_.Take(object.bounds.aabb.min);
     links_.Take(object.bounds.aabb.max);
     links_.Take(object.bounds.top_offset);
@@ -46,6 +47,13 @@ class Taker {
     for (Element& element : elements) {
       Take(element.attributes);
       Take(element.children);
+    }
+  }
+  void Take(Expectation& expectation) {
+    if (expectation.min) links_.Take(*expectation.min);
+    if (expectation.max) links_.Take(*expectation.max);
+    for (auto& [joint, numbers] : expectation.positions) {
+      for (Traced<double>& number : numbers) links_.Take(number);
     }
   }
   void Take(Body& body) {

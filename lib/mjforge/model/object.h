@@ -177,6 +177,8 @@ struct Object {
   Bounds bounds;
   MassProperties mass_properties;  // in the root frame, with all joints at zero
   Checks checks;
+  std::vector<Expectation> expectations;
+  std::vector<diag::Finding> unmet;  // conditions of `expect:` that do not hold
 };
 
 /// Takes all numbers of the object off their tape; it must stay where it is.

@@ -53,36 +53,43 @@ void Assembly::SetPositions() {
   for (const Position& position : positions_) {
     const auto found = joints.find(position.joint);
     if (found != joints.end()) {
-      if (!SetPosition(position, *found->second)) return;
-      continue;
-    }
-    if (references_.IsTakenAway(position.joint)) {
+      auto placed = Placed("pose", position, *found->second);
+      if (!placed) return;
+      found->second->start = *std::move(placed);
+    } else if (references_.IsTakenAway(position.joint)) {
       findings_
           .Add(Code::kAttachNotCarried, position.mark,
                fmt::format("pose of joint {} is left out: attaching its spec removed the joint",
                            Quoted(position.shown)))
           .severity = diag::Severity::kWarning;
-      continue;
+    } else {
+      ReportUnknown("pose", position);
     }
-    const std::size_t prefix = position.joint.size() - position.shown.size();
-    std::vector<std::string_view> names;
-    for (const auto& [name, joint] : joints) {
-      if (name.starts_with(position.joint.substr(0, prefix))) names.push_back(name.substr(prefix));
-    }
-    findings_.Add(Code::kModelUnknownReference, position.mark,
-                  fmt::format("pose: the object has no joint {}", Quoted(position.shown)),
-                  diag::DidYouMean(position.shown, names));
   }
 }
 
-// False after a finding.
-bool Assembly::SetPosition(const Position& position, Joint& joint) {
-  const sample::Numbers& numbers = position.numbers;
-  const auto bad = [&](const std::string& what, std::string hint = {}) {
+void Assembly::ReportUnknown(std::string_view what, const Position& position) {
+  const std::size_t prefix = position.joint.size() - position.shown.size();
+  std::vector<std::string_view> names;
+  for (const Body& body : object_.bodies) {
+    for (const Joint& joint : body.joints) {
+      const std::string_view name = joint.name;
+      if (name.starts_with(position.joint.substr(0, prefix))) names.push_back(name.substr(prefix));
+    }
+  }
+  findings_.Add(Code::kModelUnknownReference, position.mark,
+                fmt::format("{}: the object has no joint {}", what, Quoted(position.shown)),
+                diag::DidYouMean(position.shown, names));
+}
+
+std::optional<sample::Numbers> Assembly::Placed(std::string_view what, const Position& position,
+                                                const Joint& joint) {
+  sample::Numbers numbers = position.numbers;
+  const auto bad = [&](const std::string& wrong, std::string hint = {}) {
     findings_.Add(Code::kModelBadValue, position.mark,
-                  fmt::format("pose of joint {} {}", Quoted(position.shown), what),
+                  fmt::format("{} of joint {} {}", what, Quoted(position.shown), wrong),
                   std::move(hint));
-    return false;
+    return std::nullopt;
   };
   if (joint.type == "free") return bad("cannot be set: it is free", "give its body a `pos`");
   const std::size_t wanted = joint.type == "ball" ? 4 : 1;
@@ -90,27 +97,27 @@ bool Assembly::SetPosition(const Position& position, Joint& joint) {
     return bad(fmt::format("has {} numbers, but a {} takes {}", numbers.size(), joint.type, wanted),
                wanted == 4 ? "a quaternion: w, x, y, z" : "");
   }
-  joint.start = numbers;
   if (wanted == 4) {
     const auto q = tape::Gather<Eigen::Vector4d>(std::span(numbers.data(), wanted));
     const auto is_turn = [](const Eigen::Vector4d& w) { return w.norm() > kRounding; };
     if (!tape::Test(is_turn, q)) return bad("is not a rotation: all numbers are 0");
     const Traced<Eigen::Vector4d> unit = tape::Apply(Normalized, q);
-    for (std::size_t i = 0; i < wanted; ++i) joint.start[i] = tape::Element(unit, i);
+    for (std::size_t i = 0; i < wanted; ++i) numbers[i] = tape::Element(unit, i);
     if (joint.range && !tape::Test(IsTurnedWithin, *joint.range, unit)) {
       return bad(fmt::format("is turned by more than its range, {} rad",
                              expr::NumberText((*joint.range)(1))));
     }
   } else if (joint.range && !tape::Test(IsWithin, *joint.range, numbers[0])) {
-    const double degrees = numbers[0];
-    const bool is_degrees = joint.type == "hinge" && std::abs(degrees) > 2 * std::numbers::pi &&
-                            tape::Test(IsWithin, *joint.range, degrees * std::numbers::pi / 180);
+    const double number = numbers[0];
+    // Somebody may think in degrees.
+    const bool is_degrees = joint.type == "hinge" && std::abs(number) > 2 * std::numbers::pi &&
+                            IsWithin(*joint.range, number * std::numbers::pi / 180);
     return bad(
-        fmt::format("is {}, outside its range {} .. {}", expr::NumberText(numbers[0]),
+        fmt::format("is {}, outside its range {} .. {}", expr::NumberText(number),
                     expr::NumberText((*joint.range)(0)), expr::NumberText((*joint.range)(1))),
-        is_degrees ? fmt::format("angles are in rad: write {}deg", expr::NumberText(degrees)) : "");
+        is_degrees ? fmt::format("angles are in rad: write {}deg", expr::NumberText(number)) : "");
   }
-  return true;
+  return numbers;
 }
 
 }  // namespace mjforge::model

@@ -82,6 +82,8 @@ class Evaluator {
   /// A list of points, two numbers each, one after the other.
   std::vector<Traced<double>> Points(const spec::Value& value, StreamId path);
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
+  /// "a = 1, b = true": what an expression is computed from, texts excluded.
+  std::string InputsText(const expr::Expression& expression) const;
 
   void SetVariable(int slot, const Traced<double>& value);
   void SetVariable(int slot, std::string_view text);
@@ -156,8 +158,6 @@ class Evaluator {
   void AppendColor(const spec::HsvColor& color, diag::SourceMark mark, StreamId path, Numbers& out);
   /// The stream of item i below path; path itself for items that draw nothing.
   static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
-  /// "a = 1, b = true": what an expression is computed from, texts excluded.
-  std::string InputsText(const expr::Expression& expression) const;
   /// Appends the components of a value that is a vector or a number.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
   /// Adds a finding of this variant and returns NaN, the value of a failed number.

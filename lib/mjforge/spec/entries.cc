@@ -358,9 +358,10 @@ void ReadJoints(const YamlNode& joints, Reading& reading) {
   CheckUniqueNames("joint", reading.spec.joints, reading);
 }
 
-void ReadPose(const YamlNode& pose, Reading& reading) {
-  if (!IsMap(pose, "names and positions of joints", reading)) return;
-  for (const YamlNode::Pair& pair : pose.pairs) {
+std::vector<Position> ReadPositions(const YamlNode& positions, Reading& reading) {
+  std::vector<Position> all;
+  if (!IsMap(positions, "names and positions of joints", reading)) return all;
+  for (const YamlNode::Pair& pair : positions.pairs) {
     Position position = {pair.key, pair.mark, reading.values.ReadAnything(pair.value)};
     const Value& value = position.value;
     if (value.components == 0) continue;  // reported
@@ -376,8 +377,9 @@ void ReadPose(const YamlNode& pose, Reading& reading) {
     }
     static constexpr FieldInfo kPosition = {.key = "a position", .unit = "rad or m"};
     reading.values.CheckUnits(kPosition, value);
-    reading.spec.pose.push_back(std::move(position));
+    all.push_back(std::move(position));
   }
+  return all;
 }
 
 void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading) {

@@ -136,6 +136,8 @@ constexpr FieldInfo kObjectFields[] = {
     Numbers({"total_size", Key::kTotalSize}, {3, 3}, "m", Above(0), "",
             "Half sizes of the declared bounding box, centred on the root body; used as the "
             "object's bounds in place of the computed ones."),
+    Row({"expect", Key::kExpect}, Slot::kExpectations,
+        "What must be true of every variant: conditions, and how bodies and parts lie."),
     Row({"checks", Key::kChecks}, Slot::kChecks,
         "Thresholds of the physical checks, and the findings to ignore."),
 };
@@ -463,6 +465,25 @@ constexpr FieldInfo kExcludeFields[] = {
                  "file of BODY.")),
 };
 
+constexpr FieldInfo kExpectationFields[] = {
+    kIf,
+    kFor,
+    kLet,
+    Row({"that", Key::kThat}, Slot::kCondition,
+        "A condition on parameters, `mass`, `bounds.x` and the properties of bodies."),
+    Row({"gap", Key::kGap}, Slot::kBodyPair,
+        "The distance between two, from `min` to `max`; below 0 they are in each other."),
+    Row({"touch", Key::kTouch}, Slot::kBodyPair, "Two that touch, or are in each other."),
+    Row({"apart", Key::kApart}, Slot::kBodyPair, "Two that are not in each other; they may touch."),
+    Row({"inside", Key::kInside}, Slot::kBodyPair,
+        "The first one is in the convex hull of the second one."),
+    Number({"min", Key::kMin}, "m", kAnyNumber, "", "The smallest gap."),
+    Number({"max", Key::kMax}, "m", kAnyNumber, "", "The largest gap."),
+    Row({"at", Key::kAt}, Slot::kPositions,
+        "Where joints stand: m or rad, of a ball joint w, x, y, z; the others as in `pose`."),
+    Row({"doc", Key::kDoc}, Slot::kPlainText, "Why it must be so; shown when it is not."),
+};
+
 constexpr FieldInfo kDefaultsFields[] = {
     Row({"part", Key::kPart}, Slot::kFields, "Values for parts."),
     Row({"site", Key::kSite}, Slot::kFields, "Values for sites."),
@@ -534,6 +555,10 @@ constexpr ElementInfo kBody = {
 constexpr ElementInfo kContact = {"contact", "Contacts between the bodies.", kContactFields};
 constexpr ElementInfo kExclude = {
     "exclude", "Two bodies that do not collide: the long form of [BODY, BODY].", kExcludeFields};
+constexpr ElementInfo kExpectation = {
+    "expectation",
+    "What must be true of every variant: `that`, or how two bodies or parts lie, each by its name.",
+    kExpectationFields};
 constexpr ElementInfo kDefaults = {
     "defaults",
     "Values for keys that entries leave out; an entry's own and its material's values win.",
@@ -547,8 +572,8 @@ constexpr ElementInfo kChecks = {
     kChecksFields};
 
 constexpr const ElementInfo* kElements[] = {
-    &kObject, &kParameter, &kMaterial, &kTexture, &kPart,    &kFrame,    &kSite,  &kCamera,
-    &kLight,  &kJoint,     &kBody,     &kContact, &kExclude, &kDefaults, &kChecks};
+    &kObject, &kParameter, &kMaterial, &kTexture, &kPart,    &kFrame,       &kSite,     &kCamera,
+    &kLight,  &kJoint,     &kBody,     &kContact, &kExclude, &kExpectation, &kDefaults, &kChecks};
 
 }  // namespace
 
@@ -575,6 +600,7 @@ const ElementInfo& JointElement() { return kJoint; }
 const ElementInfo& BodyElement() { return kBody; }
 const ElementInfo& ContactElement() { return kContact; }
 const ElementInfo& ExcludeElement() { return kExclude; }
+const ElementInfo& ExpectationElement() { return kExpectation; }
 const ElementInfo& DefaultsElement() { return kDefaults; }
 const ElementInfo& ChecksElement() { return kChecks; }
 std::span<const ElementInfo* const> AllElements() { return kElements; }

@@ -32,6 +32,7 @@ enum class Key {
   kPose,
   kContact,
   kMjcf,
+  kExpect,
   kPlacement,
   kTotalSize,
   kChecks,
@@ -78,6 +79,15 @@ enum class Key {
   // materials, textures
   kTexture,
   kBuiltin,
+  // expectations
+  kThat,
+  kGap,
+  kTouch,
+  kApart,
+  kInside,
+  kMin,
+  kMax,
+  kAt,
   // defaults
   kPart,
   kSite,
@@ -122,6 +132,7 @@ enum class Slot {
   kContact,
   kExcludes,
   kBodyPair,
+  kExpectations,
   kSections,
   kChecks,
   kSilence,
@@ -133,8 +144,7 @@ constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kPoints; }
 /// Which of a part's two geoms an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };
 
-/// What decides between the two units of a joint's field.
-enum class Motion { kAny, kTurn, kSlide };
+enum class Motion { kAny, kTurn, kSlide };  // decides between the two units of a joint's field
 
 struct FieldInfo {
   std::string_view key;
@@ -142,8 +152,8 @@ struct FieldInfo {
   Slot slot = Slot::kNumber;
   int min_count = 1;
   int max_count = 1;
-  /// "m", "kg/m^3"; "rad or m" of hinges and of slides; "s, 1" of the first and the second; empty:
-  /// plain numbers.
+  /// "m"; "rad or m" of what turns or slides; "s, 1" of the first, the second; empty: plain
+  /// numbers.
   std::string_view unit = {};
   bool any_unit = false;                                    // the unit is not known here
   std::string_view default_text = {};                       // as the manual shows it; empty: none
@@ -182,6 +192,7 @@ const ElementInfo& JointElement();
 const ElementInfo& BodyElement();
 const ElementInfo& ContactElement();
 const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
+const ElementInfo& ExpectationElement();
 const ElementInfo& DefaultsElement();
 const ElementInfo& ChecksElement();
 std::span<const ElementInfo* const> AllElements();

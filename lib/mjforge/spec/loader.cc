@@ -98,14 +98,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, reading);
     if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, reading);
     ReadViews(root, spec.views, reading);
-    const YamlNode* joints = root.Find("joints");
-    for (const NamedNode& setting : settings) {
-      if (setting.name == kRootJoints) joints = &setting.value;
-    }
-    if (joints != nullptr) ReadJoints(*joints, reading);
-    if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
-    if (const YamlNode* pose = root.Find("pose")) ReadPose(*pose, reading);
-    if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
+    ReadMotion(root, settings, reading);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
     ReadChecks(root.Find("checks"), settings, reading);
@@ -116,14 +109,30 @@ class SpecLoader : public NestedLoader {
     if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
   }
 
+  // Joints, the bodies that they move, and where these are.
+  static void ReadMotion(const YamlNode& root, std::span<const NamedNode> settings,
+                         Reading& reading) {
+    ObjectSpec& spec = reading.spec;
+    const YamlNode* joints = root.Find("joints");
+    for (const NamedNode& setting : settings) {
+      if (setting.name == kRootJoints) joints = &setting.value;
+    }
+    if (joints != nullptr) ReadJoints(*joints, reading);
+    if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
+    if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadPositions(*pose, reading);
+    if (const YamlNode* expect = root.Find("expect")) ReadExpectations(*expect, reading);
+    if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
+  }
+
   // The root's own joints, in whose place there are others: they have no pose.
   static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
       const YamlNode* name = joint.Find("name");
-      if (name != nullptr)
-        std::erase_if(spec.pose,
-                      [&](const Position& position) { return position.joint == name->text; });
+      if (name == nullptr) continue;
+      const auto is_it = [&](const Position& position) { return position.joint == name->text; };
+      std::erase_if(spec.pose, is_it);
+      for (Expectation& expectation : spec.expectations) std::erase_if(expectation.at, is_it);
     }
   }
 

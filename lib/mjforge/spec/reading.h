@@ -91,8 +91,10 @@ void ReadViews(const YamlNode& map, std::vector<Entry>& out, Reading& reading);
 void ReadJoints(const YamlNode& joints, Reading& reading);
 /// Of joints that are one word: whether it is `free` or `none`; else a finding.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading);
-/// pose: of an object.
-void ReadPose(const YamlNode& pose, Reading& reading);
+/// pose: of an object, at: of an expectation.
+std::vector<Position> ReadPositions(const YamlNode& positions, Reading& reading);
+/// expect: of an object.
+void ReadExpectations(const YamlNode& list, Reading& reading);
 
 /// Reads bodies: in order, since each may use properties of earlier ones.
 void ReadBodies(const YamlNode& bodies, Reading& reading);

@@ -53,6 +53,8 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kExcludes, "list of pairs",
              R"("type": "array", "items": {"anyOf": [{"@pair"}, {"@is exclude"}]})"},
     SlotInfo{Slot::kBodyPair, "two names", R"("@pair")"},
+    SlotInfo{Slot::kExpectations, "list of conditions and expectations",
+             R"("type": "array", "items": {"anyOf": [{"@is condition"}, {"@is expectation"}]})"},
     SlotInfo{Slot::kSections, "section: elements"},
     SlotInfo{Slot::kChecks, "checks", R"("@is checks")"},
     SlotInfo{Slot::kSilence, "code: reason"},

@@ -41,6 +41,18 @@ struct Position {
   Value value;  // a number, or four
 };
 
+enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
+
+/// One of `expect:`.
+struct Expectation {
+  Entry entry;  // if, for, let; min and max as fields
+  ExpectationKind kind = ExpectationKind::kThat;
+  std::optional<expr::Expression> condition;  // kThat
+  std::vector<Value> names;                   // of the other kinds: two bodies or parts
+  std::vector<Position> at;
+  std::string doc;
+};
+
 struct Requirement {
   expr::Expression expression;
   diag::SourceMark mark;
@@ -111,6 +123,10 @@ struct ObjectSpec {
   Placement placement = Placement::kCenter;
   bool has_exact_choice = false;    // it or a spec it brings: a variant depends on the batch's size
   std::optional<Field> total_size;  // half sizes, m
+  std::vector<Expectation> expectations;
+  /// Slots of `mass` and of the first of `bounds`, for expectations; -1: parameters hide them.
+  int mass_slot = -1;
+  int bounds_slot = -1;
   Checks checks;
 
   /// By its name; a key by that of its record, too.

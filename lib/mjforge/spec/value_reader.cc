@@ -49,6 +49,9 @@ std::optional<std::size_t> FindRange(std::string_view text) {
   if (dots == std::string_view::npos) return std::nullopt;
   if (Trim(text.substr(0, dots)).empty() || Trim(text.substr(dots + 2)).empty())
     return std::nullopt;
+  // In parentheses it is a part of an expression, where it cannot be.
+  const std::string_view before = text.substr(0, dots);
+  if (std::ranges::count(before, '(') != std::ranges::count(before, ')')) return std::nullopt;
   return dots;
 }
 

@@ -243,6 +243,14 @@ TEST_CASE("a table's columns are in the units of its header") {
   CHECK(of_part("size: 1, mass: t.rho * t.d ^ 3").empty());
 }
 
+TEST_CASE("a range within an expression is told to be drawn by itself") {
+  CHECK(Load("mjforge: 1\nname: t\nparams: {a: (0 .. 1) * 2}\n"
+             "parts: [{name: a, type: sphere, size: 1}]\n")
+            .Report() ==
+        Strings{"3:16 expr/syntax: a range cannot be part of an expression (draw it as a separate "
+                "parameter and use that parameter's name)"});
+}
+
 TEST_CASE("who writes degrees where rad are meant is told") {
   const auto report = ReportWithBox("cameras: [{name: c, fovy: 60}]\n");
   REQUIRE(report.size() == 1);

@@ -1,0 +1,155 @@
+#include "mjforge/expect/distance.h"
+
+#include <ccd/ccd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+namespace mjforge::expect {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kMostIterations = 500;
+// Of the size: how near to the true distance is near enough.
+constexpr double kPrecision = 1e-10;
+
+// A point, a segment, a triangle or a tetrahedron.
+struct Simplex {
+  std::array<Vector3d, 4> corners;
+  int count = 0;
+};
+
+// The point of the hull of some corners that is nearest to the origin, if it is inside of it and
+// not in the hull of fewer.
+std::optional<Vector3d> NearestInside(const Simplex& simplex) {
+  const Vector3d& first = simplex.corners[0];
+  if (simplex.count == 1) return first;
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, simplex.count - 1);
+  for (int i = 1; i < simplex.count; ++i)
+    edges.col(i - 1) = simplex.corners[static_cast<std::size_t>(i)] - first;
+  const Eigen::VectorXd weights = edges.colPivHouseholderQr().solve(-first);
+  if (!weights.allFinite() || weights.minCoeff() < 0 || weights.sum() > 1) return std::nullopt;
+  return first + edges * weights;
+}
+
+// Keeps the corners that the point nearest to the origin depends on.
+Vector3d Reduce(Simplex& simplex) {
+  double least = std::numeric_limits<double>::infinity();
+  Vector3d nearest = Vector3d::Zero();
+  Simplex best;
+  for (int subset = 1; subset < 1 << simplex.count; ++subset) {
+    Simplex some;
+    for (int i = 0; i < simplex.count; ++i) {
+      if ((subset >> i & 1) != 0)
+        some.corners[static_cast<std::size_t>(some.count++)] =
+            simplex.corners[static_cast<std::size_t>(i)];
+    }
+    const auto point = NearestInside(some);
+    if (!point || point->norm() >= least) continue;
+    least = point->norm();
+    nearest = *point;
+    best = some;
+  }
+  simplex = best;
+  return nearest;
+}
+
+// The point nearest to the origin of a convex set, known by its farthest point in each direction:
+// Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex
+// objects in three-dimensional space", 1988. `size`: of the set, m.
+template <typename Farthest>
+Vector3d NearestToOrigin(Farthest farthest, double size) {
+  Simplex simplex;
+  Vector3d nearest = farthest(Vector3d::UnitX());
+  simplex.corners[0] = nearest;
+  simplex.count = 1;
+  for (int i = 0; i < kMostIterations; ++i) {
+    const double distance = nearest.norm();
+    if (distance <= kPrecision * size) return Vector3d::Zero();
+    const Vector3d next = farthest(-nearest);
+    // The whole set is beyond the plane through `next`.
+    if (distance - nearest.dot(next) / distance <= kPrecision * size) return nearest;
+    if (simplex.count == 4) return Vector3d::Zero();
+    simplex.corners[static_cast<std::size_t>(simplex.count++)] = next;
+    const Vector3d reduced = Reduce(simplex);
+    if (simplex.count == 4) return Vector3d::Zero();  // the origin is inside
+    if (reduced.norm() >= distance) return nearest;   // no better within rounding
+    nearest = reduced;
+  }
+  return nearest;
+}
+
+double SizeOf(std::span<const Solid> solids) {
+  model::Box3 box;
+  for (const Solid& solid : solids) box.Add(model::BoundsOf(solid.part->shape, solid.X_WG));
+  return (box.max.value() - box.min.value()).norm();
+}
+
+// libccd's tolerances are absolute, so it sees the solids in units of their size.
+struct Scaled {
+  const Solid& solid;
+  double size;
+};
+
+void Support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const auto& [solid, size] = *static_cast<const Scaled*>(object);
+  const Vector3d p = FarthestPoint(solid, Vector3d(direction->v)) / size;
+  ccdVec3Set(point, p.x(), p.y(), p.z());
+}
+
+double Depth(const Solid& a, const Solid& b, double size) {
+  ccd_t ccd;
+  CCD_INIT(&ccd);
+  ccd.support1 = ccd.support2 = Support;
+  ccd.max_iterations = kMostIterations;
+  ccd.epa_tolerance = kPrecision;
+  const Scaled scaled_a = {a, size};
+  const Scaled scaled_b = {b, size};
+  ccd_real_t depth = 0;
+  ccd_vec3_t direction;
+  ccd_vec3_t position;
+  const int answer = ccdGJKPenetration(&scaled_a, &scaled_b, &ccd, &depth, &direction, &position);
+  return answer == 0 ? depth * size : 0;  // or they only touch
+}
+
+}  // namespace
+
+Vector3d FarthestPoint(const Solid& solid, const Vector3d& direction_W) {
+  const auto& [part, X_WG] = solid;
+  return X_WG * model::SupportPoint(part->shape, X_WG.q.value().conjugate() * direction_W);
+}
+
+Vector3d FarthestPoint(std::span<const Solid> solids, const Vector3d& direction_W) {
+  Vector3d farthest = Vector3d::Zero();
+  double way = -std::numeric_limits<double>::infinity();
+  for (const Solid& solid : solids) {
+    const Vector3d p = FarthestPoint(solid, direction_W);
+    if (p.dot(direction_W) <= way) continue;
+    way = p.dot(direction_W);
+    farthest = p;
+  }
+  return farthest;
+}
+
+double SignedDistance(const Solid& a, const Solid& b) {
+  const double size = SizeOf(std::array{a, b});
+  const auto difference = [&](const Vector3d& direction) {
+    return Vector3d(FarthestPoint(a, direction) - FarthestPoint(b, -direction));
+  };
+  const double distance = NearestToOrigin(difference, size).norm();
+  return distance > 0 ? distance : -Depth(a, b, size);
+}
+
+Vector3d FromHull(std::span<const Solid> solids, const Vector3d& p_W) {
+  const auto difference = [&](const Vector3d& direction) {
+    return Vector3d(p_W - FarthestPoint(solids, -direction));
+  };
+  return NearestToOrigin(difference, SizeOf(solids));
+}
+
+}  // namespace mjforge::expect

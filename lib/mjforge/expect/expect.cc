@@ -1,0 +1,230 @@
+#include "mjforge/expect/expect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/expect/distance.h"
+#include "mjforge/expect/motion.h"
+
+namespace mjforge::expect {
+namespace {
+
+using Eigen::Vector3d;
+using model::Expectation;
+using Kind = model::ExpectationKind;
+using Solids = std::vector<Solid>;
+
+// "0.132 mm".
+std::string LengthText(double length) {
+  const double mm = 1000 * std::abs(length);
+  return mm < 100 ? fmt::format("{:.3g} mm", mm) : fmt::format("{:.0f} mm", mm);
+}
+
+// In a shape's frame, directions whose farthest points tell where it ends. Of a box those are its
+// corners; of round shapes there are others between them.
+std::vector<Vector3d> MakeDirections(bool is_box) {
+  const int around = is_box ? 4 : 64;
+  const int up = is_box ? 3 : 16;
+  std::vector<Vector3d> directions;
+  for (int i = 0; i < around; ++i) {
+    const double a = 2 * std::numbers::pi * (i + 0.5) / around;
+    for (int j = 0; j <= up; ++j) {
+      const double b = std::numbers::pi * (static_cast<double>(j) / up - 0.5);
+      directions.emplace_back(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
+    }
+  }
+  return directions;
+}
+
+const std::vector<Vector3d>& DirectionsOf(const model::Shape& shape) {
+  static const std::vector<Vector3d> kOfBox = MakeDirections(true);
+  static const std::vector<Vector3d> kOfRound = MakeDirections(false);
+  return shape.type == model::GeomType::kBox ? kOfBox : kOfRound;
+}
+
+class Checker {
+ public:
+  Checker(const model::Object& object, diag::Findings& findings)
+      : object_(object), findings_(findings) {}
+
+  void Check(const Expectation& expectation) {
+    expectation_ = &expectation;
+    poses_ = PosesAt(object_, expectation.positions);
+    const Solids second = SolidsOf(expectation.second, {});
+    const Solids first = SolidsOf(expectation.first, second);
+    const Solids others = SolidsOf(expectation.second, first);
+    if (first.empty() || others.empty()) {
+      Report(fmt::format("'{}' has no parts",
+                         Shown(first.empty() ? expectation.first : expectation.second)));
+    } else if (expectation.kind == Kind::kInside) {
+      CheckInside(first, others);
+    } else {
+      CheckGap(first, others);
+    }
+  }
+
+ private:
+  // The parts that a name stands for and that are not among `others`: a body's own, and those of
+  // bodies that are fixed to it. Of a part that is a body's, the rest of the body.
+  Solids SolidsOf(const std::string& name, const Solids& others) const {
+    const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
+    Solids collide;
+    Solids all;
+    for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
+      const bool is_part = body == object_.bodies.end();
+      if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
+        continue;
+      for (const model::Part& part : object_.bodies[i].parts) {
+        if (is_part && part.name != name) continue;
+        if (!is_part && others.size() == 1 && others.front().part == &part) continue;
+        all.push_back({&part, poses_[i] * part.X_BG});
+        if (part.role != model::Role::kVisual) collide.push_back(all.back());
+      }
+    }
+    return collide.empty() ? all : collide;
+  }
+
+  // The body that a body is fixed to and moves with, as far up as that of a name.
+  std::size_t Holder(std::size_t i) const {
+    const auto is_named = [&](std::size_t at) {
+      return object_.bodies[at].name == expectation_->first ||
+             object_.bodies[at].name == expectation_->second;
+    };
+    while (!is_named(i) && object_.bodies[i].joints.empty() && object_.bodies[i].parent >= 0)
+      i = static_cast<std::size_t>(object_.bodies[i].parent);
+    return i;
+  }
+
+  void CheckGap(const Solids& first, const Solids& second) {
+    double gap = std::numeric_limits<double>::infinity();
+    const Solid* nearest = nullptr;
+    const Solid* other = nullptr;
+    for (const Solid& a : first) {
+      for (const Solid& b : second) {
+        if (LeastDistance(a, b) >= gap) continue;
+        const double distance = SignedDistance(a, b);
+        if (distance >= gap) continue;
+        gap = distance;
+        nearest = &a;
+        other = &b;
+      }
+    }
+    const std::string of = PartsText(*nearest, *other);
+    const std::string is = gap < -kTolerance  ? fmt::format("{} in each other", LengthText(gap))
+                           : gap < kTolerance ? std::string("touching")
+                                              : fmt::format("{} apart", LengthText(gap));
+    const auto& [kind, a, b, min, max, positions, doc, mark] = *expectation_;
+    if (kind == Kind::kTouch && gap > kTolerance)
+      Report(fmt::format("{} must touch, but are {}{}", Both(), is, of));
+    if (kind == Kind::kApart && gap < -kTolerance)
+      Report(fmt::format("{} must not be in each other, but are {}{}", Both(), is, of));
+    if (kind != Kind::kGap) return;
+    if (min && gap < *min - kRounding)
+      Report(
+          fmt::format("{} must be at least {} apart, but are {}{}", Both(), Asked(*min), is, of));
+    if (max && gap > *max + kRounding)
+      Report(fmt::format("{} must be at most {} apart, but are {}{}", Both(), Asked(*max), is, of));
+  }
+
+  // Of the boxes around them: no more than that of the solids, if they do not overlap.
+  static double LeastDistance(const Solid& a, const Solid& b) {
+    const model::Box3 box_a = model::BoundsOf(a.part->shape, a.X_WG);
+    const model::Box3 box_b = model::BoundsOf(b.part->shape, b.X_WG);
+    const Vector3d between =
+        (box_a.min.value() - box_b.max.value()).cwiseMax(box_b.min.value() - box_a.max.value());
+    return between.maxCoeff() > 0 ? between.cwiseMax(0).norm()
+                                  : -std::numeric_limits<double>::infinity();
+  }
+
+  void CheckInside(const Solids& first, const Solids& second) {
+    double farthest = 0;
+    const Solid* out = nullptr;
+    for (const Solid& solid : first) {
+      const double outside = Outside(solid, second);
+      if (outside <= farthest) continue;
+      farthest = outside;
+      out = &solid;
+    }
+    if (farthest <= kTolerance) return;
+    const bool is_part = out->part->name == expectation_->first;
+    Report(fmt::format("'{}' must be inside '{}', but is {} outside{}", Shown(expectation_->first),
+                       Shown(expectation_->second), LengthText(farthest),
+                       is_part ? "" : fmt::format(" (part '{}')", Shown(out->part->name))));
+  }
+
+  // How far a point of the solid is from the hull, at most.
+  static double Outside(const Solid& solid, const Solids& hull) {
+    std::vector<Vector3d> points;
+    if (solid.part->shape.mesh != nullptr) {
+      for (const Vector3d& vertex : solid.part->shape.mesh->vertices)
+        points.push_back(solid.X_WG * vertex);
+    } else {
+      for (const Vector3d& direction : DirectionsOf(solid.part->shape))
+        points.push_back(FarthestPoint(solid, solid.X_WG.q.value() * direction));
+    }
+    Vector3d way = Vector3d::Zero();
+    for (const Vector3d& point : points) {
+      const Vector3d from = FromHull(hull, point);
+      if (from.norm() > way.norm()) way = from;
+    }
+    // Between the points a round shape may be farther out.
+    for (int i = 0; i < 20 && way.norm() > 0; ++i) {
+      const Vector3d from = FromHull(hull, FarthestPoint(solid, way));
+      if (from.norm() <= way.norm() * (1 + 1e-9)) break;
+      way = from;
+    }
+    return way.norm();
+  }
+
+  // As the author of the spec names it.
+  std::string_view Shown(std::string_view name) const {
+    if (name == object_.bodies.front().name) return object_.name;
+    if (name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_'))
+      name.remove_prefix(object_.name.size() + 1);
+    return name;
+  }
+
+  std::string Both() const {
+    return fmt::format("'{}' and '{}'", Shown(expectation_->first), Shown(expectation_->second));
+  }
+
+  static std::string Asked(double length) { return (length < 0 ? "-" : "") + LengthText(length); }
+
+  // Which parts it is, unless they are what was named.
+  std::string PartsText(const Solid& a, const Solid& b) const {
+    if (a.part->name == expectation_->first && b.part->name == expectation_->second) return {};
+    return fmt::format(" (parts '{}' and '{}')", Shown(a.part->name), Shown(b.part->name));
+  }
+
+  void Report(std::string message) {
+    for (const auto& [joint, numbers] : expectation_->positions) {
+      message += fmt::format(", at {} =", Shown(joint));
+      for (const double number : numbers) message += " " + expr::NumberText(number);
+    }
+    findings_.Add(diag::Code::kModelExpectation, expectation_->mark, std::move(message),
+                  expectation_->doc);
+  }
+
+  static constexpr double kRounding = 1e-9;  // m
+
+  const model::Object& object_;
+  diag::Findings& findings_;
+  const Expectation* expectation_ = nullptr;
+  std::vector<model::Pose> poses_;  // X_WB
+};
+
+}  // namespace
+
+void CheckExpectations(const model::Object& object, diag::Findings& findings) {
+  for (const diag::Finding& finding : object.unmet) findings.Add(finding);
+  Checker checker(object, findings);
+  for (const Expectation& expectation : object.expectations) checker.Check(expectation);
+}
+
+}  // namespace mjforge::expect

@@ -1,0 +1,133 @@
+// expect: conditions are checked at once; how bodies and parts lie is kept with the object.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/assembly.h"
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+std::string_view VerbOf(spec::ExpectationKind kind) {
+  switch (kind) {
+    case spec::ExpectationKind::kThat:
+      return "that";
+    case spec::ExpectationKind::kGap:
+      return "gap";
+    case spec::ExpectationKind::kTouch:
+      return "touch";
+    case spec::ExpectationKind::kApart:
+      return "apart";
+    case spec::ExpectationKind::kInside:
+      return "inside";
+  }
+  return {};
+}
+
+}  // namespace
+
+void Assembly::AddExpectations(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (spec.expectations.empty() || findings_.HasErrors()) return;
+  if (spec.mass_slot >= 0) scope.values.SetVariable(spec.mass_slot, object_.mass_properties.mass);
+  if (spec.bounds_slot >= 0) {
+    const auto extent = [](const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+      return Eigen::Vector3d(max - min);
+    };
+    const Box3& box = object_.bounds.aabb;
+    const Traced<Eigen::Vector3d> size = tape::Apply(extent, box.min, box.max);
+    for (std::size_t i = 0; i < 3; ++i)
+      scope.values.SetVariable(spec.bounds_slot + static_cast<int>(i), tape::Element(size, i));
+  }
+  for (const spec::Expectation& entry : spec.expectations) {
+    const std::size_t unmet = object_.unmet.size();
+    repetition_.ForEach(entry.entry, scope.values, sample::Child(scope.values.root(), "expect"),
+                        [&] {
+                          if (!entry.condition) {
+                            AddExpectation(scope, entry);
+                          } else if (object_.unmet.size() == unmet) {  // the first is enough
+                            CheckCondition(scope, entry);
+                          }
+                        });
+  }
+}
+
+void Assembly::CheckCondition(Scope& scope, const spec::Expectation& entry) {
+  const std::size_t before = findings_.size();
+  const expr::Expression& condition = *entry.condition;
+  const bool holds = scope.values.Condition(condition, entry.entry.mark);
+  if (holds || findings_.size() != before) return;  // or it has no value
+  const std::string numbers = scope.values.InputsText(condition);
+  diag::Finding& finding = object_.unmet.emplace_back();
+  finding.code = Code::kModelExpectation;
+  finding.mark = entry.entry.mark;
+  finding.message =
+      fmt::format("'{}' does not hold{}{}", condition.text(), numbers.empty() ? "" : ": ", numbers);
+  finding.hint = entry.doc;
+}
+
+void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
+  const std::string_view verb = VerbOf(entry.kind);
+  FieldReader reader(scope.values, findings_, "expectation", verb, scope.values.root());
+  Expectation expectation;
+  expectation.kind = entry.kind;
+  expectation.doc = entry.doc;
+  expectation.mark = entry.entry.mark;
+  const auto first = FullName(scope, entry.names[0]);
+  const auto second = FullName(scope, entry.names[1]);
+  if (!first || !second) return;
+  expectation.first = *first;
+  expectation.second = *second;
+  if (*first == *second) {
+    findings_.Add(Code::kModelBadValue, entry.names[1].mark, "the two names are the same");
+    return;
+  }
+  if (const spec::Field* min = entry.entry.Find(Key::kMin)) expectation.min = reader.Number(*min);
+  if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
+  for (const spec::Position& at : entry.at) {
+    Position position = {scope.prefix + at.joint, at.joint, {}, at.mark};
+    scope.values.Vector(at.value, scope.values.root(), position.numbers);
+    const Joint* joint = nullptr;
+    for (const Body& body : object_.bodies) {
+      const auto found = std::ranges::find(body.joints, position.joint, &Joint::name);
+      if (found != body.joints.end()) joint = &*found;
+    }
+    if (joint == nullptr) {
+      ReportUnknown("at", position);
+      return;
+    }
+    auto placed = Placed("position", position, *joint);
+    if (!placed) return;
+    expectation.positions.emplace_back(position.joint, *std::move(placed));
+  }
+  object_.expectations.push_back(std::move(expectation));
+}
+
+std::optional<std::string> Assembly::FullName(Scope& scope, const spec::Value& value) {
+  const std::string name = scope.values.Text(value, scope.values.root());
+  const Body& root = object_.bodies.front();
+  if (name == scope.values.spec().name) return root.name;
+  const std::string full = scope.prefix + name;
+  std::vector<std::string_view> known = {scope.values.spec().name};
+  const auto is_it = [&](std::string_view other) {
+    if (other.starts_with(scope.prefix)) known.push_back(other.substr(scope.prefix.size()));
+    return other == full;
+  };
+  for (const Body& body : object_.bodies) {
+    if (is_it(body.name)) return full;
+    for (const Part& part : body.parts) {
+      if (is_it(part.name)) return full;
+    }
+  }
+  findings_.Add(Code::kModelUnknownReference, value.mark,
+                fmt::format("the object has no body and no part {}", Quoted(name)),
+                diag::DidYouMean(name, known));
+  return std::nullopt;
+}
+
+}  // namespace mjforge::model
