@@ -36,7 +36,7 @@ class Operands : protected Cursor {
 
   /// Whether the word names a list or a vector.
   bool IsListAt(std::size_t word) const;
-  Result ElementOf(const Word& list, const Argument& index);
+  Result ElementOf(const Word& list, const Argument& argument);
   /// What a function of lists gives for the one that a word names; `count`: of its first ones, null
   /// for all.
   Result OfList(const ListCallee& callee, std::size_t word, const Argument* count);

@@ -98,7 +98,7 @@ class Assembly {
   void AddExpectations(Scope& scope);
   void AddExpectation(Scope& scope, const spec::Expectation& entry);
   /// The full name of a body or a part; nothing, and a finding, if it is neither.
-  std::optional<std::string> FullName(Scope& scope, const spec::Value& name);
+  std::optional<std::string> FullName(Scope& scope, const spec::Value& value);
   void CheckCondition(Scope& scope, const spec::Expectation& entry);
 
   // parts.cc

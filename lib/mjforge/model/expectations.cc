@@ -13,22 +13,6 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-std::string_view VerbOf(spec::ExpectationKind kind) {
-  switch (kind) {
-    case spec::ExpectationKind::kThat:
-      return "that";
-    case spec::ExpectationKind::kGap:
-      return "gap";
-    case spec::ExpectationKind::kTouch:
-      return "touch";
-    case spec::ExpectationKind::kApart:
-      return "apart";
-    case spec::ExpectationKind::kInside:
-      return "inside";
-  }
-  return {};
-}
-
 }  // namespace
 
 void Assembly::AddExpectations(Scope& scope) {
@@ -72,8 +56,6 @@ void Assembly::CheckCondition(Scope& scope, const spec::Expectation& entry) {
 }
 
 void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
-  const std::string_view verb = VerbOf(entry.kind);
-  FieldReader reader(scope.values, findings_, "expectation", verb, scope.values.root());
   Expectation expectation;
   expectation.kind = entry.kind;
   expectation.doc = entry.doc;
@@ -87,6 +69,7 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
     findings_.Add(Code::kModelBadValue, entry.names[1].mark, "the two names are the same");
     return;
   }
+  FieldReader reader(scope.values, findings_, "expectation", "gap", scope.values.root());
   if (const spec::Field* min = entry.entry.Find(Key::kMin)) expectation.min = reader.Number(*min);
   if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
   for (const spec::Position& at : entry.at) {

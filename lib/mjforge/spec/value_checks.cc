@@ -201,7 +201,7 @@ Dimensions ValueReader::Agree(std::string_view what, std::span<const Value> valu
 Dimensions ValueReader::Measured(const DistributionInfo& info, const Expected& expected,
                                  const Draw& draw) {
   for (const Value& weight : draw.weights) CheckPlain("a weight", weight);
-  const Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);
+  Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);
   switch (info.id) {
     case Distribution::kChoice:
     case Distribution::kCycle:
