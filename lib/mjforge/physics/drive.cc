@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
@@ -54,6 +55,7 @@ struct Path {
   bool limited = false;
   double low = 0;
   double high = 0;
+  double start = 0;  // a ball is driven from the model's own pose
 };
 
 /// Equality of two joints: y = poly(x), both counted from the model's own pose.
@@ -75,8 +77,10 @@ std::vector<Path> PathsOf(const mjModel& m, int joint) {
   const std::optional<compiled::JointRange> range = compiled::RangeOf(m, joint);
   if (!range) return {};
   if (m.jnt_type[joint] != mjJNT_BALL) {
-    const double zero = m.qpos0[m.jnt_qposadr[joint]];
-    return {{joint, 0, range->limited, range->low - zero, range->high - zero}};
+    const int at = m.jnt_qposadr[joint];
+    const double zero = m.qpos0[at];
+    const double start = compiled::StartOf(m)[Index(at)] - zero;
+    return {{joint, 0, range->limited, range->low - zero, range->high - zero, start}};
   }
   const bool limited = range->limited;
   const double most = limited ? range->high : 0.9 * range->high;  // half a turn has no way
@@ -88,7 +92,7 @@ std::vector<Path> PathsOf(const mjModel& m, int joint) {
 class Driver {
  public:
   Driver(const mjModel& m, mjData& d)
-      : m_(m), d_(d), coupled_(Index(m.njnt)), inertia_(Index(m.nv)) {
+      : m_(m), d_(d), start_(compiled::StartOf(m)), coupled_(Index(m.njnt)), inertia_(Index(m.nv)) {
     for (int i = 0; i < m.neq; ++i) {
       if (m.eq_type[i] != mjEQ_JOINT) {
         // A weld, a loop: anything may have to move along.
@@ -121,20 +125,25 @@ class Driver {
 
   void Follow(const Path& path, Driven& driven) {
     mj_resetData(&m_, &d_);
+    std::ranges::copy(start_, d_.qpos);
+    const bool ball = m_.jnt_type[path.joint] == mjJNT_BALL;
+    if (ball) {
+      const int at = m_.jnt_qposadr[path.joint];
+      std::copy_n(m_.qpos0 + at, 4, d_.qpos + at);
+    }
     mj_forward(&m_, &d_);
     for (int i = 0; i < m_.nv; ++i) inertia_[Index(i)] = d_.qM[m_.dof_Madr[i]];
     const int dof = m_.jnt_dofadr[path.joint] + path.axis;
     inertia_[Index(dof)] = InertiaOf(dof);
     const double range = path.high - path.low;
     driven.range = std::max(driven.range, range);
-    const bool ball = m_.jnt_type[path.joint] == mjJNT_BALL;
     const double push = path.limited ? (ball ? kPushOfBall : kPush) * range : 0;
-    driven.outside = std::max({0.0, path.low, -path.high});
-    // A joint whose zero is outside its range is pushed in by its limits first.
-    const double home = std::clamp(0.0, path.low, path.high);
+    driven.outside = std::max({0.0, path.low - path.start, path.start - path.high});
+    // A joint that starts outside its range is pushed in by its limits first.
+    const double home = std::clamp(path.start, path.low, path.high);
     lowest_ = highest_ = home;
     looks_ = driven.outside == 0;
-    Go(path, 0, path.low - push, driven);
+    Go(path, path.start, path.low - push, driven);
     looks_ = true;
     Go(path, path.low - push, path.high + push, driven);
     Go(path, path.high + push, home, driven);
@@ -194,9 +203,10 @@ class Driver {
       const std::optional<Move> own = moved ? target
                                       : coupled_[Index(joint)]
                                           ? FollowerMove(path.joint, joint, target)
-                                          : Move();
+                                          : Move{StartOf(joint), 0, 0};
       if (!own) continue;
-      const std::array<double, 3> errors = Errors(joint, moved ? path.axis : 0, own->at);
+      const std::array<double, 3> errors =
+          moved ? Errors(joint, path.axis, own->at) : ErrorsOfHeld(joint, own->at);
       const int dofs = m_.jnt_type[joint] == mjJNT_BALL ? 3 : 1;
       const double most = moved ? kPush * (path.high - path.low) : kMostHeld;
       for (int i = 0; i < dofs; ++i) {
@@ -236,6 +246,20 @@ class Driver {
     return errors;
   }
 
+  std::array<double, 3> ErrorsOfHeld(int joint, double target) const {
+    if (m_.jnt_type[joint] != mjJNT_BALL) return Errors(joint, 0, target);
+    const int at = m_.jnt_qposadr[joint];
+    std::array<double, 3> errors = {};
+    mju_subQuat(errors.data(), &start_[Index(at)], d_.qpos + at);
+    return errors;
+  }
+
+  /// Of a joint that is not a ball, from the model's own pose.
+  double StartOf(int joint) const {
+    const int at = m_.jnt_qposadr[joint];
+    return start_[Index(at)] - m_.qpos0[at];
+  }
+
   double Force(int dof, double error, double speed, double acceleration) const {
     // Critically damped.
     const double wanted =
@@ -271,7 +295,8 @@ class Driver {
 
   const mjModel& m_;
   mjData& d_;
-  std::vector<bool> coupled_;  // joints that other elements may move along
+  std::span<const mjtNum> start_;  // nq
+  std::vector<bool> coupled_;      // joints that other elements may move along
   std::vector<Coupling> couplings_;
   std::vector<double> inertia_;
   bool looks_ = true;  // whether what is beyond the range counts

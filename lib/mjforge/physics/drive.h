@@ -18,17 +18,17 @@ struct Driven {
   std::string body1;
   std::string body2;
   double where = 0;    // the joint's value there, rad or m
-  double outside = 0;  // how far the model's own pose is outside the range, rad or m
+  double outside = 0;  // how far the start is outside the range, rad or m
   bool blown_up = false;
 };
 
-/// Drives each hinge, slide and ball joint from its zero to both ends of its range and back: an
-/// unlimited hinge through a full turn, a ball about each of its axes. An unlimited slide has no
-/// ends and is left out. A force makes the joint follow smooth moves of half a second; it accounts
-/// for the inertia that it has to move, but not for obstacles. Free bodies are held, other joints
-/// stay where they are unless something couples them to this one, and there is no gravity, no
-/// floor, and no friction, spring or actuator in joints. `d` is the model's data. May throw
-/// std::exception.
+/// Drives each hinge and slide from where it starts (`compiled::StartOf`) to both ends of its range
+/// and back, a ball from its zero, about each of its axes; an unlimited hinge makes a full turn, an
+/// unlimited slide has no ends and is left out. A force makes the joint follow smooth moves of half
+/// a second; it accounts for the inertia that it has to move, but not for obstacles. Free bodies
+/// are held, other joints stay where they start unless something couples them to this one, and
+/// there is no gravity, no floor, and no friction, spring or actuator in joints. `d` is the model's
+/// data. May throw std::exception.
 std::vector<Driven> DriveJoints(const mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

@@ -358,30 +358,6 @@ void ReadJoints(const YamlNode& joints, Reading& reading) {
   CheckUniqueNames("joint", reading.spec.joints, reading);
 }
 
-std::vector<Position> ReadPositions(const YamlNode& positions, Reading& reading) {
-  std::vector<Position> all;
-  if (!IsMap(positions, "names and positions of joints", reading)) return all;
-  for (const YamlNode::Pair& pair : positions.pairs) {
-    Position position = {pair.key, pair.mark, reading.values.ReadAnything(pair.value)};
-    const Value& value = position.value;
-    if (value.components == 0) continue;  // reported
-    if (value.type != expr::Type::kNumber || value.is_list ||
-        (value.components != 1 && value.components != 4)) {
-      reading.findings.Add(
-          Code::kSpecWrongType, value.mark,
-          fmt::format("the position of joint '{}' is {}, not a number or the four "
-                      "of a quaternion",
-                      pair.key, KindText(value)),
-          value.components == 2 ? "a value that is drawn is written `LOW .. HIGH`" : "");
-      continue;
-    }
-    static constexpr FieldInfo kPosition = {.key = "a position", .unit = "rad or m"};
-    reading.values.CheckUnits(kPosition, value);
-    all.push_back(std::move(position));
-  }
-  return all;
-}
-
 void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading) {
   std::map<std::string_view, diag::SourceMark> seen;
   CollectSure(what, entries, seen, reading);

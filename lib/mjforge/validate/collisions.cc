@@ -105,8 +105,12 @@ class SelfCollisions {
                     second->name, when, m_.names + m_.name_geomadr[first_geom],
                     m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
     if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
-    std::string hint = fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
-                                   AuthorsName(*first), AuthorsName(*second));
+    // Things that are free would pass through each other.
+    std::string hint =
+        m_.body_rootid[contact.body1] != m_.body_rootid[contact.body2]
+            ? "move them apart"
+            : fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
+                          AuthorsName(*first), AuthorsName(*second));
     constexpr auto kCode = diag::Code::kMujocoSelfCollision;
     diag::Finding& finding =
         related || OfOneFile(*first, *second)

@@ -113,6 +113,33 @@ TEST_CASE("a joint whose zero is outside its range is told so") {
   CHECK(Only(door).overshoot < 0.05);
 }
 
+TEST_CASE("joints are driven from the start pose, and the others held in it") {
+  const std::string drawer = Child(
+      "drawer", "0.06 0 0", "type=\"slide\" axis=\"1 0 0\" limited=\"true\" range=\"0.05 0.2\"",
+      "type=\"box\" size=\"0.02 0.02 0.02\"");
+  const auto key = [](const std::string& slide) {
+    return "<keyframe><key name=\"m_start\" qpos=\"0 0 0 1 0 0 0 " + slide + "\"/></keyframe>";
+  };
+  const Examined inside = Examine(Free(0, kCube + drawer), key("0.1"));
+  CHECK(inside.Codes().empty());
+  CHECK(Only(inside).reach > 0.99);
+  CHECK(Only(inside).return_error < 0.001);
+  const Examined outside = Examine(Free(0, kCube + drawer), key("0.02"));
+  CHECK(outside.Codes().back() == "error physics/joint-overshoots");
+
+  const std::string bar = Child("bar", "0.2 0.15 0", "type=\"slide\" axis=\"0 0 1\"", kBar);
+  const std::string door = Child("door", "0.06 0 0", kDoorRange, kBar);
+  const auto reach = [&](const std::string& bar_at) {
+    const Examined both = Examine(
+        Free(0, kCube + door + bar),
+        "<keyframe><key name=\"m_start\" qpos=\"0 0 0 1 0 0 0 0 " + bar_at + "\"/></keyframe>");
+    REQUIRE(both.result);
+    return both.result->joints.at(0).reach;
+  };
+  CHECK(reach("0") < 0.9);
+  CHECK(reach("0.1") > 0.99);
+}
+
 TEST_CASE("what is no part of the object may touch it") {
   const std::string cup =
       "<body name=\"cup\" pos=\"0.06 0.15 0\"><freejoint/><geom size=\"0.02\"/></body>";
