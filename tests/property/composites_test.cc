@@ -13,6 +13,7 @@
 #include <mujoco/mujoco.h>
 #include <catch2/catch.hpp>
 
+#include "harness/effort.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/model/model.h"
 
@@ -157,7 +158,7 @@ TEST_CASE("the mass and centre and inertia of random bodies are MuJoCo's") {
   Compiler compiler;
   Random random(20240501);
   std::size_t solids = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < harness::Effort(1000); ++i) {
     std::string geoms;
     std::string bodies;
     MassProperties ours;
@@ -262,7 +263,7 @@ double Largest(const mjModel& model, const Function& f) {
 TEST_CASE("the box and radius of random bodies are those of MuJoCo's geoms") {
   Compiler compiler;
   Random random(20240502);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < harness::Effort(1000); ++i) {
     std::string geoms;
     Box3 box;
     double radius = 0;

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "both_ways.h"
+#include "harness/effort.h"
 #include "harness/source_folder.h"
 
 namespace mjforge::forge {
 namespace {
 
 /// `least`: how many for each target must come from moulds.
-void CompareForTargets(Loaded& loaded, std::uint64_t seed, std::uint64_t count, int least) {
+void CompareForTargets(Loaded& loaded, std::uint64_t seed, int count, int least) {
   for (const mjcf::TargetRules& rules : mjcf::Targets()) {
     Options options = Seeded(seed);
     options.target = rules.target;
@@ -21,7 +22,8 @@ void CompareForTargets(Loaded& loaded, std::uint64_t seed, std::uint64_t count, 
     // Nothing is made of free bodies where the host takes one root.
     const bool is_refused =
         !rules.root.empty() && loaded.recipe.reference.find("peg_board") != std::string::npos;
-    CHECK(Compare(loaded, options, 0, count) >= (is_refused ? 0 : least));
+    CHECK(Compare(loaded, options, 0, static_cast<std::uint64_t>(count)) >=
+          (is_refused ? 0 : least));
   }
 }
 
@@ -47,7 +49,7 @@ std::vector<std::filesystem::path> BundledSpecs() {
 TEST_CASE("every bundled spec is the same from moulds, for every target") {
   for (const auto& spec : BundledSpecs()) {
     Loaded loaded(spec);
-    CompareForTargets(loaded, 3, 50, 5);
+    CompareForTargets(loaded, 3, harness::Effort(50), harness::Effort(5));
   }
 }
 
@@ -58,7 +60,7 @@ TEST_CASE("every sampler is the same from moulds") {
       Options options = Seeded(11);
       options.sampler = *sample::FindMethod(name);
       options.batch = 16;
-      Compare(loaded, options, 24, 16);
+      Compare(loaded, options, 24, harness::Effort(16));
     }
   }
 }

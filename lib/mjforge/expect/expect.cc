@@ -81,7 +81,7 @@ class Checker {
       if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
         continue;
       for (const model::Part& part : object_.bodies[i].parts) {
-        if (is_part && part.name != name) continue;
+        if (is_part && part.name != name && part.piece_of != name) continue;
         if (!is_part && others.size() == 1 && others.front().part == &part) continue;
         all.push_back({&part, poses_[i] * part.X_BG});
         if (part.role != model::Role::kVisual) collide.push_back(all.back());

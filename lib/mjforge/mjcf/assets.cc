@@ -39,16 +39,25 @@ void WriteMaterial(const model::Object& object, const model::Material& material,
   writer.Close();
 }
 
-void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
-  const model::TriangleMesh& mesh = asset.mesh;
-  writer.Raw(" vertex=\"");
-  for (const Eigen::Vector3d& vertex : mesh.vertices) {
-    for (const double& number : vertex) {
-      writer.Append(mesh.tape == nullptr ? Traced<double>(number)
-                                         : Traced<double>(number, *mesh.tape, number));
+template <typename Vector>
+void WriteVectors(std::string_view begin, const std::vector<Vector>& vectors, tape::Tape* tape,
+                  ElementWriter& writer) {
+  if (vectors.empty()) return;
+  writer.Raw(begin);
+  for (const Vector& vector : vectors) {
+    for (const double& number : vector) {
+      writer.Append(tape == nullptr ? Traced<double>(number)
+                                    : Traced<double>(number, *tape, number));
     }
   }
   writer.Raw("\"");
+}
+
+void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
+  const model::TriangleMesh& mesh = asset.mesh;
+  WriteVectors(" vertex=\"", mesh.vertices, mesh.tape, writer);
+  WriteVectors(" normal=\"", mesh.normals, mesh.tape, writer);
+  WriteVectors(" texcoord=\"", mesh.texcoords, mesh.tape, writer);
   if (asset.is_hull) return;
   writer.Raw(" face=\"");
   for (const std::array<int, 3>& triangle : mesh.triangles) {

@@ -103,6 +103,9 @@ class Assembly {
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
+  /// Adds the part to the body; in place of a shape that MuJoCo does not have, what is seen of it
+  /// and its pieces, which come in its frame.
+  void AddWithPieces(Part part, std::vector<Part> pieces);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, Part& part,
                     const MaterialState*& material);
   bool ReadMass(FieldReader& reader, const spec::Entry& entry, const MaterialState* material,

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "mjforge/model/field_reader.h"
 #include "mjforge/model/model.h"
+#include "mjforge/solid/solid.h"
 
 namespace mjforge::model {
 
@@ -18,6 +22,18 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
+/// What a solid is made of.
+struct SolidInput {
+  std::vector<Traced<double>> numbers;
+  std::vector<diag::SourceMark> marks;  // of its points
+  bool turns_vary = false;              // the turns of its pieces depend on numbers that vary
+  std::function<std::optional<solid::Solid>(std::span<const double>, solid::Fault&)> make;
+};
+
+/// The field; null, and a finding, without one.
+const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, spec::Key id,
+                            std::string_view key, diag::SourceMark mark);
+
 /// The meshes and textures of one object; equal ones are shared.
 class Assets {
  public:
@@ -26,7 +42,11 @@ class Assets {
 
   /// Sets the part's mesh and shape from polygon, height and scale.
   bool ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part);
-  /// The same from file and scale; file names are relative to `folder`.
+  /// The part gets the look of a lathe and the mass of the true solid; returns its pieces, with
+  /// their poses in the part's frame. `texture`: its coordinates.
+  std::optional<std::vector<Part>> ReadLathe(FieldReader& reader, const spec::Entry& entry,
+                                             solid::Texture texture, Part& part);
+  /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);
   /// The solid's mass properties at density 1, in its own frame; nothing for a
@@ -56,8 +76,12 @@ class Assets {
     std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
-  /// `made` is the prism on its tape, null if it is on none.
-  void AddPrism(TriangleMesh mesh, const TriangleMesh* made, Part& part);
+  std::optional<std::vector<Part>> MakeSolid(FieldReader& reader, const spec::Field& field,
+                                             const SolidInput& input, Part& part);
+  std::vector<Part> AddSolid(const SolidInput& input, solid::Solid solid, Part& part);
+  /// A mesh that is written as text; one without normals is a convex hull. `made` is the mesh on
+  /// its tape, null if it is on none.
+  void AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part);
   void AddFile(const std::filesystem::path& file, const Traced<Eigen::Vector3d>& scale,
                const Assembler::CachedMesh& content, Part& part);
   void Share(int index, Part& part);

@@ -53,6 +53,8 @@ void Assembly::CheckCondition(Scope& scope, const spec::Expectation& entry) {
   finding.message =
       fmt::format("'{}' does not hold{}{}", condition.text(), numbers.empty() ? "" : ": ", numbers);
   finding.hint = entry.doc;
+  if (finding.hint.empty() && condition.text().find("==") != std::string::npos)
+    finding.hint = "computed numbers may differ by a rounding: compare abs(a - b) with a tolerance";
 }
 
 void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
@@ -73,7 +75,10 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
   if (const spec::Field* min = entry.entry.Find(Key::kMin)) expectation.min = reader.Number(*min);
   if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
   for (const spec::Position& at : entry.at) {
-    Position position = {scope.prefix + at.joint, at.joint, {}, at.mark};
+    Position position;
+    position.shown = scope.values.Text(at.joint, scope.values.root());
+    position.joint = scope.prefix + position.shown;
+    position.mark = at.mark;
     scope.values.Vector(at.value, scope.values.root(), position.numbers);
     const Joint* joint = nullptr;
     for (const Body& body : object_.bodies) {
@@ -104,7 +109,7 @@ std::optional<std::string> Assembly::FullName(Scope& scope, const spec::Value& v
   for (const Body& body : object_.bodies) {
     if (is_it(body.name)) return full;
     for (const Part& part : body.parts) {
-      if (is_it(part.name)) return full;
+      if (is_it(part.name) || (!part.piece_of.empty() && is_it(part.piece_of))) return full;
     }
   }
   findings_.Add(Code::kModelUnknownReference, value.mark,

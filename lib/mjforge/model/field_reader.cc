@@ -92,11 +92,11 @@ bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numb
   return false;
 }
 
-std::optional<std::vector<Traced<double>>> FieldReader::Points(const spec::Field& field) {
+std::optional<sample::PointList> FieldReader::Points(const spec::Field& field) {
   const std::size_t before = findings_.size();
-  std::vector<Traced<double>> points = values_.Points(field.value, PathOf(field));
+  sample::PointList points = values_.Points(field.value, PathOf(field));
   if (findings_.size() != before) return std::nullopt;
-  for (const double number : points) {
+  for (const double number : points.numbers) {
     if (!std::isfinite(number)) return std::nullopt;
   }
   return points;

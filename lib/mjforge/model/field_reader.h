@@ -35,7 +35,7 @@ class FieldReader {
     return tape::Gather<Eigen::Matrix<double, N, 1>>({numbers.data(), N});
   }
   bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
-  std::optional<std::vector<Traced<double>>> Points(const spec::Field& field);
+  std::optional<sample::PointList> Points(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
   /// One of the words of the field table.
   std::optional<std::string> Word(const spec::Field& field);

@@ -16,15 +16,25 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-std::size_t HashOf(const TriangleMesh& mesh) {
-  const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
-                               mesh.vertices.size() * sizeof(Eigen::Vector3d));
+template <typename Vector>
+std::size_t HashOfAll(const std::vector<Vector>& vectors) {
+  const std::string_view bytes(reinterpret_cast<const char*>(vectors.data()),
+                               vectors.size() * sizeof(Vector));
   return std::hash<std::string_view>()(bytes);
+}
+
+std::size_t HashOf(const TriangleMesh& mesh) {
+  return HashOfAll(mesh.vertices) ^ HashOfAll(mesh.normals) ^ HashOfAll(mesh.texcoords);
 }
 
 std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
   const std::string_view bytes(reinterpret_cast<const char*>(scale.data()), sizeof(scale));
   return std::hash<std::string_view>()(file.native()) ^ std::hash<std::string_view>()(bytes);
+}
+
+bool AreSame(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.vertices == b.vertices && a.triangles == b.triangles && a.normals == b.normals &&
+         a.texcoords == b.texcoords;
 }
 
 bool AreSame(const Traced<Eigen::Vector3d>& a, const Traced<Eigen::Vector3d>& b) {
@@ -81,15 +91,6 @@ const TriangleMesh* NotePrism(std::span<const Traced<double>> points, const Trac
   return &made;
 }
 
-const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
-                            std::string_view key, diag::SourceMark mark) {
-  const spec::Field* field = entry.Find(id);
-  if (field == nullptr) {
-    reader.ReportElement(Code::kSpecMissingKey, mark, fmt::format("has no '{}'", key));
-  }
-  return field;
-}
-
 // In the name of a file, on some system.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
@@ -99,6 +100,15 @@ bool IsUnportable(char c) {
 }
 
 }  // namespace
+
+const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
+                            std::string_view key, diag::SourceMark mark) {
+  const spec::Field* field = entry.Find(id);
+  if (field == nullptr) {
+    reader.ReportElement(Code::kSpecMissingKey, mark, fmt::format("has no '{}'", key));
+  }
+  return field;
+}
 
 void Assets::Share(int index, Part& part) {
   part.mesh = index;
@@ -110,13 +120,13 @@ bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part
   const spec::Field* polygon = Required(reader, entry, Key::kPolygon, "polygon", part.mark);
   const spec::Field* height = Required(reader, entry, Key::kHeight, "height", part.mark);
   if (polygon == nullptr || height == nullptr) return false;
-  const std::optional<std::vector<Traced<double>>> points = reader.Points(*polygon);
+  const std::optional<sample::PointList> points = reader.Points(*polygon);
   const std::optional<Traced<double>> z = reader.Number(*height);
   const std::optional<Traced<Eigen::Vector2d>> scale = ReadScale<2>(reader, entry);
   if (!points || !z || !scale) return false;
   std::string why_not;
-  std::optional<TriangleMesh> mesh =
-      MakePrism(ScaledCorners({points->begin(), points->end()}, *scale), *z, why_not);
+  std::optional<TriangleMesh> mesh = MakePrism(
+      ScaledCorners({points->numbers.begin(), points->numbers.end()}, *scale), *z, why_not);
   if (!mesh) {
     reader.ReportElement(
         Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
@@ -124,19 +134,19 @@ bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part
                                                     : "build it from several convex prisms");
     return false;
   }
-  const TriangleMesh* made = NotePrism(*points, *z, *scale, *mesh);
-  AddPrism(*std::move(mesh), made, part);
+  const TriangleMesh* made =
+      NotePrism({points->numbers.data(), points->numbers.size()}, *z, *scale, *mesh);
+  AddInline(*std::move(mesh), made, part);
   return true;
 }
 
-void Assets::AddPrism(TriangleMesh mesh, const TriangleMesh* made, Part& part) {
+void Assets::AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part) {
   const std::size_t hash = HashOf(mesh);
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const auto index = static_cast<std::size_t>(it->second);
     const TriangleMesh& other = object_.meshes[index]->mesh;
-    if (!sources_[index].file.empty() || other.vertices != mesh.vertices) continue;
-    if (other.triangles != mesh.triangles) continue;
+    if (!sources_[index].file.empty() || !AreSame(other, mesh)) continue;
     if (mesh.tape != nullptr) {
       mesh.tape->Add([&other, made] { return HashOf(*made) == HashOf(other); });
     } else if (other.tape != nullptr) {
@@ -147,11 +157,14 @@ void Assets::AddPrism(TriangleMesh mesh, const TriangleMesh* made, Part& part) {
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
   asset->mesh = std::move(mesh);
-  asset->is_hull = true;
+  asset->is_hull = asset->mesh.normals.empty();
   asset->mark = part.mark;
   if (asset->mesh.tape != nullptr) {
     asset->mesh.tape->Add([&mesh = asset->mesh, made] {
-      std::ranges::copy(made->vertices, mesh.vertices.begin());  // texts know their places
+      // Texts know the places of the numbers.
+      std::ranges::copy(made->vertices, mesh.vertices.begin());
+      std::ranges::copy(made->normals, mesh.normals.begin());
+      std::ranges::copy(made->texcoords, mesh.texcoords.begin());
       return true;
     });
   }
@@ -265,7 +278,7 @@ void Assets::KeepDistinct() {
     const MeshAsset& asset = *object_.meshes[i];
     // Those with attributes come from attached files, and do not vary.
     if (!asset.attributes.empty()) continue;
-    if (asset.is_hull) {
+    if (asset.file.empty() && sources_[i].file.empty()) {
       hashes.emplace_back([&mesh = asset.mesh] { return HashOf(mesh); });
     } else {
       hashes.emplace_back([file = sources_[i].file, &scale = PlaceOf(*tape, asset.scale)] {

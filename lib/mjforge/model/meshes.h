@@ -19,7 +19,9 @@ namespace mjforge::model {
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;
-  /// The tape that moves the vertices; null if they are the same in all variants.
+  std::vector<Eigen::Vector3d> normals = {};    // none, or for each vertex, of length 1
+  std::vector<Eigen::Vector2d> texcoords = {};  // none, or for each vertex
+  /// The tape that moves them; null if they are the same in all variants.
   tape::Tape* tape = nullptr;
 };
 

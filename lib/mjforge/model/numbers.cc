@@ -73,6 +73,7 @@ class Taker {
       Take(part.X_BG);
       links_.Take(part.mass);
       links_.Take(part.density);
+      part.solid.reset();  // its body has the sum
       Take(part.attributes);
     }
     for (Site& site : body.sites) {

@@ -15,6 +15,7 @@
 #include <Eigen/Dense>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/model/attributes.h"
 #include "mjforge/model/checks.h"
 #include "mjforge/model/meshes.h"
 #include "mjforge/model/poses.h"
@@ -28,36 +29,8 @@ namespace mjforge::model {
 /// number, and so many still fit into the default time limit on a machine half as fast as ours.
 inline constexpr int kMaxParts = 40'000;
 
-using spec::Applies;  // for rooms to the right, which do not know specs
-
-/// One MJCF attribute that mjforge carries without interpreting it: its numbers
-/// or, if there are none, its text.
-struct Attribute {
-  std::string_view name;  // of the field table: lives forever
-  Applies applies = Applies::kBoth;
-  sample::Numbers numbers;
-  std::string text;
-  std::string_view refers = {};  // kind of element the text names; see spec::FieldInfo
-
-  bool operator==(const Attribute&) const = default;
-};
-
-/// An MJCF element that mjforge carries whole: a sensor, a camera.
-struct Element {
-  std::string_view tag;  // of the section table: lives forever
-  std::string name;      // empty: it has none
-  std::vector<Attribute> attributes;
-  std::vector<Element> children;
-  diag::SourceMark mark;
-};
-
-/// The elements of one section (contact, sensor, ...).
-struct Section {
-  const spec::SectionInfo* info = nullptr;
-  std::vector<Element> elements;
-};
-
-/// A mesh asset. Inline vertices (a prism), or a file that is copied into the output.
+/// A mesh asset. Inline vertices (a prism, the look and the pieces of a lathe), or a file that is
+/// copied into the output.
 struct MeshAsset {
   std::string name;
   TriangleMesh mesh;           // scaled
@@ -97,9 +70,12 @@ struct Material {
 
 enum class Role { kBoth, kCollision, kVisual };
 
-/// One part of a body B: a solid, written as a collision geom, a visual one or both.
+/// One part of a body B: a solid, written as a collision geom, a visual one or both. A shape that
+/// MuJoCo does not have is several: what is seen of it, under its name, and its pieces, NAME_0 and
+/// so on, which collide.
 struct Part {
   std::string name;
+  std::string piece_of;  // the name of the shape whose piece it is; empty: none
   Role role = Role::kBoth;
   Shape shape;
   int mesh = -1;  // in Object::meshes
@@ -108,6 +84,8 @@ struct Part {
   /// that MuJoCo computes the mass from the same number.
   Traced<double> mass = 0;
   Traced<double> density = 0;
+  /// Of density 1, in G: the true solid that has the mass, where that is not `shape`.
+  std::optional<MassProperties> solid;
   int material = -1;  // in Object::materials
   /// A geom of an attached file: written under its own name and with no more
   /// attributes than it has; the role only says whether it collides.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,6 +31,24 @@ bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || i
 
 bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
   return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
+}
+
+// What a material's texture asks for.
+solid::Texture TextureOf(const Object& object, int index) {
+  if (index < 0) return solid::Texture::kNone;
+  const Material& material = object.materials[static_cast<std::size_t>(index)];
+  if (material.texture < 0) return solid::Texture::kNone;
+  const auto found = std::ranges::find(material.attributes, "texuniform", &Attribute::name);
+  const bool by_metre = found != material.attributes.end() && found->text == "true";
+  return by_metre ? solid::Texture::kMetres : solid::Texture::kOnce;
+}
+
+// Of a part, or of the pieces that stand for it.
+Box3 BoxOf(const Part& part, const std::vector<Part>& pieces, const Pose& X_FG) {
+  if (pieces.empty()) return BoundsOf(part.shape, X_FG);
+  Box3 box;
+  for (const Part& piece : pieces) box.Add(BoundsOf(piece.shape, X_FG * piece.X_BG));
+  return box;
 }
 
 }  // namespace
@@ -73,25 +92,51 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   part.name = scope.prefix + *name;
   part.mark = entry.mark;
   bool good = ReadRole(reader, entry, part);
-  Pose X_FG;
-  const bool shaped =
-      good && ReadShape(reader, entry, scope.values.spec().folder, assets_, part, X_FG);
-  good = shaped && good;
   const MaterialState* material = nullptr;
   good &= ReadMaterial(scope, reader, entry, part, material);
-  if (shaped) good &= ReadMass(reader, entry, material, part);
+  const std::optional<PlacedShape> placed =
+      good ? ReadShape(reader, entry, scope.values.spec().folder, TextureOf(object_, part.material),
+                       assets_, part)
+           : std::nullopt;
+  good &= placed.has_value();
+  if (placed) good &= ReadMass(reader, entry, material, part);
   good &= ReadAttributes(reader, entry, part.attributes,
                          material != nullptr ? std::span<const Attribute>(material->contact)
                                              : std::span<const Attribute>());
   if (!good) return;
-  Pose X_SG = X_SF * X_FG;
+  Pose X_SG = X_SF * placed->X_FG;
   if (scope.places_corners()) {
-    const Box3 box = BoundsOf(part.shape, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
+    const Box3 box = BoxOf(part, placed->pieces, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
     X_SG.p = FromCorner(X_SG.p, *scope.total_size, box.min);
   }
   part.X_BG = scope.X_BS * X_SG;
-  body().parts.push_back(std::move(part));
-  ++part_count_;
+  AddWithPieces(std::move(part), placed->pieces);
+}
+
+void Assembly::AddWithPieces(Part part, std::vector<Part> pieces) {
+  std::vector<Part>& parts = body().parts;
+  part_count_ += 1 + static_cast<int>(pieces.size());
+  if (part.solid) part.density = 0;  // MuJoCo would take it for that of the mesh
+  const bool is_seen = part.role != Role::kCollision;
+  for (Part& piece : pieces) {
+    piece.role = Role::kCollision;
+    piece.attributes = part.attributes;
+    if (is_seen) {
+      const auto is_look = [](const Attribute& a) { return a.applies == Applies::kVisual; };
+      std::erase_if(piece.attributes, is_look);
+    } else {
+      piece.material = part.material;
+    }
+  }
+  if (pieces.empty()) return parts.push_back(std::move(part));
+  if (!is_seen) {
+    pieces.front().mass = part.mass;
+    pieces.front().solid = InFrame(pieces.front().X_BG.Inverse(), *part.solid);
+  }
+  for (Part& piece : pieces) piece.X_BG = part.X_BG * piece.X_BG;
+  part.role = Role::kVisual;
+  if (is_seen) parts.push_back(std::move(part));
+  std::ranges::move(pieces, std::back_inserter(parts));
 }
 
 bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, Part& part,
@@ -140,7 +185,8 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
 
 // The mass given, or that of the part's density.
 bool Assembly::SetMass(FieldReader& reader, const std::optional<Traced<double>>& mass, Part& part) {
-  const std::optional<MassProperties> unit = assets_.UnitMassOf(part.shape, part.mesh);
+  const std::optional<MassProperties> unit =
+      part.solid ? part.solid : assets_.UnitMassOf(part.shape, part.mesh);
   if (!unit) {
     reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",
                          "leave `mass` and `density` out");

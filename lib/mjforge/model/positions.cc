@@ -35,10 +35,10 @@ void Assembly::ReadPositions(Scope& scope) {
   const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
   for (const spec::Position& entry : scope.values.spec().pose) {
     Position& position = positions_.emplace_back();
-    position.joint = scope.prefix + entry.joint;
-    position.shown = entry.joint;
+    position.shown = scope.values.Text(entry.joint, pose);
+    position.joint = scope.prefix + position.shown;
     position.mark = entry.mark;
-    scope.values.Vector(entry.value, sample::Child(pose, std::string_view(entry.joint)),
+    scope.values.Vector(entry.value, sample::Child(pose, std::string_view(position.shown)),
                         position.numbers);
   }
 }
@@ -91,7 +91,9 @@ std::optional<sample::Numbers> Assembly::Placed(std::string_view what, const Pos
                   std::move(hint));
     return std::nullopt;
   };
-  if (joint.type == "free") return bad("cannot be set: it is free", "give its body a `pos`");
+  if (joint.type == "free")
+    return bad("cannot be set: it is free",
+               "where a free body is follows from its `pos`, which a parameter may decide");
   const std::size_t wanted = joint.type == "ball" ? 4 : 1;
   if (numbers.size() != wanted) {
     return bad(fmt::format("has {} numbers, but a {} takes {}", numbers.size(), joint.type, wanted),

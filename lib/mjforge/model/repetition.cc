@@ -1,7 +1,5 @@
 #include "mjforge/model/repetition.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "mjforge/model/scope.h"
@@ -26,49 +24,18 @@ void SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::Stre
 
 }  // namespace
 
-// The values that a loop's variable takes; nothing after a finding.
-std::optional<Repetition::Range> Repetition::RangeOf(const spec::Loop& loop,
-                                                     sample::Evaluator& values) {
-  const sample::StreamId path = sample::Child(values.root(), std::string_view(loop.variable));
-  if (loop.over_values()) {
-    Range range{.count = 0, .items = values.List(loop.range, path)};
-    range.count = static_cast<long>(range.items->numbers.size());
-    return range;
-  }
-  const double count = values.FixedNumber(loop.range, path);
-  if (!std::isfinite(count)) return std::nullopt;  // reported where it was computed
-  if (count < 0 || count != std::floor(count)) {
-    findings_.Add(Code::kModelBadCount, loop.range.mark,
-                  fmt::format("count of loop '{}' is {}; it must be a whole number, 0 or more",
-                              loop.variable, expr::NumberText(count)));
-    return std::nullopt;
-  }
-  return Range{.count = static_cast<long>(std::min(count, 1e15)), .items = {}};
-}
-
-void Repetition::SetVariable(const spec::Loop& loop, const Range& range, long i,
-                             sample::Evaluator& values) {
-  const auto at = static_cast<std::size_t>(i);
-  if (!range.items) {
-    values.SetVariable(loop.slot, static_cast<double>(i));
-  } else if (loop.range.type == expr::Type::kText) {
-    values.SetVariable(loop.slot, range.items->texts[at]);
-  } else {
-    values.SetVariable(loop.slot, range.items->numbers[at]);
-  }
-}
-
 long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
                                 sample::Evaluator& values, long limit) {
   const spec::Loop& loop = entry.loops[depth];
-  const std::optional<Range> range = RangeOf(loop, values);
+  const std::optional<sample::LoopRange> range = values.RangeOf(loop);
   if (!range) return -1;
-  if (depth + 1 == entry.loops.size()) return range->count;
+  const auto times = static_cast<long>(range->count);
+  if (depth + 1 == entry.loops.size()) return times;
   long sum = 0;
-  for (long i = 0; i < range->count && sum <= limit; ++i) {
+  for (long i = 0; i < times && sum <= limit; ++i) {
     // Loops that run over nothing cost time, too.
     if (i > kMaxSteps) return limit + 1;
-    SetVariable(loop, *range, i, values);
+    values.SetVariable(loop, *range, static_cast<std::size_t>(i));
     const long inner = CountInstances(entry, depth + 1, values, limit - sum);
     if (inner < 0) return -1;
     sum += inner;
@@ -109,9 +76,9 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
     return !HasErrorsSince(findings_, before);
   }
   const spec::Loop& loop = entry.loops[depth];
-  const std::optional<Range> range = RangeOf(loop, values);
-  for (long i = 0; range && i < range->count; ++i) {
-    SetVariable(loop, *range, i, values);
+  const std::optional<sample::LoopRange> range = values.RangeOf(loop);
+  for (std::size_t i = 0; range && i < range->count; ++i) {
+    values.SetVariable(loop, *range, i);
     if (!Walk(entry, depth + 1, values, list, visit)) return false;
   }
   return true;

@@ -26,13 +26,6 @@ class Repetition {
   }
 
  private:
-  struct Range {
-    long count = 0;
-    std::optional<sample::Items> items;  // nothing: 0, 1, 2, ...
-  };
-  std::optional<Range> RangeOf(const spec::Loop& loop, sample::Evaluator& values);
-  static void SetVariable(const spec::Loop& loop, const Range& range, long i,
-                          sample::Evaluator& values);
   /// Instances of the loops from `depth` on, ignoring conditions; -1 after a finding.
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);

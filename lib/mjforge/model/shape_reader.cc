@@ -19,10 +19,20 @@ bool HasEnds(std::string_view type) {
 bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const bool is_prism = type == "prism";
   const bool is_mesh = type == "mesh";
+  const bool is_lathe = type == "lathe";
   const std::pair<Key, bool> kKnown[] = {
-      {Key::kSize, !is_prism && !is_mesh}, {Key::kFromTo, HasEnds(type)}, {Key::kUp, HasEnds(type)},
-      {Key::kPolygon, is_prism},           {Key::kHeight, is_prism},      {Key::kFile, is_mesh},
+      {Key::kSize, !is_prism && !is_mesh && !is_lathe},
+      {Key::kFromTo, HasEnds(type)},
+      {Key::kUp, HasEnds(type)},
+      {Key::kPolygon, is_prism},
+      {Key::kHeight, is_prism},
+      {Key::kFile, is_mesh},
       {Key::kScale, is_prism || is_mesh},
+      {Key::kProfile, is_lathe},
+      {Key::kWall, is_lathe},
+      {Key::kAngle, is_lathe},
+      {Key::kFacets, is_lathe},
+      {Key::kCrease, is_lathe},
   };
   bool stray = false;
   for (const auto& [key, is_known] : kKnown) {
@@ -69,28 +79,34 @@ GeomType TypeOf(std::string_view word) {
   return GeomType::kMesh;
 }
 
-bool ReadShape(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
-               Assets& assets, Part& part, Pose& X_FG) {
-  const spec::Field* type = entry.Find(Key::kType);
-  if (type == nullptr) {
-    reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'type'");
-    return false;
-  }
+std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
+                                     const std::filesystem::path& folder, solid::Texture texture,
+                                     Assets& assets, Part& part) {
+  const spec::Field* type = Required(reader, entry, Key::kType, "type", part.mark);
+  if (type == nullptr) return std::nullopt;
   const std::optional<std::string> word = reader.Word(*type);
-  if (!word || HasStrayKeys(reader, entry, *word)) return false;
+  if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
   part.shape.type = TypeOf(*word);
+  PlacedShape placed;
   if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
     const std::optional<Span> span = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
-    if (!span) return false;
-    X_FG = span->pose;
-    return ReadSize(reader, entry, *word, span->half_length, part);
+    if (!span || !ReadSize(reader, entry, *word, span->half_length, part)) return std::nullopt;
+    placed.X_FG = span->pose;
+    return placed;
   }
   const std::optional<Pose> pose = ReadPose(reader, entry);
-  if (pose) X_FG = *pose;
-  const bool good = *word == "prism"  ? assets.ReadPrism(reader, entry, part)
-                    : *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
-                                      : ReadSize(reader, entry, *word, std::nullopt, part);
-  return good && pose.has_value();
+  if (pose) placed.X_FG = *pose;
+  bool good = pose.has_value();
+  if (*word == "lathe") {
+    auto pieces = assets.ReadLathe(reader, entry, texture, part);
+    good &= pieces.has_value();
+    if (pieces) placed.pieces = *std::move(pieces);
+  } else {
+    good &= *word == "prism"  ? assets.ReadPrism(reader, entry, part)
+            : *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
+                              : ReadSize(reader, entry, *word, std::nullopt, part);
+  }
+  return good ? std::optional(std::move(placed)) : std::nullopt;
 }
 
 }  // namespace mjforge::model

@@ -60,7 +60,8 @@ void SumMass(Body& body, Assets& assets) {
   MassProperties sum;
   for (const Part& part : body.parts) {
     if (!(part.mass > 0)) continue;
-    const MassProperties unit = *assets.UnitMassOf(part.shape, part.mesh);
+    const MassProperties unit =
+        part.solid ? *part.solid : *assets.UnitMassOf(part.shape, part.mesh);
     MassProperties properties = Scaled(unit, part.mass / unit.mass);
     properties.mass = part.mass;
     sum = Combine(sum, InFrame(part.X_BG, properties));

@@ -37,7 +37,9 @@ Overlap FindOverlap(const std::vector<model::Part>& parts) {
     const model::Part& solid = parts[i];
     std::vector<std::size_t> others;
     for (std::size_t j = 0; j < i; ++j) {
-      if (Meet(boxes[i], boxes[j])) others.push_back(j);
+      // Pieces of one shape meet at their faces.
+      const bool are_one = !solid.piece_of.empty() && solid.piece_of == parts[j].piece_of;
+      if (!are_one && Meet(boxes[i], boxes[j])) others.push_back(j);
     }
     if (others.empty() || !(solid.mass > 0)) continue;
     int inside = 0;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "mjforge/physics/overlap.h"
@@ -39,6 +41,11 @@ Eigen::Vector2d SidesOf(const model::Shape& shape) {
   const model::Box3 box = model::BoundsOf(shape, {});
   const Eigen::Vector3d sides = box.max - box.min;
   return {sides.minCoeff(), sides.maxCoeff()};
+}
+
+/// As the spec calls it.
+const std::string& NameOf(const model::Part& part) {
+  return part.piece_of.empty() ? part.name : part.piece_of;
 }
 
 std::string WithMore(std::size_t more) {
@@ -112,17 +119,21 @@ class Proportions {
 
   void CheckSolids(const Solids& solids) {
     const model::Checks& checks = verdict_.checks();
+    std::set<std::string_view> thin;
     for (const model::Part& solid : solids.parts) {
       const Eigen::Vector2d sides = SidesOf(solid.shape);
-      if (sides.x() < checks.thickness) {
+      // One piece of a shape speaks for all.
+      const bool is_told = !solid.piece_of.empty() && thin.contains(solid.piece_of);
+      if (sides.x() < checks.thickness && !is_told) {
+        thin.insert(solid.piece_of);
         verdict_.Warning(
             Code::kPhysicsThin, solid.mark,
-            fmt::format("part '{}' is {} mm thin, less than {:g} mm", solid.name,
+            fmt::format("part '{}' is {} mm thin, less than {:g} mm", NameOf(solid),
                         NumberBeyond(1000 * sides.x(), 1000 * checks.thickness),
                         1000 * checks.thickness),
             "contacts push through thin parts; make it thicker, or set `role: visual`");
       }
-      if (sides.y() > checks.aspect * sides.x()) {
+      if (solid.piece_of.empty() && sides.y() > checks.aspect * sides.x()) {
         verdict_.Warning(
             Code::kPhysicsSlender, solid.mark,
             fmt::format("part '{}' is {} times as long as it is thin, more than {:g} times",
@@ -151,7 +162,7 @@ class Proportions {
       return;
     }
     for (const model::Part& solid : solids.parts)
-      check("part", solid.name, solid.mass, model::Volume(solid.shape), solid.mark);
+      check("part", NameOf(solid), solid.mass, model::Volume(solid.shape), solid.mark);
   }
 
   // MuJoCo refuses such inertias too, unless it is told to balance or bound them.
@@ -189,8 +200,8 @@ class Proportions {
           Code::kPhysicsOverlap, solids.parts[overlap.second].mark,
           fmt::format("{:.2g} % of the mass of body '{}' is counted twice, most of it where part "
                       "'{}' is inside part '{}'",
-                      100 * share, body.name, solids.parts[overlap.second].name,
-                      solids.parts[overlap.first].name),
+                      100 * share, body.name, NameOf(solids.parts[overlap.second]),
+                      NameOf(solids.parts[overlap.first])),
           "make them meet at their faces, or lower a density");
     }
     return overlap.mass;
@@ -208,9 +219,9 @@ class Proportions {
           Code::kPhysicsLoose, solid.mark,
           fmt::format("part '{}'{} of body '{}' is loose: {} mm from the nearest other part, '{}', "
                       "more than {:g} mm",
-                      solid.name, WithMore(more), body.name,
+                      NameOf(solid), WithMore(more), body.name,
                       NumberBeyond(1000 * nearest.distance, 1000 * gap),
-                      solids.parts[nearest.part].name, 1000 * gap));
+                      NameOf(solids.parts[nearest.part]), 1000 * gap));
     }
   }
 

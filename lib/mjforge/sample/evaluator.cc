@@ -321,20 +321,4 @@ void Evaluator::AppendVector(const spec::Value& value, StreamId path, Numbers& o
   }
 }
 
-std::vector<Traced<double>> Evaluator::Points(const spec::Value& value, StreamId path) {
-  if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
-    const spec::Value& chosen = Chosen(*draw, value.mark, path);
-    return Points(chosen, path);
-  }
-  Numbers numbers;
-  if (const auto* list = std::get_if<spec::List>(&value.form)) {
-    for (std::size_t i = 0; i < list->items.size(); ++i) {
-      AppendVector(list->items[i], Child(path, i), numbers);
-    }
-  } else {
-    Fail(Code::kSampleBadArgument, value.mark, "this value is not a list of points");
-  }
-  return {numbers.begin(), numbers.end()};
-}
-
 }  // namespace mjforge::sample

@@ -79,14 +79,16 @@ class Evaluator {
   ParameterValue Any(const spec::Value& value, StreamId path, Numbers& numbers);
   /// The values of a list or a vector; all variants of a tape share their number.
   Items List(const spec::Value& value, StreamId path);
-  /// A list of points, two numbers each, one after the other.
-  std::vector<Traced<double>> Points(const spec::Value& value, StreamId path);
+  PointList Points(const spec::Value& value, StreamId path);
+  /// The values that a loop's variable takes; nothing after a finding.
+  std::optional<LoopRange> RangeOf(const spec::Loop& loop);
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
   /// "a = 1, b = true": what an expression is computed from, texts excluded.
   std::string InputsText(const expr::Expression& expression) const;
 
   void SetVariable(int slot, const Traced<double>& value);
   void SetVariable(int slot, std::string_view text);
+  void SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i);
   /// Sets the value of a name that the assembly defines, by its first slot, to the value of
   /// other.spec().parameters[i].
   void SetVariable(int slot, const Evaluator& other, std::size_t i);

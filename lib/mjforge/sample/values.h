@@ -2,12 +2,15 @@
 
 // What values of a spec become when they are drawn.
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <boost/container/small_vector.hpp>
 
+#include "mjforge/diag/diag.h"
 #include "mjforge/tape/tape.h"
 
 namespace mjforge::sample {
@@ -24,6 +27,18 @@ using ParameterValue =
 struct Items {
   Numbers numbers;                 // of texts, their TextKey()s
   std::vector<std::string> texts;  // none if it is of numbers
+};
+
+/// Points in a plane, and where in the spec each comes from.
+struct PointList {
+  Numbers numbers;  // two for each
+  std::vector<diag::SourceMark> marks;
+};
+
+/// What a loop's variable runs over.
+struct LoopRange {
+  std::size_t count = 0;
+  std::optional<Items> items;  // nothing: 0, 1, 2, ...
 };
 
 }  // namespace mjforge::sample

@@ -138,6 +138,8 @@ void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
   }
   std::string hint = pair.key == kExact ? "'exact' is only allowed with 'choice'"
                                         : diag::DidYouMean(pair.key, known);
+  const bool is_sentence = pair.key.find(' ') != pair.key.npos;
+  if (is_sentence) hint = "a comma ends a value in braces: quote a text that has one";
   if (hint.empty() && lost) hint = KnownDistributions();
   findings_.Add(Code::kSpecUnknownKey, pair.mark,
                 fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));

@@ -63,7 +63,7 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
   Entry entry;
   entry.element = &element;
   entry.mark = map.mark;
-  if (const YamlNode* loops = map.Find("for")) ReadLoops(*loops, entry);
+  if (const YamlNode* loops = map.Find("for")) entry.loops = reading_.values.ReadLoops(*loops);
   // Draws are keyed by the name, so it is there before them.
   ReadName(named, naming == Naming::kRequired, entry);
   if (const YamlNode* locals = map.Find("let")) {
@@ -82,7 +82,7 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
 }
 
 void EntryReader::End(const Entry& entry) {
-  for (const Loop& loop : entry.loops) reading_.spec.names.Forget(loop.variable);
+  reading_.values.EndLoops(entry.loops);
   for (const Local& local : entry.locals) reading_.spec.names.Forget(local.name);
 }
 
@@ -101,48 +101,10 @@ Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
   return entry;
 }
 
-void EntryReader::ReadLoops(const YamlNode& loops, Entry& entry) {
-  if (!IsMap(loops, "loop variables, as in {i: 8}", reading_)) return;
-  for (const auto& pair : loops.pairs) {
-    if (!CheckLocalName("loop variable", pair)) continue;
-    std::optional<Value> list = reading_.values.ReadListOrName(pair.value);
-    Loop loop{.slot = 0,
-              .range = list ? *std::move(list) : reading_.values.ReadNumber(pair.value),
-              .variable = pair.key};
-    if (HasDraw(loop.range)) {
-      reading_.findings.Add(Code::kSpecConflict, loop.range.mark,
-                            loop.over_values() ? "what a loop runs over cannot be drawn here"
-                                               : "a loop's count cannot be drawn here",
-                            "draw it as a parameter and use that parameter's name");
-    }
-    // Values of a list, or a count.
-    expr::Dimensions dimensions = loop.range.dimensions;
-    if (!loop.over_values()) {
-      reading_.values.CheckPlain("a loop's count", loop.range);
-      dimensions = {expr::Dimension::Count()};
-    } else if (dimensions.size() > 1) {
-      dimensions.clear();
-    }
-    loop.slot =
-        reading_.spec.names.Declare(pair.key, loop.range.type, 1, std::move(dimensions)).slot;
-    entry.loops.push_back(std::move(loop));
-  }
-}
-
-bool EntryReader::CheckLocalName(std::string_view what, const YamlNode::Pair& pair) {
-  CheckName(what, pair.key, pair.mark, reading_.findings);
-  if (!CheckNotReserved(fmt::format("a {}", what), pair.key, pair.mark, reading_.findings))
-    return false;
-  if (reading_.spec.names.Find(pair.key) == nullptr) return true;
-  reading_.findings.Add(Code::kSpecDuplicateName, pair.mark,
-                        fmt::format("{} '{}' hides another name", what, pair.key));
-  return false;
-}
-
 void EntryReader::ReadLocals(const YamlNode& locals, bool has_name, Entry& entry) {
   if (!IsMap(locals, "values, as in {gap: 1mm .. 3mm}", reading_)) return;
   for (const YamlNode::Pair& pair : locals.pairs) {
-    if (!CheckLocalName("local value", pair)) continue;
+    if (!reading_.values.CheckLocalName("local value", pair)) continue;
     Local local{.name = pair.key, .slot = 0, .value = reading_.values.ReadAnything(pair.value)};
     if (HasDraw(local.value) && !has_name) {
       reading_.findings.Add(Code::kSpecUnnamedDraw, local.value.mark,

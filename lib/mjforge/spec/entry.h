@@ -28,16 +28,6 @@ struct Field {
   bool is_default = false;  // the entry leaves it out
 };
 
-/// `for: {i: n}`: variable i runs over 0 .. n-1; over the values of a list or a vector where the
-/// range is one.
-struct Loop {
-  int slot = 0;
-  Value range;
-  std::string variable;
-
-  bool over_values() const { return range.is_list || range.components > 1; }
-};
-
 /// One of `let: {gap: 1mm .. 3mm}`.
 struct Local {
   std::string name;

@@ -33,12 +33,9 @@ class EntryReader {
 
  private:
   Entry ReadEntry(const ElementInfo& element, const YamlNode& map);
-  void ReadLoops(const YamlNode& loops, Entry& entry);
   /// Reads the entry's name, empty if it has none; if `required`, that is a finding.
   void ReadName(const YamlNode& map, bool required, Entry& entry);
   void ReadLocals(const YamlNode& locals, bool has_name, Entry& entry);
-  /// Whether the name is free; else a finding.
-  bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
   void ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry);
   void ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry);
   void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry);

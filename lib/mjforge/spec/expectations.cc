@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@ namespace mjforge::spec {
 namespace {
 
 using diag::Code;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 using Kind = ExpectationKind;
 
 // In the order of ExpectationKind.
@@ -102,10 +105,24 @@ class ExpectationReader {
     if (is_gap && expectation.entry.fields.empty())
       reading_.findings.Add(Code::kSpecMissingKey, map.mark, "'gap' without 'min' or 'max'",
                             "write {gap: [a, b], min: 0.2mm}");
+    CheckGap(expectation.entry);
     const auto at = std::ranges::find(map.pairs, "at", &YamlNode::Pair::key);
     if (at != map.pairs.end() && expectation.kind == Kind::kThat)
       reading_.findings.Add(Code::kSpecConflict, at->mark,
                             "'at' has no meaning for a condition, which is on the object at rest");
+  }
+
+  void CheckGap(const Entry& entry) {
+    const Field* min = entry.Find(Key::kMin);
+    const Field* max = entry.Find(Key::kMax);
+    if (min == nullptr || max == nullptr) return;
+    const double low = ConstantOf(min->value).value_or(-kInfinity);
+    const double high = ConstantOf(max->value).value_or(kInfinity);
+    if (low <= high) return;
+    reading_.findings.Add(Code::kSpecEmptyRange, max->mark,
+                          fmt::format("no gap is at least {} and at most {}",
+                                      expr::NumberText(low), expr::NumberText(high)),
+                          "swap the two");
   }
 
   void RejectDraws(const Expectation& expectation) {

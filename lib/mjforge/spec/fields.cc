@@ -63,8 +63,8 @@ constexpr FieldInfo Numbers(Named name, Counts counts, std::string_view unit, Bo
   row.max_count = counts.max;
   return row;
 }
-constexpr FieldInfo Points(Named name, Counts counts, std::string_view unit, std::string_view doc) {
-  FieldInfo row = Numbers(name, counts, unit, kAnyNumber, "", doc);
+constexpr FieldInfo Points(Named name, std::string_view unit, std::string_view doc) {
+  FieldInfo row = Numbers(name, {1, 1000}, unit, kAnyNumber, "", doc);
   row.slot = Slot::kPoints;
   return row;
 }
@@ -245,7 +245,7 @@ constexpr FieldInfo kPartFields[] = {
     kIf,
     kFor,
     kLet,
-    Word({"type", Key::kType}, "box sphere cylinder capsule ellipsoid prism mesh", "",
+    Word({"type", Key::kType}, "box sphere cylinder capsule ellipsoid prism lathe mesh", "",
          "The shape."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "",
             "Half sizes as in MuJoCo: box x y z, sphere radius, cylinder and capsule radius and "
@@ -262,9 +262,20 @@ constexpr FieldInfo kPartFields[] = {
             "axis points from the second to the first, turned the shortest way from +z."),
     Numbers({"up", Key::kUp}, {3, 3}, "", kAnyNumber, "",
             "Beside `fromto`: the direction that the part's y axis takes, as far as it can."),
-    Points({"polygon", Key::kPolygon}, {3, 1000}, "m", "Corners x, y of a prism's convex outline."),
+    Points({"polygon", Key::kPolygon}, "m", "Corners x, y of a prism's convex outline."),
     Number({"height", Key::kHeight}, "m", Above(0), "",
            "Full height of a prism along z, centred on its position."),
+    Points({"profile", Key::kProfile}, "m",
+           "Points r, z that are turned about the z axis of a lathe: a closed outline, or with "
+           "`wall` an open line."),
+    Number({"wall", Key::kWall}, "m", Above(0), "",
+           "Thickness of a lathe's wall, from the profile towards the axis."),
+    Number({"angle", Key::kAngle}, "rad", Bounds{0, 2 * std::numbers::pi, true}, "360deg",
+           "How far a lathe's profile is turned, counter-clockwise from the x axis."),
+    Integer({"facets", Key::kFacets}, Between(3, 128), "16",
+            "Sides of what collides for a whole turn of a lathe; what is seen is smooth."),
+    Number({"crease", Key::kCrease}, "rad", Between(0, std::numbers::pi), "40deg",
+           "Edges that turn by more are seen as sharp."),
     Row({"file", Key::kFile}, Slot::kText, "An OBJ or STL file for a mesh, relative to the spec."),
     Numbers({"scale", Key::kScale}, {1, 3}, "m or 1", kAnyNumber, "1",
             "Multiplies a mesh's coordinates (one number or x y z) or a prism's polygon (one "

@@ -130,7 +130,9 @@ class SpecLoader : public NestedLoader {
     for (const YamlNode& joint : joints->items) {
       const YamlNode* name = joint.Find("name");
       if (name == nullptr) continue;
-      const auto is_it = [&](const Position& position) { return position.joint == name->text; };
+      const auto is_it = [&](const Position& position) {
+        return LiteralText(position.joint) == name->text;
+      };
       std::erase_if(spec.pose, is_it);
       for (Expectation& expectation : spec.expectations) std::erase_if(expectation.at, is_it);
     }

@@ -21,20 +21,27 @@ struct ShapeKeys {
   std::initializer_list<Key> own;  // shape keys it may have besides size and fromto
 };
 
-const std::array<ShapeKeys, 7>& Shapes() {
-  static const std::array<ShapeKeys, 7> kShapes = {{
+const std::array<ShapeKeys, 8>& Shapes() {
+  static const std::array<ShapeKeys, 8> kShapes = {{
       {"box", 3, 2, {Key::kSize}, {}},
       {"sphere", 1, 0, {Key::kSize}, {}},
       {"cylinder", 2, 1, {Key::kSize}, {}},
       {"capsule", 2, 1, {Key::kSize}, {}},
       {"ellipsoid", 3, 2, {Key::kSize}, {}},
       {"prism", 0, 0, {Key::kPolygon, Key::kHeight}, {Key::kPolygon, Key::kHeight, Key::kScale}},
+      {"lathe",
+       0,
+       0,
+       {Key::kProfile},
+       {Key::kProfile, Key::kWall, Key::kAngle, Key::kFacets, Key::kCrease}},
       {"mesh", 0, 0, {Key::kFile}, {Key::kFile, Key::kScale}},
   }};
   return kShapes;
 }
 
-constexpr std::array kShapeKeys = {Key::kPolygon, Key::kHeight, Key::kScale, Key::kFile};
+constexpr std::array kShapeKeys = {Key::kPolygon, Key::kHeight,  Key::kScale,
+                                   Key::kFile,    Key::kProfile, Key::kWall,
+                                   Key::kAngle,   Key::kFacets,  Key::kCrease};
 
 const Field* FindField(const Entry& part, Key id, const Defaults& defaults) {
   const Field* own = part.Find(id);

@@ -33,7 +33,12 @@ std::vector<Position> ReadPositions(const YamlNode& positions, Reading& reading)
   if (!IsMap(positions, "names and positions of joints", reading)) return all;
   for (const YamlNode::Pair& pair : positions.pairs) {
     const FieldInfo& field = IsTurn(pair.value) ? kTurn : kOne;
-    Position position = {pair.key, pair.mark, reading.values.Read(field, pair.value)};
+    YamlNode name;
+    name.kind = YamlNode::Kind::kScalar;
+    name.mark = pair.mark;
+    name.text = pair.key;
+    Position position = {reading.values.ReadText(name), pair.mark,
+                         reading.values.Read(field, pair.value)};
     const Value& value = position.value;
     if (value.components == 0) continue;  // reported
     if (value.components == 2 || value.components == 3) {

@@ -98,12 +98,9 @@ std::string Numbers(const FieldInfo& field) {
       Number(field, "number"), field.min_count, field.max_count, alone);
 }
 
-std::string Points(const FieldInfo& field) {
-  return fmt::format(
-      R"("type": "array", "minItems": {}, "items": {{"anyOf": [{{"@list number", "minItems": 2, )"
-      R"("maxItems": 2}}, {{"@expression"}}, {{"@is vector_draw"}}]}})",
-      field.min_count);
-}
+constexpr std::string_view kPoints =
+    R"("type": "array", "minItems": 1, )"
+    R"("items": {"anyOf": [{"@is point"}, {"@is point_loop"}, {"@is arc"}]})";
 
 std::string Words(const FieldInfo& field) {
   Members words;
@@ -164,7 +161,7 @@ std::string Taken(const FieldInfo& field) {
     case Slot::kNumbers:
       return IsBounded(field) ? Numbers(field) : Is(NumbersName(field));
     case Slot::kPoints:
-      return Points(field);
+      return std::string(kPoints);
     case Slot::kPlainText:
       return PlainText(field);
     case Slot::kJoints:

@@ -36,7 +36,7 @@ struct Parameter {
 
 /// One of `pose:`: where a joint stands at the start, as qpos has it.
 struct Position {
-  std::string joint;
+  Value joint;  // text
   diag::SourceMark mark;
   Value value;  // a number, or four
 };

@@ -125,7 +125,7 @@ void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int po
       findings_.Add(
           Code::kSpecBadValue, value.mark,
           fmt::format("{} is {}; it {}", what, expr::NumberText(*number), Rule(field, *number)),
-          DegreesHint(field, *number));
+          IsMeasured(value.dimensions) ? "" : DegreesHint(field, *number));
     }
   }
 }

@@ -325,18 +325,6 @@ Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadPoints(const YamlNode& node) {
-  if (node.kind != YamlNode::Kind::kList) return Wrong(node, "a list of points [x, y]");
-  Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
-  List points;
-  for (const YamlNode& item : node.items) {
-    points.items.push_back(
-        ReadVector({.slot = Slot::kNumbers, .min_count = 2, .max_count = 2}, item));
-  }
-  value.form = std::move(points);
-  return value;
-}
-
 Value ValueReader::ReadAnyScalar(const YamlNode& node) {
   if (node.text.find("${") != std::string::npos) return ReadText(node);
   if (IsBooleanWord(node)) return ReadBoolean(node);

@@ -31,7 +31,7 @@ struct Uses {
 /// something harmless, so that reading continues.
 class ValueReader {
  public:
-  ValueReader(const expr::Names& names, const diag::Sources& sources, diag::Findings& findings)
+  ValueReader(expr::Names& names, const diag::Sources& sources, diag::Findings& findings)
       : names_(names), sources_(sources), findings_(findings) {}
 
   /// The value of a field whose slot holds one (not structure). `motion`: of the joint whose field
@@ -55,6 +55,12 @@ class ValueReader {
   }
   /// Whether it can only be text, and has no expressions.
   bool IsPlainText(const YamlNode& node) const;
+
+  /// `for:`. The variables stay declared until EndLoops.
+  std::vector<Loop> ReadLoops(const YamlNode& loops);
+  void EndLoops(const std::vector<Loop>& loops);
+  /// Whether the name of a loop variable or a local value is free; else a finding.
+  bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
 
   Value ReadNumber(const YamlNode& node);
   Value ReadText(const YamlNode& node);
@@ -94,6 +100,11 @@ class ValueReader {
   Value ReadVector(const Expected& expected, const YamlNode& node);
   Value ReadList(const Expected& expected, const YamlNode& node);
   Value ReadPoints(const YamlNode& node);
+  Value ReadPoint(const YamlNode& node);
+  Value ReadPointLoop(const YamlNode& map);
+  Value ReadArc(const YamlNode& map);
+  void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
+                 std::string_view what);
   Value ReadItems(expr::Type type, const YamlNode& node);
   expr::Type ItemType(const YamlNode& list) const;
   bool IsText(const YamlNode& node) const;
@@ -137,7 +148,7 @@ class ValueReader {
   void Report(expr::Error error, diag::SourceMark mark, std::size_t begin);
   diag::SourceMark At(diag::SourceMark mark, std::size_t offset) const;
 
-  const expr::Names& names_;
+  expr::Names& names_;
   const diag::Sources& sources_;
   diag::Findings& findings_;
   bool has_exact_choice_ = false;

@@ -43,6 +43,14 @@ bool Varies(const Value& value, const std::function<bool(int)>& variable_varies)
   }
   if (const auto* each = std::get_if<Each>(&value.form))
     return item_varies(*each->value) || item_varies(*each->count);
+  if (const auto* points = std::get_if<PointLoop>(&value.form)) {
+    const auto runs = [&](const Loop& loop) { return item_varies(loop.range); };
+    return std::ranges::any_of(*points->loops, runs) || item_varies(*points->at);
+  }
+  if (const auto* arc = std::get_if<Arc>(&value.form)) {
+    return std::ranges::any_of(arc->measures, item_varies) || item_varies(*arc->center) ||
+           item_varies(*arc->steps);
+  }
   return std::holds_alternative<Draw>(value.form) ||
          std::holds_alternative<Arrangement>(value.form) ||
          std::holds_alternative<SharedParameter>(value.form) ||

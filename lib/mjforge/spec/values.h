@@ -19,6 +19,7 @@
 namespace mjforge::spec {
 
 struct Value;
+struct Loop;
 
 /// Text with interpolated expressions: the pieces in order. A piece is a
 /// literal, an expression (its number or text is written), or a text variable.
@@ -94,6 +95,20 @@ struct HsvColor {
   std::vector<Value> items;
 };  // rgba: {hsv: [h, s, v, (a)]}, each 0 to 1
 
+/// In a list of points, one for each value of the variables: {for: {i: 8}, at: [x, y]}.
+struct PointLoop {
+  std::shared_ptr<const std::vector<Loop>> loops;  // outermost first
+  std::shared_ptr<const Value> at;
+};
+
+/// In a list of points, those of an arc, both ends included: {arc: [[x, y], radius, from, to],
+/// steps: 8}.
+struct Arc {
+  std::shared_ptr<const Value> center;
+  std::vector<Value> measures;  // radius, from, to
+  std::shared_ptr<const Value> steps;
+};
+
 struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
@@ -101,8 +116,19 @@ struct Value {
   bool is_list = false;  // of numbers or texts, as `type` says; of any length
   expr::Dimensions dimensions = {};  // of numbers; of a list, those of each
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
-               RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter>
+               RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter,
+               PointLoop, Arc>
       form = 0.0;
+};
+
+/// `for: {i: n}`: variable i runs over 0 .. n-1; over the values of a list or a vector where the
+/// range is one.
+struct Loop {
+  int slot = 0;
+  Value range;
+  std::string variable;
+
+  bool over_values() const { return range.is_list || range.components > 1; }
 };
 
 /// Whether both are numbers, texts, vectors of one length, or lists of numbers or texts.

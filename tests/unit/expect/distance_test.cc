@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "harness/effort.h"
+
 namespace mjforge::expect {
 namespace {
 
@@ -80,7 +82,7 @@ TEST_CASE("the distance of turned solids is between what bounds it") {
   constexpr GeomType kTypes[] = {GeomType::kBox, GeomType::kCylinder, GeomType::kCapsule,
                                  GeomType::kEllipsoid, GeomType::kSphere};
   int apart = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < harness::Effort(2000); ++i) {
     CAPTURE(i);
     const auto any = [&] {
       return PartOf(kTypes[random() % 5], {uniform(0.01, 1), uniform(0.01, 1), uniform(0.01, 1)});

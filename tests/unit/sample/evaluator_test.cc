@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "loading.h"
 
@@ -73,11 +74,39 @@ TEST_CASE("points are given one after the other, each with its own streams") {
                        "polygon: [[0, 1], p, [0 .. 1, 3]]}]");
   const DrawKey key = {.seed = 2};
   Evaluator evaluator = family.Evaluator(key);
-  const auto made = evaluator.Points(family.PartValue("polygon"), 50);
-  const Vector points(made.begin(), made.end());
+  const PointList made = evaluator.Points(family.PartValue("polygon"), 50);
+  const Vector points(made.numbers.begin(), made.numbers.end());
   const double drawn =
       RoundDraw(Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0], 0, 1);
   CHECK(points == Vector{0, 1, 4, 5, drawn, 3});
+}
+
+TEST_CASE("points are repeated, and lie on arcs, each with its place in the spec") {
+  Family drawn = Load("{n: 2}",
+                      "parts: [{name: b, type: lathe, profile: [[1, 0], "
+                      "{for: {i: n, j: [5, 6]}, at: [i + 1, {uniform: [j, j + 1]}]}, "
+                      "{arc: [[n, 0], 1, 0, 90deg], steps: n}]}]");
+  const DrawKey key = {.seed = 2};
+  Evaluator evaluator = drawn.Evaluator(key);
+  const PointList made = evaluator.Points(drawn.PartValue("profile"), 50);
+  REQUIRE(made.numbers.size() == 2 * (1 + 4 + 3));
+  REQUIRE(made.marks.size() == 8);
+  std::set<double> seen;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double i = k < 2 ? 0 : 1;
+    const double j = k % 2 == 0 ? 5 : 6;
+    CHECK(made.numbers[2 + 2 * k] == i + 1);
+    const double y = made.numbers[3 + 2 * k];
+    CHECK(y > j);
+    CHECK(y < j + 1);
+    CHECK(seen.insert(y - j).second);
+    CHECK(made.marks[1 + k].column == made.marks[1].column);
+  }
+  CHECK(made.numbers[10] == 3);
+  CHECK(made.numbers[12].value() == Approx(2 + std::sqrt(0.5)));
+  CHECK(made.numbers[15].value() == Approx(1));
+  CHECK(made.marks[0].column < made.marks[1].column);
+  CHECK(made.marks[4].column < made.marks[5].column);
 }
 
 TEST_CASE("a vector replaces what was in the numbers before") {

@@ -1,0 +1,312 @@
+// Turned solids against quadrature, and their pieces against the solid.
+
+#include "mjforge/solid/solid.h"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "harness/effort.h"
+
+namespace mjforge::solid {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double Between(double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(engine_()) / 4294967296.0;
+  }
+  int Whole(int lo, int hi) { return lo + static_cast<int>(engine_() % unsigned(hi - lo + 1)); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// Seen whole from a middle point: on the axis, so that the solid has no hole, or away from it.
+std::vector<Vector2d> RandomProfile(Random& random) {
+  std::vector<Vector2d> profile;
+  const bool on_axis = random.Whole(0, 1) == 0;
+  const int count = random.Whole(3, 12);
+  const Vector2d middle(on_axis ? 0 : random.Between(0.11, 0.3), random.Between(-0.2, 0.2));
+  if (on_axis) profile.emplace_back(0, middle.y() - random.Between(0.01, 0.1));
+  for (int i = 0; i < count; ++i) {
+    const double turn = on_axis ? kPi * ((i + random.Between(0.2, 0.8)) / count - 0.5)
+                                : 2 * kPi * (i + random.Between(0.2, 0.8)) / count;
+    const double radius = random.Between(0.02, 0.1);
+    profile.push_back(middle + radius * Vector2d(std::cos(turn), std::sin(turn)));
+  }
+  if (on_axis) profile.emplace_back(0, middle.y() + random.Between(0.01, 0.1));
+  if (random.Whole(0, 1) == 0) std::ranges::reverse(profile);
+  return profile;
+}
+
+/// Nodes and weights of Gauss and Legendre on 0 .. 1, by Newton's method.
+std::vector<std::pair<double, double>> Gauss(int count) {
+  std::vector<std::pair<double, double>> nodes;
+  for (int i = 0; i < count; ++i) {
+    double x = std::cos(kPi * (i + 0.75) / (count + 0.5));
+    double slope = 0;
+    for (int k = 0; k < 50; ++k) {
+      double p = 1;
+      double before = 0;
+      for (int j = 1; j <= count; ++j)
+        before = std::exchange(p, ((2 * j - 1) * x * p - (j - 1) * before) / j);
+      slope = count * (x * p - before) / (x * x - 1);
+      x -= p / slope;
+    }
+    nodes.emplace_back((1 + x) / 2, 1 / ((1 - x * x) * slope * slope));
+  }
+  return nodes;
+}
+
+/// By quadrature over triangles from a point to each edge, which count by their sign, and over the
+/// angle.
+Mass Integrated(const std::vector<Vector2d>& profile, double angle) {
+  const auto nodes = Gauss(4);  // exact for polynomials of degree 7
+  const auto turns = Gauss(14);
+  const Vector2d a = profile[0];
+  double volume = 0;
+  Vector3d first = Vector3d::Zero();
+  Matrix3d second = Matrix3d::Zero();
+  for (std::size_t i = 1; i + 1 < profile.size(); ++i) {
+    const Vector2d u = profile[i] - a;
+    const Vector2d v = profile[i + 1] - profile[i];
+    const double twice = u.x() * v.y() - u.y() * v.x();
+    for (const auto& [s, ws] : nodes) {
+      for (const auto& [t, wt] : nodes) {
+        const Vector2d p = a + s * (u + t * v);
+        for (const auto& [share, wa] : turns) {
+          const double weight = twice * s * ws * wt * wa * angle * p.x();
+          const Vector3d q(p.x() * std::cos(share * angle), p.x() * std::sin(share * angle), p.y());
+          volume += weight;
+          first += weight * q;
+          second += weight * q * q.transpose();
+        }
+      }
+    }
+  }
+  Mass mass;
+  mass.volume = std::abs(volume);
+  mass.center = first / volume;
+  second = second / volume * mass.volume - mass.volume * mass.center * mass.center.transpose();
+  mass.inertia = second.trace() * Matrix3d::Identity() - second;
+  return mass;
+}
+
+bool Contains(const std::vector<Vector2d>& outline, double x, double y) {
+  bool inside = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Vector2d& a = outline[i];
+    const Vector2d& b = outline[j];
+    if ((a.y() > y) != (b.y() > y) && x < (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()) + a.x())
+      inside = !inside;
+  }
+  return inside;
+}
+
+bool Contains(const Piece& piece, const Vector3d& p) {
+  return std::ranges::any_of(piece.turns, [&](double turn) {
+    const Vector3d q = Eigen::AngleAxisd(-turn, Vector3d::UnitZ()) * p;
+    return std::ranges::all_of(piece.triangles, [&](const std::array<int, 3>& corners) {
+      const Vector3d& a = piece.vertices[std::size_t(corners[0])];
+      const Vector3d normal = (piece.vertices[std::size_t(corners[1])] - a)
+                                  .cross(piece.vertices[std::size_t(corners[2])] - a);
+      return normal.dot(q - a) <= 0;
+    });
+  });
+}
+
+bool ContainsAny(const Solid& solid, const Vector3d& p) {
+  return std::ranges::any_of(solid.pieces, [&](const Piece& piece) { return Contains(piece, p); });
+}
+
+double VolumeOf(const std::vector<Vector3d>& vertices,
+                const std::vector<std::array<int, 3>>& triangles) {
+  double six = 0;
+  for (const std::array<int, 3>& t : triangles) {
+    six += vertices[std::size_t(t[0])].dot(
+        vertices[std::size_t(t[1])].cross(vertices[std::size_t(t[2])]));
+  }
+  return six / 6;
+}
+
+Solid Made(const Lathe& lathe) {
+  Fault fault;
+  const std::optional<Solid> solid = Make(lathe, fault);
+  INFO(fault.message);
+  REQUIRE(solid);
+  return *solid;
+}
+
+TEST_CASE("the mass of turned solids is that of quadrature") {
+  Random random(1);
+  for (int i = 0; i < harness::Effort(1000); ++i) {
+    CAPTURE(i);
+    Lathe lathe = {.profile = RandomProfile(random)};
+    if (i % 2 == 1) lathe.angle = random.Between(0.1, 6);
+    const Mass mass = Made(lathe).mass;
+    const Mass meant = Integrated(lathe.profile, lathe.angle);
+    CHECK(std::abs(mass.volume - meant.volume) <= 1e-9 * meant.volume);
+    CHECK((mass.center - meant.center).norm() <= 1e-9 * 0.3);
+    CHECK((mass.inertia - meant.inertia).norm() <= 1e-9 * meant.inertia.norm());
+  }
+}
+
+TEST_CASE("a walled profile has the mass of the outline between it and its parallel") {
+  const Lathe cup = {.profile = {{0, 0}, {0.04, 0}, {0.04, 0.1}}, .wall = 0.003};
+  const double volume = kPi * (0.04 * 0.04 * 0.1 - 0.037 * 0.037 * 0.097);
+  CHECK(Made(cup).mass.volume == Approx(volume).epsilon(1e-12));
+  Lathe upside_down = cup;
+  std::ranges::reverse(upside_down.profile);
+  CHECK(Made(upside_down).mass.volume == Approx(volume).epsilon(1e-12));
+  const Lathe pipe = {.profile = {{0.02, 0}, {0.02, 0.5}}, .wall = 0.002};
+  CHECK(Made(pipe).mass.volume == Approx(kPi * 0.5 * (0.02 * 0.02 - 0.018 * 0.018)).epsilon(1e-12));
+}
+
+// A facet's section at an angle from its middle is the profile, its radii between those of the
+// middle and the ends.
+TEST_CASE("pieces fill the solid up to the chord error, and never reach into a cavity") {
+  Random random(2);
+  int outside = 0;
+  int inside = 0;
+  for (int i = 0; i < harness::Effort(100); ++i) {
+    CAPTURE(i);
+    Lathe lathe = {.profile = RandomProfile(random), .facets = random.Whole(3, 24)};
+    if (i % 3 == 0) lathe.angle = random.Between(0.2, 6);
+    const Solid solid = Made(lathe);
+    const double least = std::cos(kPi / lathe.facets);
+    const auto any_of = [&](double lo, double hi, double r, double z) {
+      for (int k = 0; k <= 60; ++k) {
+        if (Contains(lathe.profile, r * (lo + (hi - lo) * k / 60), z)) return true;
+      }
+      return false;
+    };
+    for (int k = 0; k < 100; ++k) {
+      const double r = random.Between(0, 0.5);
+      const double z = random.Between(-0.35, 0.35);
+      const double turn = random.Between(0, lathe.angle);
+      const bool hit = ContainsAny(solid, {r * std::cos(turn), r * std::sin(turn), z});
+      CAPTURE(r, z, turn);
+      if (hit) {
+        ++inside;
+        CHECK(any_of(least, 1, r, z));
+      } else {
+        ++outside;
+        bool all = true;
+        for (int step = 0; step <= 60 && all; ++step)
+          all = Contains(lathe.profile, r * (least + (1 / least - least) * step / 60), z);
+        CHECK_FALSE(all);
+      }
+    }
+  }
+  CHECK(inside > harness::Effort(100));
+  CHECK(outside > harness::Effort(1000));
+}
+
+TEST_CASE("pieces are convex and closed, and their volumes add up") {
+  Random random(3);
+  for (int i = 0; i < harness::Effort(60); ++i) {
+    CAPTURE(i);
+    const Lathe lathe = {.profile = RandomProfile(random), .facets = 64};
+    const Solid solid = Made(lathe);
+    double sum = 0;
+    for (const Piece& piece : solid.pieces) {
+      const double volume = VolumeOf(piece.vertices, piece.triangles);
+      CHECK(volume > 0);
+      sum += volume * static_cast<double>(piece.turns.size());
+      // Every corner is on the inner side of every face.
+      for (const std::array<int, 3>& t : piece.triangles) {
+        const Vector3d& a = piece.vertices[std::size_t(t[0])];
+        const Vector3d out =
+            (piece.vertices[std::size_t(t[1])] - a).cross(piece.vertices[std::size_t(t[2])] - a);
+        double farthest = 0;
+        for (const Vector3d& p : piece.vertices) farthest = std::max(farthest, out.dot(p - a));
+        CHECK(farthest <= 1e-12 * out.norm());
+      }
+    }
+    CHECK(sum == Approx(solid.mass.volume).epsilon(0.02));
+  }
+}
+
+TEST_CASE("what is seen is closed, faces outwards, and nears the solid") {
+  Random random(4);
+  for (int i = 0; i < harness::Effort(60); ++i) {
+    CAPTURE(i);
+    Lathe lathe = {.profile = RandomProfile(random)};
+    if (i % 3 == 0) lathe.angle = random.Between(0.2, 6);
+    const Solid solid = Made(lathe);
+    const Surface& look = solid.look;
+    CHECK(VolumeOf(look.vertices, look.triangles) == Approx(solid.mass.volume).epsilon(0.01));
+    REQUIRE(look.normals.size() == look.vertices.size());
+    REQUIRE(look.texcoords.size() == look.vertices.size());
+    for (const Vector3d& normal : look.normals) CHECK(normal.norm() == Approx(1).margin(2e-4));
+    for (const std::array<int, 3>& t : look.triangles) {
+      const Vector3d& a = look.vertices[std::size_t(t[0])];
+      const Vector3d out =
+          (look.vertices[std::size_t(t[1])] - a).cross(look.vertices[std::size_t(t[2])] - a);
+      if (out.norm() < 1e-9) continue;  // at the axis
+      for (const int corner : t) CHECK(out.dot(look.normals[std::size_t(corner)]) > 0);
+    }
+  }
+}
+
+TEST_CASE("edges are sharp where they turn by more than the crease") {
+  const auto normals_at_edge = [](double crease) {
+    const Solid cone =
+        Made({.profile = {{0, 0}, {0.05, 0}, {0.04, 0.05}, {0, 0.05}}, .crease = crease});
+    std::vector<Vector3d> normals;
+    for (std::size_t i = 0; i < cone.look.vertices.size(); ++i) {
+      if ((cone.look.vertices[i] - Vector3d(0.05, 0, 0)).norm() < 1e-9)
+        normals.push_back(cone.look.normals[i]);
+    }
+    return normals;
+  };
+  // The bottom and the side, each at both ends of the texture.
+  CHECK(normals_at_edge(1).size() == 4);
+  CHECK(normals_at_edge(3).size() == 2);
+}
+
+TEST_CASE("a label goes once around, and up along the profile") {
+  Lathe can = {.profile = {{0, 0}, {0.03, 0}, {0.03, 0.1}}, .wall = 0.001};
+  const auto at = [](const Solid& solid, const Vector3d& p) {
+    for (std::size_t i = 0; i < solid.look.vertices.size(); ++i) {
+      if ((solid.look.vertices[i] - p).norm() < 1e-6) return solid.look.texcoords[i];
+    }
+    return Vector2d(-1, -1);
+  };
+  CHECK((at(Made(can), {0.03, 0, 0.1}) - Vector2d(0, 1)).norm() < 1e-4);
+  CHECK((at(Made(can), {0, 0.03, 0}) - Vector2d(0.25, 3.0 / 13)).norm() < 1e-4);
+  can.texture = Texture::kNone;
+  CHECK(Made(can).look.texcoords.empty());
+  can.texture = Texture::kMetres;
+  CHECK((at(Made(can), {0, 0.03, 0.1}) - Vector2d(0.03 * kPi / 2, 0.13)).norm() < 1e-4);
+}
+
+TEST_CASE("a convex solid around the axis is one piece, a wall one for each facet") {
+  const auto counts = [](const Lathe& lathe) {
+    std::vector<std::size_t> turns;
+    for (const Piece& piece : Made(lathe).pieces) turns.push_back(piece.turns.size());
+    std::ranges::sort(turns);
+    return turns;
+  };
+  using Counts = std::vector<std::size_t>;
+  CHECK(counts({.profile = {{0, 0}, {0.05, 0}, {0.04, 0.05}, {0, 0.08}}}) == Counts{1});
+  CHECK(counts({.profile = {{0, 0}, {0.05, 0}, {0.05, 0.1}}, .wall = 0.002}) == Counts{1, 16});
+  CHECK(counts({.profile = {{0.02, 0}, {0.05, 0}, {0.05, 0.1}}, .facets = 10}) == Counts{10});
+  CHECK(counts({.profile = {{0, 0}, {0.05, 0}, {0, 0.1}}, .angle = kPi / 2}) == Counts{4});
+}
+
+}  // namespace
+}  // namespace mjforge::solid
