@@ -45,7 +45,7 @@ class Assets {
   /// The part gets the look of a lathe and the mass of the true solid; returns its pieces, with
   /// their poses in the part's frame. `texture`: its coordinates.
   std::optional<std::vector<Part>> ReadLathe(FieldReader& reader, const spec::Entry& entry,
-                                             solid::Texture texture, Part& part);
+                                             const solid::Texture& texture, Part& part);
   /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);

@@ -35,12 +35,21 @@ bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
 
 // What a material's texture asks for.
 solid::Texture TextureOf(const Object& object, int index) {
-  if (index < 0) return solid::Texture::kNone;
+  using Unit = solid::Texture::Unit;
+  solid::Texture texture = {.unit = Unit::kNone};
+  if (index < 0) return texture;
   const Material& material = object.materials[static_cast<std::size_t>(index)];
-  if (material.texture < 0) return solid::Texture::kNone;
-  const auto found = std::ranges::find(material.attributes, "texuniform", &Attribute::name);
-  const bool by_metre = found != material.attributes.end() && found->text == "true";
-  return by_metre ? solid::Texture::kMetres : solid::Texture::kOnce;
+  if (material.texture < 0) return texture;
+  texture.unit = Unit::kWhole;
+  for (const Attribute& attribute : material.attributes) {
+    if (attribute.name == "texuniform" && attribute.text == "true") texture.unit = Unit::kMetre;
+    if (attribute.name != "texrepeat") continue;
+    const std::size_t last = attribute.numbers.size() - 1;
+    texture.repeat = {tape::Fixed(attribute.numbers[0]), tape::Fixed(attribute.numbers[last])};
+  }
+  // As MuJoCo computes them: half as often as `texrepeat` says.
+  if (texture.unit == Unit::kMetre) texture.repeat /= 2;
+  return texture;
 }
 
 // Of a part, or of the pieces that stand for it.

@@ -16,8 +16,8 @@ struct PlacedShape {
 /// Sets the part's shape. `texture`: the coordinates of a shape that has some. Nothing
 /// after a finding.
 std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
-                                     const std::filesystem::path& folder, solid::Texture texture,
-                                     Assets& assets, Part& part);
+                                     const std::filesystem::path& folder,
+                                     const solid::Texture& texture, Assets& assets, Part& part);
 
 /// The type that a word of the field table names; prisms and lathes are meshes.
 GeomType TypeOf(std::string_view word);

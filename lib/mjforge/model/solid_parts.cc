@@ -122,7 +122,7 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
 }
 
 std::optional<std::vector<Part>> Assets::ReadLathe(FieldReader& reader, const spec::Entry& entry,
-                                                   solid::Texture texture, Part& part) {
+                                                   const solid::Texture& texture, Part& part) {
   const spec::Field* profile = Required(reader, entry, Key::kProfile, "profile", part.mark);
   if (profile == nullptr) return std::nullopt;
   const std::optional<sample::PointList> points = reader.Points(*profile);

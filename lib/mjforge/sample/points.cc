@@ -31,7 +31,7 @@ class PointReader {
   void ReadPoint(const spec::Value& point, StreamId path) {
     Numbers numbers;
     values_.Vector(point, path, numbers);
-    for (Traced<double>& number : numbers) out_.push_back(std::move(number));
+    out_.insert(out_.end(), numbers.begin(), numbers.end());
   }
 
   void ReadLoop(const spec::PointLoop& points, std::size_t depth, StreamId path) {

@@ -49,6 +49,19 @@ std::vector<double> Lengths(const std::vector<Point>& profile, bool closed) {
   return lengths;
 }
 
+/// Makes texture coordinates of the lengths along; returns that of a whole turn.
+double LayOn(const Texture& texture, const std::vector<Point>& profile,
+             std::vector<double>& along) {
+  // A picture's rows are counted from its top.
+  const double length = along.back();
+  double radius = 0;
+  for (const Point& p : profile) radius = std::max(radius, p.x());
+  const bool by_metre = texture.unit == Texture::Unit::kMetre;
+  const double scale = texture.repeat.y() / (by_metre ? 1 : length);
+  for (double& number : along) number = (length - number) * scale;
+  return texture.repeat.x() * (by_metre ? 2 * std::numbers::pi * radius : 1);
+}
+
 }  // namespace
 
 std::optional<Solid> Make(const Lathe& lathe, Fault& fault) {
@@ -59,18 +72,10 @@ std::optional<Solid> Make(const Lathe& lathe, Fault& fault) {
   if (!outline || TouchesAxis(*outline, fault)) return std::nullopt;
   const Partition partition = PartitionOf(*outline);
   std::vector<double> along = Lengths(*profile, !lathe.wall);
-  double around = 1;
-  if (lathe.texture == Texture::kMetres) {
-    double radius = 0;
-    for (const Point& p : *profile) radius = std::max(radius, p.x());
-    around = 2 * std::numbers::pi * radius;
-  } else {
-    const double length = along.back();
-    for (double& number : along) number /= length;
-  }
+  const double around = LayOn(lathe.texture, *profile, along);
   Solid solid;
   solid.look = Make(TurnedLook{*outline, partition, along, lathe.angle, lathe.crease, around});
-  if (lathe.texture == Texture::kNone) solid.look.texcoords.clear();
+  if (lathe.texture.unit == Texture::Unit::kNone) solid.look.texcoords.clear();
   RoundForText(solid.look);
   solid.pieces = TurnedPieces(*outline, partition, lathe.angle, lathe.facets);
   solid.mass = TurnedMass(outline->corners, lathe.angle);

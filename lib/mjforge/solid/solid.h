@@ -54,8 +54,13 @@ struct Fault {
   std::optional<std::size_t> point;
 };
 
-/// Texture coordinates: none, from 0 to 1 around and along, or in m.
-enum class Texture { kNone, kOnce, kMetres };
+/// How a picture is laid on. MuJoCo does not multiply coordinates that a mesh has by `texrepeat`.
+struct Texture {
+  enum class Unit { kNone, kWhole, kMetre };
+  /// What the picture is repeated over: nothing, the surface once around and along it, or a length.
+  Unit unit = Unit::kWhole;
+  Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // around, along
+};
 
 /// A profile in the half plane r >= 0, turned about z, counter-clockwise from the x axis.
 struct Lathe {
@@ -67,7 +72,7 @@ struct Lathe {
   /// r (1 / cos(pi / facets) - 1), and into no cavity.
   int facets = 16;
   double crease = 40 * std::numbers::pi / 180;  // edges with a larger turn are sharp
-  Texture texture = Texture::kOnce;
+  Texture texture = {};
 };
 std::optional<Solid> Make(const Lathe& lathe, Fault& fault);
 

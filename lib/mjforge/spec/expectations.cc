@@ -120,8 +120,8 @@ class ExpectationReader {
     const double high = ConstantOf(max->value).value_or(kInfinity);
     if (low <= high) return;
     reading_.findings.Add(Code::kSpecEmptyRange, max->mark,
-                          fmt::format("no gap is at least {} and at most {}",
-                                      expr::NumberText(low), expr::NumberText(high)),
+                          fmt::format("no gap is at least {} and at most {}", expr::NumberText(low),
+                                      expr::NumberText(high)),
                           "swap the two");
   }
 

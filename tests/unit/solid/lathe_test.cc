@@ -286,12 +286,12 @@ TEST_CASE("a label goes once around, and up along the profile") {
     }
     return Vector2d(-1, -1);
   };
-  CHECK((at(Made(can), {0.03, 0, 0.1}) - Vector2d(0, 1)).norm() < 1e-4);
-  CHECK((at(Made(can), {0, 0.03, 0}) - Vector2d(0.25, 3.0 / 13)).norm() < 1e-4);
-  can.texture = Texture::kNone;
+  CHECK((at(Made(can), {0.03, 0, 0.1}) - Vector2d(0, 0)).norm() < 1e-4);
+  CHECK((at(Made(can), {0, 0.03, 0}) - Vector2d(0.25, 10.0 / 13)).norm() < 1e-4);
+  can.texture.unit = Texture::Unit::kNone;
   CHECK(Made(can).look.texcoords.empty());
-  can.texture = Texture::kMetres;
-  CHECK((at(Made(can), {0, 0.03, 0.1}) - Vector2d(0.03 * kPi / 2, 0.13)).norm() < 1e-4);
+  can.texture = {Texture::Unit::kMetre, {2, 3}};
+  CHECK((at(Made(can), {0, 0.03, 0.1}) - Vector2d(0.03 * kPi, 0)).norm() < 1e-4);
 }
 
 TEST_CASE("a convex solid around the axis is one piece, a wall one for each facet") {
