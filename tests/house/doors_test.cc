@@ -75,10 +75,9 @@ const std::array kLibraries = {
     Library{"ccd/", {"expect", "physics"}},
     Library{"csv.h", {"spec"}},
     Library{"ctemplate/", {"report"}},
-    Library{"fmt/",
-            {"bytes", "diag", "expr", "spec", "sample", "engine", "solid", "model", "expect", "mjcf",
-             "attach", "validate", "physics", "manifest", "output", "forge", "batch", "picture",
-             "report", "app"}},
+    Library{"fmt/", {"bytes",  "diag",   "expr",  "spec",    "sample",   "engine",  "solid",
+                     "model",  "expect", "mjcf",  "attach",  "validate", "physics", "manifest",
+                     "output", "forge",  "batch", "picture", "report",   "app"}},
     Library{"gif_lib.h", {"picture"}},
     // The engine's door is MuJoCo without its habits.
     Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},

@@ -95,7 +95,7 @@ class EarClipper {
 
 /// The polygon from behind `start` round to it.
 std::vector<int> TurnedTo(std::vector<int> polygon, int start) {
-  std::ranges::rotate(polygon, std::ranges::find(polygon, start));
+  std::rotate(polygon.begin(), std::ranges::find(polygon, start), polygon.end());
   return polygon;
 }
 

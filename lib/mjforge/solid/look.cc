@@ -38,7 +38,7 @@ class Looker {
       // The ring where the edge before this one ended, if nothing sets them apart.
       const int from = !starts_.empty() && last_corner_ == i ? JoinedTo(i) : AddRing(i, i);
       const int to = AddRing(in_.outline.Next(i), i);
-      starts_.push_back({from, to});
+      starts_.emplace_back(from, to);
       last_corner_ = in_.outline.Next(i);
     }
     CloseRound();

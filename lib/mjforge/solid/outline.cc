@@ -106,7 +106,7 @@ std::vector<Point> ParallelOf(std::span<const Point> line, double distance) {
     const Point out = last ? in : Point(line[i + 1] - line[i]);
     const Point middle = NormalOf(in) + NormalOf(out);
     // |middle| is 2 cos(half the turn), the mitre is 1 / cos of it.
-    parallel.push_back(line[i] + 2 * distance / middle.squaredNorm() * middle);
+    parallel.emplace_back(line[i] + 2 * distance / middle.squaredNorm() * middle);
     const bool on_axis = line[i].x() == 0;
     const Point along = first ? out : in;
     if ((first || last) && on_axis && along.x() != 0) {
