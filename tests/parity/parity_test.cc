@@ -198,13 +198,14 @@ TEST_CASE("a mug weighs what its turned clay weighs") {
                                     {.name = "handle_shape", .text = "none"},
                                     {.name = "density", .text = "2400"}});
   REQUIRE(mug.findings == "");
-  // A cylinder less the hollow, and less what four straight edges in place of a rounding take away.
+  // A cylinder less the hollow, and less what three straight edges in place of a rounding take
+  // away.
   const double pi = std::numbers::pi;
   const double solid = pi * (0.04 * 0.04 * 0.1 - 0.036 * 0.036 * 0.095);
   double cut = 0;
-  for (int i = 0; i < 4; ++i) {
-    const auto r = [](int k) { return 0.036 + 0.004 * std::sin(std::numbers::pi * k / 8); };
-    const auto z = [](int k) { return 0.004 - 0.004 * std::cos(std::numbers::pi * k / 8); };
+  for (int i = 0; i < 3; ++i) {
+    const auto r = [pi](int k) { return 0.038 + 0.002 * std::sin(pi * k / 6); };
+    const auto z = [pi](int k) { return 0.002 - 0.002 * std::cos(pi * k / 6); };
     // Outside of a straight edge, up to the radius of the mug: an integral of a parabola.
     const double a = r(i);
     const double b = r(i + 1);
