@@ -90,32 +90,99 @@ double SizeOf(std::span<const Solid> solids) {
   return (box.max.value() - box.min.value()).norm();
 }
 
-// libccd's tolerances are absolute, so it sees the solids in units of their size.
-struct Scaled {
-  const Solid& solid;
-  double size;
+// A sphere is a point and all within its radius, a capsule a segment.
+double RadiusOf(const Solid& solid) {
+  const model::Shape& shape = solid.part->shape;
+  const bool is_round =
+      shape.type == model::GeomType::kSphere || shape.type == model::GeomType::kCapsule;
+  return is_round ? shape.size.value().x() : 0;
+}
+
+// The farthest point of what is left of a solid without its radius.
+Vector3d FarthestOfCore(const Solid& solid, const Vector3d& direction_W) {
+  const model::Shape& shape = solid.part->shape;
+  const Vector3d& center = solid.X_WG.p.value();
+  if (shape.type == model::GeomType::kSphere) return center;
+  if (shape.type != model::GeomType::kCapsule) return FarthestPoint(solid, direction_W);
+  const Vector3d half = solid.X_WG.q.value() * Vector3d(0, 0, shape.size.value().y());
+  return center + (half.dot(direction_W) > 0 ? 1 : -1) * half;
+}
+
+// Two cores that overlap. libccd's tolerances are absolute, so it sees them in units of their size.
+class Overlapping {
+ public:
+  Overlapping(const Solid& a, const Solid& b, double size) : a_(a), b_(b), size_(size) {}
+
+  double Depth() {
+    ccd_t ccd;
+    CCD_INIT(&ccd);
+    ccd.support1 = SupportOfA;
+    ccd.support2 = SupportOfB;
+    ccd.max_iterations = kMostIterations;
+    ccd.epa_tolerance = kPrecision;
+    ccd_real_t depth = 0;
+    ccd_vec3_t direction;
+    ccd_vec3_t position;
+    const int answer = ccdGJKPenetration(this, this, &ccd, &depth, &direction, &position);
+    if (answer != 0) return 0;  // they only touch
+    if (calls_ < kMostCalls) return depth * size_;
+    return size_ * Refined(Vector3d(direction.v).normalized());
+  }
+
+ private:
+  // Round things that are nearly concentric are as deep in all directions, and libccd would look
+  // at each of them: from here on no point is farther than those it has.
+  static constexpr int kMostCalls = 1000;
+
+  static void SupportOfA(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    Support(object, true, direction, point);
+  }
+  static void SupportOfB(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    Support(object, false, direction, point);
+  }
+  static void Support(const void* object, bool first, const ccd_vec3_t* direction,
+                      ccd_vec3_t* point) {
+    const auto& self = *static_cast<const Overlapping*>(object);
+    const bool enough = ++self.calls_ > kMostCalls;
+    const Vector3d p =
+        enough ? Vector3d(Vector3d::Zero())
+               : Vector3d((FarthestOfCore(first ? self.a_ : self.b_, Vector3d(direction->v)) -
+                           self.b_.X_WG.p.value()) /
+                          self.size_);
+    ccdVec3Set(point, p.x(), p.y(), p.z());
+  }
+
+  // How far one reaches into the other against a direction.
+  double Reach(const Vector3d& direction) const {
+    return direction.dot(FarthestOfCore(a_, direction) - FarthestOfCore(b_, -direction)) / size_;
+  }
+
+  // The least reach near a direction; either way is meant.
+  double Refined(const Vector3d& direction) const {
+    Vector3d best = Reach(direction) < Reach(-direction) ? direction : Vector3d(-direction);
+    double least = Reach(best);
+    for (double step = 0.2; step > 1e-7;) {
+      const Vector3d across = best.unitOrthogonal();
+      bool found = false;
+      for (int i = 0; i < 8; ++i) {
+        const Vector3d turned = Eigen::AngleAxisd(i * M_PI / 4 + 1 / step, best) * across;
+        const Vector3d near = (best + step * turned).normalized();
+        if (Reach(near) >= least) continue;
+        least = Reach(near);
+        best = near;
+        found = true;
+        break;
+      }
+      if (!found) step /= 2;
+    }
+    return least;
+  }
+
+  const Solid& a_;
+  const Solid& b_;
+  double size_;
+  mutable int calls_ = 0;
 };
-
-void Support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
-  const auto& [solid, size] = *static_cast<const Scaled*>(object);
-  const Vector3d p = FarthestPoint(solid, Vector3d(direction->v)) / size;
-  ccdVec3Set(point, p.x(), p.y(), p.z());
-}
-
-double Depth(const Solid& a, const Solid& b, double size) {
-  ccd_t ccd;
-  CCD_INIT(&ccd);
-  ccd.support1 = ccd.support2 = Support;
-  ccd.max_iterations = kMostIterations;
-  ccd.epa_tolerance = kPrecision;
-  const Scaled scaled_a = {a, size};
-  const Scaled scaled_b = {b, size};
-  ccd_real_t depth = 0;
-  ccd_vec3_t direction;
-  ccd_vec3_t position;
-  const int answer = ccdGJKPenetration(&scaled_a, &scaled_b, &ccd, &depth, &direction, &position);
-  return answer == 0 ? depth * size : 0;  // or they only touch
-}
 
 }  // namespace
 
@@ -139,10 +206,11 @@ Vector3d FarthestPoint(std::span<const Solid> solids, const Vector3d& direction_
 double SignedDistance(const Solid& a, const Solid& b) {
   const double size = SizeOf(std::array{a, b});
   const auto difference = [&](const Vector3d& direction) {
-    return Vector3d(FarthestPoint(a, direction) - FarthestPoint(b, -direction));
+    return Vector3d(FarthestOfCore(a, direction) - FarthestOfCore(b, -direction));
   };
   const double distance = NearestToOrigin(difference, size).norm();
-  return distance > 0 ? distance : -Depth(a, b, size);
+  const double apart = distance > 0 ? distance : -Overlapping(a, b, size).Depth();
+  return apart - RadiusOf(a) - RadiusOf(b);
 }
 
 Vector3d FromHull(std::span<const Solid> solids, const Vector3d& p_W) {

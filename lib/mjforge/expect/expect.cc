@@ -20,10 +20,20 @@ using model::Expectation;
 using Kind = model::ExpectationKind;
 using Solids = std::vector<Solid>;
 
+constexpr int kDigits = 3;
+
 // "0.132 mm".
-std::string LengthText(double length) {
+std::string LengthText(double length, int digits = kDigits) {
   const double mm = 1000 * std::abs(length);
-  return mm < 100 ? fmt::format("{:.3g} mm", mm) : fmt::format("{:.0f} mm", mm);
+  return mm < 100 || digits > kDigits ? fmt::format("{:.{}g} mm", mm, digits)
+                                      : fmt::format("{:.0f} mm", mm);
+}
+
+// As many digits as tell the two apart.
+int DigitsFor(double a, double b) {
+  int digits = kDigits;
+  while (digits < 15 && LengthText(a, digits) == LengthText(b, digits)) digits += 3;
+  return digits;
 }
 
 // In a shape's frame, directions whose farthest points tell where it ends. Of a box those are its
@@ -116,20 +126,24 @@ class Checker {
       }
     }
     const std::string of = PartsText(*nearest, *other);
-    const std::string is = gap < -kTolerance  ? fmt::format("{} in each other", LengthText(gap))
-                           : gap < kTolerance ? std::string("touching")
-                                              : fmt::format("{} apart", LengthText(gap));
     const auto& [kind, a, b, min, max, positions, doc, mark] = *expectation_;
+    const bool too_near = min && gap < *min - kRounding;
+    const int digits = min || max ? DigitsFor(gap, too_near || !max ? *min : *max) : kDigits;
+    const bool touch = std::abs(gap) < (kind == Kind::kGap ? kRounding : kTolerance);
+    const std::string is =
+        touch ? std::string("touching")
+              : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
     if (kind == Kind::kTouch && gap > kTolerance)
       Report(fmt::format("{} must touch, but are {}{}", Both(), is, of));
     if (kind == Kind::kApart && gap < -kTolerance)
       Report(fmt::format("{} must not be in each other, but are {}{}", Both(), is, of));
     if (kind != Kind::kGap) return;
-    if (min && gap < *min - kRounding)
-      Report(
-          fmt::format("{} must be at least {} apart, but are {}{}", Both(), Asked(*min), is, of));
+    if (too_near)
+      Report(fmt::format("{} must be at least {} apart, but are {}{}", Both(), Asked(*min, digits),
+                         is, of));
     if (max && gap > *max + kRounding)
-      Report(fmt::format("{} must be at most {} apart, but are {}{}", Both(), Asked(*max), is, of));
+      Report(fmt::format("{} must be at most {} apart, but are {}{}", Both(), Asked(*max, digits),
+                         is, of));
   }
 
   // Of the boxes around them: no more than that of the solids, if they do not overlap.
@@ -194,7 +208,9 @@ class Checker {
     return fmt::format("'{}' and '{}'", Shown(expectation_->first), Shown(expectation_->second));
   }
 
-  static std::string Asked(double length) { return (length < 0 ? "-" : "") + LengthText(length); }
+  static std::string Asked(double length, int digits) {
+    return (length < 0 ? "-" : "") + LengthText(length, digits);
+  }
 
   // Which parts it is, unless they are what was named.
   std::string PartsText(const Solid& a, const Solid& b) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mjforge/expr/expr.h"
@@ -62,9 +63,10 @@ double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }
 using One = Callee::One;
 using Two = Callee::Two;
 
-// What is not a number is neither true nor false.
+// What is not a number, or infinite, is neither true nor false.
 double Truth(bool value, double a, double b = 0) {
-  return std::isnan(a) || std::isnan(b) ? a + b : value ? 1 : 0;
+  if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::quiet_NaN();
+  return value ? 1 : 0;
 }
 
 // What the first one settles does not need the second.

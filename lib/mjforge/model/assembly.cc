@@ -191,7 +191,11 @@ void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t fir
     reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
     return;
   }
-  ScaleMass(*mass / sum, object_.bodies, at_, first_part, first_body);
+  const Traced<double> factor = *mass / sum;
+  ScaleMass(factor, object_.bodies, at_, first_part, first_body);
+  for (const BodyMass& body : body_masses_) {
+    if (body.values == &scope.values) body.values->SetVariable(body.slot, body.mass * factor);
+  }
 }
 
 }  // namespace mjforge::model

@@ -132,6 +132,13 @@ class Assembly {
 
   Object object_;
   diag::Findings& findings_;
+  /// NAME.mass of a body, which the spec's own `mass:` scales.
+  struct BodyMass {
+    sample::Evaluator* values = nullptr;
+    int slot = 0;
+    Traced<double> mass;
+  };
+  std::vector<BodyMass> body_masses_;
   Repetition repetition_;
   Assets assets_;
   References references_;

@@ -171,6 +171,8 @@ void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const B
   for (std::size_t i = 0; i < std::size(values); ++i) {
     scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
   }
+  const int mass = entry.first_property + static_cast<int>(std::size(values)) - 1;
+  body_masses_.push_back({&scope.values, mass, values[std::size(values) - 1]});
 }
 
 void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,

@@ -135,5 +135,33 @@ TEST_CASE("a point in the hull of several solids is at no distance from it") {
   CHECK(std::abs(FromHull(two, {-3, 4, 0}).norm() - 4.5) < 1e-8);
 }
 
+TEST_CASE("round things around one middle are as deep as their radii say") {
+  const auto depth = [](GeomType a, const Vector3d& size_a, GeomType b, const Vector3d& size_b,
+                        const Vector3d& offset) {
+    Pose X;
+    X.p = offset;
+    return -Between(PartOf(a, size_a), Pose(), PartOf(b, size_b), X);
+  };
+  const Vector3d here = Vector3d::Zero();
+  for (const double big : {0.002, 0.009, 0.02, 0.03, 0.1, 1.0}) {
+    CAPTURE(big);
+    const Vector3d radius(big, 0, 0);
+    CHECK(depth(GeomType::kSphere, {0.002, 0, 0}, GeomType::kSphere, radius, here) ==
+          Approx(0.002 + big).epsilon(1e-9));
+    CHECK(depth(GeomType::kSphere, {0.002, 0, 0}, GeomType::kSphere, radius, {1e-5, 0, 0}) ==
+          Approx(0.002 + big - 1e-5).epsilon(1e-9));
+    CHECK(depth(GeomType::kCapsule, {0.01, 0.0001, 0}, GeomType::kSphere, radius, here) ==
+          Approx(0.01 + big).epsilon(1e-9));
+  }
+  CHECK(depth(GeomType::kEllipsoid, {0.01, 0.01, 0.01001}, GeomType::kSphere, {0.04, 0, 0}, here) ==
+        Approx(0.05).epsilon(1e-6));
+  CHECK(depth(GeomType::kEllipsoid, {0.01, 0.011, 0.012}, GeomType::kEllipsoid,
+              {0.02, 0.022, 0.019}, here) == Approx(0.03).epsilon(0.03));
+  CHECK(depth(GeomType::kCylinder, {0.01, 0.05, 0}, GeomType::kCylinder, {0.02, 0.05, 0}, here) ==
+        Approx(0.03).epsilon(1e-4));
+  CHECK(depth(GeomType::kBox, {0.01, 0.02, 0.03}, GeomType::kSphere, {0.04, 0, 0}, here) ==
+        Approx(0.05).epsilon(1e-4));
+}
+
 }  // namespace
 }  // namespace mjforge::expect
