@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include "described.h"
+#include "harness/effort.h"
 #include "harness/source_folder.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
@@ -41,7 +42,8 @@ std::set<std::string> Meetings(const std::string& name,
   model::Assembler assembler;
   validate::Loader loader;
   mjcf::MjcfDocument document;
-  for (std::uint64_t index = 0; index < 20; ++index) {
+  const auto count = static_cast<std::uint64_t>(harness::Effort(20));
+  for (std::uint64_t index = 0; index < count; ++index) {
     INFO("variant " << index);
     auto values =
         sample::Sample(*spec, {.seed = 3, .index = index}, sample::kRootStream, {}, findings);

@@ -263,7 +263,7 @@ double Largest(const mjModel& model, const Function& f) {
 TEST_CASE("the box and radius of random bodies are those of MuJoCo's geoms") {
   Compiler compiler;
   Random random(20240502);
-  for (int i = 0; i < harness::Effort(1000); ++i) {
+  for (int i = 0; i < harness::Effort(300); ++i) {
     std::string geoms;
     Box3 box;
     double radius = 0;

@@ -70,7 +70,7 @@ TEST_CASE("what MuJoCo says is the same of variants from moulds") {
     Loaded loaded(spec);
     Options options = Seeded(4);
     options.validation = Validation::kLoad;
-    Compare(loaded, options, 0, 12);
+    Compare(loaded, options, 0, harness::Effort(12));
   }
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("every golden spec is the same from moulds, for every target") {
   for (const auto& spec : SpecsBelow("tests/golden/good")) {
     if (spec.filename() != "spec.yaml") continue;
     Loaded loaded(spec);
-    CompareForTargets(loaded, 1, 30, 0);
+    CompareForTargets(loaded, 1, harness::Effort(30), 0);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "both_ways.h"
+#include "harness/effort.h"
 
 namespace mjforge::forge {
 namespace {
@@ -139,7 +140,8 @@ class Author {
 TEST_CASE("random specs are the same from moulds") {
   const Written written;
   int moulded = 0;
-  for (std::uint32_t seed = 0; seed < 80; ++seed) {
+  for (int i = 0; i < harness::Effort(80); ++i) {
+    const auto seed = static_cast<std::uint32_t>(i);
     const std::string text = Author(seed).Spec();
     INFO(text);
     Loaded loaded = written.Load(text);
@@ -147,7 +149,7 @@ TEST_CASE("random specs are the same from moulds") {
     options.target = mjcf::Targets()[seed % mjcf::Targets().size()].target;
     moulded += Compare(loaded, options, 0, 30);
   }
-  CHECK(moulded > 300);
+  CHECK(moulded > harness::Effort(300));
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST_CASE("the distance of turned solids is between what bounds it") {
     const Vector3d from = FromHull(std::array{A}, FarthestPoint(B, -direction));
     CHECK(from.norm() >= distance - 1e-9);
   }
-  CHECK(apart > 300);
+  CHECK(apart > harness::Effort(300));
 }
 
 TEST_CASE("a point in the hull of several solids is at no distance from it") {
