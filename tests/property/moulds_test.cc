@@ -49,7 +49,8 @@ std::vector<std::filesystem::path> BundledSpecs() {
 TEST_CASE("every bundled spec is the same from moulds, for every target") {
   for (const auto& spec : BundledSpecs()) {
     Loaded loaded(spec);
-    CompareForTargets(loaded, 3, harness::Effort(50), harness::Effort(5));
+    const int count = harness::Effort(50);
+    CompareForTargets(loaded, 3, count, count / 10);
   }
 }
 
