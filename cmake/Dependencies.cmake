@@ -17,6 +17,7 @@ set(mjforge_dependencies
   "GIF 5.2"
   "WebP"
   "ccd 2"
+  "Qhull 8 CONFIG"
   "csv"
   "Random123"
   "xxhash"

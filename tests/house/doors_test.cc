@@ -69,7 +69,7 @@ const std::array kLibraries = {
     Library{"archive", {"output"}},
     Library{"assimp/", {"model"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
-    Library{"boost/math/", {"sample"}},
+    Library{"boost/math/", {"sample", "solid"}},
     // validate: points over joint ranges; physics: points in parts
     Library{"boost/random/", {"sample", "validate", "physics"}},
     Library{"ccd/", {"expect", "physics"}},
@@ -80,6 +80,7 @@ const std::array kLibraries = {
                      "output", "forge",  "batch", "picture", "report",   "app"}},
     Library{"gif_lib.h", {"picture"}},
     // The engine's door is MuJoCo without its habits.
+    Library{"libqhull_r/", {"solid"}},
     Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
     Library{"openssl/", {"bytes", "report"}},
     Library{"png.h", {"picture"}},

@@ -174,7 +174,7 @@ TEST_CASE("the mass and centre and inertia of random bodies are MuJoCo's") {
     CheckOneBody(compiler, geoms, ours);
     CheckWelded(compiler, bodies, ours);
   }
-  CHECK(solids > harness::Effort(4000));
+  CHECK(solids > static_cast<std::size_t>(harness::Effort(4000)));
 }
 
 // A geom as compiled, with points of its surface at angles u and v and, for

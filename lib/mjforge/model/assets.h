@@ -25,10 +25,14 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
 /// What a solid is made of.
 struct SolidInput {
   std::vector<Traced<double>> numbers;
-  std::vector<diag::SourceMark> marks;  // of its points
-  bool turns_vary = false;              // the turns of its pieces depend on numbers that vary
+  std::vector<std::vector<diag::SourceMark>> marks;  // of the points of each of its outlines
+  bool turns_vary = false;  // the turns of its pieces depend on numbers that vary
   std::function<std::optional<solid::Solid>(std::span<const double>, solid::Fault&)> make;
 };
+
+/// The factors of `scale`, that many; 1 without one. Nothing after a finding.
+std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
+                                         std::size_t count);
 
 /// The field; null, and a finding, without one.
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, spec::Key id,
@@ -40,12 +44,10 @@ class Assets {
   Assets(Assembler& assembler, Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Sets the part's mesh and shape from polygon, height and scale.
-  bool ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part);
-  /// The part gets the look of a lathe and the mass of the true solid; returns its pieces, with
-  /// their poses in the part's frame. `texture`: its coordinates.
-  std::optional<std::vector<Part>> ReadLathe(FieldReader& reader, const spec::Entry& entry,
-                                             const solid::Texture& texture, Part& part);
+  /// The part gets the look of a shape that MuJoCo does not have, and the mass of the true solid;
+  /// returns its pieces, with their poses in the part's frame. `texture`: its coordinates.
+  std::optional<std::vector<Part>> AddShape(FieldReader& reader, const spec::Field& field,
+                                            const SolidInput& input, Part& part);
   /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);
@@ -76,8 +78,8 @@ class Assets {
     std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
-  std::optional<std::vector<Part>> MakeSolid(FieldReader& reader, const spec::Field& field,
-                                             const SolidInput& input, Part& part);
+  void Report(const FieldReader& reader, const spec::Field& field, const SolidInput& input,
+              const solid::Fault& fault);
   std::vector<Part> AddSolid(const SolidInput& input, solid::Solid solid, Part& part);
   /// A mesh that is written as text; one without normals is a convex hull. `made` is the mesh on
   /// its tape, null if it is on none.

@@ -36,6 +36,7 @@ class FieldReader {
   }
   bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
   std::optional<sample::PointList> Points(const spec::Field& field);
+  std::optional<std::vector<sample::PointList>> Outlines(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
   /// One of the words of the field table.
   std::optional<std::string> Word(const spec::Field& field);

@@ -41,56 +41,6 @@ bool AreSame(const Traced<Eigen::Vector3d>& a, const Traced<Eigen::Vector3d>& b)
   return tape::Test([](const auto& one, const auto& other) { return one == other; }, a, b);
 }
 
-// One number counts for all axes.
-template <int N>
-std::optional<Traced<Eigen::Matrix<double, N, 1>>> ReadScale(FieldReader& reader,
-                                                             const spec::Entry& entry) {
-  using Scale = Eigen::Matrix<double, N, 1>;
-  const spec::Field* field = entry.Find(Key::kScale);
-  if (field == nullptr) return Scale(Scale::Ones());
-  sample::Numbers numbers;
-  if (!reader.Numbers(*field, numbers)) return std::nullopt;
-  for (const Traced<double>& number : numbers) {
-    if (number != 0) continue;
-    reader.Report(Code::kModelBadValue, *field, "is zero");
-    return std::nullopt;
-  }
-  if (numbers.size() == 1) numbers.resize(N, Traced<double>(numbers[0]));
-  if (!reader.HasCount(*field, numbers, N)) return std::nullopt;
-  return tape::Gather<Scale>({numbers.data(), N});
-}
-
-// A polygon's corners, x and y of each, scaled.
-std::vector<double> ScaledCorners(std::vector<double> corners, const Eigen::Vector2d& scale) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    corners[i] *= scale(static_cast<Eigen::Index>(i % 2));
-  }
-  return corners;
-}
-
-// Notes a step that makes the prism again. Returns where it leaves it; null if nothing varies.
-const TriangleMesh* NotePrism(std::span<const Traced<double>> points, const Traced<double>& height,
-                              const Traced<Eigen::Vector2d>& scale, TriangleMesh& mesh) {
-  tape::Tape* tape = tape::TapeOfAny(height, scale);
-  for (const Traced<double>& point : points) tape = tape != nullptr ? tape : point.tape();
-  if (tape == nullptr) return nullptr;
-  std::vector<const double*> places;
-  for (const Traced<double>& point : points) places.push_back(&PlaceOf(*tape, point));
-  mesh.tape = tape;
-  TriangleMesh& made = tape->Keep(mesh);
-  tape->Add([&made, places = tape->KeepAll(places), &z = PlaceOf(*tape, height),
-             &by = PlaceOf(*tape, scale)] {
-    std::vector<double> corners;
-    for (const double* place : places) corners.push_back(*place);
-    std::string why_not;
-    std::optional<TriangleMesh> again = MakePrism(ScaledCorners(corners, by), z, why_not);
-    if (!again || again->vertices.size() != made.vertices.size()) return false;
-    made.vertices = std::move(again->vertices);
-    return true;
-  });
-  return &made;
-}
-
 // In the name of a file, on some system.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
@@ -100,6 +50,22 @@ bool IsUnportable(char c) {
 }
 
 }  // namespace
+
+std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
+                                         std::size_t count) {
+  const spec::Field* field = entry.Find(Key::kScale);
+  if (field == nullptr) return sample::Numbers(count, Traced<double>(1));
+  sample::Numbers numbers;
+  if (!reader.Numbers(*field, numbers)) return std::nullopt;
+  for (const Traced<double>& number : numbers) {
+    if (number != 0) continue;
+    reader.Report(Code::kModelBadValue, *field, "is zero");
+    return std::nullopt;
+  }
+  if (numbers.size() == 1) numbers.resize(count, Traced<double>(numbers[0]));
+  if (!reader.HasCount(*field, numbers, count)) return std::nullopt;
+  return numbers;
+}
 
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
                             std::string_view key, diag::SourceMark mark) {
@@ -114,30 +80,6 @@ void Assets::Share(int index, Part& part) {
   part.mesh = index;
   part.shape = {.type = GeomType::kMesh,
                 .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
-}
-
-bool Assets::ReadPrism(FieldReader& reader, const spec::Entry& entry, Part& part) {
-  const spec::Field* polygon = Required(reader, entry, Key::kPolygon, "polygon", part.mark);
-  const spec::Field* height = Required(reader, entry, Key::kHeight, "height", part.mark);
-  if (polygon == nullptr || height == nullptr) return false;
-  const std::optional<sample::PointList> points = reader.Points(*polygon);
-  const std::optional<Traced<double>> z = reader.Number(*height);
-  const std::optional<Traced<Eigen::Vector2d>> scale = ReadScale<2>(reader, entry);
-  if (!points || !z || !scale) return false;
-  std::string why_not;
-  std::optional<TriangleMesh> mesh = MakePrism(
-      ScaledCorners({points->numbers.begin(), points->numbers.end()}, *scale), *z, why_not);
-  if (!mesh) {
-    reader.ReportElement(
-        Code::kModelBadPolygon, polygon->value.mark, fmt::format("has a bad outline: {}", why_not),
-        why_not.find("convex") == std::string::npos ? std::string()
-                                                    : "build it from several convex prisms");
-    return false;
-  }
-  const TriangleMesh* made =
-      NotePrism({points->numbers.data(), points->numbers.size()}, *z, *scale, *mesh);
-  AddInline(*std::move(mesh), made, part);
-  return true;
 }
 
 void Assets::AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part) {
@@ -180,8 +122,9 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   const spec::Field* field = Required(reader, entry, Key::kFile, "file", part.mark);
   if (field == nullptr) return false;
   const std::optional<std::string> name = reader.Text(*field);
-  const std::optional<Traced<Eigen::Vector3d>> scale = ReadScale<3>(reader, entry);
-  if (!name || !scale) return false;
+  const std::optional<sample::Numbers> factors = ReadScale(reader, entry, 3);
+  if (!name || !factors) return false;
+  const auto scale = tape::Gather<Eigen::Vector3d>({factors->data(), 3});
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedMesh& content = assembler_.ReadFile(file);
   if (!content.exists) {
@@ -203,7 +146,7 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
         "repair the file, or give the part `role: visual`");
     return false;
   }
-  AddFile(file, *scale, content, part);
+  AddFile(file, scale, content, part);
   return true;
 }
 

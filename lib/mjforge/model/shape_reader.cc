@@ -4,6 +4,7 @@
 
 #include "mjforge/model/names.h"
 #include "mjforge/model/pose_reader.h"
+#include "mjforge/model/solid_reader.h"
 
 namespace mjforge::model {
 namespace {
@@ -11,34 +12,16 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-bool HasEnds(std::string_view type) {
-  return type == "box" || type == "cylinder" || type == "capsule" || type == "ellipsoid";
-}
+bool HasEnds(std::string_view type) { return spec::FindShape(type)->Takes(Key::kFromTo); }
 
 // Keys of other shapes, for types that are known only now.
 bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
-  const bool is_prism = type == "prism";
-  const bool is_mesh = type == "mesh";
-  const bool is_lathe = type == "lathe";
-  const std::pair<Key, bool> kKnown[] = {
-      {Key::kSize, !is_prism && !is_mesh && !is_lathe},
-      {Key::kFromTo, HasEnds(type)},
-      {Key::kUp, HasEnds(type)},
-      {Key::kPolygon, is_prism},
-      {Key::kHeight, is_prism},
-      {Key::kFile, is_mesh},
-      {Key::kScale, is_prism || is_mesh},
-      {Key::kProfile, is_lathe},
-      {Key::kWall, is_lathe},
-      {Key::kAngle, is_lathe},
-      {Key::kFacets, is_lathe},
-      {Key::kCrease, is_lathe},
-  };
+  const spec::ShapeInfo* shape = spec::FindShape(type);
   bool stray = false;
-  for (const auto& [key, is_known] : kKnown) {
-    const spec::Field* field = entry.Find(key);
-    if (field == nullptr || field->is_default || is_known) continue;
-    reader.Report(Code::kModelBadValue, *field, fmt::format("has no meaning for a {}", type));
+  for (const spec::Field& field : entry.fields) {
+    if (field.is_default || !spec::IsOfAShape(field.info->id) || shape->Takes(field.info->id))
+      continue;
+    reader.Report(Code::kModelBadValue, field, fmt::format("has no meaning for a {}", type));
     stray = true;
   }
   return stray;
@@ -88,23 +71,25 @@ std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& ent
   if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
   part.shape.type = TypeOf(*word);
   PlacedShape placed;
+  std::optional<Traced<double>> half_length;
   if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
     const std::optional<Span> span = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
-    if (!span || !ReadSize(reader, entry, *word, span->half_length, part)) return std::nullopt;
+    if (!span) return std::nullopt;
     placed.X_FG = span->pose;
-    return placed;
+    half_length = span->half_length;
+  } else {
+    const std::optional<Pose> pose = ReadPose(reader, entry);
+    if (!pose) return std::nullopt;
+    placed.X_FG = *pose;
   }
-  const std::optional<Pose> pose = ReadPose(reader, entry);
-  if (pose) placed.X_FG = *pose;
-  bool good = pose.has_value();
-  if (*word == "lathe") {
-    auto pieces = assets.ReadLathe(reader, entry, texture, part);
-    good &= pieces.has_value();
+  bool good = true;
+  if (IsSolid(*word, entry)) {
+    auto pieces = ReadSolid(reader, entry, *word, half_length, texture, assets, part);
+    good = pieces.has_value();
     if (pieces) placed.pieces = *std::move(pieces);
   } else {
-    good &= *word == "prism"  ? assets.ReadPrism(reader, entry, part)
-            : *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
-                              : ReadSize(reader, entry, *word, std::nullopt, part);
+    good = *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
+                           : ReadSize(reader, entry, *word, half_length, part);
   }
   return good ? std::optional(std::move(placed)) : std::nullopt;
 }

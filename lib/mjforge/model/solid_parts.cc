@@ -17,12 +17,37 @@ using spec::Key;
 
 constexpr std::size_t kManyPieces = 64;
 
+// A piece that is not a mesh.
+struct Primitive {
+  GeomType type;
+  Eigen::Vector3d size;
+  Eigen::Vector3d p;
+  Eigen::Quaterniond q;
+};
+
 // A solid as its parts need it; what a tape's step fills again.
 struct Made {
-  std::vector<TriangleMesh> meshes;  // what is seen, then each piece
+  std::vector<TriangleMesh> meshes;  // what is seen, then each piece; of a primitive an empty one
   std::vector<double> turns;         // rad, of all pieces
+  std::vector<Primitive> primitives;
   solid::Mass mass;
 };
+
+GeomType TypeOf(solid::Piece::Type type) {
+  switch (type) {
+    case solid::Piece::Type::kSphere:
+      return GeomType::kSphere;
+    case solid::Piece::Type::kCapsule:
+      return GeomType::kCapsule;
+    case solid::Piece::Type::kCylinder:
+      return GeomType::kCylinder;
+    case solid::Piece::Type::kBox:
+      return GeomType::kBox;
+    case solid::Piece::Type::kMesh:
+      break;
+  }
+  return GeomType::kMesh;
+}
 
 Made MadeOf(solid::Solid solid) {
   Made made;
@@ -35,6 +60,8 @@ Made MadeOf(solid::Solid solid) {
     made.meshes.push_back(
         {.vertices = std::move(piece.vertices), .triangles = std::move(piece.triangles)});
     made.turns.insert(made.turns.end(), piece.turns.begin(), piece.turns.end());
+    if (piece.type != solid::Piece::Type::kMesh)
+      made.primitives.push_back({TypeOf(piece.type), piece.size, piece.p, piece.q});
   }
   return made;
 }
@@ -45,6 +72,8 @@ bool Refill(Made& from, Made& to) {
     return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles;
   };
   if (from.turns.size() != to.turns.size()) return false;
+  if (!std::ranges::equal(from.primitives, to.primitives, {}, &Primitive::type, &Primitive::type))
+    return false;
   if (!std::ranges::equal(from.meshes, to.meshes, is_same)) return false;
   for (std::size_t i = 0; i < to.meshes.size(); ++i) {
     to.meshes[i].vertices.swap(from.meshes[i].vertices);
@@ -52,6 +81,7 @@ bool Refill(Made& from, Made& to) {
     to.meshes[i].texcoords.swap(from.meshes[i].texcoords);
   }
   std::ranges::copy(from.turns, to.turns.begin());
+  std::ranges::copy(from.primitives, to.primitives.begin());
   to.mass = from.mass;
   return true;
 }
@@ -87,6 +117,17 @@ Made& OnTape(tape::Tape& tape, const SolidInput& input, Made& made) {
   return at;
 }
 
+/// What the tape, if there is one, leaves at a place.
+template <typename T>
+Traced<T> On(tape::Tape* tape, const T& value, const T& place) {
+  return tape != nullptr ? Traced<T>(value, *tape, place) : Traced<T>(value);
+}
+
+void Place(const Primitive& made, const Primitive& at, tape::Tape* tape, Part& piece) {
+  piece.shape = {.type = made.type, .size = On(tape, made.size, at.size)};
+  piece.X_BG = {On(tape, made.p, at.p), On(tape, made.q, at.q)};
+}
+
 }  // namespace
 
 std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, Part& part) {
@@ -95,81 +136,67 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
   Made made = MadeOf(std::move(solid));
   tape::Tape* tape = nullptr;
   for (const Traced<double>& number : input.numbers) tape = tape ? tape : number.tape();
-  Made* at = tape != nullptr ? &OnTape(*tape, input, made) : nullptr;
-  const auto add = [&](std::size_t mesh, Part& to) {
-    AddInline(made.meshes[mesh], at != nullptr ? &at->meshes[mesh] : nullptr, to);
+  const Made& at = tape != nullptr ? OnTape(*tape, input, made) : made;
+  const auto add_mesh = [&](std::size_t mesh, Part& to) {
+    AddInline(made.meshes[mesh], tape != nullptr ? &at.meshes[mesh] : nullptr, to);
   };
-  part.solid = PropertiesOf(at != nullptr ? Traced<solid::Mass>(made.mass, *tape, at->mass)
-                                          : Traced<solid::Mass>(made.mass));
-  if (part.role != Role::kCollision) add(0, part);
+  // A convex solid whose look nobody made is one geom, as MuJoCo's own are.
+  if (made.meshes[0].vertices.empty()) {
+    add_mesh(1, part);
+    return {};
+  }
+  part.solid = PropertiesOf(On(tape, made.mass, at.mass));
+  if (part.role != Role::kCollision) add_mesh(0, part);
   std::vector<Part> pieces;
   if (part.role == Role::kVisual) return pieces;
   std::size_t turn = 0;
+  std::size_t primitive = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     Part piece;
     piece.piece_of = part.name;
     piece.mark = part.mark;
+    const bool is_mesh = !made.meshes[i + 1].vertices.empty();
     for (std::size_t k = 0; k < counts[i]; ++k, ++turn) {
       piece.name = fmt::format("{}_{}", part.name, pieces.size());
-      if (k == 0) add(i + 1, piece);
-      piece.X_BG = TurnAboutZ(at != nullptr && input.turns_vary
-                                  ? Traced<double>(made.turns[turn], *tape, at->turns[turn])
-                                  : Traced<double>(made.turns[turn]));
+      if (is_mesh && k == 0) add_mesh(i + 1, piece);
+      if (is_mesh) {
+        piece.X_BG =
+            TurnAboutZ(On(input.turns_vary ? tape : nullptr, made.turns[turn], at.turns[turn]));
+      } else {
+        Place(made.primitives[primitive], at.primitives[primitive], tape, piece);
+        ++primitive;
+      }
       pieces.push_back(piece);
     }
   }
   return pieces;
 }
 
-std::optional<std::vector<Part>> Assets::ReadLathe(FieldReader& reader, const spec::Entry& entry,
-                                                   const solid::Texture& texture, Part& part) {
-  const spec::Field* profile = Required(reader, entry, Key::kProfile, "profile", part.mark);
-  if (profile == nullptr) return std::nullopt;
-  const std::optional<sample::PointList> points = reader.Points(*profile);
-  bool good = points.has_value();
-  const auto number = [&](Key key, double without) {
-    const spec::Field* field = entry.Find(key);
-    std::optional<Traced<double>> read = without;
-    if (field != nullptr) read = reader.Number(*field);
-    good &= read.has_value();
-    return read.value_or(without);
-  };
-  solid::Lathe lathe;
-  const bool has_wall = entry.Find(Key::kWall) != nullptr;
-  const Traced<double> wall = number(Key::kWall, 0);
-  const Traced<double> angle = number(Key::kAngle, lathe.angle);
-  const Traced<double> crease = number(Key::kCrease, lathe.crease);
-  lathe.facets = static_cast<int>(tape::Fixed(number(Key::kFacets, lathe.facets)));
-  lathe.texture = texture;
-  if (!good) return std::nullopt;
-  SolidInput input;
-  input.numbers = {wall, angle, crease};
-  input.turns_vary = angle.tape() != nullptr;
-  input.numbers.insert(input.numbers.end(), points->numbers.begin(), points->numbers.end());
-  input.marks = points->marks;
-  input.make = [lathe, has_wall](std::span<const double> numbers, solid::Fault& fault) mutable {
-    if (has_wall) lathe.wall = numbers[0];
-    lathe.angle = numbers[1];
-    lathe.crease = numbers[2];
-    lathe.profile.clear();
-    for (std::size_t i = 3; i < numbers.size(); i += 2)
-      lathe.profile.emplace_back(numbers[i], numbers[i + 1]);
-    return solid::Make(lathe, fault);
-  };
-  return MakeSolid(reader, *profile, input, part);
+void Assets::Report(const FieldReader& reader, const spec::Field& field, const SolidInput& input,
+                    const solid::Fault& fault) {
+  // "hole 2 of part 'lid'", "profile of part 'mug': point 3", "part 'pin'".
+  std::string where = reader.Owner();
+  diag::SourceMark mark = field.value.mark;
+  const auto& marks = input.marks;
+  const bool has_marks = fault.loop < marks.size() && !marks[fault.loop].empty();
+  if (fault.loop > 0) {
+    where = fmt::format("hole {} of {}", fault.loop, where);
+  } else if (fault.point) {
+    where = fmt::format("{} of {}", field.info->key, where);
+  }
+  if (fault.point) where += fmt::format(": point {}", *fault.point + 1);
+  if (has_marks && (fault.loop > 0 || fault.point))
+    mark = marks[fault.loop][fault.point.value_or(0)];
+  findings_.Add(Code::kModelBadShape, mark, fmt::format("{} {}", where, fault.message));
 }
 
-std::optional<std::vector<Part>> Assets::MakeSolid(FieldReader& reader, const spec::Field& field,
-                                                   const SolidInput& input, Part& part) {
+std::optional<std::vector<Part>> Assets::AddShape(FieldReader& reader, const spec::Field& field,
+                                                  const SolidInput& input, Part& part) {
   const std::vector<double> numbers(input.numbers.begin(), input.numbers.end());
   solid::Fault fault;
   std::optional<solid::Solid> solid = input.make(numbers, fault);
   if (!solid) {
-    const std::string point = fault.point ? fmt::format(": point {}", *fault.point + 1) : "";
-    const diag::SourceMark mark = fault.point ? input.marks[*fault.point] : field.value.mark;
-    findings_.Add(
-        Code::kModelBadShape, mark,
-        fmt::format("{} of {}{} {}", field.info->key, reader.Owner(), point, fault.message));
+    Report(reader, field, input, fault);
     return std::nullopt;
   }
   std::vector<Part> pieces = AddSolid(input, *std::move(solid), part);

@@ -10,39 +10,60 @@
 namespace mjforge::sample {
 namespace {
 
-// Numbers of the points that a shape may have; see solid::kMostPoints.
-constexpr std::size_t kMost = 2 * 1000;
+constexpr std::size_t kMost = 1000;  // points of a shape; see solid::kMostPoints
 
 class PointReader {
  public:
-  PointReader(Evaluator& values, Numbers& out) : values_(values), out_(out) {}
+  explicit PointReader(Evaluator& values) : values_(values) {}
 
   void Read(const spec::Value& item, StreamId path) {
     if (const auto* loop = std::get_if<spec::PointLoop>(&item.form)) {
-      ReadLoop(*loop, 0, path);
+      const auto read = [&](StreamId own) { ReadPoint(*loop->at, own); };
+      Repeat(
+          values_, *loop, 0, path, [&] { return IsFull(); }, read);
     } else if (const auto* arc = std::get_if<spec::Arc>(&item.form)) {
       ReadArc(*arc, path);
     } else {
       ReadPoint(item, path);
     }
+    points_.marks.resize(count_, item.mark);
+    if (!IsFull() || values_.failed()) return;
+    values_.Fail(diag::Code::kSampleBadArgument, item.mark,
+                 fmt::format("the list has more than {} points", kMost));
   }
 
+  /// Calls `read` with the path of each combination of the loops' values.
+  template <typename IsDone, typename Function>
+  static void Repeat(Evaluator& values, const spec::PointLoop& points, std::size_t depth,
+                     StreamId path, const IsDone& is_done, const Function& read) {
+    if (depth == points.loops->size()) return read(path);
+    const spec::Loop& loop = (*points.loops)[depth];
+    const std::optional<LoopRange> range = values.RangeOf(loop);
+    for (std::size_t i = 0; range && i < range->count; ++i) {
+      if (values.failed() || is_done()) return;
+      values.SetVariable(loop, *range, i);
+      Repeat(values, points, depth + 1, Child(path, i), is_done, read);
+    }
+  }
+
+  PointList Take() { return std::move(points_); }
+
  private:
+  bool IsFull() const { return count_ > kMost; }
+
   void ReadPoint(const spec::Value& point, StreamId path) {
     Numbers numbers;
     values_.Vector(point, path, numbers);
-    out_.insert(out_.end(), numbers.begin(), numbers.end());
-  }
-
-  void ReadLoop(const spec::PointLoop& points, std::size_t depth, StreamId path) {
-    if (depth == points.loops->size()) return ReadPoint(*points.at, path);
-    const spec::Loop& loop = (*points.loops)[depth];
-    const std::optional<LoopRange> range = values_.RangeOf(loop);
-    for (std::size_t i = 0; range && i < range->count; ++i) {
-      if (values_.failed() || out_.size() > kMost) return;
-      values_.SetVariable(loop, *range, i);
-      ReadLoop(points, depth + 1, Child(path, i));
+    if (values_.failed()) return;
+    if (count_ == 0) points_.per_point = numbers.size();
+    if (points_.per_point != numbers.size()) {
+      values_.Fail(diag::Code::kSampleBadArgument, point.mark,
+                   fmt::format("this point has {} numbers, those before it have {}", numbers.size(),
+                               points_.per_point));
+      return;
     }
+    ++count_;
+    points_.numbers.insert(points_.numbers.end(), numbers.begin(), numbers.end());
   }
 
   void ReadArc(const spec::Arc& arc, StreamId path) {
@@ -52,7 +73,7 @@ class PointReader {
     for (std::size_t i = 0; i < measures.size(); ++i)
       measures[i] = values_.Number(arc.measures[i], Child(path, i));
     const double steps = values_.FixedNumber(*arc.steps, Child(path, "steps"));
-    if (values_.failed() || !(steps >= 1 && steps <= kMost)) return;
+    if (values_.failed() || !(steps >= 1 && steps <= 2 * kMost)) return;
     const auto& [radius, from, to] = measures;
     for (double i = 0; i <= steps; ++i) {
       const auto x = [share = i / steps](double middle, double r, double begin, double end) {
@@ -61,13 +82,15 @@ class PointReader {
       const auto y = [share = i / steps](double middle, double r, double begin, double end) {
         return middle + r * std::sin(begin + share * (end - begin));
       };
-      out_.push_back(tape::Apply(x, center[0], radius, from, to));
-      out_.push_back(tape::Apply(y, center[1], radius, from, to));
+      points_.numbers.push_back(tape::Apply(x, center[0], radius, from, to));
+      points_.numbers.push_back(tape::Apply(y, center[1], radius, from, to));
+      ++count_;
     }
   }
 
   Evaluator& values_;
-  Numbers& out_;
+  PointList points_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace
@@ -77,22 +100,32 @@ PointList Evaluator::Points(const spec::Value& value, StreamId path) {
     const spec::Value& chosen = Chosen(*draw, value.mark, path);
     return Points(chosen, path);
   }
-  PointList points;
   const auto* list = std::get_if<spec::List>(&value.form);
   if (list == nullptr) {
     Fail(diag::Code::kSampleBadArgument, value.mark, "this value is not a list of points");
-    return points;
+    return {};
   }
-  PointReader reader(*this, points.numbers);
-  for (std::size_t i = 0; i < list->items.size() && !failed_; ++i) {
+  PointReader reader(*this);
+  for (std::size_t i = 0; i < list->items.size() && !failed_; ++i)
+    reader.Read(list->items[i], Child(path, i));
+  return reader.Take();
+}
+
+std::vector<PointList> Evaluator::Outlines(const spec::Value& value, StreamId path) {
+  std::vector<PointList> outlines;
+  const auto* list = std::get_if<spec::List>(&value.form);
+  for (std::size_t i = 0; list != nullptr && i < list->items.size() && !failed_; ++i) {
     const spec::Value& item = list->items[i];
-    reader.Read(item, Child(path, i));
-    points.marks.resize(points.numbers.size() / 2, item.mark);
-    if (points.numbers.size() <= kMost) continue;
-    Fail(diag::Code::kSampleBadArgument, item.mark,
-         fmt::format("the list has more than {} points", kMost / 2));
+    const auto* loop = std::get_if<spec::PointLoop>(&item.form);
+    if (loop == nullptr) {
+      outlines.push_back(Points(item, Child(path, i)));
+      continue;
+    }
+    const auto read = [&](StreamId own) { outlines.push_back(Points(*loop->at, own)); };
+    const auto is_full = [&] { return outlines.size() > kMost; };
+    PointReader::Repeat(*this, *loop, 0, Child(path, i), is_full, read);
   }
-  return points;
+  return outlines;
 }
 
 std::optional<LoopRange> Evaluator::RangeOf(const spec::Loop& loop) {

@@ -80,6 +80,7 @@ class Evaluator {
   /// The values of a list or a vector; all variants of a tape share their number.
   Items List(const spec::Value& value, StreamId path);
   PointList Points(const spec::Value& value, StreamId path);
+  std::vector<PointList> Outlines(const spec::Value& value, StreamId path);
   /// The values that a loop's variable takes; nothing after a finding.
   std::optional<LoopRange> RangeOf(const spec::Loop& loop);
   bool Condition(const expr::Expression& expression, diag::SourceMark mark);
@@ -99,6 +100,8 @@ class Evaluator {
   const Sampler* sampler() const { return sampler_; }
   const spec::ObjectSpec& spec() const { return spec_; }
   bool failed() const { return failed_; }
+  /// Adds a finding of this variant and returns NaN, the value of a failed number.
+  double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
   int rejected_by() const { return rejected_by_; }
   /// The value of spec().parameters[i].
   ParameterValue Parameter(std::size_t i) const;
@@ -162,8 +165,6 @@ class Evaluator {
   static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
   /// Appends the components of a value that is a vector or a number.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
-  /// Adds a finding of this variant and returns NaN, the value of a failed number.
-  double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
   friend class Attempts;
   /// Of an expression: its place on the tape, or null and the bits of what is the same in all
   /// variants (not every number equals itself).

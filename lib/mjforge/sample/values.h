@@ -29,9 +29,10 @@ struct Items {
   std::vector<std::string> texts;  // none if it is of numbers
 };
 
-/// Points in a plane, and where in the spec each comes from.
+/// Points, and where in the spec each comes from.
 struct PointList {
-  Numbers numbers;  // two for each
+  std::size_t per_point = 2;  // numbers
+  Numbers numbers;
   std::vector<diag::SourceMark> marks;
 };
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "mjforge/solid/bridges.h"
+
 namespace mjforge::solid {
 namespace {
 
@@ -19,11 +21,13 @@ bool TurnsLeft(const Point& a, const Point& b, const Point& c, double least) {
 
 class EarClipper {
  public:
-  explicit EarClipper(const Outline& outline) : outline_(outline) {
-    const std::size_t count = outline.corners.size();
+  /// `ring`: a loop of corners, which may come along the same place twice.
+  EarClipper(const std::vector<Point>& corners, const std::vector<int>& ring)
+      : corners_(corners), ring_(ring) {
+    const std::size_t count = ring.size();
     for (std::size_t i = 0; i < count; ++i) {
-      next_.push_back(outline.Next(i));
-      previous_.push_back(outline.Previous(i));
+      next_.push_back((i + 1) % count);
+      previous_.push_back((i + count - 1) % count);
     }
     is_ear_.resize(count);
     left_.resize(count, true);
@@ -37,8 +41,8 @@ class EarClipper {
       const std::size_t ear = ShortestEar();
       const std::size_t before = previous_[ear];
       const std::size_t after = next_[ear];
-      triangles.push_back({int(before), int(ear), int(after)});
-      cuts.emplace_back(int(before), int(after));
+      triangles.push_back({ring_[before], ring_[ear], ring_[after]});
+      cuts.emplace_back(ring_[before], ring_[after]);
       left_[ear] = false;
       next_[before] = after;
       previous_[after] = before;
@@ -46,12 +50,12 @@ class EarClipper {
       is_ear_[after] = IsEar(after);
     }
     const std::size_t last = FirstLeft();
-    triangles.push_back({int(previous_[last]), int(last), int(next_[last])});
+    triangles.push_back({ring_[previous_[last]], ring_[last], ring_[next_[last]]});
     return triangles;
   }
 
  private:
-  const Point& At(std::size_t i) const { return outline_.corners[i]; }
+  const Point& At(std::size_t i) const { return corners_[static_cast<std::size_t>(ring_[i])]; }
 
   bool IsEar(std::size_t i) const {
     const Point& a = At(previous_[i]);
@@ -86,7 +90,8 @@ class EarClipper {
     return shortest;
   }
 
-  const Outline& outline_;
+  const std::vector<Point>& corners_;
+  const std::vector<int>& ring_;
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
   std::vector<bool> is_ear_;
@@ -101,8 +106,8 @@ std::vector<int> TurnedTo(std::vector<int> polygon, int start) {
 
 class Joiner {
  public:
-  Joiner(const Outline& outline, const std::vector<std::array<int, 3>>& triangles)
-      : outline_(outline) {
+  Joiner(const std::vector<Point>& corners, const std::vector<std::array<int, 3>>& triangles)
+      : corners_(corners) {
     for (const std::array<int, 3>& triangle : triangles) {
       polygons_.emplace_back(triangle.begin(), triangle.end());
       Own(polygons_.size() - 1);
@@ -135,7 +140,7 @@ class Joiner {
       owners_[{corners[i], corners[(i + 1) % corners.size()]}] = polygon;
   }
 
-  const Point& At(int corner) const { return outline_.corners[static_cast<std::size_t>(corner)]; }
+  const Point& At(int corner) const { return corners_[static_cast<std::size_t>(corner)]; }
 
   bool StaysConvex(const std::vector<int>& polygon, std::size_t i) const {
     const std::size_t count = polygon.size();
@@ -143,24 +148,25 @@ class Joiner {
                      At(polygon[(i + 1) % count]), -kStraight);
   }
 
-  const Outline& outline_;
+  const std::vector<Point>& corners_;
   std::vector<std::vector<int>> polygons_;
   std::map<std::pair<int, int>, std::size_t> owners_;  // of each side, by its corners
 };
 
 }  // namespace
 
-Partition PartitionOf(const Outline& outline) {
+Partition PartitionOf(const Area& area) {
   Partition partition;
   std::vector<std::pair<int, int>> cuts;
-  partition.triangles = EarClipper(outline).Run(cuts);
+  const std::vector<int> ring = RingOf(area, cuts);
+  partition.triangles = EarClipper(area.corners, ring).Run(cuts);
   const auto length = [&](const std::pair<int, int>& cut) {
-    return (outline.corners[static_cast<std::size_t>(cut.first)] -
-            outline.corners[static_cast<std::size_t>(cut.second)])
+    return (area.corners[static_cast<std::size_t>(cut.first)] -
+            area.corners[static_cast<std::size_t>(cut.second)])
         .squaredNorm();
   };
   std::ranges::stable_sort(cuts, std::ranges::greater(), length);
-  Joiner joiner(outline, partition.triangles);
+  Joiner joiner(area.corners, partition.triangles);
   for (const auto& [a, b] : cuts) joiner.Join(b, a);
   partition.convex = joiner.Take();
   return partition;

@@ -39,29 +39,6 @@ bool TouchesAxis(const Outline& outline, Fault& fault) {
   return false;
 }
 
-/// How far each point is along the profile, m, and behind the last the whole way round.
-std::vector<double> Lengths(const std::vector<Point>& profile, bool closed) {
-  std::vector<double> lengths = {0};
-  const std::size_t count = profile.size();
-  for (std::size_t i = 1; i < count + (closed ? 1 : 0); ++i)
-    lengths.push_back(lengths.back() + (profile[i % count] - profile[i - 1]).norm());
-  if (!closed) lengths.push_back(lengths.back());
-  return lengths;
-}
-
-/// Makes texture coordinates of the lengths along; returns that of a whole turn.
-double LayOn(const Texture& texture, const std::vector<Point>& profile,
-             std::vector<double>& along) {
-  // A picture's rows are counted from its top.
-  const double length = along.back();
-  double radius = 0;
-  for (const Point& p : profile) radius = std::max(radius, p.x());
-  const bool by_metre = texture.unit == Texture::Unit::kMetre;
-  const double scale = texture.repeat.y() / (by_metre ? 1 : length);
-  for (double& number : along) number = (length - number) * scale;
-  return texture.repeat.x() * (by_metre ? 2 * std::numbers::pi * radius : 1);
-}
-
 }  // namespace
 
 std::optional<Solid> Make(const Lathe& lathe, Fault& fault) {
@@ -70,15 +47,17 @@ std::optional<Solid> Make(const Lathe& lathe, Fault& fault) {
   const std::optional<Outline> outline =
       lathe.wall ? WalledOutline(*profile, *lathe.wall, fault) : OutlineOf(*profile, fault);
   if (!outline || TouchesAxis(*outline, fault)) return std::nullopt;
-  const Partition partition = PartitionOf(*outline);
-  std::vector<double> along = Lengths(*profile, !lathe.wall);
-  const double around = LayOn(lathe.texture, *profile, along);
+  const Partition partition = PartitionOf(Area(outline->corners));
   Solid solid;
-  solid.look = Make(TurnedLook{*outline, partition, along, lathe.angle, lathe.crease, around});
-  if (lathe.texture.unit == Texture::Unit::kNone) solid.look.texcoords.clear();
-  RoundForText(solid.look);
+  solid.look = Make(TurnedLook{.outline = *outline,
+                               .partition = partition,
+                               .line = *profile,
+                               .is_closed = !lathe.wall,
+                               .angle = lathe.angle,
+                               .crease = lathe.crease,
+                               .texture = lathe.texture});
   solid.pieces = TurnedPieces(*outline, partition, lathe.angle, lathe.facets);
-  solid.mass = TurnedMass(outline->corners, lathe.angle);
+  solid.mass = TurnedMass(NodesOf(outline->corners), lathe.angle);
   return solid;
 }
 

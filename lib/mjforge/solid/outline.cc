@@ -17,9 +17,6 @@ double SizeOf(std::span<const Point> points) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-// Twice the area of the triangle, with a sign.
-double Turn(const Point& a, const Point& b, const Point& c) { return Cross(b - a, c - a); }
-
 /// How near two segments come to each other, as far as it matters: 0 where they cross.
 double DistanceBetween(const Point& a, const Point& b, const Point& c, const Point& d) {
   const bool apart = Turn(a, b, c) * Turn(a, b, d) > 0 || Turn(c, d, a) * Turn(c, d, b) > 0;
@@ -96,17 +93,22 @@ bool HasTooMany(std::span<const Point> points, std::size_t least, Fault& fault) 
 // Left of the direction.
 Point NormalOf(const Point& direction) { return Point(-direction.y(), direction.x()).normalized(); }
 
+/// How far the corner between two directions moves if both lines move by `distance` to their left.
+Point Mitre(const Point& in, const Point& out, double distance) {
+  // |middle| is 2 cos(half the turn), the mitre is 1 / cos of it.
+  const Point middle = NormalOf(in) + NormalOf(out);
+  return 2 * distance / middle.squaredNorm() * middle;
+}
+
 /// The parallel of a line on its left, mitred at its corners.
-std::vector<Point> ParallelOf(std::span<const Point> line, double distance) {
+std::vector<Point> ParallelOfLine(std::span<const Point> line, double distance) {
   std::vector<Point> parallel;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const bool first = i == 0;
     const bool last = i + 1 == line.size();
     const Point in = first ? Point(line[1] - line[0]) : Point(line[i] - line[i - 1]);
     const Point out = last ? in : Point(line[i + 1] - line[i]);
-    const Point middle = NormalOf(in) + NormalOf(out);
-    // |middle| is 2 cos(half the turn), the mitre is 1 / cos of it.
-    parallel.emplace_back(line[i] + 2 * distance / middle.squaredNorm() * middle);
+    parallel.emplace_back(line[i] + Mitre(in, out, distance));
     const bool on_axis = line[i].x() == 0;
     const Point along = first ? out : in;
     if ((first || last) && on_axis && along.x() != 0) {
@@ -128,6 +130,16 @@ void Outline::Add(const Point& corner, std::size_t source) {
 void Outline::Reverse() {
   std::ranges::reverse(corners);
   std::ranges::reverse(sources);
+}
+
+void Area::Add(const std::vector<Point>& loop) {
+  corners.insert(corners.end(), loop.begin(), loop.end());
+  ends.push_back(corners.size());
+}
+
+std::pair<std::size_t, std::size_t> Area::Loop(std::size_t i) const {
+  const std::size_t first = i > 0 ? ends[i - 1] : 0;
+  return {first, ends[i] - first};
 }
 
 double AreaOf(std::span<const Point> corners) {
@@ -157,6 +169,43 @@ std::optional<Outline> OutlineOf(std::span<const Point> points, Fault& fault) {
   return outline;
 }
 
+std::vector<Point> ParallelOf(const Outline& outline, double distance) {
+  const std::vector<Point>& p = outline.corners;
+  std::vector<Point> parallel;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point in = p[i] - p[outline.Previous(i)];
+    const Point out = p[outline.Next(i)] - p[i];
+    parallel.emplace_back(p[i] + Mitre(in, out, distance));
+  }
+  return parallel;
+}
+
+std::optional<std::size_t> Meeting(const Outline& a, const Outline& b) {
+  const double near = kRounding * std::max(SizeOf(a.corners), SizeOf(b.corners));
+  for (std::size_t i = 0; i < a.corners.size(); ++i) {
+    const Point& from = a.corners[i];
+    const Point& to = a.corners[a.Next(i)];
+    for (std::size_t j = 0; j < b.corners.size(); ++j) {
+      const Point& other = b.corners[j];
+      const Point& end = b.corners[b.Next(j)];
+      if (!BoxesMeet(from, to, other, end, near)) continue;
+      if (DistanceBetween(from, to, other, end) <= near) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Contains(const Outline& outline, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+    const Point& a = outline.corners[i];
+    const Point& b = outline.corners[outline.Next(i)];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
+}
+
 std::optional<Outline> WalledOutline(std::span<const Point> line, double wall, Fault& fault) {
   if (HasTooMany(line, 2, fault)) return std::nullopt;
   const double size = SizeOf(line);
@@ -174,7 +223,7 @@ std::optional<Outline> WalledOutline(std::span<const Point> line, double wall, F
   for (std::size_t i = 0; i < line.size(); ++i) outline.Add(line[i], i);
   if (area < 0) outline.Reverse();
   const std::size_t count = line.size();
-  const std::vector<Point> inside = ParallelOf(outline.corners, wall);
+  const std::vector<Point> inside = ParallelOfLine(outline.corners, wall);
   for (std::size_t i = count; i-- > 0;) {
     if (inside[i].x() < 0) {
       fault = {fmt::format("is {:g} m from the axis: a wall of {:g} m is thicker",

@@ -27,12 +27,18 @@ struct Surface {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// A convex polyhedron, closed, its triangles counter-clockwise from outside; it collides once for
-/// each of the turns about z.
+/// A convex solid; it collides once for each of the turns about z.
 struct Piece {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<double> turns;
+  enum class Type { kMesh, kSphere, kCapsule, kCylinder, kBox };
+  Type type = Type::kMesh;
+  /// Of a mesh: closed, its triangles counter-clockwise from outside.
+  std::vector<Eigen::Vector3d> vertices = {};
+  std::vector<std::array<int, 3>> triangles = {};
+  /// Of the others: their size as MuJoCo's geoms have it, and where they stand.
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+  std::vector<double> turns = {0};
 };
 
 /// Of the true solid, with density 1.
@@ -51,7 +57,8 @@ struct Solid {
 /// What is wrong with the input, and at which of its points, counted from 0; none: the whole.
 struct Fault {
   std::string message;  // "crosses itself", as the end of a sentence
-  std::optional<std::size_t> point;
+  std::optional<std::size_t> point = std::nullopt;
+  std::size_t loop = 0;  // of a prism: 0 its polygon, then its holes
 };
 
 /// How a picture is laid on. MuJoCo does not multiply coordinates that a mesh has by `texrepeat`.
@@ -62,6 +69,8 @@ struct Texture {
   Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // around, along
 };
 
+inline constexpr double kCrease = 40 * std::numbers::pi / 180;
+
 /// A profile in the half plane r >= 0, turned about z, counter-clockwise from the x axis.
 struct Lathe {
   std::vector<Eigen::Vector2d> profile;  // r, z: a closed outline, or with `wall` an open line
@@ -71,9 +80,66 @@ struct Lathe {
   /// Sides of the pieces in a whole turn. A piece reaches out of the solid by at most
   /// r (1 / cos(pi / facets) - 1), and into no cavity.
   int facets = 16;
-  double crease = 40 * std::numbers::pi / 180;  // edges with a larger turn are sharp
+  double crease = kCrease;  // edges with a larger turn are sharp
   Texture texture = {};
 };
 std::optional<Solid> Make(const Lathe& lathe, Fault& fault);
+
+/// An outline in x, y with holes, extruded along z, centred on z = 0.
+struct Prism {
+  std::vector<Eigen::Vector2d> polygon;
+  std::vector<std::vector<Eigen::Vector2d>> holes = {};
+  double height = 0;
+  double round = 0;  // radius of the polygon's corners
+  double bevel = 0;  // of all edges at both ends: how far they are cut, along and across
+  int facets = 16;   // of rounded corners of the pieces, a whole turn
+  double crease = kCrease;
+  Texture texture = {};
+};
+/// The pieces reach nowhere out of the solid. Those of bevelled prisms that are not convex leave
+/// the bevelled edges out.
+std::optional<Solid> Make(const Prism& prism, Fault& fault);
+
+/// What a disc sweeps that moves along a line, across it.
+struct Tube {
+  std::vector<Eigen::Vector3d> path = {};
+  std::vector<double> radii = {};  // one for each point; between them it changes evenly
+  double bend = 0;                 // radius of the arcs in place of the corners; 0: corners
+  bool smooth = false;             // a curve through the points
+  bool closed = false;             // from the last point back to the first
+  /// The thickness of a hollow one; what collides is solid.
+  std::optional<double> wall = std::nullopt;
+  int facets = 16;  // steps of what collides in a whole turn of an arc
+  double crease = kCrease;
+  Texture texture = {};
+};
+/// In an arc of radius R the pieces reach out of the solid by at most R (1 - cos(pi / facets)).
+std::optional<Solid> Make(const Tube& tube, Fault& fault);
+
+/// The convex hull of points, and all that is within `round` of it.
+struct Hull {
+  std::vector<Eigen::Vector3d> points;
+  double round = 0;
+};
+std::optional<Solid> Make(const Hull& hull, Fault& fault);
+
+/// With rounded edges; one piece, which is not rounded if `piece_is_plain`.
+struct RoundedBox {
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();  // of the sizes
+  double round = 0;                                // less than half the smallest size
+  bool piece_is_plain = false;
+};
+std::optional<Solid> Make(const RoundedBox& box, Fault& fault);
+
+struct RoundedCylinder {
+  double radius = 0;
+  double half = 0;   // of the height, along z
+  double round = 0;  // less than both
+  bool piece_is_plain = false;
+  int facets = 16;
+  double crease = kCrease;
+  Texture texture = {};
+};
+std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault);
 
 }  // namespace mjforge::solid

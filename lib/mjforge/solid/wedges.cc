@@ -42,7 +42,9 @@ class Turner {
     std::vector<Polygon> polygons = Widened();
     for (Polygon& polygon : polygons) {
       RemoveStraightCorners(polygon);
-      pieces.push_back(is_whole_ && IsOnePiece(polygon) ? Whole(polygon) : Wedge(polygon));
+      const bool is_one = is_whole_ && IsOnePiece(polygon);
+      const std::optional<Piece> cylinder = is_one ? Cylinder(polygon) : std::nullopt;
+      pieces.push_back(cylinder ? *cylinder : is_one ? Whole(polygon) : Wedge(polygon));
     }
     return pieces;
   }
@@ -102,6 +104,22 @@ class Turner {
     return touches;
   }
 
+  /// MuJoCo's own cylinder, for a rectangle on the axis; nothing for any other.
+  static std::optional<Piece> Cylinder(const Polygon& polygon) {
+    Eigen::AlignedBox2d box;
+    for (const Point& p : polygon) box.extend(p);
+    const auto is_corner = [&](const Point& p) {
+      return (p.x() == 0 || p.x() == box.max().x()) &&
+             (p.y() == box.min().y() || p.y() == box.max().y());
+    };
+    if (polygon.size() != 4 || !std::ranges::all_of(polygon, is_corner)) return std::nullopt;
+    Piece piece;
+    piece.type = Piece::Type::kCylinder;
+    piece.size = {box.max().x(), box.sizes().y() / 2, 0};
+    piece.p.z() = box.center().y();
+    return piece;
+  }
+
   static Eigen::Vector3d At(const Point& p, double turn) {
     return {p.x() * std::cos(turn), p.x() * std::sin(turn), p.y()};
   }
@@ -109,6 +127,7 @@ class Turner {
   /// Between the angles 0 and step_.
   Piece Wedge(const Polygon& polygon) const {
     Piece piece;
+    piece.turns.clear();
     for (int i = 0; i < count_; ++i) piece.turns.push_back(i * step_);
     std::vector<int> low;
     std::vector<int> high;

@@ -63,9 +63,10 @@ constexpr FieldInfo Numbers(Named name, Counts counts, std::string_view unit, Bo
   row.max_count = counts.max;
   return row;
 }
-constexpr FieldInfo Points(Named name, std::string_view unit, std::string_view doc) {
-  FieldInfo row = Numbers(name, {1, 1000}, unit, kAnyNumber, "", doc);
-  row.slot = Slot::kPoints;
+constexpr FieldInfo Points(Named name, Counts counts, std::string_view doc,
+                           Slot slot = Slot::kPoints) {
+  FieldInfo row = Numbers(name, counts, "m", kAnyNumber, "", doc);
+  row.slot = slot;
   return row;
 }
 constexpr FieldInfo Word(Named name, std::string_view words, std::string_view default_text,
@@ -245,8 +246,8 @@ constexpr FieldInfo kPartFields[] = {
     kIf,
     kFor,
     kLet,
-    Word({"type", Key::kType}, "box sphere cylinder capsule ellipsoid prism lathe mesh", "",
-         "The shape."),
+    Word({"type", Key::kType}, "box sphere cylinder capsule ellipsoid prism lathe tube hull mesh",
+         "", "The shape."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "",
             "Half sizes as in MuJoCo: box x y z, sphere radius, cylinder and capsule radius and "
             "half length, ellipsoid three radii; with `fromto` only the radius (box, ellipsoid: "
@@ -262,18 +263,37 @@ constexpr FieldInfo kPartFields[] = {
             "axis points from the second to the first, turned the shortest way from +z."),
     Numbers({"up", Key::kUp}, {3, 3}, "", kAnyNumber, "",
             "Beside `fromto`: the direction that the part's y axis takes, as far as it can."),
-    Points({"polygon", Key::kPolygon}, "m", "Corners x, y of a prism's convex outline."),
+    Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a prism's outline."),
+    Points({"holes", Key::kHoles}, {2, 2},
+           "Outlines x, y of holes through a prism, each a list of points.", Slot::kOutlines),
     Number({"height", Key::kHeight}, "m", Above(0), "",
            "Full height of a prism along z, centred on its position."),
-    Points({"profile", Key::kProfile}, "m",
+    Number({"round", Key::kRound}, "m", Above(0), "",
+           "Radius of the edges of a box, cylinder or hull, of the corners of a prism's polygon."),
+    Number({"bevel", Key::kBevel}, "m", Above(0), "",
+           "How far the edges at both ends of a prism are cut off, along and across."),
+    Row({"round_collision", Key::kRoundCollision}, Slot::kBoolean, "true",
+        "Whether what collides of a box or cylinder with `round` is rounded, too."),
+    Points({"profile", Key::kProfile}, {2, 2},
            "Points r, z that are turned about the z axis of a lathe: a closed outline, or with "
            "`wall` an open line."),
     Number({"wall", Key::kWall}, "m", Above(0), "",
-           "Thickness of a lathe's wall, from the profile towards the axis."),
+           "Thickness of a lathe's wall, from the profile towards the axis; of a tube's, which is "
+           "hollow then to be seen and weighed."),
     Number({"angle", Key::kAngle}, "rad", Bounds{0, 2 * std::numbers::pi, true}, "360deg",
            "How far a lathe's profile is turned, counter-clockwise from the x axis."),
     Integer({"facets", Key::kFacets}, Between(3, 128), "16",
-            "Sides of what collides for a whole turn of a lathe; what is seen is smooth."),
+            "Sides of what collides for a whole turn; what is seen is smooth."),
+    Points({"path", Key::kPath}, {3, 4},
+           "Points x, y, z that a tube goes through; a fourth number is its radius there."),
+    Number({"radius", Key::kRadius}, "m", Above(0), "", "Outer radius of a tube."),
+    Number({"bend", Key::kBend}, "m", Above(0), "",
+           "Radius of the arcs that take the place of the corners of a tube's path."),
+    Row({"smooth", Key::kSmooth}, Slot::kBoolean, "false",
+        "Whether a tube's path is a curve through its points."),
+    Row({"closed", Key::kClosed}, Slot::kBoolean, "false",
+        "Whether a tube goes on from its last point to its first."),
+    Points({"points", Key::kPoints}, {3, 3}, "Points x, y, z whose convex hull a hull is."),
     Number({"crease", Key::kCrease}, "rad", Between(0, std::numbers::pi), "40deg",
            "Edges that turn by more are seen as sharp."),
     Row({"file", Key::kFile}, Slot::kText, "An OBJ or STL file for a mesh, relative to the spec."),

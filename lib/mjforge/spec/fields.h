@@ -20,7 +20,8 @@ enum class Slot {
   kWord,       // one of `words`
   kText,       // text, with ${...}
   kNumbers,    // a list of min_count to max_count numbers; one number alone is a list of one
-  kPoints,     // a list of points, each a list of two numbers
+  kPoints,     // a list of points, each a list of min_count to max_count numbers
+  kOutlines,   // a list of lists of points
   kPlainText,  // text without ${...}
   kFormat,     // the number 1
   // structure
@@ -55,7 +56,7 @@ enum class Slot {
   kAnything,
 };
 /// Whether it holds one value, which may be drawn or computed.
-constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kPoints; }
+constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kOutlines; }
 
 /// Which of a part's two geoms an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };

@@ -7,48 +7,19 @@
 #include <fmt/format.h>
 
 #include "mjforge/spec/reading.h"
+#include "mjforge/spec/shapes.h"
 
 namespace mjforge::spec {
 namespace {
 
 using diag::Code;
 
-struct ShapeKeys {
-  std::string_view type;
-  int sizes;         // numbers in `size`; 0: it has no size
-  int sizes_fromto;  // the same beside `fromto`; 0: it has no fromto
-  std::initializer_list<Key> required;
-  std::initializer_list<Key> own;  // shape keys it may have besides size and fromto
-};
-
-const std::array<ShapeKeys, 8>& Shapes() {
-  static const std::array<ShapeKeys, 8> kShapes = {{
-      {"box", 3, 2, {Key::kSize}, {}},
-      {"sphere", 1, 0, {Key::kSize}, {}},
-      {"cylinder", 2, 1, {Key::kSize}, {}},
-      {"capsule", 2, 1, {Key::kSize}, {}},
-      {"ellipsoid", 3, 2, {Key::kSize}, {}},
-      {"prism", 0, 0, {Key::kPolygon, Key::kHeight}, {Key::kPolygon, Key::kHeight, Key::kScale}},
-      {"lathe",
-       0,
-       0,
-       {Key::kProfile},
-       {Key::kProfile, Key::kWall, Key::kAngle, Key::kFacets, Key::kCrease}},
-      {"mesh", 0, 0, {Key::kFile}, {Key::kFile, Key::kScale}},
-  }};
-  return kShapes;
-}
-
-constexpr std::array kShapeKeys = {Key::kPolygon, Key::kHeight,  Key::kScale,
-                                   Key::kFile,    Key::kProfile, Key::kWall,
-                                   Key::kAngle,   Key::kFacets,  Key::kCrease};
-
 const Field* FindField(const Entry& part, Key id, const Defaults& defaults) {
   const Field* own = part.Find(id);
   return own != nullptr ? own : FindField(defaults.part, id);
 }
 
-void CheckSizes(const Entry& part, const ShapeKeys& shape, Reading& reading) {
+void CheckSizes(const Entry& part, const ShapeInfo& shape, Reading& reading) {
   const Field* size = FindField(part, Key::kSize, reading.spec.defaults);
   const Field* fromto = part.Find(Key::kFromTo);
   if (fromto != nullptr && shape.sizes_fromto == 0) {
@@ -90,19 +61,19 @@ void CheckPart(const Entry& part, Reading& reading) {
   }
   const auto word = LiteralText(type->value);
   if (!word) return;
-  const auto shape = std::ranges::find(Shapes(), *word, &ShapeKeys::type);
-  if (shape == Shapes().end()) return;  // reported with the word
+  const ShapeInfo* shape = FindShape(*word);
+  if (shape == nullptr) return;  // reported with the word
   for (const Key id : shape->required) {
     if (FindField(part, id, reading.spec.defaults) != nullptr) continue;
     reading.findings.Add(Code::kSpecMissingKey, part.mark,
                          fmt::format("{} without '{}'", shape->type, PartElement().Find(id)->key));
   }
-  for (const Key id : kShapeKeys) {
-    const Field* field = part.Find(id);
-    if (field == nullptr || std::ranges::find(shape->own, id) != shape->own.end()) continue;
-    reading.findings.Add(
-        Code::kSpecConflict, field->mark,
-        fmt::format("'{}' has no meaning for a {}", field->info->key, shape->type));
+  for (const Field& field : part.fields) {
+    const Key id = field.info->id;
+    const bool has_own_words = id == Key::kSize || id == Key::kFromTo || id == Key::kUp;
+    if (has_own_words || !IsOfAShape(id) || shape->Takes(id)) continue;
+    reading.findings.Add(Code::kSpecConflict, field.mark,
+                         fmt::format("'{}' has no meaning for a {}", field.info->key, shape->type));
   }
   CheckSizes(part, *shape, reading);
 }

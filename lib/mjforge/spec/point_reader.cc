@@ -17,34 +17,20 @@ constexpr double kArcSteps = 8;
 
 }  // namespace
 
-Value ValueReader::ReadPoints(const YamlNode& node) {
-  if (node.kind != YamlNode::Kind::kList) return Wrong(node, "a list of points [x, y]");
-  Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
-  List points;
-  for (const YamlNode& item : node.items) {
-    points.items.push_back(item.Find("for") != nullptr   ? ReadPointLoop(item)
-                           : item.Find("arc") != nullptr ? ReadArc(item)
-                                                         : ReadPoint(item));
-  }
-  value.form = std::move(points);
-  return value;
-}
-
-Value ValueReader::ReadPoint(const YamlNode& node) {
-  return ReadVector({.slot = Slot::kNumbers, .min_count = 2, .max_count = 2}, node);
-}
-
-Value ValueReader::ReadPointLoop(const YamlNode& map) {
-  AllowKeys(map, {"for", "at"}, "repeated points");
-  const YamlNode* at = map.Find("at");
-  if (at == nullptr) {
-    findings_.Add(Code::kSpecMissingKey, map.mark, "repeated points without 'at'",
-                  "as in {for: {i: 8}, at: [r(i), z(i)]}");
+template <typename Reader>
+Value ValueReader::ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read) {
+  const std::string what = fmt::format("repeated {}", key == "at" ? "points" : "outlines");
+  AllowKeys(map, {"for", key}, what);
+  const YamlNode* repeated = map.Find(key);
+  if (repeated == nullptr) {
+    findings_.Add(Code::kSpecMissingKey, map.mark, fmt::format("{} without '{}'", what, key),
+                  key == "at" ? "as in {for: {i: 8}, at: [r(i), z(i)]}"
+                              : "as in {for: {i: 3}, points: [[i, 0], [i + 0.5, 0], [i, 0.5]]}");
     return Harmless(map);
   }
   PointLoop points;
   std::vector<Loop> loops = ReadLoops(*map.Find("for"));
-  points.at = std::make_shared<const Value>(ReadPoint(*at));
+  points.at = std::make_shared<const Value>(read(*repeated));
   EndLoops(loops);
   points.loops = std::make_shared<const std::vector<Loop>>(std::move(loops));
   Value value{.mark = map.mark, .components = points.at->components};
@@ -53,8 +39,50 @@ Value ValueReader::ReadPointLoop(const YamlNode& map) {
   return value;
 }
 
-Value ValueReader::ReadArc(const YamlNode& map) {
+Value ValueReader::ReadOutlines(const Expected& expected, const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::kList) return Wrong(node, "a list of outlines");
+  Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
+  const auto read = [&](const YamlNode& points) { return ReadPoints(expected, points); };
+  List outlines;
+  for (const YamlNode& item : node.items) {
+    outlines.items.push_back(item.Find("for") != nullptr ? ReadPointLoop(item, "points", read)
+                                                         : read(item));
+  }
+  value.form = std::move(outlines);
+  return value;
+}
+
+Value ValueReader::ReadPoints(const Expected& expected, const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::kList)
+    return Wrong(
+        node, expected.min_count == 2 ? "a list of points [x, y]" : "a list of points [x, y, z]");
+  Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
+  const auto read = [&](const YamlNode& point) { return ReadPoint(expected, point); };
+  List points;
+  for (const YamlNode& item : node.items) {
+    points.items.push_back(item.Find("for") != nullptr   ? ReadPointLoop(item, "at", read)
+                           : item.Find("arc") != nullptr ? ReadArc(expected, item)
+                                                         : read(item));
+  }
+  value.form = std::move(points);
+  return value;
+}
+
+Value ValueReader::ReadPoint(const Expected& expected, const YamlNode& node) {
+  return ReadVector(
+      {.slot = Slot::kNumbers, .min_count = expected.min_count, .max_count = expected.max_count},
+      node);
+}
+
+Value ValueReader::ReadArc(const Expected& expected, const YamlNode& map) {
   AllowKeys(map, {"arc", "steps"}, "an arc");
+  if (expected.min_count != 2) {
+    findings_.Add(
+        Code::kSpecConflict, map.mark,
+        fmt::format("'arc' has no meaning in '{}': it lies in a plane", expected.key),
+        "repeat points: {for: {i: 9}, at: [r * cos(i * pi / 8), r * sin(i * pi / 8), 0]}");
+    return Harmless(map);
+  }
   const YamlNode& node = *map.Find("arc");
   if (node.kind != YamlNode::Kind::kList || node.items.size() != 4) {
     findings_.Add(Code::kSpecWrongLength, node.mark,
@@ -69,7 +97,7 @@ Value ValueReader::ReadArc(const YamlNode& map) {
   static constexpr FieldInfo kSteps = {
       .key = "steps", .slot = Slot::kInteger, .lower = 1, .upper = 1000};
   Arc arc;
-  arc.center = std::make_shared<const Value>(ReadPoint(node.items[0]));
+  arc.center = std::make_shared<const Value>(ReadPoint(expected, node.items[0]));
   arc.measures.push_back(Read(kRadius, node.items[1]));
   for (const std::size_t i : {2, 3}) arc.measures.push_back(Read(kAngle, node.items[i]));
   const YamlNode* steps = map.Find("steps");

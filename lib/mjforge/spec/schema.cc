@@ -98,10 +98,6 @@ std::string Numbers(const FieldInfo& field) {
       Number(field, "number"), field.min_count, field.max_count, alone);
 }
 
-constexpr std::string_view kPoints =
-    R"("type": "array", "minItems": 1, )"
-    R"("items": {"anyOf": [{"@is point"}, {"@is point_loop"}, {"@is arc"}]})";
-
 std::string Words(const FieldInfo& field) {
   Members words;
   for (const std::string_view word : expr::WordsOf(field.words)) words.push_back(Quoted(word));
@@ -161,7 +157,7 @@ std::string Taken(const FieldInfo& field) {
     case Slot::kNumbers:
       return IsBounded(field) ? Numbers(field) : Is(NumbersName(field));
     case Slot::kPoints:
-      return std::string(kPoints);
+      return Is(field.min_count == 2 ? "points" : "points_in_space");
     case Slot::kPlainText:
       return PlainText(field);
     case Slot::kJoints:

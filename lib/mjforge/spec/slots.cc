@@ -14,7 +14,10 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kWord, "", "", "text"},
     SlotInfo{Slot::kText, "text", R"("@is text")", "text"},
     SlotInfo{Slot::kNumbers, "", "", "numbers"},
-    SlotInfo{Slot::kPoints, "list of points [x, y]"},
+    SlotInfo{Slot::kPoints, "list of points"},
+    SlotInfo{Slot::kOutlines, "list of lists of points",
+             R"("type": "array", "items": )"
+             R"({"anyOf": [{"@is points"}, {"@is outline_loop"}]})"},
     SlotInfo{Slot::kPlainText, "fixed text"},
     SlotInfo{Slot::kFormat, "1", R"("const": 1)"},
     SlotInfo{Slot::kParameters, "name: parameter", R"("@map parameter")"},

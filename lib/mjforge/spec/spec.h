@@ -16,6 +16,7 @@
 #include "mjforge/expr/expr.h"
 #include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
+#include "mjforge/spec/shapes.h"
 #include "mjforge/spec/values.h"
 
 namespace mjforge::spec {

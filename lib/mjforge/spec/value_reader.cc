@@ -136,7 +136,9 @@ Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
     case Slot::kNumbers:
       return ReadVector(expected, node);
     case Slot::kPoints:
-      return ReadPoints(node);
+      return ReadPoints(expected, node);
+    case Slot::kOutlines:
+      return ReadOutlines(expected, node);
     default:
       return ReadAnything(node);
   }

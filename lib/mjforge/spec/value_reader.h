@@ -99,10 +99,13 @@ class ValueReader {
   Value ReadWord(const Expected& expected, const YamlNode& node);
   Value ReadVector(const Expected& expected, const YamlNode& node);
   Value ReadList(const Expected& expected, const YamlNode& node);
-  Value ReadPoints(const YamlNode& node);
-  Value ReadPoint(const YamlNode& node);
-  Value ReadPointLoop(const YamlNode& map);
-  Value ReadArc(const YamlNode& map);
+  Value ReadOutlines(const Expected& expected, const YamlNode& node);
+  Value ReadPoints(const Expected& expected, const YamlNode& node);
+  Value ReadPoint(const Expected& expected, const YamlNode& node);
+  /// What `key` holds, read by `read`, for each value of the loops of `for`.
+  template <typename Reader>
+  Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
+  Value ReadArc(const Expected& expected, const YamlNode& map);
   void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                  std::string_view what);
   Value ReadItems(expr::Type type, const YamlNode& node);

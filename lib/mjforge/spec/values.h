@@ -95,7 +95,8 @@ struct HsvColor {
   std::vector<Value> items;
 };  // rgba: {hsv: [h, s, v, (a)]}, each 0 to 1
 
-/// In a list of points, one for each value of the variables: {for: {i: 8}, at: [x, y]}.
+/// In a list of points, one for each value of the variables: {for: {i: 8}, at: [x, y]}. In a list
+/// of outlines, one for each: {for: {i: 8}, points: [...]}.
 struct PointLoop {
   std::shared_ptr<const std::vector<Loop>> loops;  // outermost first
   std::shared_ptr<const Value> at;

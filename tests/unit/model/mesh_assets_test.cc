@@ -34,11 +34,12 @@ TEST_CASE("equal prisms share one mesh") {
 }
 
 TEST_CASE("a polygon that comes out wrong is reported where it stands") {
-  CHECK(OnlyFinding("params: {x: 0.1}\n"
-                    "parts: [{name: a, type: prism, polygon: [[0, 0], [1, 0], [x, x], [0, 1]], "
-                    "height: 1}]\n") ==
-        "4:41 part 'a' has a bad outline: polygon is not convex at corner 3 (build it from several "
-        "convex prisms)");
+  CHECK(
+      OnlyFinding("params: {x: -0.5}\n"
+                  "parts: [{name: a, type: prism, polygon: [[0, 0], [1, 0], [1, 1], [x, x]], "
+                  "height: 1}]\n") ==
+      "4:58 polygon of part 'a': point 3 begins a line that crosses or touches the one from point "
+      "1 to point 2");
 }
 
 TEST_CASE("a mesh file is read beside the spec and shared where file and scale are equal") {

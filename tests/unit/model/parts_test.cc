@@ -82,7 +82,7 @@ TEST_CASE("a chosen type must exist") {
   CHECK(OnlyFinding("params: {kind: {choice: [spere]}}\n"
                     "parts: [{name: a, type: '${kind}', size: [1]}]\n") ==
         "4:25 type of part 'a' is 'spere'; it must be one of box, sphere, cylinder, capsule, "
-        "ellipsoid, prism, lathe, mesh (did you mean 'sphere'?)");
+        "ellipsoid, prism, lathe, tube, hull, mesh (did you mean 'sphere'?)");
 }
 
 TEST_CASE("equal end points are refused") {

@@ -12,27 +12,10 @@
 #include <vector>
 
 #include "harness/effort.h"
+#include "measured.h"
 
 namespace mjforge::solid {
 namespace {
-
-using Eigen::Matrix3d;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
-constexpr double kPi = std::numbers::pi;
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double Between(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  int Whole(int lo, int hi) { return lo + static_cast<int>(engine_() % unsigned(hi - lo + 1)); }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// Seen whole from a middle point: on the axis, so that the solid has no hole, or away from it.
 std::vector<Vector2d> RandomProfile(Random& random) {
@@ -50,25 +33,6 @@ std::vector<Vector2d> RandomProfile(Random& random) {
   if (on_axis) profile.emplace_back(0, middle.y() + random.Between(0.01, 0.1));
   if (random.Whole(0, 1) == 0) std::ranges::reverse(profile);
   return profile;
-}
-
-/// Nodes and weights of Gauss and Legendre on 0 .. 1, by Newton's method.
-std::vector<std::pair<double, double>> Gauss(int count) {
-  std::vector<std::pair<double, double>> nodes;
-  for (int i = 0; i < count; ++i) {
-    double x = std::cos(kPi * (i + 0.75) / (count + 0.5));
-    double slope = 0;
-    for (int k = 0; k < 50; ++k) {
-      double p = 1;
-      double before = 0;
-      for (int j = 1; j <= count; ++j)
-        before = std::exchange(p, ((2 * j - 1) * x * p - (j - 1) * before) / j);
-      slope = count * (x * p - before) / (x * x - 1);
-      x -= p / slope;
-    }
-    nodes.emplace_back((1 + x) / 2, 1 / ((1 - x * x) * slope * slope));
-  }
-  return nodes;
 }
 
 /// By quadrature over triangles from a point to each edge, which count by their sign, and over the
@@ -103,43 +67,6 @@ Mass Integrated(const std::vector<Vector2d>& profile, double angle) {
   second = second / volume * mass.volume - mass.volume * mass.center * mass.center.transpose();
   mass.inertia = second.trace() * Matrix3d::Identity() - second;
   return mass;
-}
-
-bool Contains(const std::vector<Vector2d>& outline, double x, double y) {
-  bool inside = false;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const Vector2d& a = outline[i];
-    const Vector2d& b = outline[j];
-    if ((a.y() > y) != (b.y() > y) && x < (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()) + a.x())
-      inside = !inside;
-  }
-  return inside;
-}
-
-bool Contains(const Piece& piece, const Vector3d& p) {
-  return std::ranges::any_of(piece.turns, [&](double turn) {
-    const Vector3d q = Eigen::AngleAxisd(-turn, Vector3d::UnitZ()) * p;
-    return std::ranges::all_of(piece.triangles, [&](const std::array<int, 3>& corners) {
-      const Vector3d& a = piece.vertices[std::size_t(corners[0])];
-      const Vector3d normal = (piece.vertices[std::size_t(corners[1])] - a)
-                                  .cross(piece.vertices[std::size_t(corners[2])] - a);
-      return normal.dot(q - a) <= 0;
-    });
-  });
-}
-
-bool ContainsAny(const Solid& solid, const Vector3d& p) {
-  return std::ranges::any_of(solid.pieces, [&](const Piece& piece) { return Contains(piece, p); });
-}
-
-double VolumeOf(const std::vector<Vector3d>& vertices,
-                const std::vector<std::array<int, 3>>& triangles) {
-  double six = 0;
-  for (const std::array<int, 3>& t : triangles) {
-    six += vertices[std::size_t(t[0])].dot(
-        vertices[std::size_t(t[1])].cross(vertices[std::size_t(t[2])]));
-  }
-  return six / 6;
 }
 
 Solid Made(const Lathe& lathe) {

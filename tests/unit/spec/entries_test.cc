@@ -31,11 +31,11 @@ TEST_CASE("a part needs a name, a type and what its type needs", "[entries]") {
   CHECK(
       ReportPart("{name: a, type: bxo, size: v}") ==
       Strings{"5:21 spec/bad-value: 'bxo' is not one of box, sphere, cylinder, capsule, ellipsoid, "
-              "prism, lathe, mesh (did you mean 'box'?)"});
+              "prism, lathe, tube, hull, mesh (did you mean 'box'?)"});
   CHECK(ReportPart("{name: a, type: word, size: v}") ==
         Strings{
             "5:21 spec/bad-value: 'word' is not one of box, sphere, cylinder, capsule, ellipsoid, "
-            "prism, lathe, mesh (to use the parameter's value, write ${word})"});
+            "prism, lathe, tube, hull, mesh (to use the parameter's value, write ${word})"});
 }
 
 TEST_CASE("sizes are counted by type", "[entries]") {

@@ -1,0 +1,120 @@
+#include <cmath>
+#include <numbers>
+
+#include "mjforge/solid/edges.h"
+#include "mjforge/solid/moments.h"
+
+namespace mjforge::solid {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// A tetrahedron from its first corner: integrals over the simplex of 1, x and x x^T.
+void AddTetrahedron(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c,
+                    Moments& sum) {
+  const double six = (a - p).dot((b - p).cross(c - p));
+  const Vector3d total = p + a + b + c;
+  sum.volume += six / 6;
+  sum.first += six / 24 * total;
+  sum.second += six / 120 *
+                (total * total.transpose() + p * p.transpose() + a * a.transpose() +
+                 b * b.transpose() + c * c.transpose());
+}
+
+/// A triangle, extruded by `up`.
+void AddSlab(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& up,
+             Moments& sum) {
+  AddTetrahedron(a, b, c, c + up, sum);
+  AddTetrahedron(a, b, c + up, b + up, sum);
+  AddTetrahedron(a, b + up, c + up, a + up, sum);
+}
+
+/// The sector of a cylinder around the edge from a to b, between the directions m and n.
+void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Vector3d& n, double r,
+               Moments& sum) {
+  const Vector3d way = b - a;
+  const double length = way.norm();
+  const double angle = std::atan2(m.cross(n).norm(), m.dot(n));
+  const Vector3d middle = (m + n).normalized();
+  const Vector3d across = way.cross(middle) / length;
+  const Vector3d c = (a + b) / 2;
+  const double area = r * r * angle / 2;
+  const Vector3d first = r * r * r / 3 * 2 * std::sin(angle / 2) * middle;
+  const Matrix3d second = r * r * r * r / 4 *
+                          ((angle + std::sin(angle)) / 2 * middle * middle.transpose() +
+                           (angle - std::sin(angle)) / 2 * across * across.transpose());
+  sum.volume += area * length;
+  sum.first += length * (area * c + first);
+  sum.second += length * (area * c * c.transpose() + area / 12 * way * way.transpose() +
+                          c * first.transpose() + first * c.transpose() + second);
+}
+
+/// The cone from v over the spherical polygon of the normals. Integrals of 1, n and n n^T over it:
+/// the solid angle of its triangles (Van Oosterom and Strackee, 1983); the others by the divergence
+/// theorem on the sphere, along its great arcs.
+void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, Moments& sum) {
+  double solid_angle = 0;
+  Vector3d first = Vector3d::Zero();
+  Matrix3d border = Matrix3d::Zero();
+  const std::size_t count = normals.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d& a = normals[i];
+    const Vector3d& b = normals[(i + 1) % count];
+    const Vector3d& start = normals[0];
+    const double triple = start.dot(a.cross(b));
+    solid_angle += 2 * std::atan2(triple, 1 + start.dot(a) + a.dot(b) + b.dot(start));
+    const Vector3d axis = a.cross(b);
+    if (!(axis.norm() > 0)) continue;
+    const double angle = std::atan2(axis.norm(), a.dot(b));
+    const Vector3d pole = axis.normalized();
+    first += angle / 2 * pole;
+    border += std::tan(angle / 2) * (a + b) * pole.transpose();
+  }
+  Matrix3d second = (solid_angle * Matrix3d::Identity() + border) / 3;
+  second = (second + second.transpose()).eval() / 2;
+  const double volume = r * r * r / 3 * solid_angle;
+  const Vector3d along = r * r * r * r / 4 * first;
+  sum.volume += volume;
+  sum.first += volume * v + along;
+  sum.second += volume * v * v.transpose() + v * along.transpose() + along * v.transpose() +
+                std::pow(r, 5) / 5 * second;
+}
+
+}  // namespace
+
+// What is within a distance of a polytope is the polytope, slabs on its faces, sectors of cylinders
+// along its edges and of balls at its vertices.
+Mass RoundedMass(const Polytope& polytope, double radius) {
+  Vector3d origin = Vector3d::Zero();  // inside: the less cancels
+  for (const Vector3d& p : polytope.vertices)
+    origin += p / static_cast<double>(polytope.vertices.size());
+  const auto at = [&](int i) {
+    return Vector3d(polytope.vertices[static_cast<std::size_t>(i)] - origin);
+  };
+  Moments sum;
+  for (const Polytope::Face& face : polytope.faces) {
+    for (std::size_t i = 1; i + 1 < face.corners.size(); ++i) {
+      const Vector3d a = at(face.corners[0]);
+      const Vector3d b = at(face.corners[i]);
+      const Vector3d c = at(face.corners[i + 1]);
+      AddTetrahedron(Vector3d::Zero(), a, b, c, sum);
+      if (radius > 0) AddSlab(a, b, c, radius * face.normal, sum);
+    }
+  }
+  if (!(radius > 0)) return MassOf(sum, origin);
+  const auto normal = [&](int face) {
+    return polytope.faces[static_cast<std::size_t>(face)].normal;
+  };
+  const Edges edges(polytope);
+  for (const auto& [a, b] : edges.All())
+    AddSector(at(a), at(b), normal(edges.FaceAt(a, b)), normal(edges.FaceAt(b, a)), radius, sum);
+  for (std::size_t i = 0; i < polytope.vertices.size(); ++i) {
+    std::vector<Vector3d> normals;
+    for (const int face : edges.FacesAround(static_cast<int>(i))) normals.push_back(normal(face));
+    AddCone(at(static_cast<int>(i)), normals, radius, sum);
+  }
+  return MassOf(sum, origin);
+}
+
+}  // namespace mjforge::solid

@@ -1,0 +1,57 @@
+#include "mjforge/spec/shapes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mjforge::spec {
+namespace {
+
+constexpr std::array kSize = {Key::kSize};
+constexpr std::array kRoundBox = {Key::kRound, Key::kRoundCollision};
+constexpr std::array kRoundCylinder = {Key::kRound, Key::kRoundCollision, Key::kFacets,
+                                       Key::kCrease};
+constexpr std::array kPolygon = {Key::kPolygon, Key::kHeight};
+constexpr std::array kPrism = {Key::kScale, Key::kHoles,  Key::kRound,
+                               Key::kBevel, Key::kFacets, Key::kCrease};
+constexpr std::array kProfile = {Key::kProfile};
+constexpr std::array kLathe = {Key::kWall, Key::kAngle, Key::kFacets, Key::kCrease};
+constexpr std::array kPath = {Key::kPath};
+constexpr std::array kTube = {Key::kRadius, Key::kBend,   Key::kSmooth, Key::kClosed,
+                              Key::kWall,   Key::kFacets, Key::kCrease};
+constexpr std::array kPoints = {Key::kPoints};
+constexpr std::array kHull = {Key::kRound};
+constexpr std::array kFile = {Key::kFile};
+constexpr std::array kMesh = {Key::kScale};
+
+constexpr std::array kShapes = {
+    ShapeInfo{"box", 3, 2, kSize, kRoundBox},
+    ShapeInfo{"sphere", 1, 0, kSize},
+    ShapeInfo{"cylinder", 2, 1, kSize, kRoundCylinder},
+    ShapeInfo{"capsule", 2, 1, kSize},
+    ShapeInfo{"ellipsoid", 3, 2, kSize},
+    ShapeInfo{"prism", 0, 0, kPolygon, kPrism},
+    ShapeInfo{"lathe", 0, 0, kProfile, kLathe},
+    ShapeInfo{"tube", 0, 0, kPath, kTube},
+    ShapeInfo{"hull", 0, 0, kPoints, kHull},
+    ShapeInfo{"mesh", 0, 0, kFile, kMesh},
+};
+
+bool IsIn(std::span<const Key> keys, Key key) { return std::ranges::find(keys, key) != keys.end(); }
+
+}  // namespace
+
+bool ShapeInfo::Takes(Key key) const {
+  if (key == Key::kFromTo || key == Key::kUp) return sizes_fromto > 0;
+  return IsIn(required, key) || IsIn(optional, key);
+}
+
+const ShapeInfo* FindShape(std::string_view type) {
+  const auto shape = std::ranges::find(kShapes, type, &ShapeInfo::type);
+  return shape != kShapes.end() ? &*shape : nullptr;
+}
+
+bool IsOfAShape(Key key) {
+  return std::ranges::any_of(kShapes, [&](const ShapeInfo& shape) { return shape.Takes(key); });
+}
+
+}  // namespace mjforge::spec
