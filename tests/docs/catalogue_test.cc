@@ -206,7 +206,7 @@ TEST_CASE("the pictures are small") {
     CHECK(size < (name == "hero.png" ? 400'000 : 175'000));
     total += size;
   }
-  CHECK(total < 4'000'000);
+  CHECK(total < 8'000'000);
 }
 
 TEST_CASE("the page of the bundled specs says what each of them requires") {

@@ -66,6 +66,7 @@ TEST_CASE("the catalogue has the specs it is said to have") {
                                                             "containers/pot_with_handles",
                                                             "containers/wine_glass",
                                                             "electronics/keyboard",
+                                                            "electronics/plug_and_socket",
                                                             "fasteners/hex_bolt",
                                                             "fasteners/hex_nut",
                                                             "fixtures/hook_frame",
@@ -73,6 +74,9 @@ TEST_CASE("the catalogue has the specs it is said to have") {
                                                             "fixtures/stand_with_mount",
                                                             "furniture/bookshelf",
                                                             "furniture/chair",
+                                                            "furniture/office_chair",
+                                                            "furniture/round_table",
+                                                            "furniture/trolley",
                                                             "primitives/ball",
                                                             "primitives/box",
                                                             "primitives/capsule",
@@ -80,7 +84,11 @@ TEST_CASE("the catalogue has the specs it is said to have") {
                                                             "primitives/ellipsoid",
                                                             "shapes/cone",
                                                             "shapes/hollow_cylinder",
-                                                            "tools/hammer"});
+                                                            "tools/adjustable_wrench",
+                                                            "tools/gear_pair",
+                                                            "tools/hammer",
+                                                            "tools/pliers",
+                                                            "tools/screwdriver"});
 }
 
 TEST_CASE("every bundled spec is documented and makes a hundred different, valid objects") {

@@ -117,6 +117,13 @@ Made& OnTape(tape::Tape& tape, const SolidInput& input, Made& made) {
   return at;
 }
 
+tape::Tape* TapeOf(const SolidInput& input) {
+  for (const Traced<double>& number : input.numbers) {
+    if (number.tape() != nullptr) return number.tape();
+  }
+  return nullptr;
+}
+
 /// What the tape, if there is one, leaves at a place.
 template <typename T>
 Traced<T> On(tape::Tape* tape, const T& value, const T& place) {
@@ -134,8 +141,7 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
   std::vector<std::size_t> counts;
   for (const solid::Piece& piece : solid.pieces) counts.push_back(piece.turns.size());
   Made made = MadeOf(std::move(solid));
-  tape::Tape* tape = nullptr;
-  for (const Traced<double>& number : input.numbers) tape = tape ? tape : number.tape();
+  tape::Tape* const tape = TapeOf(input);
   const Made& at = tape != nullptr ? OnTape(*tape, input, made) : made;
   const auto add_mesh = [&](std::size_t mesh, Part& to) {
     AddInline(made.meshes[mesh], tape != nullptr ? &at.meshes[mesh] : nullptr, to);
@@ -147,8 +153,9 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
   }
   part.solid = PropertiesOf(On(tape, made.mass, at.mass));
   if (part.role != Role::kCollision) add_mesh(0, part);
+  if (part.role == Role::kVisual) return {};
   std::vector<Part> pieces;
-  if (part.role == Role::kVisual) return pieces;
+  tape::Tape* const turns_tape = input.turns_vary ? tape : nullptr;
   std::size_t turn = 0;
   std::size_t primitive = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -160,8 +167,7 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
       piece.name = fmt::format("{}_{}", part.name, pieces.size());
       if (is_mesh && k == 0) add_mesh(i + 1, piece);
       if (is_mesh) {
-        piece.X_BG =
-            TurnAboutZ(On(input.turns_vary ? tape : nullptr, made.turns[turn], at.turns[turn]));
+        piece.X_BG = TurnAboutZ(On(turns_tape, made.turns[turn], at.turns[turn]));
       } else {
         Place(made.primitives[primitive], at.primitives[primitive], tape, piece);
         ++primitive;
