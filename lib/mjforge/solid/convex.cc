@@ -19,6 +19,10 @@ bool TurnsLeft(const Point& a, const Point& b, const Point& c, double least) {
   return Cross(in, out) >= least * in.norm() * out.norm();
 }
 
+/// Squared, and with few digits: what differs by rounding alone is taken in the order of the
+/// corners, so that variants of one shape are cut alike.
+float LengthOf(const Point& a, const Point& b) { return static_cast<float>((a - b).squaredNorm()); }
+
 class EarClipper {
  public:
   /// `ring`: a loop of corners, which may come along the same place twice.
@@ -78,10 +82,10 @@ class EarClipper {
   /// Rounding may leave none: then what turns left least.
   std::size_t ShortestEar() const {
     std::size_t shortest = FirstLeft();
-    double length = std::numeric_limits<double>::infinity();
+    float length = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < next_.size(); ++i) {
       if (!left_[i] || !is_ear_[i]) continue;
-      const double cut = (At(next_[i]) - At(previous_[i])).squaredNorm();
+      const float cut = LengthOf(At(next_[i]), At(previous_[i]));
       if (cut < length) {
         length = cut;
         shortest = i;
@@ -161,9 +165,8 @@ Partition PartitionOf(const Area& area) {
   const std::vector<int> ring = RingOf(area, cuts);
   partition.triangles = EarClipper(area.corners, ring).Run(cuts);
   const auto length = [&](const std::pair<int, int>& cut) {
-    return (area.corners[static_cast<std::size_t>(cut.first)] -
-            area.corners[static_cast<std::size_t>(cut.second)])
-        .squaredNorm();
+    return LengthOf(area.corners[static_cast<std::size_t>(cut.first)],
+                    area.corners[static_cast<std::size_t>(cut.second)]);
   };
   std::ranges::stable_sort(cuts, std::ranges::greater(), length);
   Joiner joiner(area.corners, partition.triangles);
