@@ -20,7 +20,7 @@ class LineReader {
     const std::size_t count = tube.path.size();
     lines_ = tube.closed ? count : count - 1;
     for (std::size_t i = 0; i < lines_; ++i)
-      ways_.push_back(tube.path[(i + 1) % count] - tube.path[i]);
+      ways_.emplace_back(tube.path[(i + 1) % count] - tube.path[i]);
     corners_.resize(count);
   }
 

@@ -105,7 +105,7 @@ Polytope BoxOf(const Eigen::Vector3d& half) {
   Polytope box;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    box.vertices.push_back(half.cwiseProduct(sign));
+    box.vertices.emplace_back(half.cwiseProduct(sign));
   }
   const std::array<std::array<int, 4>, 6> faces = {
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};

@@ -52,6 +52,7 @@ Mass MassOf(const Plan& plan, double height, double bevel) {
 void AddPieces(const Area& area, double z, std::vector<Piece>& pieces) {
   for (const std::vector<int>& polygon : PartitionOf(area).convex) {
     std::vector<Point> corners;
+    corners.reserve(polygon.size());
     for (const int corner : polygon)
       corners.push_back(area.corners[static_cast<std::size_t>(corner)]);
     RemoveStraightCorners(corners);

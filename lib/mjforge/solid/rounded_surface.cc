@@ -45,8 +45,8 @@ class Rounder {
   }
 
   int Add(int vertex, const Vector3d& normal) {
-    surface_.vertices.push_back(polytope_.vertices[static_cast<std::size_t>(vertex)] +
-                                radius_ * normal);
+    surface_.vertices.emplace_back(polytope_.vertices[static_cast<std::size_t>(vertex)] +
+                                   radius_ * normal);
     surface_.normals.push_back(normal);
     return static_cast<int>(surface_.vertices.size()) - 1;
   }

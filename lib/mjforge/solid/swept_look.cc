@@ -152,8 +152,8 @@ Piece ConeBetween(const Station& a, const Station& b) {
   for (const Station* station : {&a, &b}) {
     for (int i = 0; i < kSides; ++i) {
       const double turn = 2 * pi * i / kSides;
-      piece.vertices.push_back(station->p +
-                               station->radius * (std::cos(turn) * a.x + std::sin(turn) * a.y()));
+      piece.vertices.emplace_back(station->p + station->radius *
+                                                   (std::cos(turn) * a.x + std::sin(turn) * a.y()));
     }
   }
   for (int i = 0; i < kSides; ++i) {
