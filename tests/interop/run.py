@@ -27,7 +27,8 @@ COUNTS = {"mujoco": 20, "robosuite": 3, "robocasa": 3, "mjx": 3}
 # Of what robosuite depends on, its devices and controllers are left out: they
 # need a compiler and a display.
 HOSTS = {
-    "mujoco-3.0": (["mujoco==3.0.1", "numpy<2"], [], ["check_mujoco.py"]),
+    # From 2.3.3 to 3.1.1 MuJoCo crashes on any mesh with texture coordinates in its XML.
+    "mujoco-3.1": (["mujoco==3.1.2", "numpy<2"], [], ["check_mujoco.py"]),
     "mujoco-3.3": (["mujoco==3.3.7"], [], ["check_mujoco.py"]),
     "mujoco-newest": (["mujoco"], [], ["check_mujoco.py"]),
     "robosuite": (["mujoco", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless",

@@ -40,6 +40,10 @@ solid::Texture TextureOf(const Object& object, int index) {
   if (index < 0) return texture;
   const Material& material = object.materials[static_cast<std::size_t>(index)];
   if (material.texture < 0) return texture;
+  const Texture& image = object.textures[static_cast<std::size_t>(material.texture)];
+  // A cube's pictures lie around the shape by themselves.
+  const auto is_2d = [](const Attribute& a) { return a.name == "type" && a.text == "2d"; };
+  if (std::ranges::none_of(image.attributes, is_2d)) return texture;
   texture.unit = Unit::kWhole;
   for (const Attribute& attribute : material.attributes) {
     if (attribute.name == "texuniform" && attribute.text == "true") texture.unit = Unit::kMetre;

@@ -15,7 +15,7 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-constexpr std::size_t kManyPieces = 64;
+constexpr std::size_t kManyPieces = 100;
 
 // A piece that is not a mesh.
 struct Primitive {
