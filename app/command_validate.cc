@@ -49,6 +49,9 @@ std::string Behaviour(const physics::Result& result) {
                         Count(result.nefc, "row", "rows"));
   if (!result.joints.empty())
     text += fmt::format("; {} driven", Count(result.joints.size(), "joint", "joints"));
+  if (result.holds)
+    text += fmt::format("; holds {} of {}", result.holds->held,
+                        Count(result.holds->balls, "ball", "balls"));
   return text;
 }
 

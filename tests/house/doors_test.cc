@@ -85,7 +85,7 @@ const std::array kLibraries = {
     Library{"openssl/", {"bytes", "report"}},
     Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
-    Library{"pugixml.hpp", {"mjcf", "engine", "attach"}},
+    Library{"pugixml.hpp", {"mjcf", "engine", "attach", "physics"}},
     Library{"rapidjson/", {"spec", "manifest", "report"}},
     Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},

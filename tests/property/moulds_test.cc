@@ -51,7 +51,7 @@ std::vector<std::filesystem::path> BundledSpecs() {
 TEST_CASE("every bundled spec is the same from moulds, for every target") {
   for (const auto& spec : BundledSpecs()) {
     Loaded loaded(spec);
-    const int count = harness::Effort(50);
+    const int count = harness::Effort(50, 2);
     CompareForTargets(loaded, 3, count, count / 50);
   }
 }

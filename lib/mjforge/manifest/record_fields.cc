@@ -45,6 +45,10 @@ constexpr Measured<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
                                               {"penetration", &Result::Joint::penetration},
                                               {"return_error", &Result::Joint::return_error}};
 
+constexpr Measured<Result::Holding> kHolding[] = {{"balls", &Result::Holding::balls},
+                                                  {"held", &Result::Holding::held},
+                                                  {"emptied", &Result::Holding::emptied}};
+
 template <typename Of, std::size_t n>
 void PutAll(Json& json, const Of& of, const Measured<Of> (&members)[n]) {
   for (const Measured<Of>& member : members)
@@ -85,6 +89,12 @@ void PutResult(Json& json, const Result& result) {
     json.EndObject();
   }
   json.EndArray();
+  if (result.holds) {
+    json.Key("holds");
+    json.StartObject();
+    PutAll(json, *result.holds, kHolding);
+    json.EndObject();
+  }
   json.EndObject();
 }
 
@@ -95,6 +105,8 @@ Kind GetResult(const Value& value, Result& result) {
   for (const Value& joint : value["joints"].GetArray()) {
     if (!GetAll(joint, result.joints.emplace_back(), kJoint)) return kWhat;
   }
+  if (value.HasMember("holds") && !GetAll(value["holds"], result.holds.emplace(), kHolding))
+    return kWhat;
   return {};
 }
 
@@ -148,8 +160,9 @@ RecordField Physics() {
   return {
       "physics",
       fmt::format(R"("type": "object", "properties": {{{}, "joints": {{"type": "array", )"
-                  R"("items": {{"type": "object", "properties": {{{}}}}}}}}})",
-                  SchemaOf(kResult), SchemaOf(kJoint)),
+                  R"("items": {{"type": "object", "properties": {{{}}}}}}}, "holds": )"
+                  R"({{"type": "object", "properties": {{{}}}}}}})",
+                  SchemaOf(kResult), SchemaOf(kJoint), SchemaOf(kHolding)),
       "Measurements of its behaviour, in SI units; left out if none were made.",
       [](Json& json, const Record& record) { PutResult(json, *record.physics); },
       [](const Value& value, Record& record) { return GetResult(value, record.physics.emplace()); },

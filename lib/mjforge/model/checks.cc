@@ -58,12 +58,38 @@ void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
   }
 }
 
+void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) {
+  const std::string_view key = field.info->key;
+  if (key == "ball") {
+    sample::Numbers sizes;
+    if (!reader.Numbers(field, sizes)) return;
+    holds.ball = {tape::Fixed(sizes.front()), tape::Fixed(sizes.back())};
+    if (holds.ball.x() > holds.ball.y())
+      reader.Report(diag::Code::kModelBadValue, field, "has its larger ball first");
+  } else if (key == "at") {
+    if (const auto at = reader.Vector<2>(field)) holds.at = tape::Fixed(*at);
+  } else if (key == "without") {
+    holds.without = reader.Text(field).value_or("");
+  } else if (key == "empties") {
+    holds.empties = reader.Boolean(field).value_or(holds.empties);
+  } else if (const auto number = reader.Number(field)) {
+    if (key == "drop") holds.drop = tape::Fixed(*number);
+    if (key == "balls") holds.balls = static_cast<int>(tape::Fixed(*number));
+  }
+}
+
 }  // namespace
 
 void Assembly::ReadChecks(Scope& scope) {
   const spec::Checks& checks = scope.values.spec().checks;
   FieldReader reader(scope.values, findings_, "checks", object_.name, scope.values.root());
   for (const spec::Field& field : checks.fields) ReadCheck(field, reader, object_.checks);
+  if (checks.holds) {
+    FieldReader in_holds(scope.values, findings_, "holds", object_.name, scope.values.root());
+    Holding& holds = object_.checks.holds.emplace();
+    holds.mark = checks.holds->mark;
+    for (const spec::Field& field : checks.holds->fields) ReadHolding(field, in_holds, holds);
+  }
   for (const auto& [code, reason] : checks.silenced) {
     object_.checks.silenced.emplace_back(diag::CodeName(code), reason);
   }

@@ -18,6 +18,19 @@ namespace mjforge::model {
 
 using spec::ExpectationKind;  // for rooms to the right, which do not know specs
 
+/// Balls dropped into the object.
+struct Holding {
+  Eigen::Vector2d ball = {0.008, 0.008};  // m, diameters of the smallest and the largest
+  int balls = 5;
+  double drop = 0.1;                  // m, above the object's highest point
+  std::optional<Eigen::Vector2d> at;  // m, x, y in the world; none: in the middle of its box
+  std::string without;                // a body that is taken away before; empty: none
+  bool empties = true;                // whether they have to come out as it is turned over
+  diag::SourceMark mark;
+
+  bool operator==(const Holding&) const = default;
+};
+
 /// The thresholds of checks, SI units. The defaults are those of the
 /// field table.
 struct Checks {
@@ -31,6 +44,7 @@ struct Checks {
   double penetration = std::numeric_limits<double>::infinity();  // m
   double sink = 0.001;                                           // m
   double energy_gain = 0.02;                                     // share of mass * g * size
+  std::optional<Holding> holds;
   // Joints driven.
   double joint_overshoot = 0.05;     // share of the range
   double joint_reach = 0.9;          // share of the range

@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <new>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -16,6 +18,7 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/behaviour.h"
 #include "mjforge/physics/floor.h"
+#include "mjforge/physics/holding.h"
 #include "mjforge/physics/proportions.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/physics/verdict.h"
@@ -85,6 +88,10 @@ std::string FloorName(const mjModel& m) {
   return name;
 }
 
+std::filesystem::path FolderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 /// The file as it is, with a floor, as a text in the file's folder.
 std::string WithFloor(const std::filesystem::path& file, std::string text, std::string_view model,
                       const std::string& floor) {
@@ -106,22 +113,31 @@ struct Laboratory::State {
   engine::Engine engine;
   Workspace workspace;
 
-  std::optional<Result> Examine(engine::Model model, const model::Object& object,
-                                diag::SourceMark mark, const model::Checks& checks,
-                                diag::Findings& findings);
+  /// Loads a text that is much like the model's own.
+  using Load = std::function<engine::Loaded(const std::string& text)>;
+
+  std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
+                                const model::Checks& checks, diag::Findings& findings,
+                                std::string_view text, const Load& load);
 };
 
 Laboratory::Laboratory() : state_(std::make_unique<State>()) {}
 Laboratory::~Laboratory() = default;
 
-std::optional<Result> Laboratory::State::Examine(engine::Model model, const model::Object& object,
+std::optional<Result> Laboratory::State::Examine(mjModel& m, const model::Object& object,
                                                  diag::SourceMark mark, const model::Checks& checks,
-                                                 diag::Findings& findings) {
+                                                 diag::Findings& findings, std::string_view text,
+                                                 const Load& load) {
   Verdict verdict(checks, findings);
   try {
     Result result;
-    CheckBehaviour(*model, workspace, object, mark, verdict, result);
+    CheckBehaviour(m, workspace, object, mark, verdict, result);
     result.overlap = CheckProportions(object, mark, verdict);
+    if (checks.holds) {
+      const engine::Loaded loaded = load(WithBalls(text, *checks.holds));
+      if (!loaded.model) throw std::runtime_error(engine::ParseRefusal(loaded.error).reason);
+      CheckHolding(*loaded.model, workspace, compiled::StartOf(m), object.name, verdict, result);
+    }
     Round(result);
     return result;
   } catch (const std::bad_alloc&) {
@@ -154,7 +170,8 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
   const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
   if (floor >= 0 && !document.host_frees && loaded.model->body_dofnum[1] == 0)
     LevelFloor(*loaded.model, floor);
-  return state_->Examine(std::move(loaded.model), object, mark, object.checks, findings);
+  return state_->Examine(*loaded.model, object, mark, object.checks, findings, document.text,
+                         [&](const std::string& text) { return state_->engine.LoadText(text); });
 }
 
 std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
@@ -175,15 +192,16 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   const model::Object object =
       compiled::ObjectOf(*loaded.model, start, compiled::Nameless::kNumbered);
   if (LacksFloor(*loaded.model)) {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     const std::string floor = FloorName(*loaded.model);
     loaded = state_->engine.LoadTextIn(
-        folder, WithFloor(file, sources.Text(xml->source), object.name, floor));
+        FolderOf(file), WithFloor(file, sources.Text(xml->source), object.name, floor));
     if (!loaded.model)
       return refused(" with a floor", loaded, "a plane in the file would be used instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
   }
-  return state_->Examine(std::move(loaded.model), object, start, checks, findings);
+  return state_->Examine(
+      *loaded.model, object, start, checks, findings, sources.Text(xml->source),
+      [&](const std::string& text) { return state_->engine.LoadTextIn(FolderOf(file), text); });
 }
 
 }  // namespace mjforge::physics

@@ -26,6 +26,13 @@ struct Result {
     double return_error = 0;  // distance from where it began, rad or m
     bool operator==(const Joint&) const = default;
   };
+  /// Balls dropped into the object, which is held, and turned over.
+  struct Holding {
+    int balls = 0;
+    int held = 0;     // for 3 s
+    int emptied = 0;  // of those, through the mouth as it was turned over; 0 if it was not
+    bool operator==(const Holding&) const = default;
+  };
   /// The drop: from 2 mm above the floor, until it rests or the time is up. An object that is fixed
   /// to the world only hangs there under its weight.
   bool dropped = false;
@@ -41,6 +48,7 @@ struct Result {
   int nefc = 0;            // most constraint rows in a step
   double overlap = 0;      // share of the mass that is counted twice
   std::vector<Joint> joints;
+  std::optional<Holding> holds;  // none: not asked for
   bool operator==(const Result&) const = default;
 };
 

@@ -36,6 +36,18 @@ void RejectDraws(const std::vector<Field>& fields, Reading& reading) {
   }
 }
 
+void ReadHolding(const YamlNode& holds, Reading& reading) {
+  if (!IsMap(holds, "what is dropped into the object", reading)) return;
+  CheckKeys(HoldingElement(), holds, reading);
+  Checks::Holding& holding = reading.spec.checks.holds.emplace();
+  holding.mark = holds.mark;
+  holding.fields = ReadFields(HoldingElement(), holds, reading);
+  RejectDraws(holding.fields, reading);
+  if (holds.Find("ball") == nullptr)
+    reading.findings.Add(Code::kSpecMissingKey, holds.mark, "'ball' is missing",
+                         "it is the balls' diameter: {ball: 8mm}");
+}
+
 void ReadSilence(const YamlNode& silence, Reading& reading) {
   if (!IsMap(silence, "codes and reasons", reading)) return;
   std::vector<std::string_view> names;
@@ -75,6 +87,7 @@ void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Rea
   reading.spec.checks.fields = ReadFields(ChecksElement(), map, reading);
   RejectDraws(reading.spec.checks.fields, reading);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, reading);
+  if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, reading);
 }
 
 }  // namespace mjforge::spec

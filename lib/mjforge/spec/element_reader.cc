@@ -34,7 +34,7 @@ bool Has(const Group& group, Key key) {
 
 // These are many.
 std::string_view Article(std::string_view name) {
-  if (name == "checks" || name == "defaults") return "";
+  if (name == "checks" || name == "defaults" || name == "holds") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 

@@ -521,6 +521,22 @@ constexpr FieldInfo kDefaultsFields[] = {
     Row({"joint", Key::kJoint}, Slot::kFields, "Values for joints."),
 };
 
+constexpr FieldInfo kHoldingFields[] = {
+    Required(Numbers("ball", {1, 2}, "m", AtLeast(0.0005), "",
+                     "Diameter of the balls; two numbers: of the smallest and the largest.")),
+    Integer("balls", Between(1, 50), "5", "How many."),
+    Number("drop", "m", AtLeast(0), "10cm",
+           "How far above the object's highest point the lowest of them begins."),
+    Numbers(
+        "at", {2, 2}, "m", kAnyNumber, "",
+        "Where they are dropped, x and y in the object's frame; by default in the middle of its "
+        "bounding box."),
+    Row("without", Slot::kText, "",
+        "A body that is taken away before, with all that is on it: a lid, a cap."),
+    Row("empties", Slot::kBoolean, "true",
+        "Whether they must come out as the object is turned over about its x axis."),
+};
+
 constexpr FieldInfo kChecksFields[] = {
     Number("self_collision", "m", AtLeast(0), "0.01mm",
            "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
@@ -540,6 +556,8 @@ constexpr FieldInfo kChecksFields[] = {
     Number("sink", "m", AtLeast(0), "1mm", "How deep contacts may be when it has settled."),
     Number("energy_gain", "", AtLeast(0), "0.02",
            "How much energy the object may gain, as a share of mass * gravity * size."),
+    Row({"holds", Key::kHolds}, Slot::kHolding,
+        "Balls of glass that are dropped into the object: they must stay inside for 3 s."),
     Number("joint_overshoot", "", AtLeast(0), "0.05",
            "How far a joint may be driven beyond its range, as a share of the range."),
     Number("joint_reach", "", Between(0, 1), "0.9", "Share of its range that a joint must reach."),
@@ -595,6 +613,10 @@ constexpr ElementInfo kDefaults = {
     "Values for keys that entries leave out; an entry's own and its material's values win.",
     kDefaultsFields};
 
+constexpr ElementInfo kHolding = {
+    "holds",
+    "Balls dropped into the object, which is held meanwhile, with its joints where they start.",
+    kHoldingFields};
 constexpr ElementInfo kChecks = {
     "checks",
     "What the object must do and be, besides loading in MuJoCo: thresholds of `--validate "
@@ -603,8 +625,9 @@ constexpr ElementInfo kChecks = {
     kChecksFields};
 
 constexpr const ElementInfo* kElements[] = {
-    &kObject, &kParameter, &kMaterial, &kTexture, &kPart,    &kFrame,       &kSite,     &kCamera,
-    &kLight,  &kJoint,     &kBody,     &kContact, &kExclude, &kExpectation, &kDefaults, &kChecks};
+    &kObject,  &kParameter,   &kMaterial, &kTexture, &kPart,   &kFrame,
+    &kSite,    &kCamera,      &kLight,    &kJoint,   &kBody,   &kContact,
+    &kExclude, &kExpectation, &kDefaults, &kChecks,  &kHolding};
 
 }  // namespace
 
@@ -634,6 +657,7 @@ const ElementInfo& ExcludeElement() { return kExclude; }
 const ElementInfo& ExpectationElement() { return kExpectation; }
 const ElementInfo& DefaultsElement() { return kDefaults; }
 const ElementInfo& ChecksElement() { return kChecks; }
+const ElementInfo& HoldingElement() { return kHolding; }
 std::span<const ElementInfo* const> AllElements() { return kElements; }
 
 }  // namespace mjforge::spec

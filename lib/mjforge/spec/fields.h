@@ -52,6 +52,7 @@ enum class Slot {
   kExpectations,
   kSections,
   kChecks,
+  kHolding,
   kSilence,
   kAnything,
 };
@@ -112,6 +113,7 @@ const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
 const ElementInfo& ExpectationElement();
 const ElementInfo& DefaultsElement();
 const ElementInfo& ChecksElement();
+const ElementInfo& HoldingElement();
 std::span<const ElementInfo* const> AllElements();
 
 }  // namespace mjforge::spec

@@ -100,6 +100,7 @@ enum class Key {
   kSite,
   kJoint,
   // checks
+  kHolds,
   kSilence,
 };
 

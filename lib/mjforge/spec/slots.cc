@@ -60,6 +60,7 @@ constexpr std::array kSlots = {
              R"("type": "array", "items": {"anyOf": [{"@is condition"}, {"@is expectation"}]})"},
     SlotInfo{Slot::kSections, "section: elements"},
     SlotInfo{Slot::kChecks, "checks", R"("@is checks")"},
+    SlotInfo{Slot::kHolding, "balls", R"("@is holds")"},
     SlotInfo{Slot::kSilence, "code: reason"},
     SlotInfo{Slot::kAnything, "any value"},
 };

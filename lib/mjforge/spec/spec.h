@@ -77,6 +77,11 @@ struct Checks {
     std::string reason;
   };
   std::vector<Silence> silenced;
+  struct Holding {
+    std::vector<Field> fields;
+    diag::SourceMark mark;
+  };
+  std::optional<Holding> holds;
 };
 /// Whether findings of a code may be intended: how an object behaves, what a spec does not use.
 bool CanBeSilenced(diag::Code code);
