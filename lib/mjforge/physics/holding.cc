@@ -247,7 +247,8 @@ int TakenAway(const mjModel& m, const std::string& object, Verdict& verdict) {
   const model::Holding& holding = *verdict.checks().holds;
   const std::string& name = holding.without;
   if (name.empty()) return 0;
-  for (const std::string& full : {object + "_" + name, name}) {
+  const std::string prefix = object + "_";
+  for (const std::string& full : {prefix + name, name}) {
     const int body = mj_name2id(&m, mjOBJ_BODY, full.c_str());
     if (body > 0) return body;
   }
@@ -255,7 +256,7 @@ int TakenAway(const mjModel& m, const std::string& object, Verdict& verdict) {
   for (int i = 1; i < m.nbody; ++i) {
     std::string body = compiled::NameOf(m, mjOBJ_BODY, i);
     if (body.starts_with(kBallPrefix)) continue;
-    if (body.starts_with(object + "_")) body.erase(0, object.size() + 1);
+    if (body.starts_with(prefix)) body.erase(0, prefix.size());
     names.push_back(std::move(body));
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
