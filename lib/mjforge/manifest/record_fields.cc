@@ -105,8 +105,10 @@ Kind GetResult(const Value& value, Result& result) {
   for (const Value& joint : value["joints"].GetArray()) {
     if (!GetAll(joint, result.joints.emplace_back(), kJoint)) return kWhat;
   }
-  if (value.HasMember("holds") && !GetAll(value["holds"], result.holds.emplace(), kHolding))
-    return kWhat;
+  if (value.HasMember("holds")) {
+    result.holds = Result::Holding();
+    if (!GetAll(value["holds"], *result.holds, kHolding)) return kWhat;
+  }
   return {};
 }
 
