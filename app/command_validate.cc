@@ -49,9 +49,14 @@ std::string Behaviour(const physics::Result& result) {
                         Count(result.nefc, "row", "rows"));
   if (!result.joints.empty())
     text += fmt::format("; {} driven", Count(result.joints.size(), "joint", "joints"));
+  if (result.stability)
+    text += fmt::format("; topples beyond {:.3g} deg", kDegrees * result.stability->angle);
   if (result.holds)
     text += fmt::format("; holds {} of {}", result.holds->held,
                         Count(result.holds->balls, "ball", "balls"));
+  if (result.fits)
+    text += fmt::format("; {} of {} into place", result.fits->fit,
+                        Count(result.fits->tried, "thing goes", "things go"));
   return text;
 }
 

@@ -57,7 +57,7 @@ model::TriangleMesh MeshOf(const mjModel& m, int mesh);
 model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 
 /// The box around all geoms that can collide, posed by mj_kinematics, in the world frame; with a
-/// `root` other than the world (0), only of that body and the bodies below it.
+/// `root` other than the world (0), only of that body of the world and the bodies on it.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 
 /// Where a joint can stand, as qpos has it, rad or m: its range, or a full turn about the zero of

@@ -45,9 +45,15 @@ constexpr Measured<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
                                               {"penetration", &Result::Joint::penetration},
                                               {"return_error", &Result::Joint::return_error}};
 
+constexpr Measured<Result::Stability> kStability[] = {{"angle", &Result::Stability::angle},
+                                                      {"energy", &Result::Stability::energy}};
+
 constexpr Measured<Result::Holding> kHolding[] = {{"balls", &Result::Holding::balls},
                                                   {"held", &Result::Holding::held},
                                                   {"emptied", &Result::Holding::emptied}};
+
+constexpr Measured<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
+                                                  {"fit", &Result::Fitting::fit}};
 
 template <typename Of, std::size_t n>
 void PutAll(Json& json, const Of& of, const Measured<Of> (&members)[n]) {
@@ -89,12 +95,16 @@ void PutResult(Json& json, const Result& result) {
     json.EndObject();
   }
   json.EndArray();
-  if (result.holds) {
-    json.Key("holds");
+  const auto put = [&](const char* key, const auto& of, const auto& members) {
+    if (!of) return;
+    json.Key(key);
     json.StartObject();
-    PutAll(json, *result.holds, kHolding);
+    PutAll(json, *of, members);
     json.EndObject();
-  }
+  };
+  put("stability", result.stability, kStability);
+  put("holds", result.holds, kHolding);
+  put("fits", result.fits, kFitting);
   json.EndObject();
 }
 
@@ -105,9 +115,14 @@ Kind GetResult(const Value& value, Result& result) {
   for (const Value& joint : value["joints"].GetArray()) {
     if (!GetAll(joint, result.joints.emplace_back(), kJoint)) return kWhat;
   }
-  if (value.HasMember("holds")) {
-    result.holds = Result::Holding();
-    if (!GetAll(value["holds"], *result.holds, kHolding)) return kWhat;
+  const auto get = [&](const char* key, auto& of, const auto& members) {
+    if (!value.HasMember(key)) return true;
+    of = std::remove_reference_t<decltype(*of)>();
+    return GetAll(value[key], *of, members);
+  };
+  if (!get("stability", result.stability, kStability) || !get("holds", result.holds, kHolding) ||
+      !get("fits", result.fits, kFitting)) {
+    return kWhat;
   }
   return {};
 }
@@ -162,9 +177,12 @@ RecordField Physics() {
   return {
       "physics",
       fmt::format(R"("type": "object", "properties": {{{}, "joints": {{"type": "array", )"
-                  R"("items": {{"type": "object", "properties": {{{}}}}}}}, "holds": )"
+                  R"("items": {{"type": "object", "properties": {{{}}}}}}}, "stability": )"
+                  R"({{"type": "object", "properties": {{{}}}}}, "holds": )"
+                  R"({{"type": "object", "properties": {{{}}}}}, "fits": )"
                   R"({{"type": "object", "properties": {{{}}}}}}})",
-                  SchemaOf(kResult), SchemaOf(kJoint), SchemaOf(kHolding)),
+                  SchemaOf(kResult), SchemaOf(kJoint), SchemaOf(kStability), SchemaOf(kHolding),
+                  SchemaOf(kFitting)),
       "Measurements of its behaviour, in SI units; left out if none were made.",
       [](Json& json, const Record& record) { PutResult(json, *record.physics); },
       [](const Value& value, Record& record) { return GetResult(value, record.physics.emplace()); },

@@ -59,6 +59,8 @@ class Assembly {
                                                   sample::StreamId path);
   void ReadTotalSize(Scope& scope);
   void ReadChecks(Scope& scope);  // checks.cc
+  void ReadFitting(Scope& scope, const spec::Checks::Fitting& entry);
+  void ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entry);
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // bodies.cc

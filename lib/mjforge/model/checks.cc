@@ -8,6 +8,11 @@
 namespace mjforge::model {
 namespace {
 
+constexpr std::pair<std::string_view, bool Checks::*> kBooleans[] = {
+    {"stable", &Checks::stable},
+    {"drive", &Checks::drive},
+};
+
 struct NumberCheck {
   std::string_view key;
   double Checks::*member;
@@ -17,6 +22,7 @@ constexpr NumberCheck kNumbers[] = {
     {"settle_time", &Checks::settle_time},
     {"rest_speed", &Checks::rest_speed},
     {"tilt", &Checks::tilt},
+    {"nudge", &Checks::nudge},
     {"drift", &Checks::drift},
     {"penetration", &Checks::penetration},
     {"sink", &Checks::sink},
@@ -25,6 +31,8 @@ constexpr NumberCheck kNumbers[] = {
     {"joint_reach", &Checks::joint_reach},
     {"joint_penetration", &Checks::joint_penetration},
     {"joint_return", &Checks::joint_return},
+    {"hinge_range", &Checks::hinge_range},
+    {"slide_range", &Checks::slide_range},
     {"overlap", &Checks::overlap},
     {"thickness", &Checks::thickness},
     {"aspect", &Checks::aspect},
@@ -41,8 +49,8 @@ constexpr RangeCheck kRanges[] = {
 };
 
 void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
-  if (field.info->key == "stable") {
-    checks.stable = reader.Boolean(field).value_or(checks.stable);
+  for (const auto& [key, member] : kBooleans) {
+    if (key == field.info->key) checks.*member = reader.Boolean(field).value_or(checks.*member);
   }
   for (const NumberCheck& check : kNumbers) {
     if (check.key == field.info->key)
@@ -78,7 +86,64 @@ void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) 
   }
 }
 
+constexpr std::pair<std::string_view, std::optional<double> JointCheck::*> kOfJoints[] = {
+    {"overshoot", &JointCheck::overshoot},
+    {"reach", &JointCheck::reach},
+    {"penetration", &JointCheck::penetration},
+    {"return", &JointCheck::joint_return},
+};
+
+void ReadJointField(const spec::Field& field, FieldReader& reader, JointCheck& check) {
+  for (const auto& [key, member] : kOfJoints) {
+    if (key != field.info->key) continue;
+    if (const auto number = reader.Number(field)) check.*member = tape::Fixed(*number);
+  }
+  if (field.info->key != "rests") return;
+  const auto range = reader.Vector<2>(field);
+  if (!range) return;
+  check.rests = tape::Fixed(*range);
+  if (check.rests->x() > check.rests->y())
+    reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
+}
+
 }  // namespace
+
+void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entry) {
+  const sample::StreamId root = scope.values.root();
+  JointCheck& check = object_.checks.joints.emplace_back();
+  check.mark = entry.entry.mark;
+  check.skip = entry.skip;
+  for (const spec::Value& joint : entry.joints)
+    check.joints.emplace_back(scope.values.Text(joint, root));
+  FieldReader reader(scope.values, findings_, "joint check", check.joints.front(), root);
+  for (const spec::Field& field : entry.entry.fields) ReadJointField(field, reader, check);
+  for (const spec::Position& at : entry.at) {
+    sample::Numbers numbers;
+    scope.values.Vector(at.value, root, numbers);
+    auto& [joint, position] = check.positions.emplace_back();
+    joint = scope.values.Text(at.joint, root);
+    for (const auto& number : numbers) position.push_back(tape::Fixed(number));
+  }
+}
+
+void Assembly::ReadFitting(Scope& scope, const spec::Checks::Fitting& entry) {
+  const sample::StreamId root = scope.values.root();
+  FieldReader reader(scope.values, findings_, "fits", object_.name, root);
+  Fitting& fitting = object_.checks.fits.emplace_back();
+  fitting.mark = entry.entry.mark;
+  const std::pair<std::string_view, std::string Fitting::*> texts[] = {
+      {"hole", &Fitting::hole}, {"body", &Fitting::body}, {"tip", &Fitting::tip}};
+  for (const spec::Field& field : entry.entry.fields) {
+    for (const auto& [key, member] : texts) {
+      if (key == field.info->key) fitting.*member = reader.Text(field).value_or("");
+    }
+    if (field.info->key == "depth") fitting.depth = reader.Number(field).value_or(0);
+    sample::Numbers sides;
+    if (field.info->key != "peg" || !reader.Numbers(field, sides)) continue;
+    fitting.is_round = sides.size() == 1;
+    fitting.peg = {sides.front(), sides.back()};
+  }
+}
 
 void Assembly::ReadChecks(Scope& scope) {
   const spec::Checks& checks = scope.values.spec().checks;
@@ -90,6 +155,11 @@ void Assembly::ReadChecks(Scope& scope) {
     holds.mark = checks.holds->mark;
     for (const spec::Field& field : checks.holds->fields) ReadHolding(field, in_holds, holds);
   }
+  const sample::StreamId list = sample::Child(scope.values.root(), "checks");
+  for (const spec::Checks::JointCheck& entry : checks.joints)
+    repetition_.ForEach(entry.entry, scope.values, list, [&] { ReadJointCheck(scope, entry); });
+  for (const spec::Checks::Fitting& entry : checks.fits)
+    repetition_.ForEach(entry.entry, scope.values, list, [&] { ReadFitting(scope, entry); });
   for (const auto& [code, reason] : checks.silenced) {
     object_.checks.silenced.emplace_back(diag::CodeName(code), reason);
   }

@@ -2,6 +2,7 @@
 
 // What an object must do and be, besides loading in MuJoCo: `checks:` and `expect:` of its spec.
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -31,25 +32,63 @@ struct Holding {
   bool operator==(const Holding&) const = default;
 };
 
+/// Something that has to go into a hole.
+struct Fitting {
+  std::string hole;  // a site, whose z axis is the way in
+  /// A free body, whose site `tip` is laid on the hole's; empty: a peg.
+  std::string body;
+  std::string tip;
+  std::array<tape::Traced<double>, 2> peg = {};  // m, full sides; or a diameter, twice
+  bool is_round = true;
+  tape::Traced<double> depth = 0;  // m, how far the tip has to get
+  diag::SourceMark mark;
+
+  bool operator==(const Fitting&) const = default;
+};
+
+/// What is asked of some joints, named as in the spec, in place of the usual, as they are driven
+/// and as they rest.
+struct JointCheck {
+  std::vector<std::string> joints = {};  // driven at the same time
+  /// Where others stand meanwhile: rad or m, of a ball joint w, x, y, z.
+  std::vector<std::pair<std::string, std::vector<double>>> positions = {};
+  // As in Checks; none: as there.
+  std::optional<double> overshoot = {};
+  std::optional<double> reach = {};
+  std::optional<double> penetration = {};
+  std::optional<double> joint_return = {};
+  std::optional<Eigen::Vector2d> rests = {};  // where they may be after the drop, rad or m
+  std::string skip = {};                      // why they are not driven; empty: they are
+  diag::SourceMark mark = {};
+
+  bool operator==(const JointCheck&) const = default;
+};
+
 /// The thresholds of checks, SI units. The defaults are those of the
 /// field table.
 struct Checks {
   double self_collision = 1e-5;  // m, of two bodies at the joints' zero
   // Dropped on a floor.
-  bool stable = false;               // whether a tilt beyond `tilt` is an error
-  double settle_time = 3;            // s, at most
-  double rest_speed = 0.01;          // m/s; slower is at rest
-  double tilt = 0.2617993877991494;  // rad
+  bool stable = false;                 // whether a tilt beyond `tilt` is an error
+  double settle_time = 3;              // s, at most
+  double rest_speed = 0.01;            // m/s; slower is at rest
+  double tilt = 0.2617993877991494;    // rad
+  double nudge = 0.17453292519943295;  // rad, that a stable object is tilted by
   double drift = std::numeric_limits<double>::infinity();        // m
   double penetration = std::numeric_limits<double>::infinity();  // m
   double sink = 0.001;                                           // m
   double energy_gain = 0.02;                                     // share of mass * g * size
   std::optional<Holding> holds;
+  std::vector<Fitting> fits;
   // Joints driven.
-  double joint_overshoot = 0.05;     // share of the range
-  double joint_reach = 0.9;          // share of the range
-  double joint_penetration = 0.001;  // m
-  double joint_return = 0.05;        // share of the range
+  bool drive = true;
+  std::vector<JointCheck> joints;
+  double joint_overshoot = 0.05;           // share of the range
+  double joint_reach = 0.9;                // share of the range
+  double joint_penetration = 0.001;        // m
+  double joint_return = 0.05;              // share of the range
+  double hinge_range = 6.283185307179586;  // rad, of a hinge that nothing is coupled to
+  double slide_range = 3;                  // share of the object's longest side, of such a slide
   // Numbers.
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, of a part
   Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, of the whole in its box

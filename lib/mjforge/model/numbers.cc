@@ -20,6 +20,7 @@ class Taker {
     }
     for (Section& section : object.sections) Take(section.elements);
     for (Expectation& expectation : object.expectations) Take(expectation);
+    for (Fitting& fitting : object.checks.fits) Take(fitting);
     links_.Take(object.bounds.aabb.min);
     links_.Take(object.bounds.aabb.max);
     links_.Take(object.bounds.top_offset);
@@ -48,6 +49,10 @@ class Taker {
       Take(element.attributes);
       Take(element.children);
     }
+  }
+  void Take(Fitting& fitting) {
+    for (Traced<double>& side : fitting.peg) links_.Take(side);
+    links_.Take(fitting.depth);
   }
   void Take(Expectation& expectation) {
     if (expectation.min) links_.Take(*expectation.min);

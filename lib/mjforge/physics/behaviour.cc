@@ -3,12 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "mjforge/physics/coupling.h"
 #include "mjforge/physics/drive.h"
+#include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/resting.h"
 #include "mjforge/physics/settle.h"
+#include "mjforge/physics/stability.h"
 
 namespace mjforge::physics {
 namespace {
@@ -16,8 +23,10 @@ namespace {
 using diag::Code;
 
 constexpr const char* kHarderContacts = "use harder contacts: a smaller solref, solimp closer to 1";
+constexpr const char* kMakeRoom = "make room, use another `pose`, or add `contact: exclude`";
 constexpr const char* kInTheWay = "use a shorter range, make room, or add `contact: exclude`";
 
+constexpr double kSameRange = 1e-6;  // a limit and a range may come from the same parameter
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 // MuJoCo steps any model; what comes of steps that are longer than a fall says nothing.
@@ -32,8 +41,8 @@ class Behaviour {
       : m_(m), workspace_(workspace), object_(object), mark_(mark), verdict_(verdict) {}
 
   void Check(Result& result) {
-    if (!CanStep()) return;
-    const Trouble trouble = Drop(result);
+    if (!CanStep() || !JointChecks(m_, object_.name, verdict_.checks()).Verify(verdict_)) return;
+    const Trouble trouble = Drop({}, result);
     for (const std::string& warning : trouble.warnings) {
       verdict_.Error(Code::kPhysicsUnstable, mark_,
                      fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
@@ -43,7 +52,13 @@ class Behaviour {
     }
     if (trouble.blown_up) return;
     ReportDrop(trouble, result);
-    for (const Driven& driven : DriveJoints(m_, workspace_.For(m_))) {
+    for (const Misplaced& misplaced : MisplacedJoints(m_, *end_, object_.name, verdict_.checks()))
+      ReportMisplaced(misplaced);
+    CheckStability(result);
+    CheckRanges();
+    const Drives drives = DriveJoints(m_, workspace_.For(m_), object_.name, verdict_.checks());
+    for (const Jam& jam : drives.jams) ReportJam(jam);
+    for (const Driven& driven : drives.joints) {
       result.joints.push_back(driven.measured);
       ReportJoint(driven);
     }
@@ -65,14 +80,107 @@ class Behaviour {
     return false;
   }
 
-  Trouble Drop(Result& result) {
+  Trouble Drop(const Nudge& nudge, Result& result) {
     for (;;) {
       mjData& d = workspace_.For(m_);
-      Trouble trouble = Settle(m_, d, verdict_.checks(), result);
+      Trouble trouble = Settle(m_, d, verdict_.checks(), nudge, result);
+      end_ = &d;
       // Without room for its contacts it would have fallen through the floor.
       if (!MakeRoom(m_, d)) return trouble;
       result = {};
     }
+  }
+
+  void CheckStability(Result& result) {
+    const int body = result.dropped && result.at_rest ? NudgedBody(m_, *end_) : -1;
+    if (body < 0) return;
+    const Margin margin = MarginOf(m_, *end_, body);
+    result.stability = margin.least;
+    const model::Checks& checks = verdict_.checks();
+    if (!checks.stable || result.tilt > checks.tilt) return;
+    const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
+    const double height =
+        end_->subtree_com[3 * body + 2] - compiled::CollidingBox(m_, *end_, body).min.z();
+    // As fast as an inverted pendulum of this height has to be to lean over as far.
+    const double speed = checks.nudge * std::sqrt(gravity * std::max(height, 0.0));
+    std::vector<Nudge> nudges = {{.speed = speed, .azimuth = margin.azimuth}};
+    for (int side = 0; side < 4; ++side)
+      nudges.push_back(
+          {.tilt = checks.nudge, .azimuth = margin.azimuth + side * std::numbers::pi / 2});
+    for (const Nudge& nudge : nudges) {
+      Result nudged;
+      const Trouble trouble = Drop(nudge, nudged);
+      if (!trouble.blown_up && nudged.tilt <= checks.tilt) continue;
+      ReportToppling(nudge, margin, nudged);
+      return;
+    }
+  }
+
+  void ReportToppling(const Nudge& nudge, const Margin& margin, const Result& nudged) {
+    const std::string how = nudge.tilt > 0
+                                ? fmt::format("tilted by {:.3g} deg", kDegrees * nudge.tilt)
+                                : fmt::format("pushed at {:.3g} m/s", nudge.speed);
+    verdict_.Error(
+        Code::kPhysicsTopples, mark_,
+        fmt::format("'{}' topples when it is {}: it leans over by {:.3g} deg; at rest it "
+                    "can be tilted by {:.3g} deg ({:.2g} J)",
+                    object_.name, how, kDegrees * nudged.tilt, kDegrees * margin.least.angle,
+                    margin.least.energy),
+        "give it a wider foot or a lower centre of mass, or set `nudge`");
+  }
+
+  void ReportMisplaced(const Misplaced& misplaced) {
+    const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, misplaced.joint);
+    const bool is_asked = misplaced.check != nullptr;
+    verdict_.Error(
+        Code::kPhysicsJointRests, is_asked ? misplaced.check->mark : MarkOf(name),
+        fmt::format("joint '{}' rests at {}, {} beyond {}, {} to {}", name,
+                    Distance(misplaced.joint, misplaced.position),
+                    Distance(misplaced.joint, misplaced.beyond),
+                    is_asked ? "where `rests` has it" : "its range",
+                    Distance(misplaced.joint, misplaced.low),
+                    Distance(misplaced.joint, misplaced.high)),
+        is_asked
+            ? "look at springs, `springref`, dry friction, and weight"
+            : "a spring or weight presses it: use a harder limit (a smaller solreflimit), or a "
+              "softer spring");
+  }
+
+  /// Ranges that no real joint has.
+  void CheckRanges() {
+    const model::Checks& checks = verdict_.checks();
+    const Couplings couplings(m_);
+    const model::Box3& box = object_.bounds.aabb;
+    const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
+    for (int joint = 0; joint < m_.njnt; ++joint) {
+      if (m_.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
+      const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, joint);
+      const double range =
+          (m_.jnt_range[2 * joint + 1] - m_.jnt_range[2 * joint]) * (1 - kSameRange);
+      if (m_.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
+        verdict_.Warning(Code::kPhysicsJointRange, MarkOf(name),
+                         fmt::format("joint '{}' turns by {}, more than {:g} deg", name,
+                                     Distance(joint, range), kDegrees * checks.hinge_range),
+                         "angles are in radians; a screw or a valve sets checks.hinge_range");
+      }
+      if (m_.jnt_type[joint] == mjJNT_SLIDE && range > checks.slide_range * size && size > 0) {
+        verdict_.Warning(Code::kPhysicsJointRange, MarkOf(name),
+                         fmt::format("joint '{}' slides by {}, more than {:g} times the object's "
+                                     "size of {:.3g} mm",
+                                     name, Distance(joint, range), checks.slide_range, 1000 * size),
+                         "lengths are in metres; a crane sets checks.slide_range");
+      }
+    }
+  }
+
+  void ReportJam(const Jam& jam) {
+    if (!(jam.depth > verdict_.checks().joint_penetration)) return;
+    verdict_.Error(Code::kPhysicsJointCollides, jam.check != nullptr ? jam.check->mark : mark_,
+                   fmt::format("bodies '{}' and '{}' are {:.3g} mm in each other before any joint "
+                               "is driven",
+                               compiled::NameOf(m_, mjOBJ_BODY, jam.body1),
+                               compiled::NameOf(m_, mjOBJ_BODY, jam.body2), 1000 * jam.depth),
+                   jam.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
   }
 
   /// An error if the value is above the limit. `text` has places for the object's name {0} and, in
@@ -128,16 +236,25 @@ class Behaviour {
     }
     ReportLimits(driven);
     ReportObstacles(driven);
-    if (joint.return_error > verdict_.checks().joint_return * driven.range) {
+    const double most =
+        Limit(driven, &model::JointCheck::joint_return, verdict_.checks().joint_return);
+    if (joint.return_error > most * driven.range) {
       ErrorOf(joint, Code::kPhysicsJointNotBack,
               fmt::format("joint '{}' does not come back: it ends {} from where it started",
                           joint.name, Distance(driven.joint, joint.return_error)));
     }
   }
 
+  /// What an entry of checks.joints says, or else what holds for all.
+  static double Limit(const Driven& driven, std::optional<double> model::JointCheck::*own,
+                      double usual) {
+    return driven.check != nullptr ? (driven.check->*own).value_or(usual) : usual;
+  }
+
   void ReportLimits(const Driven& driven) {
     const Result::Joint& joint = driven.measured;
-    const double most = verdict_.checks().joint_overshoot * driven.range;
+    const double most = driven.range * Limit(driven, &model::JointCheck::overshoot,
+                                             verdict_.checks().joint_overshoot);
     const std::string range = Distance(driven.joint, driven.range);
     if (driven.outside > most) {
       ErrorOf(joint, Code::kPhysicsJointOvershoots,
@@ -155,7 +272,8 @@ class Behaviour {
   void ReportObstacles(const Driven& driven) {
     const model::Checks& checks = verdict_.checks();
     const Result::Joint& joint = driven.measured;
-    if (joint.penetration > checks.joint_penetration) {
+    if (joint.penetration >
+        Limit(driven, &model::JointCheck::penetration, checks.joint_penetration)) {
       ErrorOf(joint, Code::kPhysicsJointCollides,
               fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {:.3g} mm into each "
                           "other, at {}",
@@ -163,7 +281,7 @@ class Behaviour {
                           Distance(driven.joint, driven.where)),
               kInTheWay);
     }
-    if (!(joint.reach < checks.joint_reach)) return;
+    if (!(joint.reach < Limit(driven, &model::JointCheck::reach, checks.joint_reach))) return;
     const bool collide = !driven.body1.empty();
     ErrorOf(joint, Code::kPhysicsJointBlocked,
             fmt::format("joint '{}' reaches only {:.3g} % of its range of {}", joint.name,
@@ -196,6 +314,7 @@ class Behaviour {
   const model::Object& object_;
   diag::SourceMark mark_;
   Verdict& verdict_;
+  mjData* end_ = nullptr;  // of the last drop
 };
 
 }  // namespace

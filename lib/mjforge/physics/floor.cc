@@ -8,8 +8,6 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr double kClearance = 0.002;  // m
-
 /// The lowest point of all that can collide; planes have none.
 double LowestPoint(const mjModel& m) {
   const compiled::Data d = compiled::MakeData(m);
@@ -20,11 +18,13 @@ double LowestPoint(const mjModel& m) {
 
 }  // namespace
 
-double DropHeight(const mjModel& m) {
+double LargestMargin(const mjModel& m) {
   double margin = 0;
   for (int i = 0; i < m.ngeom; ++i) margin = std::max(margin, m.geom_margin[i]);
-  return kClearance + margin;
+  return margin;
 }
+
+double DropHeight(const mjModel& m) { return 0.002 + LargestMargin(m); }
 
 void LevelFloor(mjModel& m, int geom) {
   for (const compiled::ArrayField& field : compiled::ArrayFields(mjOBJ_GEOM)) {

@@ -4,8 +4,10 @@
 
 namespace mjforge::physics {
 
-/// The height from which things are dropped, m: more than the margins within which MuJoCo already
-/// pushes.
+/// The largest distance at which MuJoCo already pushes, m.
+double LargestMargin(const mjModel& m);
+
+/// The height from which things are dropped, m: 2 mm more.
 double DropHeight(const mjModel& m);
 
 /// Makes a geom of the world the floor: level, with MuJoCo's own contact parameters whatever the

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include <pugixml.hpp>
-
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/added.h"
 
 namespace mjforge::physics {
 namespace {
@@ -24,23 +22,13 @@ using Eigen::Vector3d;
 constexpr double kStay = 3;        // s, how long the balls have to stay
 constexpr double kTurn = 1;        // s, for half a turn
 constexpr double kPour = 3;        // s, for the balls to come out, the turn included
-constexpr double kGravity = 9.81;  // m/s^2, whatever the spec says
 constexpr double kDensity = 2500;  // kg/m^3, of glass
-// What holds the balls is so heavy that they do not move it.
-constexpr double kHeld = 1e8;  // kg or kg m^2
 // Off the middle, as a share of the radius: balls do not stand on each other, and still fall
 // through a bottle's neck.
 constexpr double kOffMiddle = 0.1;
 constexpr double kSoft = 0.001;                     // m, how deep a contact may be
 constexpr double kFall = 0.3;                       // s, from a rim to beside the object
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
-
-// Says all that a file's defaults could change. It collides with everything that collides.
-constexpr const char* kBall =
-    R"(<body name="{}"><joint type="free"/><geom type="sphere" size="{}" mass="{}" )"
-    R"(contype="2147483647" conaffinity="2147483647" condim="3" friction="1 0.005 0.0001" )"
-    R"(solref="0.02 1" solimp="0.9 0.95 0.001 0.5 2" solmix="1" priority="0" margin="0" gap="0"/>)"
-    R"(</body>)";
 
 constexpr std::string_view kBallPrefix = "mjforge-ball-";
 std::string BallName(int ball) { return fmt::format("{}{}", kBallPrefix, ball); }
@@ -125,16 +113,9 @@ class Container {
 
   /// The object, in that pose, as if it were fixed to the world.
   void Hold(std::span<const mjtNum> pose) {
-    const int after = balls_.back().qpos + 7;
-    const auto before = pose.begin() + balls_.front().qpos;
-    std::copy(pose.begin(), before, d_.qpos);
-    std::copy(before, pose.end(), d_.qpos + after);
     const int count = static_cast<int>(balls_.size());
-    const int dof = m_.body_dofadr[first_];
-    for (int i = 0; i < m_.nv; ++i) {
-      if (i < dof || i >= dof + 6 * count) m_.dof_armature[i] = kHeld;
-    }
-    m_.opt.disableflags |= mjDSBL_EQUALITY | mjDSBL_LIMIT | mjDSBL_PASSIVE | mjDSBL_ACTUATION;
+    PlaceOthers(m_, d_, pose, first_, count);
+    HoldOthers(m_, m_.body_dofadr[first_], 6 * count);
     mj_kinematics(&m_, &d_);
     for (int body = 1; body < m_.nbody; ++body) {
       const bool is_ball = body >= first_ && body < first_ + count;
@@ -160,8 +141,8 @@ class Container {
   /// With gravity turned by that angle about the x axis.
   void Step(double angle) {
     m_.opt.gravity[0] = 0;
-    m_.opt.gravity[1] = kGravity * std::sin(angle);
-    m_.opt.gravity[2] = -kGravity * std::cos(angle);
+    m_.opt.gravity[1] = kEarthGravity * std::sin(angle);
+    m_.opt.gravity[2] = -kEarthGravity * std::cos(angle);
     mj_step(&m_, &d_);
     for (Ball& ball : balls_) {
       if (ball.where == Where::kAbove || ball.where == Where::kIn) Follow(ball);
@@ -269,22 +250,14 @@ int TakenAway(const mjModel& m, const std::string& object, Verdict& verdict) {
 }  // namespace
 
 std::string WithBalls(std::string_view text, const model::Holding& holding) {
-  pugi::xml_document document;
-  document.load_buffer(text.data(), text.size());
-  pugi::xml_node root = document.document_element();
-  while (root.remove_child("keyframe")) {
-  }
-  pugi::xml_node world = root.child("worldbody");
-  if (!world) world = root.append_child("worldbody");
+  std::string balls;
   for (int i = 0; i < holding.balls; ++i) {
     const double radius = RadiusOf(holding, i);
     const double mass = kDensity * 4 / 3 * std::numbers::pi * radius * radius * radius;
-    const std::string body = fmt::format(kBall, BallName(i), radius, mass);
-    world.append_buffer(body.data(), body.size());
+    balls += fmt::format(R"(<body name="{}"><joint type="free"/>{}</body>)", BallName(i),
+                         AddedGeom(fmt::format(R"(type="sphere" size="{}")", radius), mass));
   }
-  std::ostringstream out;
-  document.save(out, "", pugi::format_raw);
-  return std::move(out).str();
+  return WithBodies(text, balls);
 }
 
 void CheckHolding(mjModel& m, Workspace& workspace, std::span<const mjtNum> start,

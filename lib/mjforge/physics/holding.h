@@ -13,8 +13,7 @@
 
 namespace mjforge::physics {
 
-/// An MJCF text with the balls of checks.holds as the first bodies of its world, and without
-/// keyframes, whose numbers would no longer fit.
+/// An MJCF text with the balls of checks.holds.
 std::string WithBalls(std::string_view text, const model::Holding& holding);
 
 /// Drops the balls into the object, which is held, and then turns it over. Says which of them it

@@ -15,9 +15,9 @@ struct Overlap {
   std::size_t second = 0;
 };
 
-/// By quasi-Monte Carlo: 2,000 points in each solid that meets an earlier one. A point in several
-/// solids counts for all of them except the first. The error is below a hundredth of the solid's
-/// mass.
+/// By quasi-Monte Carlo: up to 2,000 points in each solid that meets an earlier one. A point in
+/// several solids counts for all of them except the first. The error is below a hundredth of the
+/// solid's mass, or of a tenth of the mass of all.
 Overlap FindOverlap(const std::vector<model::Part>& parts);
 
 }  // namespace mjforge::physics

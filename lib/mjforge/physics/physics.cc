@@ -17,6 +17,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/behaviour.h"
+#include "mjforge/physics/fitting.h"
 #include "mjforge/physics/floor.h"
 #include "mjforge/physics/holding.h"
 #include "mjforge/physics/proportions.h"
@@ -66,6 +67,10 @@ void Round(Result& result) {
   for (double* number : {&result.time, &result.drift, &result.tilt, &result.speed,
                          &result.penetration, &result.sink, &result.energy_gain, &result.overlap}) {
     *number = Rounded(*number);
+  }
+  if (result.stability) {
+    result.stability->angle = Rounded(result.stability->angle);
+    result.stability->energy = Rounded(result.stability->energy);
   }
   for (Result::Joint& joint : result.joints) {
     for (double* number :
@@ -133,10 +138,19 @@ std::optional<Result> Laboratory::State::Examine(mjModel& m, const model::Object
     Result result;
     CheckBehaviour(m, workspace, object, mark, verdict, result);
     result.overlap = CheckProportions(object, mark, verdict);
+    const auto loaded = [&](const std::string& with_more) {
+      engine::Loaded more = load(with_more);
+      if (!more.model) throw std::runtime_error(engine::ParseRefusal(more.error).reason);
+      return std::move(more.model);
+    };
+    const std::span<const mjtNum> start = compiled::StartOf(m);
     if (checks.holds) {
-      const engine::Loaded loaded = load(WithBalls(text, *checks.holds));
-      if (!loaded.model) throw std::runtime_error(engine::ParseRefusal(loaded.error).reason);
-      CheckHolding(*loaded.model, workspace, compiled::StartOf(m), object.name, verdict, result);
+      const engine::Model with_balls = loaded(WithBalls(text, *checks.holds));
+      CheckHolding(*with_balls, workspace, start, object.name, verdict, result);
+    }
+    if (!checks.fits.empty()) {
+      const engine::Model with_pegs = loaded(WithPegs(text, checks));
+      CheckFitting(*with_pegs, workspace, start, object.name, verdict, result);
     }
     Round(result);
     return result;

@@ -22,9 +22,15 @@ struct Result {
     std::string name;
     double overshoot = 0;     // beyond its range, rad or m
     double reach = 1;         // share of its range that it could be driven to
-    double penetration = 0;   // deepest of two bodies of the object, m
+    double penetration = 0;   // deepest of two bodies, beyond where they start, m
     double return_error = 0;  // distance from where it began, rad or m
     bool operator==(const Joint&) const = default;
+  };
+  /// How far it can be tilted from where it rests, in any direction, before it topples.
+  struct Stability {
+    double angle = 0;   // rad
+    double energy = 0;  // J, to get there
+    bool operator==(const Stability&) const = default;
   };
   /// Balls dropped into the object, which is held, and turned over.
   struct Holding {
@@ -32,6 +38,12 @@ struct Result {
     int held = 0;     // for 3 s
     int emptied = 0;  // of those, through the mouth as it was turned over; 0 if it was not
     bool operator==(const Holding&) const = default;
+  };
+  /// Pegs and bodies that were to go into holes.
+  struct Fitting {
+    int tried = 0;
+    int fit = 0;
+    bool operator==(const Fitting&) const = default;
   };
   /// The drop: from 2 mm above the floor, until it rests or the time is up. An object that is fixed
   /// to the world only hangs there under its weight.
@@ -48,7 +60,9 @@ struct Result {
   int nefc = 0;            // most constraint rows in a step
   double overlap = 0;      // share of the mass that is counted twice
   std::vector<Joint> joints;
-  std::optional<Holding> holds;  // none: not asked for
+  std::optional<Stability> stability;  // none: it did not come to rest, or not alone on a floor
+  std::optional<Holding> holds;        // none: not asked for
+  std::optional<Fitting> fits;         // none: not asked for
   bool operator==(const Result&) const = default;
 };
 

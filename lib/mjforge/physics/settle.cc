@@ -43,8 +43,8 @@ Ground GroundOf(const mjModel& m, const mjData& d) {
 
 class Drop {
  public:
-  Drop(mjModel& m, mjData& d, const model::Checks& checks, Result& result)
-      : m_(m), d_(d), checks_(checks), result_(result) {
+  Drop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge, Result& result)
+      : m_(m), d_(d), checks_(checks), nudge_(nudge), result_(result) {
     for (int joint = 0; joint < m.njnt; ++joint) {
       if (m.jnt_type[joint] == mjJNT_FREE) roots_.emplace_back().body = m.jnt_bodyid[joint];
     }
@@ -53,6 +53,7 @@ class Drop {
   Trouble Run() {
     std::ranges::copy(compiled::StartOf(m_), d_.qpos);
     mj_kinematics(&m_, &d_);
+    Lean();
     const Ground ground = GroundOf(m_, d_);
     result_.dropped = !roots_.empty() && ground.planes + ground.others > 0;
     if (result_.dropped && ground.planes == 1 && ground.others == 0) Lift(ground.height);
@@ -85,6 +86,26 @@ class Drop {
     Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // upwards at the start, in the body
   };
 
+  bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }
+
+  void Lean() {
+    if (!IsNudged()) return;
+    mj_comPos(&m_, &d_);
+    const Eigen::Vector3d way(std::cos(nudge_.azimuth), std::sin(nudge_.azimuth), 0);
+    lean_ = Eigen::AngleAxisd(nudge_.tilt, Eigen::Vector3d::UnitZ().cross(way));
+    for (const Root& root : roots_) {
+      const int joint = m_.body_jntadr[root.body];
+      Eigen::Map<Eigen::Vector3d> p(d_.qpos + m_.jnt_qposadr[joint]);
+      const Eigen::Vector3d center = VectorAt(d_.subtree_com, root.body);
+      p = (center + lean_ * (p - center)).eval();
+      const Eigen::Quaterniond q = lean_ * TurnOf(root.body);
+      const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
+      std::ranges::copy(quat, d_.qpos + m_.jnt_qposadr[joint] + 3);
+      Eigen::Map<Eigen::Vector3d>(d_.qvel + m_.jnt_dofadr[joint]) = nudge_.speed * way;
+    }
+    mj_kinematics(&m_, &d_);
+  }
+
   /// All by the same height, so that they keep their places.
   void Lift(double floor) {
     model::Box3 all;
@@ -98,7 +119,9 @@ class Drop {
     }
     for (const Root& root : roots_) {
       const int joint = m_.body_jntadr[root.body];
-      d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + DropHeight(m_) - all.min.z();
+      // What is nudged has no other energy than that.
+      const double above = IsNudged() ? LargestMargin(m_) : DropHeight(m_);
+      d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + above - all.min.z();
     }
   }
 
@@ -108,7 +131,7 @@ class Drop {
     starts_.assign(d_.xipos, d_.xipos + 3 * m_.nbody);
     for (Root& root : roots_) {
       root.start = VectorAt(d_.subtree_com, root.body);
-      root.up_B = TurnOf(root.body).conjugate() * Eigen::Vector3d::UnitZ();
+      root.up_B = TurnOf(root.body).conjugate() * (lean_ * Eigen::Vector3d::UnitZ());
     }
     // What energy is held against: lifting the object by its own size.
     double radius = 0;
@@ -188,7 +211,9 @@ class Drop {
   mjModel& m_;
   mjData& d_;
   const model::Checks& checks_;
+  const Nudge& nudge_;
   Result& result_;
+  Eigen::Quaterniond lean_ = Eigen::Quaterniond::Identity();
   std::vector<Root> roots_;
   std::vector<mjtNum> starts_;  // xipos at the start
   int fastest_ = 0;             // the body that was, when last looked at
@@ -199,8 +224,22 @@ class Drop {
 
 }  // namespace
 
-Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result) {
-  return Drop(m, d, checks, result).Run();
+Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
+               Result& result) {
+  return Drop(m, d, checks, nudge, result).Run();
+}
+
+int NudgedBody(const mjModel& m, mjData& d) {
+  mj_kinematics(&m, &d);
+  const Ground ground = GroundOf(m, d);
+  if (ground.planes != 1 || ground.others > 0) return -1;
+  int body = -1;
+  for (int joint = 0; joint < m.njnt; ++joint) {
+    if (m.jnt_type[joint] != mjJNT_FREE) continue;
+    if (body >= 0) return -1;
+    body = m.jnt_bodyid[joint];
+  }
+  return body;
 }
 
 }  // namespace mjforge::physics

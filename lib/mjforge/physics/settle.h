@@ -18,11 +18,22 @@ struct Trouble {
   double way = 0;       // of its centre of mass from the start, m
 };
 
+/// What happens to a free body as it is let go: it leans, and moves along the floor.
+struct Nudge {
+  double tilt = 0;     // rad
+  double speed = 0;    // m/s
+  double azimuth = 0;  // rad, from x towards y: which way
+};
+
 /// If the model has a level plane, one free body and nothing else to lie on, puts that body
 /// DropHeight() above the floor. Simulates from there with the model's own options until it rests
 /// or checks.settle_time is over. `d` is the model's data at its initial state; afterwards it holds
-/// the end of the drop, and the model is unchanged. Fills in all of `result` except overlap and
-/// joints. May throw std::exception.
-Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, Result& result);
+/// the end of the drop, and the model is unchanged. Fills in all of `result` that a drop tells; the
+/// tilt is that from before the nudge. May throw std::exception.
+Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
+               Result& result);
+
+/// The body that stands alone on a level floor, so that it can be nudged; -1: there is none.
+int NudgedBody(const mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

@@ -48,6 +48,54 @@ void ReadHolding(const YamlNode& holds, Reading& reading) {
                          "it is the balls' diameter: {ball: 8mm}");
 }
 
+void ReadFitting(const YamlNode& map, EntryReader& entries, Reading& reading) {
+  if (!IsMap(map, "what must go into a hole", reading)) return;
+  CheckKeys(FittingElement(), map, reading);
+  Checks::Fitting fitting;
+  fitting.entry = entries.Begin(FittingElement(), map, map, EntryReader::Naming::kOptional);
+  fitting.entry.fields = ReadFields(FittingElement(), map, reading);
+  RejectDraws(fitting.entry.fields, reading);
+  entries.End(fitting.entry);
+  const auto missing = [&](std::string_view key, std::string_view hint) {
+    reading.findings.Add(Code::kSpecMissingKey, map.mark, fmt::format("'{}' is missing", key),
+                         std::string(hint));
+  };
+  const bool has_body = map.Find("body") != nullptr;
+  if (map.Find("hole") == nullptr) missing("hole", "the site at its mouth, z axis inwards");
+  if (map.Find("depth") == nullptr) missing("depth", "how far in it must get: {depth: 2cm}");
+  if (has_body && map.Find("tip") == nullptr) missing("tip", "a site of the body");
+  if (!has_body && map.Find("peg") == nullptr)
+    missing("peg", "its diameter, {peg: 9.8mm}; or a `body` of the object with its `tip`");
+  if (has_body && map.Find("peg") != nullptr) {
+    reading.findings.Add(Code::kSpecConflict, map.mark,
+                         "'peg' together with 'body': one of them goes into the hole");
+  }
+  reading.spec.checks.fits.push_back(std::move(fitting));
+}
+
+void ReadJointCheck(const YamlNode& map, EntryReader& entries, Reading& reading) {
+  if (!IsMap(map, "a joint and what is asked of it", reading)) return;
+  CheckKeys(JointCheckElement(), map, reading);
+  Checks::JointCheck check;
+  check.entry = entries.Begin(JointCheckElement(), map, map, EntryReader::Naming::kOptional);
+  check.entry.fields = ReadFields(JointCheckElement(), map, reading);
+  RejectDraws(check.entry.fields, reading);
+  const YamlNode* joint = map.Find("joint");
+  if (joint == nullptr) {
+    reading.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
+                         "the name of a joint, or a list of names");
+  } else if (joint->kind == YamlNode::Kind::kList) {
+    for (const YamlNode& name : joint->items) check.joints.push_back(reading.values.ReadText(name));
+  } else {
+    check.joints.push_back(reading.values.ReadText(*joint));
+  }
+  if (const YamlNode* at = map.Find("at")) check.at = ReadPositions(*at, reading);
+  if (const YamlNode* skip = map.Find("skip"))
+    check.skip = reading.values.ReadPlainText("skip", *skip);
+  entries.End(check.entry);
+  reading.spec.checks.joints.push_back(std::move(check));
+}
+
 void ReadSilence(const YamlNode& silence, Reading& reading) {
   if (!IsMap(silence, "codes and reasons", reading)) return;
   std::vector<std::string_view> names;
@@ -88,6 +136,14 @@ void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Rea
   RejectDraws(reading.spec.checks.fields, reading);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, reading);
   if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, reading);
+  EntryReader entries(reading);
+  const auto read = [&](std::string_view key, std::string_view what, auto read_one) {
+    const YamlNode* list = map.Find(key);
+    if (list == nullptr || !IsList(*list, what, reading)) return;
+    for (const YamlNode& item : list->items) read_one(item, entries, reading);
+  };
+  read("fits", "what must go into holes", ReadFitting);
+  read("joints", "joints and what is asked of them", ReadJointCheck);
 }
 
 }  // namespace mjforge::spec

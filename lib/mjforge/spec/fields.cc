@@ -537,13 +537,48 @@ constexpr FieldInfo kHoldingFields[] = {
         "Whether they must come out as the object is turned over about its x axis."),
 };
 
+constexpr FieldInfo kFittingFields[] = {
+    kIf,
+    kFor,
+    kLet,
+    Required(Row("hole", Slot::kText, "", "A site at the hole's mouth; its z axis is the way in.")),
+    Numbers("peg", {1, 2}, "m", AtLeast(0.0005), "",
+            "Diameter of a round peg of steel; two numbers: full sides along the site's x and y."),
+    Row("body", Slot::kText, "", "In place of a peg, a free body of the object."),
+    Row("tip", Slot::kText, "",
+        "A site on that body, which is laid on the hole's: what goes in first, its z axis ahead."),
+    Required(Number("depth", "m", Above(0), "", "How far in it must get.")),
+};
+
+constexpr FieldInfo kJointCheckFields[] = {
+    kIf,
+    kFor,
+    kLet,
+    Required(Row({"joint", Key::kJoint}, Slot::kNames,
+                 "The joint; or several, which are driven at the same time.")),
+    Row({"at", Key::kAt}, Slot::kPositions,
+        "Where other joints stand meanwhile: m or rad, of a ball joint w, x, y, z; the rest as in "
+        "`pose`. A drawer behind a door is driven with the door open."),
+    Number("overshoot", "", AtLeast(0), "", "In place of `joint_overshoot`."),
+    Number("reach", "", Between(0, 1), "", "In place of `joint_reach`."),
+    Number("penetration", "m", AtLeast(0), "", "In place of `joint_penetration`."),
+    Number("return", "", AtLeast(0), "", "In place of `joint_return`."),
+    Numbers("rests", {2, 2}, "rad or m", kAnyNumber, "",
+            "Lowest and highest place where the joint may be when the object has settled: a lid "
+            "that must fall shut, a key that must come back up."),
+    Row("skip", Slot::kPlainText, "", "Why it is not driven."),
+};
+
 constexpr FieldInfo kChecksFields[] = {
     Number("self_collision", "m", AtLeast(0), "0.01mm",
            "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
            "with every object, not only in physical checks."),
     Row("stable", Slot::kBoolean, "false",
         "Whether a tilt of more than `tilt` is an error, that is, whether the object must stay as "
-        "it was put down."),
+        "it was put down, and come back when it is nudged."),
+    Number("nudge", "rad", Between(0, 1.5), "10deg",
+           "How far a stable object is tilted, to four sides, before it is let go; a push along "
+           "the floor is as strong."),
     Number("settle_time", "s", Above(0), "3", "How long the object may take to come to rest."),
     Number("rest_speed", "m/s", Above(0), "0.01", "Below this speed the object is at rest."),
     Number("tilt", "rad", AtLeast(0), "15deg",
@@ -558,6 +593,12 @@ constexpr FieldInfo kChecksFields[] = {
            "How much energy the object may gain, as a share of mass * gravity * size."),
     Row({"holds", Key::kHolds}, Slot::kHolding,
         "Balls of glass that are dropped into the object: they must stay inside for 3 s."),
+    Row("fits", Slot::kFittings, "",
+        "Pegs, and bodies of the object, that must go into holes: the site's z axis is turned "
+        "downwards, all else is held, and they drop in."),
+    Row({"joints", Key::kJoints}, Slot::kJointChecks,
+        "Joints that are driven in another way, or by other thresholds, than the rest."),
+    Row("drive", Slot::kBoolean, "true", "Whether joints are driven at all."),
     Number("joint_overshoot", "", AtLeast(0), "0.05",
            "How far a joint may be driven beyond its range, as a share of the range."),
     Number("joint_reach", "", Between(0, 1), "0.9", "Share of its range that a joint must reach."),
@@ -565,6 +606,11 @@ constexpr FieldInfo kChecksFields[] = {
            "How deep bodies of the object may penetrate each other as a joint is driven."),
     Number("joint_return", "", AtLeast(0), "0.05",
            "How far from where it began a joint may end, as a share of its range."),
+    Number("hinge_range", "rad", AtLeast(0), "360deg",
+           "Widest range of a hinge that nothing is coupled to."),
+    Number("slide_range", "", AtLeast(0), "3",
+           "Longest range of a slide that nothing is coupled to, as a multiple of the object's "
+           "longest side."),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "20 22000",
             "Lowest and highest density of a part."),
     Numbers("bulk_density", {2, 2}, "kg/m^3", AtLeast(0), "1 22000",
@@ -617,6 +663,11 @@ constexpr ElementInfo kHolding = {
     "holds",
     "Balls dropped into the object, which is held meanwhile, with its joints where they start.",
     kHoldingFields};
+constexpr ElementInfo kFitting = {
+    "fit", "Something that must go into a hole: a peg, or a free body of the object.",
+    kFittingFields};
+constexpr ElementInfo kJointCheck = {
+    "drive", "How some joints are driven, and what is asked of them.", kJointCheckFields};
 constexpr ElementInfo kChecks = {
     "checks",
     "What the object must do and be, besides loading in MuJoCo: thresholds of `--validate "
@@ -625,9 +676,9 @@ constexpr ElementInfo kChecks = {
     kChecksFields};
 
 constexpr const ElementInfo* kElements[] = {
-    &kObject,  &kParameter,   &kMaterial, &kTexture, &kPart,   &kFrame,
-    &kSite,    &kCamera,      &kLight,    &kJoint,   &kBody,   &kContact,
-    &kExclude, &kExpectation, &kDefaults, &kChecks,  &kHolding};
+    &kObject,   &kParameter, &kMaterial, &kTexture, &kPart,      &kFrame,   &kSite,
+    &kCamera,   &kLight,     &kJoint,    &kBody,    &kContact,   &kExclude, &kExpectation,
+    &kDefaults, &kChecks,    &kHolding,  &kFitting, &kJointCheck};
 
 }  // namespace
 
@@ -658,6 +709,8 @@ const ElementInfo& ExpectationElement() { return kExpectation; }
 const ElementInfo& DefaultsElement() { return kDefaults; }
 const ElementInfo& ChecksElement() { return kChecks; }
 const ElementInfo& HoldingElement() { return kHolding; }
+const ElementInfo& FittingElement() { return kFitting; }
+const ElementInfo& JointCheckElement() { return kJointCheck; }
 std::span<const ElementInfo* const> AllElements() { return kElements; }
 
 }  // namespace mjforge::spec

@@ -53,6 +53,9 @@ enum class Slot {
   kSections,
   kChecks,
   kHolding,
+  kJointChecks,
+  kFittings,
+  kNames,
   kSilence,
   kAnything,
 };
@@ -114,6 +117,8 @@ const ElementInfo& ExpectationElement();
 const ElementInfo& DefaultsElement();
 const ElementInfo& ChecksElement();
 const ElementInfo& HoldingElement();
+const ElementInfo& JointCheckElement();
+const ElementInfo& FittingElement();
 std::span<const ElementInfo* const> AllElements();
 
 }  // namespace mjforge::spec

@@ -61,6 +61,10 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kSections, "section: elements"},
     SlotInfo{Slot::kChecks, "checks", R"("@is checks")"},
     SlotInfo{Slot::kHolding, "balls", R"("@is holds")"},
+    SlotInfo{Slot::kJointChecks, "list of drives", R"("@list drive")"},
+    SlotInfo{Slot::kFittings, "list of fits", R"("@list fit")"},
+    SlotInfo{Slot::kNames, "name or list of names",
+             R"("anyOf": [{"type": "string"}, {"@list text", "minItems": 1}])"},
     SlotInfo{Slot::kSilence, "code: reason"},
     SlotInfo{Slot::kAnything, "any value"},
 };

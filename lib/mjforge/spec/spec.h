@@ -82,6 +82,17 @@ struct Checks {
     diag::SourceMark mark;
   };
   std::optional<Holding> holds;
+  struct JointCheck {
+    Entry entry;                // if, for, let; thresholds as fields
+    std::vector<Value> joints;  // texts
+    std::vector<Position> at;
+    std::string skip;
+  };
+  std::vector<JointCheck> joints;
+  struct Fitting {
+    Entry entry;  // if, for, let; all else as fields
+  };
+  std::vector<Fitting> fits;
 };
 /// Whether findings of a code may be intended: how an object behaves, what a spec does not use.
 bool CanBeSilenced(diag::Code code);

@@ -39,6 +39,68 @@ TEST_CASE("springs, damping, dry friction, weight and actuators do not hold a jo
   CHECK(Only(door).reach > 0.99);
 }
 
+TEST_CASE("damping does not hold a joint of little inertia back") {
+  const std::string damped = kDoorRange + R"( damping="0.5")";
+  const std::string pin = R"(type="capsule" fromto="0 0 0 0.01 0 0" size="0.002")";
+  const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", damped, pin)));
+  CHECK(Only(door).reach > 0.99);
+}
+
+TEST_CASE("joints far from each other are driven as if each were alone") {
+  const std::string range = R"(type="slide" axis="0 0 1" limited="true" range="-0.01 0.02")";
+  const std::string box = R"(type="box" size="0.01 0.01 0.01")";
+  std::string keys;
+  std::vector<Result::Joint> alone;
+  for (int i = 0; i < 5; ++i) {
+    const std::string key =
+        Child("key_" + std::to_string(i), std::to_string(0.1 * i) + " 0 0.1", range, box);
+    keys += key;
+    alone.push_back(Only(Examine("<body name=\"base\">" + kCube + key + "</body>")));
+  }
+  const Examined all = Examine("<body name=\"base\">" + kCube + keys + "</body>");
+  REQUIRE(all.result);
+  REQUIRE(all.result->joints.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(all.result->joints[i].name == alone[i].name);
+    CHECK(all.result->joints[i].reach == Approx(alone[i].reach).margin(1e-3));
+    CHECK(all.result->joints[i].overshoot == Approx(alone[i].overshoot).margin(1e-4));
+    CHECK(all.result->joints[i].penetration == 0);
+  }
+}
+
+TEST_CASE("a drawer behind a door is blocked by it, and is not if the door is open") {
+  const std::string door =
+      Child("door", "-0.2 -0.12 0", R"(axis="0 0 -1" limited="true" range="0 2")",
+            R"(type="box" size="0.2 0.005 0.1" pos="0.2 0 0")");
+  const std::string drawer =
+      Child("drawer", "0 0 0", R"(type="slide" axis="0 -1 0" limited="true" range="0 0.15")",
+            R"(type="box" size="0.15 0.1 0.08")");
+  const std::string back = R"(<geom type="box" size="0.2 0.01 0.1" pos="0 0.13 0"/>)";
+  const std::string world = "<body name=\"case\">" + back + door + drawer + "</body>";
+  CHECK(Examine(world).Codes() != Strings());
+  model::Checks checks;
+  checks.joints = {{.joints = {"drawer_joint"}, .positions = {{"door_joint", {1.9}}}},
+                   {.joints = {"door_joint"}}};
+  const Examined open = Examine(world, {}, checks);
+  CHECK(open.Codes() == Strings());
+  REQUIRE(open.result->joints.size() == 2);
+  checks.drive = false;
+  CHECK(Examine(world, {}, checks).result->joints.empty());
+  checks.drive = true;
+  checks.joints[0].skip = "it is locked";
+  CHECK(Examine(world, {}, checks).result->joints.size() == 1);
+}
+
+TEST_CASE("a joint of its own has its own thresholds") {
+  const std::string soft = kDoorRange + R"( solreflimit="0.1 1")";
+  const std::string world = Free(0, kCube + Child("door", "0.06 0 0", soft, kBar));
+  model::Checks checks;
+  checks.joint_overshoot = 0.001;
+  CHECK(Examine(world, {}, checks).Codes() == Strings{"error physics/joint-overshoots"});
+  checks.joints = {{.joints = {"door_joint"}, .overshoot = 0.5}};
+  CHECK(Examine(world, {}, checks).Codes().empty());
+}
+
 TEST_CASE("a joint that something stands in the way of reaches as far as that") {
   // A post at 90 degrees of a door that should open by 1.5 rad more than that.
   const std::string range = R"(axis="0 0 1" limited="true" range="0 3")";

@@ -61,6 +61,17 @@ TEST_CASE("a ball that is faster than the floor is thick falls through it") {
   CHECK(box.findings.begin()->message.find("below its top") != std::string::npos);
 }
 
+TEST_CASE("what is the same from all sides is held, too") {
+  // Four walls around its centre of mass, without a floor.
+  const std::string pipe = R"(<geom type="box" size="0.05 0.004 0.03" pos="0 0.05 0"/>)"
+                           R"(<geom type="box" size="0.05 0.004 0.03" pos="0 -0.05 0"/>)"
+                           R"(<geom type="box" size="0.004 0.05 0.03" pos="0.05 0 0"/>)"
+                           R"(<geom type="box" size="0.004 0.05 0.03" pos="-0.05 0 0"/>)";
+  const Examined box = Examine(Free(0, pipe), {}, Holds(0.008, 0.02));
+  CHECK(box.Codes() == Strings{"error physics/leaks"});
+  CHECK(box.result->holds == Holding{5, 0, 0});
+}
+
 TEST_CASE("balls that fall beside it are not held") {
   model::Checks checks = Holds(0.01, 0.01);
   checks.holds->at = Eigen::Vector2d(0.2, 0);

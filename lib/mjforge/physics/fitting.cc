@@ -1,0 +1,242 @@
+#include "mjforge/physics/fitting.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/physics/added.h"
+
+namespace mjforge::physics {
+namespace {
+
+using compiled::VectorAt;
+using diag::Code;
+using Eigen::Vector3d;
+
+constexpr double kBefore = 0.002;  // m, from the tip to the hole
+constexpr double kSteel = 7850;    // kg/m^3, of a peg of steel
+constexpr double kLonger = 1.5;    // a peg, than it has to go
+constexpr double kMostTime = 2;    // s; a free fall of 1 m takes 0.45 s
+constexpr double kNearly = 1e-4;   // m, a contact's softness
+
+std::string PegName(std::size_t fitting) { return fmt::format("mjforge-peg-{}", fitting); }
+
+double LengthOf(const model::Fitting& fitting) { return kLonger * fitting.depth; }
+
+/// What goes into a hole: a body of the model, and where its tip is in the body's frame.
+struct Peg {
+  int body = 0;
+  model::Pose X_BT;
+};
+
+class Trial {
+ public:
+  Trial(mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int added) : m_(m), d_(d) {
+    PlaceOthers(m, d, start, first, added);
+    mj_kinematics(&m, &d);
+  }
+
+  /// How deep the tip gets, m; nothing if the simulation diverges.
+  std::optional<double> Run(const Peg& peg, int hole, double depth) {
+    const model::Pose X_WH = SitePose(hole);
+    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const int joint = m_.body_jntadr[peg.body];
+    const int dof = m_.jnt_dofadr[joint];
+    const model::Pose X_WT = {X_WH.p - kBefore * way, X_WH.q};
+    const model::Pose X_WB = X_WT * peg.X_BT.Inverse();
+    const Eigen::Quaterniond q = X_WB.q;
+    const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
+    mju_copy3(d_.qpos + m_.jnt_qposadr[joint], X_WB.p.value().data());
+    mju_copy4(d_.qpos + m_.jnt_qposadr[joint] + 3, quat);
+    HoldOthers(m_, dof, 6);
+    Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * way;
+    double deepest = -kBefore;
+    for (double time = 0; time < kMostTime && deepest < depth; time += m_.opt.timestep) {
+      mj_step(&m_, &d_);
+      if (HasBlownUp(d_)) return std::nullopt;
+      const model::Pose X_WBnow = compiled::PoseAt(d_.xpos, d_.xquat, peg.body);
+      const Vector3d tip = X_WBnow.p + X_WBnow.q * peg.X_BT.p;
+      deepest = std::max(deepest, (tip - X_WH.p).dot(way));
+      Touch(peg.body);
+    }
+    return deepest;
+  }
+
+  /// What it last touched.
+  const std::string& touched() const { return touched_; }
+
+  model::Pose SitePose(int site) const {
+    mjtNum quat[4];
+    mju_mat2Quat(quat, d_.site_xmat + 9 * site);
+    return compiled::PoseAt(d_.site_xpos + 3 * site, quat, 0);
+  }
+
+ private:
+  void Touch(int body) {
+    for (int i = 0; i < d_.ncon; ++i) {
+      const int one = m_.geom_bodyid[d_.contact[i].geom1];
+      const int two = m_.geom_bodyid[d_.contact[i].geom2];
+      if (m_.body_rootid[one] != body && m_.body_rootid[two] != body) continue;
+      const int geom = m_.body_rootid[one] == body ? d_.contact[i].geom2 : d_.contact[i].geom1;
+      touched_ = compiled::NameOf(m_, mjOBJ_GEOM, geom);
+    }
+  }
+
+  mjModel& m_;
+  mjData& d_;
+  std::string touched_;
+};
+
+class Fits {
+ public:
+  Fits(const mjModel& m, Workspace& workspace, std::span<const mjtNum> start,
+       const std::string& name, Verdict& verdict)
+      : m_(m), workspace_(workspace), start_(start), name_(name), verdict_(verdict) {
+    const auto& fits = verdict.checks().fits;
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      const int body = mj_name2id(&m, mjOBJ_BODY, PegName(i).c_str());
+      if (body < 0) continue;
+      if (first_ == 0) first_ = body;
+      ++added_;
+    }
+  }
+
+  Result::Fitting Check() {
+    Result::Fitting counts;
+    const auto& fits = verdict_.checks().fits;
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      ++counts.tried;
+      const int hole = Find(fits[i], mjOBJ_SITE, fits[i].hole, "site");
+      const std::optional<Peg> peg = hole < 0 ? std::nullopt : PegOf(fits[i], i);
+      if (peg && Goes(fits[i], *peg, hole)) ++counts.fit;
+    }
+    return counts;
+  }
+
+ private:
+  /// A body or a site as the spec or the file names it; -1 after a finding.
+  int Find(const model::Fitting& fitting, mjtObj kind, const std::string& own,
+           std::string_view what) {
+    for (const std::string& full : {name_ + "_" + own, own}) {
+      const int id = mj_name2id(&m_, kind, full.c_str());
+      if (id >= 0) return id;
+    }
+    std::vector<std::string> names;
+    for (int i = 0; i < (kind == mjOBJ_SITE ? m_.nsite : m_.nbody); ++i) {
+      names.push_back(compiled::NameOf(m_, kind, i));
+      if (names.back().starts_with(name_ + "_")) names.back().erase(0, name_.size() + 1);
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    verdict_.Error(Code::kModelUnknownReference, fitting.mark,
+                   fmt::format("`fits`: the object has no {} '{}'", what, own),
+                   diag::DidYouMean(own, known));
+    return -1;
+  }
+
+  std::optional<Peg> PegOf(const model::Fitting& fitting, std::size_t index) {
+    if (fitting.body.empty()) {
+      const double half = LengthOf(fitting) / 2;
+      return Peg{mj_name2id(&m_, mjOBJ_BODY, PegName(index).c_str()),
+                 {Vector3d(0, 0, half), Eigen::Quaterniond::Identity()}};
+    }
+    const int body = Find(fitting, mjOBJ_BODY, fitting.body, "body");
+    const int tip = body < 0 ? -1 : Find(fitting, mjOBJ_SITE, fitting.tip, "site");
+    if (tip < 0) return std::nullopt;
+    const int joint = m_.body_jntadr[body];
+    if (m_.body_jntnum[body] != 1 || m_.jnt_type[joint] != mjJNT_FREE) {
+      verdict_.Error(Code::kModelBadValue, fitting.mark,
+                     fmt::format("`fits`: body '{}' is not free, so that it cannot be put in front "
+                                 "of a hole",
+                                 fitting.body));
+      return std::nullopt;
+    }
+    if (m_.site_bodyid[tip] != body) {
+      verdict_.Error(
+          Code::kModelBadValue, fitting.mark,
+          fmt::format("`fits`: site '{}' is not on body '{}'", fitting.tip, fitting.body));
+      return std::nullopt;
+    }
+    return Peg{body, compiled::PoseAt(m_.site_pos, m_.site_quat, tip)};
+  }
+
+  bool Goes(const model::Fitting& fitting, const Peg& peg, int hole) {
+    for (;;) {
+      engine::Model copy(mj_copyModel(nullptr, &m_));
+      LeaveOnly(*copy, peg.body);
+      mjData& d = workspace_.For(*copy);
+      Trial trial(*copy, d, start_, first_, added_);
+      const double wanted = fitting.depth;
+      const std::optional<double> depth = trial.Run(peg, hole, wanted);
+      if (MakeRoom(*copy, d)) continue;
+      if (depth && *depth >= wanted - kNearly) return true;
+      Report(fitting, depth, trial.touched());
+      return false;
+    }
+  }
+
+  /// Of the pegs that were added, only this one is there.
+  void LeaveOnly(mjModel& m, int peg) const {
+    for (int geom = 0; geom < m.ngeom; ++geom) {
+      const int body = m.geom_bodyid[geom];
+      if (body >= first_ && body < first_ + added_ && body != peg)
+        m.geom_contype[geom] = m.geom_conaffinity[geom] = 0;
+    }
+  }
+
+  void Report(const model::Fitting& fitting, std::optional<double> depth,
+              const std::string& touched) {
+    const std::string peg = fitting.body.empty() ? "a peg" : fmt::format("'{}'", fitting.body);
+    if (!depth) {
+      verdict_.Error(
+          Code::kPhysicsUnstable, fitting.mark,
+          fmt::format("the simulation diverges as {} goes into '{}'", peg, fitting.hole));
+      return;
+    }
+    verdict_.Error(
+        Code::kPhysicsDoesNotFit, fitting.mark,
+        fmt::format("{} goes {:.3g} mm into '{}', not {:.3g} mm{}", peg,
+                    std::max(0.0, 1000 * *depth), fitting.hole, 1000 * fitting.depth.value(),
+                    touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
+        "make the hole wider or deeper; the z axis of its site is the way in");
+  }
+
+  const mjModel& m_;
+  Workspace& workspace_;
+  std::span<const mjtNum> start_;
+  const std::string& name_;
+  Verdict& verdict_;
+  int first_ = 0;  // body of the first added peg
+  int added_ = 0;
+};
+
+}  // namespace
+
+std::string WithPegs(std::string_view text, const model::Checks& checks) {
+  std::string pegs;
+  for (std::size_t i = 0; i < checks.fits.size(); ++i) {
+    const model::Fitting& fitting = checks.fits[i];
+    if (!fitting.body.empty()) continue;
+    const double x = fitting.peg[0] / 2;
+    const double y = fitting.peg[1] / 2;
+    const double length = LengthOf(fitting);
+    const double area = fitting.is_round ? std::numbers::pi * x * x : 4 * x * y;
+    const std::string shape = fitting.is_round
+                                  ? fmt::format(R"(type="cylinder" size="{} {}")", x, length / 2)
+                                  : fmt::format(R"(type="box" size="{} {} {}")", x, y, length / 2);
+    pegs += fmt::format(R"(<body name="{}"><joint type="free"/>{}</body>)", PegName(i),
+                        AddedGeom(shape, kSteel * area * length));
+  }
+  return WithBodies(text, pegs);
+}
+
+void CheckFitting(mjModel& m, Workspace& workspace, std::span<const mjtNum> start,
+                  const std::string& name, Verdict& verdict, Result& result) {
+  result.fits = Fits(m, workspace, start, name, verdict).Check();
+}
+
+}  // namespace mjforge::physics

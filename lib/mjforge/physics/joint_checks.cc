@@ -1,0 +1,99 @@
+#include "mjforge/physics/joint_checks.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/travel.h"
+
+namespace mjforge::physics {
+namespace {
+
+std::size_t SizeOf(const mjModel& m, int joint) {
+  switch (m.jnt_type[joint]) {
+    case mjJNT_FREE:
+      return 7;
+    case mjJNT_BALL:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+}  // namespace
+
+bool JointChecks::Verify(Verdict& verdict) const {
+  bool is_right = true;
+  const auto wrong = [&](diag::Code code, const model::JointCheck& check, std::string message,
+                         std::string hint = {}) {
+    is_right = false;
+    verdict.Error(code, check.mark, std::move(message), std::move(hint));
+  };
+  const auto exists = [&](const model::JointCheck& check, const std::string& name) {
+    if (Find(name) >= 0) return true;
+    std::vector<std::string> names;
+    for (int joint = 0; joint < m_.njnt; ++joint) {
+      names.push_back(compiled::NameOf(m_, mjOBJ_JOINT, joint));
+      if (names.back().starts_with(prefix_)) names.back().erase(0, prefix_.size());
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    wrong(diag::Code::kModelUnknownReference, check,
+          fmt::format("checks.joints: the object has no joint '{}'", name),
+          diag::DidYouMean(name, known));
+    return false;
+  };
+  for (const model::JointCheck& check : checks_.joints) {
+    for (const std::string& name : check.joints) exists(check, name);
+    for (const auto& [name, numbers] : check.positions) {
+      if (!exists(check, name) || SizeOf(m_, Find(name)) == numbers.size()) continue;
+      wrong(diag::Code::kModelBadValue, check,
+            fmt::format("checks.joints: the position of joint '{}' has {} numbers, but it takes {}",
+                        name, numbers.size(), SizeOf(m_, Find(name))));
+    }
+  }
+  return is_right;
+}
+
+std::vector<int> JointChecks::Others() const {
+  std::vector<int> joints;
+  for (int joint = 0; joint < m_.njnt; ++joint) {
+    const auto names = [&](const model::JointCheck& check) { return Names(check, joint); };
+    if (CanBeDriven(joint) && std::ranges::none_of(checks_.joints, names)) joints.push_back(joint);
+  }
+  return joints;
+}
+
+std::vector<int> JointChecks::JointsOf(const model::JointCheck& check) const {
+  std::vector<int> joints;
+  for (const std::string& name : check.joints) {
+    if (CanBeDriven(Find(name))) joints.push_back(Find(name));
+  }
+  return joints;
+}
+
+std::vector<mjtNum> JointChecks::StartOf(const model::JointCheck& check) const {
+  const std::span<const mjtNum> usual = compiled::StartOf(m_);
+  std::vector<mjtNum> start(usual.begin(), usual.end());
+  for (const auto& [name, numbers] : check.positions)
+    std::ranges::copy(numbers, start.begin() + m_.jnt_qposadr[Find(name)]);
+  return start;
+}
+
+bool JointChecks::CanBeDriven(int joint) const {
+  return !PathsOf(m_, joint, compiled::StartOf(m_)).empty();
+}
+
+int JointChecks::Find(const std::string& joint) const {
+  const int own = mj_name2id(&m_, mjOBJ_JOINT, (prefix_ + joint).c_str());
+  return own >= 0 ? own : mj_name2id(&m_, mjOBJ_JOINT, joint.c_str());
+}
+
+bool JointChecks::Names(const model::JointCheck& check, int joint) const {
+  return std::ranges::any_of(check.joints,
+                             [&](const std::string& name) { return Find(name) == joint; });
+}
+
+}  // namespace mjforge::physics

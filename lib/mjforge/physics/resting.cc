@@ -1,0 +1,41 @@
+#include "mjforge/physics/resting.h"
+
+#include <algorithm>
+
+#include "mjforge/physics/joint_checks.h"
+
+namespace mjforge::physics {
+namespace {
+
+// MuJoCo's limits give way to weight alone, by about 0.4 mm with its own `solreflimit`.
+constexpr double kSagOfSlide = 0.001;  // m
+constexpr double kSagOfHinge = 0.02;   // rad
+
+}  // namespace
+
+std::vector<Misplaced> MisplacedJoints(const mjModel& m, const mjData& d, std::string_view object,
+                                       const model::Checks& checks) {
+  const JointChecks entries(m, object, checks);
+  std::vector<Misplaced> all;
+  for (int joint = 0; joint < m.njnt; ++joint) {
+    if (m.jnt_type[joint] != mjJNT_HINGE && m.jnt_type[joint] != mjJNT_SLIDE) continue;
+    const double position = d.qpos[m.jnt_qposadr[joint]];
+    const auto look = [&](double low, double high, double slack, const model::JointCheck* check) {
+      const double beyond = std::max(low - position, position - high);
+      if (beyond > slack) all.push_back({joint, position, low, high, beyond, check});
+    };
+    double slack = checks.joint_overshoot;
+    for (const model::JointCheck& check : checks.joints) {
+      if (!entries.Names(check, joint)) continue;
+      slack = check.overshoot.value_or(slack);
+      if (check.rests) look(check.rests->x(), check.rests->y(), 0, &check);
+    }
+    const double low = m.jnt_range[2 * joint];
+    const double high = m.jnt_range[2 * joint + 1];
+    const double sag = m.jnt_type[joint] == mjJNT_SLIDE ? kSagOfSlide : kSagOfHinge;
+    if (m.jnt_limited[joint] != 0) look(low, high, slack * (high - low) + sag, nullptr);
+  }
+  return all;
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,91 @@
+#include "mjforge/physics/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mjforge/compiled/compiled.h"
+
+namespace mjforge::physics {
+namespace {
+
+constexpr int kWays = 72;
+constexpr double kStep = 0.5 * std::numbers::pi / 180;
+constexpr double kFlat = 1e-9;  // of the height: the centre of a ball does not rise
+
+/// What the floor can touch, about the centre of mass.
+class Hull {
+ public:
+  Hull(const mjModel& m, const mjData& d, int root) {
+    const Eigen::Vector3d center = compiled::VectorAt(d.subtree_com, root);
+    for (int geom = 0; geom < m.ngeom; ++geom) {
+      if (m.body_rootid[m.geom_bodyid[geom]] != root || !compiled::Collides(m, geom)) continue;
+      const std::optional<model::GeomType> type = compiled::GeomTypeOf(m.geom_type[geom]);
+      if (!type) continue;
+      model::Pose pose = compiled::GeomPose(d, geom);
+      pose.p = pose.p.value() - center;
+      if (*type == model::GeomType::kMesh) {
+        const int mesh = m.geom_dataid[geom];
+        const float* vertices = m.mesh_vert + 3 * m.mesh_vertadr[mesh];
+        for (int i = 0; i < m.mesh_vertnum[mesh]; ++i) {
+          const Eigen::Vector3d p =
+              Eigen::Map<const Eigen::Vector3f>(vertices + 3 * i).cast<double>();
+          points_.emplace_back(pose.p + pose.q * p);
+        }
+      } else {
+        model::Shape shape{.type = *type};
+        shape.size = compiled::VectorAt(m.geom_size, geom);
+        shapes_.emplace_back(shape, pose);
+      }
+    }
+  }
+
+  /// How far below the centre of mass the lowest point is if `down` is downwards.
+  double Below(const Eigen::Vector3d& down) const {
+    double lowest = -std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& p : points_) lowest = std::max(lowest, p.dot(down));
+    for (const auto& [shape, pose] : shapes_) {
+      const double own = model::Support(shape, pose.q.value().conjugate() * down);
+      lowest = std::max(lowest, pose.p.value().dot(down) + own);
+    }
+    return lowest;
+  }
+
+ private:
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<std::pair<model::Shape, model::Pose>> shapes_;
+};
+
+}  // namespace
+
+Margin MarginOf(const mjModel& m, const mjData& d, int root) {
+  const Hull hull(m, d, root);
+  const double height = hull.Below(-Eigen::Vector3d::UnitZ());
+  const double weight =
+      m.body_subtreemass[root] * Eigen::Map<const Eigen::Vector3d>(m.opt.gravity).norm();
+  Margin margin;
+  margin.least = {.angle = std::numbers::pi, .energy = std::numeric_limits<double>::infinity()};
+  for (int way = 0; way < kWays; ++way) {
+    const double azimuth = 2 * std::numbers::pi * way / kWays;
+    double highest = height;
+    double angle = 0;
+    for (double tilt = kStep; tilt < std::numbers::pi; tilt += kStep) {
+      const double side = std::sin(tilt);
+      const double now =
+          hull.Below({side * std::cos(azimuth), side * std::sin(azimuth), -std::cos(tilt)});
+      if (now <= highest + kFlat * height) break;
+      highest = now;
+      angle = tilt;
+    }
+    if (angle < margin.least.angle) margin.azimuth = azimuth;
+    margin.least.angle = std::min(margin.least.angle, angle);
+    margin.least.energy = std::min(margin.least.energy, weight * (highest - height));
+  }
+  return margin;
+}
+
+}  // namespace mjforge::physics
