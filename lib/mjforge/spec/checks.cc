@@ -81,7 +81,7 @@ void ReadJointCheck(const YamlNode& map, EntryReader& entries, Reading& reading)
   check.entry.fields = ReadFields(JointCheckElement(), map, reading);
   RejectDraws(check.entry.fields, reading);
   const YamlNode* joint = map.Find("joint");
-  if (joint == nullptr) {
+  if (joint == nullptr || (joint->kind == YamlNode::Kind::kList && joint->items.empty())) {
     reading.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
                          "the name of a joint, or a list of names");
   } else if (joint->kind == YamlNode::Kind::kList) {
