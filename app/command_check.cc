@@ -37,6 +37,7 @@ Action AddCheck(CLI::App& command) {
   options->request.count = 20;
   AddManyOptions(command, *options);
   command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
+  AddProfile(command, options->spec.settings, [options] { options->physics = true; });
   return [options](Console& console) {
     ExitStatus status = ExitStatus::kDone;
     for (const std::string& spec : options->specs)

@@ -119,6 +119,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, TargetNames(), "For");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
+  AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });
   AddWord(command, "--on-invalid", options.on_invalid, manifest::kOnInvalid, "Invalid variants");
   AddWord(command, "--sampler", options.sampler, sample::MethodNames(), "Spread of draws");
   AddWholeNumber(command, "--batch", options.request.variant.batch,

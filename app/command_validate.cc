@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <concepts>
 #include <memory>
 #include <numbers>
@@ -57,6 +58,15 @@ std::string Behaviour(const physics::Result& result) {
   if (result.fits)
     text += fmt::format("; {} of {} into place", result.fits->fit,
                         Count(result.fits->tried, "thing goes", "things go"));
+  if (!result.grasps.empty()) {
+    const auto held = std::ranges::count(result.grasps, true, &physics::Result::Grasp::held);
+    text += fmt::format("; held in {} of {}", held, Count(result.grasps.size(), "way", "ways"));
+  }
+  if (const auto& tests = result.simready) {
+    text += fmt::format("; ground_drop {}, slope_drop {}, full_range_sweep {}, self_collision {}",
+                        tests->ground_drop, tests->slope_drop, tests->full_range_sweep,
+                        tests->self_collision);
+  }
   return text;
 }
 
@@ -153,6 +163,7 @@ Action AddValidate(CLI::App& command) {
       command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSettings(command, options->settings, "Set a threshold: checks.NAME=VALUE");
   command.get_option("--set")->needs(physics);
+  AddProfile(command, options->settings, [options] { options->physics = true; });
   AddTimeLimit(command, options->time_limit);
   command.add_flag("--json", options->json, "One JSON object per file, findings included");
   return [options](Console& console) { return ValidateFiles(*options, console); };

@@ -18,6 +18,7 @@ constexpr std::uint64_t kMostJobs = 1024;
 constexpr std::array<std::string_view, 2> kFindings = {"text", "json"};
 constexpr std::array<std::string_view, 3> kColors = {"auto", "always", "never"};
 constexpr std::array<std::string_view, 2> kRoots = {"free", "none"};
+constexpr std::array<std::string_view, 2> kProfiles = {"none", "simready"};
 
 // Checks that a text is one of the words.
 std::function<std::string(const std::string&)> IsOneOf(std::span<const std::string_view> words) {
@@ -59,6 +60,17 @@ void AddSettings(CLI::App& command, std::vector<std::string>& settings, const st
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false)
       ->check(CheckSetting);
+}
+
+void AddProfile(CLI::App& command, std::vector<std::string>& settings,
+                const std::function<void()>& simulate) {
+  const auto set = [&settings, simulate](const std::string& word) {
+    settings.push_back("checks.profile=" + word);
+    simulate();
+  };
+  command.add_option_function<std::string>("--profile", set, "More tests, by name: simready")
+      ->check(IsOneOf(kProfiles))
+      ->option_text("WORD");
 }
 
 void AddSpecOptions(CLI::App& command, SpecOptions& options) {

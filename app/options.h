@@ -68,6 +68,10 @@ ExitStatus StatusOf(const batch::Summary& summary);
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);
 std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts);
 
+/// --profile, a setting, too; `simulate` is to ask for physical checks.
+void AddProfile(CLI::App& command, std::vector<std::string>& settings,
+                const std::function<void()>& simulate);
+
 /// --time-limit
 void AddTimeLimit(CLI::App& command, std::chrono::duration<double>& limit,
                   const std::string& doc = "CPU time for each, s; wall time 10 S + 5");

@@ -4,6 +4,7 @@
 #include <rapidjson/stringbuffer.h>
 #include <rapidjson/writer.h>
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <variant>
@@ -23,7 +24,9 @@ using Value = rapidjson::Value;
 template <typename Of>
 struct Measured {
   const char* key;
-  std::variant<double Of::*, int Of::*, bool Of::*, std::string Of::*> at;
+  std::variant<double Of::*, int Of::*, bool Of::*, std::string Of::*, Eigen::Vector3d Of::*,
+               std::vector<double> Of::*>
+      at;
 };
 
 constexpr Measured<Result> kResult[] = {{"dropped", &Result::dropped},
@@ -55,6 +58,17 @@ constexpr Measured<Result::Holding> kHolding[] = {{"balls", &Result::Holding::ba
 constexpr Measured<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
                                                   {"fit", &Result::Fitting::fit}};
 
+constexpr Measured<Result::Grasp> kGrasp[] = {
+    {"site", &Result::Grasp::site},   {"body", &Result::Grasp::body},
+    {"pos", &Result::Grasp::pos},     {"quat", &Result::Grasp::quat},
+    {"width", &Result::Grasp::width}, {"held", &Result::Grasp::held}};
+
+constexpr Measured<Result::SimReady> kSimReady[] = {
+    {"ground_drop", &Result::SimReady::ground_drop},
+    {"slope_drop", &Result::SimReady::slope_drop},
+    {"full_range_sweep", &Result::SimReady::full_range_sweep},
+    {"self_collision", &Result::SimReady::self_collision}};
+
 template <typename Of, std::size_t n>
 void PutAll(Json& json, const Of& of, const Measured<Of> (&members)[n]) {
   for (const Measured<Of>& member : members)
@@ -75,7 +89,7 @@ template <typename Of, std::size_t n>
 std::string SchemaOf(const Measured<Of> (&members)[n]) {
   // As the variant of a member has them.
   constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
-                                 R"("string")"};
+                                 R"("string")",           R"("array")",   R"("array")"};
   std::string text;
   for (const Measured<Of>& member : members) {
     text += fmt::format(R"({}"{}": {{"type": {}}})", text.empty() ? "" : ", ", member.key,
@@ -84,17 +98,32 @@ std::string SchemaOf(const Measured<Of> (&members)[n]) {
   return text;
 }
 
+template <typename Of, std::size_t n>
+std::string ObjectSchemaOf(const char* key, const Measured<Of> (&members)[n]) {
+  return fmt::format(R"("{}": {{"type": "object", "properties": {{{}}}}})", key, SchemaOf(members));
+}
+
+template <typename Of, std::size_t n>
+std::string ListSchemaOf(const char* key, const Measured<Of> (&members)[n]) {
+  return fmt::format(
+      R"("{}": {{"type": "array", "items": {{"type": "object", "properties": {{{}}}}}}})", key,
+      SchemaOf(members));
+}
+
 void PutResult(Json& json, const Result& result) {
   json.StartObject();
   PutAll(json, result, kResult);
-  json.Key("joints");
-  json.StartArray();
-  for (const Result::Joint& joint : result.joints) {
-    json.StartObject();
-    PutAll(json, joint, kJoint);
-    json.EndObject();
-  }
-  json.EndArray();
+  const auto put_list = [&](const char* key, const auto& list, const auto& members) {
+    json.Key(key);
+    json.StartArray();
+    for (const auto& of : list) {
+      json.StartObject();
+      PutAll(json, of, members);
+      json.EndObject();
+    }
+    json.EndArray();
+  };
+  put_list("joints", result.joints, kJoint);
   const auto put = [&](const char* key, const auto& of, const auto& members) {
     if (!of) return;
     json.Key(key);
@@ -105,23 +134,29 @@ void PutResult(Json& json, const Result& result) {
   put("stability", result.stability, kStability);
   put("holds", result.holds, kHolding);
   put("fits", result.fits, kFitting);
+  if (!result.grasps.empty()) put_list("grasps", result.grasps, kGrasp);
+  put("simready", result.simready, kSimReady);
   json.EndObject();
 }
 
 Kind GetResult(const Value& value, Result& result) {
   constexpr Kind kWhat = "what was measured";
-  if (!GetAll(value, result, kResult) || !value.HasMember("joints") || !value["joints"].IsArray())
-    return kWhat;
-  for (const Value& joint : value["joints"].GetArray()) {
-    if (!GetAll(joint, result.joints.emplace_back(), kJoint)) return kWhat;
-  }
+  if (!GetAll(value, result, kResult)) return kWhat;
+  const auto get_list = [&](const char* key, auto& list, const auto& members) {
+    if (!value.HasMember(key) || !value[key].IsArray()) return false;
+    return std::ranges::all_of(value[key].GetArray(), [&](const Value& of) {
+      return GetAll(of, list.emplace_back(), members);
+    });
+  };
+  if (!get_list("joints", result.joints, kJoint)) return kWhat;
+  if (value.HasMember("grasps") && !get_list("grasps", result.grasps, kGrasp)) return kWhat;
   const auto get = [&](const char* key, auto& of, const auto& members) {
     if (!value.HasMember(key)) return true;
     of = std::remove_reference_t<decltype(*of)>();
     return GetAll(value[key], *of, members);
   };
   if (!get("stability", result.stability, kStability) || !get("holds", result.holds, kHolding) ||
-      !get("fits", result.fits, kFitting)) {
+      !get("fits", result.fits, kFitting) || !get("simready", result.simready, kSimReady)) {
     return kWhat;
   }
   return {};
@@ -176,13 +211,11 @@ RecordField OrNull(const char* key, std::string schema, std::string_view doc) {
 RecordField Physics() {
   return {
       "physics",
-      fmt::format(R"("type": "object", "properties": {{{}, "joints": {{"type": "array", )"
-                  R"("items": {{"type": "object", "properties": {{{}}}}}}}, "stability": )"
-                  R"({{"type": "object", "properties": {{{}}}}}, "holds": )"
-                  R"({{"type": "object", "properties": {{{}}}}}, "fits": )"
-                  R"({{"type": "object", "properties": {{{}}}}}}})",
-                  SchemaOf(kResult), SchemaOf(kJoint), SchemaOf(kStability), SchemaOf(kHolding),
-                  SchemaOf(kFitting)),
+      fmt::format(R"("type": "object", "properties": {{{}, {}, {}, {}, {}, {}, {}}})",
+                  SchemaOf(kResult), ListSchemaOf("joints", kJoint),
+                  ObjectSchemaOf("stability", kStability), ObjectSchemaOf("holds", kHolding),
+                  ObjectSchemaOf("fits", kFitting), ListSchemaOf("grasps", kGrasp),
+                  ObjectSchemaOf("simready", kSimReady)),
       "Measurements of its behaviour, in SI units; left out if none were made.",
       [](Json& json, const Record& record) { PutResult(json, *record.physics); },
       [](const Value& value, Record& record) { return GetResult(value, record.physics.emplace()); },

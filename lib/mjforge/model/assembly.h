@@ -60,6 +60,8 @@ class Assembly {
   void ReadTotalSize(Scope& scope);
   void ReadChecks(Scope& scope);  // checks.cc
   void ReadFitting(Scope& scope, const spec::Checks::Fitting& entry);
+  void ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry);
+  void ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry);
   void ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entry);
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 

@@ -37,6 +37,7 @@ constexpr NumberCheck kNumbers[] = {
     {"thickness", &Checks::thickness},
     {"aspect", &Checks::aspect},
     {"gap", &Checks::gap},
+    {"look", &Checks::look},
 };
 
 struct RangeCheck {
@@ -48,7 +49,17 @@ constexpr RangeCheck kRanges[] = {
     {"bulk_density", &Checks::bulk_density},
 };
 
+std::optional<Eigen::Vector2d> ReadRange(const spec::Field& field, FieldReader& reader) {
+  const auto range = reader.Vector<2>(field);
+  if (!range) return std::nullopt;
+  const Eigen::Vector2d fixed = tape::Fixed(*range);
+  if (fixed.x() > fixed.y())
+    reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
+  return fixed;
+}
+
 void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
+  if (field.info->key == "profile") checks.simready = reader.Word(field) == "simready";
   for (const auto& [key, member] : kBooleans) {
     if (key == field.info->key) checks.*member = reader.Boolean(field).value_or(checks.*member);
   }
@@ -57,13 +68,20 @@ void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
       checks.*check.member = tape::Fixed(reader.Number(field).value_or(checks.*check.member));
   }
   for (const RangeCheck& check : kRanges) {
-    if (check.key != field.info->key) continue;
-    const auto range = reader.Vector<2>(field);
-    if (range && range->x() > range->y()) {
-      reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
-    }
-    checks.*check.member = tape::Fixed(range.value_or(checks.*check.member));
+    if (check.key == field.info->key)
+      checks.*check.member = ReadRange(field, reader).value_or(checks.*check.member);
   }
+}
+
+void ReadGrasping(const spec::Field& field, FieldReader& reader, Grasping& grasps) {
+  const std::string_view key = field.info->key;
+  const std::pair<std::string_view, double Grasping::*> numbers[] = {
+      {"width", &Grasping::width}, {"force", &Grasping::force}, {"pull", &Grasping::pull}};
+  for (const auto& [name, member] : numbers) {
+    if (name == key) grasps.*member = tape::Fixed(reader.Number(field).value_or(grasps.*member));
+  }
+  if (key == "tries")
+    grasps.tries = static_cast<int>(tape::Fixed(reader.Number(field).value_or(grasps.tries)));
 }
 
 void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) {
@@ -98,12 +116,17 @@ void ReadJointField(const spec::Field& field, FieldReader& reader, JointCheck& c
     if (key != field.info->key) continue;
     if (const auto number = reader.Number(field)) check.*member = tape::Fixed(*number);
   }
-  if (field.info->key != "rests") return;
-  const auto range = reader.Vector<2>(field);
-  if (!range) return;
-  check.rests = tape::Fixed(*range);
-  if (check.rests->x() > check.rests->y())
-    reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
+  if (field.info->key == "rests") check.rests = ReadRange(field, reader);
+}
+
+void ReadPartField(const spec::Field& field, FieldReader& reader, PartCheck& check) {
+  if (field.info->key == "density") check.density = ReadRange(field, reader);
+  const std::pair<std::string_view, std::optional<double> PartCheck::*> numbers[] = {
+      {"thickness", &PartCheck::thickness}, {"aspect", &PartCheck::aspect}};
+  for (const auto& [key, member] : numbers) {
+    if (key != field.info->key) continue;
+    if (const auto number = reader.Number(field)) check.*member = tape::Fixed(*number);
+  }
 }
 
 }  // namespace
@@ -124,6 +147,27 @@ void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entr
     joint = scope.values.Text(at.joint, root);
     for (const auto& number : numbers) position.push_back(tape::Fixed(number));
   }
+}
+
+void Assembly::ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry) {
+  const sample::StreamId root = scope.values.root();
+  PartCheck& check = object_.checks.parts.emplace_back();
+  check.mark = entry.entry.mark;
+  for (const spec::Value& part : entry.parts)
+    check.parts.emplace_back(scope.values.Text(part, root));
+  if (check.parts.empty()) return;
+  FieldReader reader(scope.values, findings_, "limit", check.parts.front(), root);
+  for (const spec::Field& field : entry.entry.fields) ReadPartField(field, reader, check);
+}
+
+void Assembly::ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry) {
+  const sample::StreamId root = scope.values.root();
+  Grasping& grasps = object_.checks.grasps.emplace();
+  grasps.mark = entry.mark;
+  for (const spec::Value& site : entry.sites)
+    grasps.sites.emplace_back(scope.values.Text(site, root));
+  FieldReader reader(scope.values, findings_, "grasps", object_.name, root);
+  for (const spec::Field& field : entry.fields) ReadGrasping(field, reader, grasps);
 }
 
 void Assembly::ReadFitting(Scope& scope, const spec::Checks::Fitting& entry) {
@@ -155,9 +199,12 @@ void Assembly::ReadChecks(Scope& scope) {
     holds.mark = checks.holds->mark;
     for (const spec::Field& field : checks.holds->fields) ReadHolding(field, in_holds, holds);
   }
+  if (checks.grasps) ReadGrasps(scope, *checks.grasps);
   const sample::StreamId list = sample::Child(scope.values.root(), "checks");
   for (const spec::Checks::JointCheck& entry : checks.joints)
     repetition_.ForEach(entry.entry, scope.values, list, [&] { ReadJointCheck(scope, entry); });
+  for (const spec::Checks::PartCheck& entry : checks.parts)
+    repetition_.ForEach(entry.entry, scope.values, list, [&] { ReadPartCheck(scope, entry); });
   for (const spec::Checks::Fitting& entry : checks.fits)
     repetition_.ForEach(entry.entry, scope.values, list, [&] { ReadFitting(scope, entry); });
   for (const auto& [code, reason] : checks.silenced) {

@@ -46,6 +46,30 @@ struct Fitting {
   bool operator==(const Fitting&) const = default;
 };
 
+/// How the object has to be held by two parallel jaws.
+struct Grasping {
+  std::vector<std::string> sites = {};  // none: as the manual says
+  double width = 0.08;                  // m, how far apart the jaws can be
+  double force = 30;                    // N, with which they close
+  double pull = 5;                      // N, of a joint at jaws that hold what it moves
+  int tries = 3;                        // at each site
+  diag::SourceMark mark = {};
+
+  bool operator==(const Grasping&) const = default;
+};
+
+/// What is asked of some parts in place of the usual.
+struct PartCheck {
+  std::vector<std::string> parts = {};
+  // As in Checks; none: as there.
+  std::optional<Eigen::Vector2d> density = {};
+  std::optional<double> thickness = {};
+  std::optional<double> aspect = {};
+  diag::SourceMark mark = {};
+
+  bool operator==(const PartCheck&) const = default;
+};
+
 /// What is asked of some joints, named as in the spec, in place of the usual, as they are driven
 /// and as they rest.
 struct JointCheck {
@@ -67,6 +91,7 @@ struct JointCheck {
 /// The thresholds of checks, SI units. The defaults are those of the
 /// field table.
 struct Checks {
+  bool simready = false;         // whether the tests of that benchmark are made, too
   double self_collision = 1e-5;  // m, of two bodies at the joints' zero
   // Dropped on a floor.
   bool stable = false;                 // whether a tilt beyond `tilt` is an error
@@ -80,6 +105,7 @@ struct Checks {
   double energy_gain = 0.02;                                     // share of mass * g * size
   std::optional<Holding> holds;
   std::vector<Fitting> fits;
+  std::optional<Grasping> grasps;
   // Joints driven.
   bool drive = true;
   std::vector<JointCheck> joints;
@@ -90,12 +116,14 @@ struct Checks {
   double hinge_range = 6.283185307179586;  // rad, of a hinge that nothing is coupled to
   double slide_range = 3;                  // share of the object's longest side, of such a slide
   // Numbers.
+  std::vector<PartCheck> parts;
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, of a part
   Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, of the whole in its box
   double overlap = 0.05;                       // share of the mass
   double thickness = 0.001;                    // m, of a part
   double aspect = 100;                         // longest to shortest side of a part
   double gap = 0.0005;                         // m, between parts that hold together
+  double look = 0.2;                           // share of a body's size, of seen from colliding
   /// Codes of findings to leave out, and why.
   std::vector<std::pair<std::string, std::string>> silenced;
 

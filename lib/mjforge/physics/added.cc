@@ -14,38 +14,45 @@ constexpr double kHeld = 1e8;  // kg or kg m^2
 
 }  // namespace
 
-std::string WithBodies(std::string_view text, std::string_view bodies) {
+std::string WithBodies(std::string_view text, std::string_view bodies,
+                       std::string_view equalities) {
   pugi::xml_document document;
   document.load_buffer(text.data(), text.size());
   pugi::xml_node root = document.document_element();
   while (root.remove_child("keyframe")) {
   }
-  pugi::xml_node world = root.child("worldbody");
-  if (!world) world = root.append_child("worldbody");
-  world.append_buffer(bodies.data(), bodies.size(), pugi::parse_default | pugi::parse_fragment);
+  const auto append = [&](const char* section, std::string_view elements) {
+    pugi::xml_node parent = root.child(section);
+    if (!parent) parent = root.append_child(section);
+    parent.append_buffer(elements.data(), elements.size(),
+                         pugi::parse_default | pugi::parse_fragment);
+  };
+  append("worldbody", bodies);
+  if (!equalities.empty()) append("equality", equalities);
   std::ostringstream out;
   document.save(out, "", pugi::format_raw);
   return std::move(out).str();
 }
 
-std::string AddedGeom(std::string_view shape, double mass) {
-  return fmt::format(
-      R"(<geom {} mass="{}" contype="2147483647" conaffinity="2147483647" condim="3" )"
-      R"(friction="1 0.005 0.0001" solref="0.02 1" solimp="0.9 0.95 0.001 0.5 2" solmix="1" )"
-      R"(priority="0" margin="0" gap="0"/>)",
-      shape, mass);
+std::string AddedGeom(std::string_view shape, double mass, std::string_view contact) {
+  return fmt::format(R"(<geom {} mass="{}" contype="2147483647" conaffinity="2147483647" {} )"
+                     R"(solref="0.02 1" solimp="0.9 0.95 0.001 0.5 2" solmix="1" )"
+                     R"(priority="0" margin="0" gap="0"/>)",
+                     shape, mass, contact);
 }
 
 void PlaceOthers(const mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int added) {
-  const int at = added > 0 ? m.jnt_qposadr[m.body_jntadr[first]] : m.nq;
+  const int at = added > 0 ? m.jnt_qposadr[first] : m.nq;
   std::copy(start.begin(), start.begin() + at, d.qpos);
-  std::copy(start.begin() + at, start.end(), d.qpos + at + 7 * added);
+  std::copy(start.begin() + at, start.end(), d.qpos + at + added);
 }
+
+// Of a free body that is symmetrical MuJoCo takes the second number.
+void HoldDof(mjModel& m, int dof) { m.dof_armature[dof] = m.dof_M0[dof] = kHeld; }
 
 void HoldOthers(mjModel& m, int first, int count) {
   for (int i = 0; i < m.nv; ++i) {
-    // Of a free body that is symmetrical MuJoCo takes the second number.
-    if (i < first || i >= first + count) m.dof_armature[i] = m.dof_M0[i] = kHeld;
+    if (i < first || i >= first + count) HoldDof(m, i);
   }
   m.opt.disableflags |= mjDSBL_EQUALITY | mjDSBL_LIMIT | mjDSBL_PASSIVE | mjDSBL_ACTUATION;
 }

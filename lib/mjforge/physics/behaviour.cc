@@ -10,11 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/physics/adrift.h"
 #include "mjforge/physics/coupling.h"
 #include "mjforge/physics/drive.h"
 #include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/passing.h"
 #include "mjforge/physics/resting.h"
 #include "mjforge/physics/settle.h"
+#include "mjforge/physics/simready.h"
 #include "mjforge/physics/stability.h"
 
 namespace mjforge::physics {
@@ -56,12 +59,17 @@ class Behaviour {
       ReportMisplaced(misplaced);
     CheckStability(result);
     CheckRanges();
+    for (const Adrift& adrift : AdriftBodies(m_)) ReportAdrift(adrift);
     const Drives drives = DriveJoints(m_, workspace_.For(m_), object_.name, verdict_.checks());
     for (const Jam& jam : drives.jams) ReportJam(jam);
+    for (const Passing& passing : PassingJoints(m_, object_.name, verdict_.checks()))
+      ReportPassing(passing);
     for (const Driven& driven : drives.joints) {
       result.joints.push_back(driven.measured);
       ReportJoint(driven);
     }
+    if (verdict_.checks().simready)
+      CheckSimReady(m_, workspace_, drives, {object_.name, mark_}, verdict_, result);
   }
 
  private:
@@ -183,6 +191,26 @@ class Behaviour {
                    jam.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
   }
 
+  void ReportAdrift(const Adrift& adrift) {
+    const std::string body = compiled::NameOf(m_, mjOBJ_BODY, adrift.body);
+    verdict_.Warning(Code::kPhysicsLoose, MarkOf(m_.body_jntadr[adrift.body]),
+                     fmt::format("body '{}' hangs in the air: {:.3g} mm from all else of '{}'",
+                                 body, 1000 * adrift.distance, object_.name),
+                     "look at its `pos` and the units");
+  }
+
+  void ReportPassing(const Passing& passing) {
+    const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, passing.joint);
+    verdict_.Warning(
+        Code::kPhysicsJointPasses, MarkOf(name),
+        fmt::format("joint '{}' moves body '{}' {:.3g} mm into its parent '{}', at {}; MuJoCo does "
+                    "not let the two collide",
+                    name, compiled::NameOf(m_, mjOBJ_BODY, passing.body), 1000 * passing.depth,
+                    compiled::NameOf(m_, mjOBJ_BODY, passing.parent),
+                    Distance(passing.joint, passing.where)),
+        "look at the axis, its sign, and the range; what may be so says why in `silence`");
+  }
+
   /// An error if the value is above the limit. `text` has places for the object's name {0} and, in
   /// units of 1 / scale, for value {1} and limit {2}.
   void ReportAbove(Code code, double value, double limit, double scale, const char* text,
@@ -291,6 +319,9 @@ class Behaviour {
                     : "it is held back by something that an equality or a tendon couples it to");
   }
 
+  diag::SourceMark MarkOf(int joint) const {
+    return MarkOf(compiled::NameOf(m_, mjOBJ_JOINT, joint));
+  }
   diag::SourceMark MarkOf(const std::string& joint) const {
     for (const model::Body& body : object_.bodies) {
       const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);

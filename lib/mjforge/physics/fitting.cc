@@ -10,6 +10,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/added.h"
+#include "mjforge/physics/named.h"
 
 namespace mjforge::physics {
 namespace {
@@ -24,7 +25,7 @@ constexpr double kLonger = 1.5;    // a peg, than it has to go
 constexpr double kMostTime = 2;    // s; a free fall of 1 m takes 0.45 s
 constexpr double kNearly = 1e-4;   // m, a contact's softness
 
-std::string PegName(std::size_t fitting) { return fmt::format("mjforge-peg-{}", fitting); }
+std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kAddedPrefix, fitting); }
 
 double LengthOf(const model::Fitting& fitting) { return kLonger * fitting.depth; }
 
@@ -37,13 +38,13 @@ struct Peg {
 class Trial {
  public:
   Trial(mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int added) : m_(m), d_(d) {
-    PlaceOthers(m, d, start, first, added);
+    PlaceOthers(m, d, start, added > 0 ? m.body_jntadr[first] : 0, 7 * added);
     mj_kinematics(&m, &d);
   }
 
   /// How deep the tip gets, m; nothing if the simulation diverges.
   std::optional<double> Run(const Peg& peg, int hole, double depth) {
-    const model::Pose X_WH = SitePose(hole);
+    const model::Pose X_WH = SitePose(d_, hole);
     const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
     const int joint = m_.body_jntadr[peg.body];
     const int dof = m_.jnt_dofadr[joint];
@@ -69,12 +70,6 @@ class Trial {
 
   /// What it last touched.
   const std::string& touched() const { return touched_; }
-
-  model::Pose SitePose(int site) const {
-    mjtNum quat[4];
-    mju_mat2Quat(quat, d_.site_xmat + 9 * site);
-    return compiled::PoseAt(d_.site_xpos + 3 * site, quat, 0);
-  }
 
  private:
   void Touch(int body) {
@@ -111,7 +106,7 @@ class Fits {
     const auto& fits = verdict_.checks().fits;
     for (std::size_t i = 0; i < fits.size(); ++i) {
       ++counts.tried;
-      const int hole = Find(fits[i], mjOBJ_SITE, fits[i].hole, "site");
+      const int hole = Find(fits[i], mjOBJ_SITE, fits[i].hole);
       const std::optional<Peg> peg = hole < 0 ? std::nullopt : PegOf(fits[i], i);
       if (peg && Goes(fits[i], *peg, hole)) ++counts.fit;
     }
@@ -119,23 +114,8 @@ class Fits {
   }
 
  private:
-  /// A body or a site as the spec or the file names it; -1 after a finding.
-  int Find(const model::Fitting& fitting, mjtObj kind, const std::string& own,
-           std::string_view what) {
-    for (const std::string& full : {name_ + "_" + own, own}) {
-      const int id = mj_name2id(&m_, kind, full.c_str());
-      if (id >= 0) return id;
-    }
-    std::vector<std::string> names;
-    for (int i = 0; i < (kind == mjOBJ_SITE ? m_.nsite : m_.nbody); ++i) {
-      names.push_back(compiled::NameOf(m_, kind, i));
-      if (names.back().starts_with(name_ + "_")) names.back().erase(0, name_.size() + 1);
-    }
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    verdict_.Error(Code::kModelUnknownReference, fitting.mark,
-                   fmt::format("`fits`: the object has no {} '{}'", what, own),
-                   diag::DidYouMean(own, known));
-    return -1;
+  int Find(const model::Fitting& fitting, mjtObj kind, const std::string& own) {
+    return FindNamed(m_, kind, name_, own, {"fits", fitting.mark}, verdict_);
   }
 
   std::optional<Peg> PegOf(const model::Fitting& fitting, std::size_t index) {
@@ -144,8 +124,8 @@ class Fits {
       return Peg{mj_name2id(&m_, mjOBJ_BODY, PegName(index).c_str()),
                  {Vector3d(0, 0, half), Eigen::Quaterniond::Identity()}};
     }
-    const int body = Find(fitting, mjOBJ_BODY, fitting.body, "body");
-    const int tip = body < 0 ? -1 : Find(fitting, mjOBJ_SITE, fitting.tip, "site");
+    const int body = Find(fitting, mjOBJ_BODY, fitting.body);
+    const int tip = body < 0 ? -1 : Find(fitting, mjOBJ_SITE, fitting.tip);
     if (tip < 0) return std::nullopt;
     const int joint = m_.body_jntadr[body];
     if (m_.body_jntnum[body] != 1 || m_.jnt_type[joint] != mjJNT_FREE) {

@@ -12,6 +12,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/added.h"
+#include "mjforge/physics/named.h"
 
 namespace mjforge::physics {
 namespace {
@@ -30,8 +31,7 @@ constexpr double kSoft = 0.001;                     // m, how deep a contact may
 constexpr double kFall = 0.3;                       // s, from a rim to beside the object
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
 
-constexpr std::string_view kBallPrefix = "mjforge-ball-";
-std::string BallName(int ball) { return fmt::format("{}{}", kBallPrefix, ball); }
+std::string BallName(int ball) { return fmt::format("{}ball-{}", kAddedPrefix, ball); }
 
 enum class Where { kAbove, kIn, kOverTheTop, kBelowTheTop };
 
@@ -71,7 +71,7 @@ class Container {
     for (int i = 0; i < holding.balls; ++i)
       balls_.push_back({i, qpos + 7 * i, RadiusOf(holding, i)});
     if (without > 0) TakeAway(without);
-    Hold(start.last(static_cast<std::size_t>(m.nq) - 7 * balls_.size()));
+    Hold(start);
     if (box_.empty()) box_.min = box_.max = Vector3d(Vector3d::Zero());
     Place(holding);
   }
@@ -114,7 +114,7 @@ class Container {
   /// The object, in that pose, as if it were fixed to the world.
   void Hold(std::span<const mjtNum> pose) {
     const int count = static_cast<int>(balls_.size());
-    PlaceOthers(m_, d_, pose, first_, count);
+    PlaceOthers(m_, d_, pose, m_.body_jntadr[first_], 7 * count);
     HoldOthers(m_, m_.body_dofadr[first_], 6 * count);
     mj_kinematics(&m_, &d_);
     for (int body = 1; body < m_.nbody; ++body) {
@@ -226,25 +226,8 @@ class Report {
 /// The body that is taken away, as the spec or the file names it; 0: none. -1 after a finding.
 int TakenAway(const mjModel& m, const std::string& object, Verdict& verdict) {
   const model::Holding& holding = *verdict.checks().holds;
-  const std::string& name = holding.without;
-  if (name.empty()) return 0;
-  const std::string prefix = object + "_";
-  for (const std::string& full : {prefix + name, name}) {
-    const int body = mj_name2id(&m, mjOBJ_BODY, full.c_str());
-    if (body > 0) return body;
-  }
-  std::vector<std::string> names;
-  for (int i = 1; i < m.nbody; ++i) {
-    std::string body = compiled::NameOf(m, mjOBJ_BODY, i);
-    if (body.starts_with(kBallPrefix)) continue;
-    if (body.starts_with(prefix)) body.erase(0, prefix.size());
-    names.push_back(std::move(body));
-  }
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  verdict.Error(Code::kModelUnknownReference, holding.mark,
-                fmt::format("`holds` without '{}': the object has no such body", name),
-                diag::DidYouMean(name, known));
-  return -1;
+  if (holding.without.empty()) return 0;
+  return FindNamed(m, mjOBJ_BODY, object, holding.without, {"holds", holding.mark}, verdict);
 }
 
 }  // namespace

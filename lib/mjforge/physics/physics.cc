@@ -19,7 +19,9 @@
 #include "mjforge/physics/behaviour.h"
 #include "mjforge/physics/fitting.h"
 #include "mjforge/physics/floor.h"
+#include "mjforge/physics/grasping.h"
 #include "mjforge/physics/holding.h"
+#include "mjforge/physics/jaws.h"
 #include "mjforge/physics/proportions.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/physics/verdict.h"
@@ -40,15 +42,19 @@ std::string FloorElement(std::string_view name) {
   return fmt::format(R"(<geom name="{}" type="plane" size="0 0 1"/>)", name);
 }
 
-/// The document with what its host has around it: a floor, a free root. Without
-/// line ends, so that line numbers stay.
-std::string WithSurroundings(const mjcf::MjcfDocument& document) {
+/// The document with the free root that its host gives it. Without line ends, here and below, so
+/// that line numbers stay.
+std::string WithFreeRoot(const mjcf::MjcfDocument& document) {
   std::string text = document.text;
+  if (document.world_position == std::string::npos || !document.host_frees) return text;
+  return text.insert(text.find('\n', document.world_position) + 1, kFree);
+}
+
+/// And with a floor.
+std::string WithSurroundings(const mjcf::MjcfDocument& document) {
+  std::string text = WithFreeRoot(document);
   if (document.world_position == std::string::npos) return text;
-  const std::size_t in_root = text.find('\n', document.world_position) + 1;
-  if (document.host_frees) text.insert(in_root, kFree);
-  text.insert(document.world_position, FloorElement(kFloorName));
-  return text;
+  return text.insert(document.world_position, FloorElement(kFloorName));
 }
 
 /// Four digits, and what is below 1e-9 is nothing: more would depend on the last bits of
@@ -71,6 +77,11 @@ void Round(Result& result) {
   if (result.stability) {
     result.stability->angle = Rounded(result.stability->angle);
     result.stability->energy = Rounded(result.stability->energy);
+  }
+  for (Result::Grasp& grasp : result.grasps) {
+    for (double& number : grasp.pos) number = Rounded(number);
+    for (double& number : grasp.quat) number = Rounded(number);
+    grasp.width = Rounded(grasp.width);
   }
   for (Result::Joint& joint : result.joints) {
     for (double* number :
@@ -152,6 +163,10 @@ std::optional<Result> Laboratory::State::Examine(mjModel& m, const model::Object
       const engine::Model with_pegs = loaded(WithPegs(text, checks));
       CheckFitting(*with_pegs, workspace, start, object.name, verdict, result);
     }
+    if (checks.grasps) {
+      const engine::Model with_jaws = loaded(WithJaws(text, *checks.grasps));
+      CheckGrasping(*with_jaws, workspace, start, object.name, verdict, result);
+    }
     Round(result);
     return result;
   } catch (const std::bad_alloc&) {
@@ -184,7 +199,8 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
   const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
   if (floor >= 0 && !document.host_frees && loaded.model->body_dofnum[1] == 0)
     LevelFloor(*loaded.model, floor);
-  return state_->Examine(*loaded.model, object, mark, object.checks, findings, document.text,
+  return state_->Examine(*loaded.model, object, mark, object.checks, findings,
+                         WithFreeRoot(document),
                          [&](const std::string& text) { return state_->engine.LoadText(text); });
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Dense>
+
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -45,6 +47,26 @@ struct Result {
     int fit = 0;
     bool operator==(const Fitting&) const = default;
   };
+  /// One way to hold the object with two parallel jaws.
+  struct Grasp {
+    std::string site;  // where; empty: found where there is no site
+    std::string body;  // what they close on
+    /// The frame of the jaws in the body's: the middle between them, m; they close along y, their
+    /// fingers point along z. A unit quaternion, w first.
+    Eigen::Vector3d pos = Eigen::Vector3d::Zero();
+    std::vector<double> quat = {1, 0, 0, 0};
+    double width = 0;   // m, of what is between them
+    bool held = false;  // as it was lifted and shaken, and for 2 s
+    bool operator==(const Grasp&) const = default;
+  };
+  /// The tests of the SimReady benchmark: "pass", "fail", or "skipped" where they do not apply.
+  struct SimReady {
+    std::string ground_drop = "skipped";
+    std::string slope_drop = "skipped";
+    std::string full_range_sweep = "skipped";
+    std::string self_collision = "skipped";
+    bool operator==(const SimReady&) const = default;
+  };
   /// The drop: from 2 mm above the floor, until it rests or the time is up. An object that is fixed
   /// to the world only hangs there under its weight.
   bool dropped = false;
@@ -63,6 +85,8 @@ struct Result {
   std::optional<Stability> stability;  // none: it did not come to rest, or not alone on a floor
   std::optional<Holding> holds;        // none: not asked for
   std::optional<Fitting> fits;         // none: not asked for
+  std::vector<Grasp> grasps;           // those that were tried, if that was asked for
+  std::optional<SimReady> simready;    // none: not asked for
   bool operator==(const Result&) const = default;
 };
 

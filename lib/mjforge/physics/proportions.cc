@@ -84,6 +84,7 @@ class Proportions {
       : object_(object), mark_(mark), verdict_(verdict) {}
 
   double Check() {
+    FindParts();
     CheckWhole();
     double twice = 0;
     for (const model::Body& body : object_.bodies) {
@@ -117,6 +118,40 @@ class Proportions {
                      "sizes are in metres, masses in kilograms");
   }
 
+  /// Without the object's in front of it.
+  std::string_view OwnName(const model::Part& part) const {
+    std::string_view name = NameOf(part);
+    if (name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_'))
+      name.remove_prefix(object_.name.size() + 1);
+    return name;
+  }
+
+  /// Entries of checks.parts must be of parts that there are.
+  void FindParts() {
+    for (const model::PartCheck& check : verdict_.checks().parts) {
+      for (const std::string& name : check.parts) {
+        std::vector<std::string_view> known;
+        for (const model::Body& body : object_.bodies) {
+          for (const model::Part& part : body.parts) known.push_back(OwnName(part));
+        }
+        if (std::ranges::find(known, name) != known.end()) continue;
+        verdict_.Error(Code::kModelUnknownReference, check.mark,
+                       fmt::format("`parts`: the object has no part '{}'", name),
+                       diag::DidYouMean(name, known));
+      }
+    }
+  }
+
+  /// What an entry of checks.parts says of a part, or else what holds for all.
+  template <typename T>
+  T Limit(const model::Part& part, std::optional<T> model::PartCheck::*own, const T& usual) const {
+    for (const model::PartCheck& check : verdict_.checks().parts) {
+      const bool speaks = std::ranges::find(check.parts, OwnName(part)) != check.parts.end();
+      if (speaks && check.*own) return *(check.*own);
+    }
+    return usual;
+  }
+
   void CheckSolids(const Solids& solids) {
     const model::Checks& checks = verdict_.checks();
     std::set<std::string_view> thin;
@@ -124,30 +159,31 @@ class Proportions {
       const Eigen::Vector2d sides = SidesOf(solid.shape);
       // One piece of a shape speaks for all.
       const bool is_told = !solid.piece_of.empty() && thin.contains(solid.piece_of);
-      if (sides.x() < checks.thickness && !is_told) {
+      const double thickness = Limit(solid, &model::PartCheck::thickness, checks.thickness);
+      if (sides.x() < thickness && !is_told) {
         thin.insert(solid.piece_of);
         verdict_.Warning(
             Code::kPhysicsThin, solid.mark,
             fmt::format("part '{}' is {} mm thin, less than {:g} mm", NameOf(solid),
-                        NumberBeyond(1000 * sides.x(), 1000 * checks.thickness),
-                        1000 * checks.thickness),
-            "contacts push through thin parts; make it thicker, or set `role: visual`");
+                        NumberBeyond(1000 * sides.x(), 1000 * thickness), 1000 * thickness),
+            "contacts push through thin parts; make it thicker, or set `role: "
+            "visual`");
       }
-      if (solid.piece_of.empty() && sides.y() > checks.aspect * sides.x()) {
+      const double aspect = Limit(solid, &model::PartCheck::aspect, checks.aspect);
+      if (solid.piece_of.empty() && sides.y() > aspect * sides.x()) {
         verdict_.Warning(
             Code::kPhysicsSlender, solid.mark,
             fmt::format("part '{}' is {} times as long as it is thin, more than {:g} times",
-                        solid.name, NumberBeyond(sides.y() / sides.x(), checks.aspect),
-                        checks.aspect),
+                        solid.name, NumberBeyond(sides.y() / sides.x(), aspect), aspect),
             "split it into several parts");
       }
     }
   }
 
   void CheckDensity(const model::Body& body, const Solids& solids) {
-    const Eigen::Vector2d& range = verdict_.checks().density;
+    const Eigen::Vector2d& usual = verdict_.checks().density;
     const auto check = [&](std::string_view what, const std::string& name, double mass,
-                           double volume, diag::SourceMark mark) {
+                           double volume, const Eigen::Vector2d& range, diag::SourceMark mark) {
       if (!(mass > 0) || !(volume > 0) || !IsOutside(mass / volume, range)) return;
       verdict_.Warning(Code::kPhysicsDensity, mark,
                        fmt::format("{} '{}' has a density of {}", what, name,
@@ -158,11 +194,12 @@ class Proportions {
     if (!solids.masses_known) {
       double volume = 0;
       for (const model::Part& solid : solids.parts) volume += model::Volume(solid.shape);
-      check("body", body.name, solids.mass, volume, body.mark);
+      check("body", body.name, solids.mass, volume, usual, body.mark);
       return;
     }
     for (const model::Part& solid : solids.parts)
-      check("part", NameOf(solid), solid.mass, model::Volume(solid.shape), solid.mark);
+      check("part", NameOf(solid), solid.mass, model::Volume(solid.shape),
+            Limit(solid, &model::PartCheck::density, usual), solid.mark);
   }
 
   // MuJoCo refuses such inertias too, unless it is told to balance or bound them.
@@ -191,8 +228,9 @@ class Proportions {
                     body.name, p_BCm.x(), p_BCm.y(), p_BCm.z()));
   }
 
-  /// kg counted twice.
+  /// kg counted twice; not looked at where that does not matter.
   double CheckOverlap(const model::Body& body, const Solids& solids) {
+    if (verdict_.IsSilenced(Code::kPhysicsOverlap)) return 0;
     const Overlap overlap = FindOverlap(solids.parts);
     const double share = overlap.mass / solids.mass;
     if (share > verdict_.checks().overlap) {
@@ -230,20 +268,25 @@ class Proportions {
     std::vector<Box> hard;
     std::vector<Box> seen;
     Box all_hard;
+    Box all_seen;
     for (const model::Part& part : body.parts) {
       if (part.role != model::Role::kVisual) all_hard.extend(hard.emplace_back(BoxAround(part)));
-      if (IsSeen(part)) seen.push_back(BoxAround(part));
+      if (IsSeen(part)) all_seen.extend(seen.emplace_back(BoxAround(part)));
     }
     if (hard.empty()) return;
     const double size = all_hard.diagonal().norm();
-    std::vector<const model::Part*> unseen;
+    const bool is_told = CheckVisuals(body, hard, size) + CheckUnseen(body, seen) > 0;
+    if (!is_told && !seen.empty()) CompareBoxes(body, all_hard, all_seen);
+  }
+
+  /// How many visual parts are far from all that collides.
+  std::size_t CheckVisuals(const model::Body& body, const std::vector<Box>& hard, double size) {
+    std::size_t far = 0;
     for (const model::Part& part : body.parts) {
-      if (part.role != model::Role::kVisual) {
-        if (!IsSeen(part) && !Overlaps(seen, BoxAround(part))) unseen.push_back(&part);
-        continue;
-      }
+      if (part.role != model::Role::kVisual) continue;
       const double distance = DistanceTo(hard, BoxAround(part));
       if (!(distance > kFar * size)) continue;
+      ++far;
       verdict_.Warning(
           Code::kPhysicsFarVisual, part.mark,
           fmt::format("visual part '{}' is {:.3g} mm from all that collides of body '{}', which is "
@@ -251,11 +294,39 @@ class Proportions {
                       part.name, 1000 * distance, body.name, 1000 * size),
           "check its `pos` and its units; what is seen there can be neither touched nor held");
     }
-    if (unseen.empty()) return;
+    return far;
+  }
+
+  /// How many parts collide where nothing is seen.
+  std::size_t CheckUnseen(const model::Body& body, const std::vector<Box>& seen) {
+    std::vector<const model::Part*> unseen;
+    for (const model::Part& part : body.parts) {
+      if (part.role != model::Role::kVisual && !IsSeen(part) && !Overlaps(seen, BoxAround(part)))
+        unseen.push_back(&part);
+    }
+    if (unseen.empty()) return 0;
     verdict_.Warning(Code::kPhysicsUnseen, unseen.front()->mark,
                      fmt::format("part '{}'{} of body '{}' collides where nothing is seen",
                                  unseen.front()->name, WithMore(unseen.size() - 1), body.name),
                      "a visual part there, or `role: both`");
+    return unseen.size();
+  }
+
+  void CompareBoxes(const model::Body& body, const Box& hard, const Box& seen) {
+    const double size = hard.diagonal().norm();
+    const double beyond =
+        std::max({(hard.min() - seen.min()).maxCoeff(), (seen.max() - hard.max()).maxCoeff(), 0.0});
+    const double within =
+        std::max({(seen.min() - hard.min()).maxCoeff(), (hard.max() - seen.max()).maxCoeff(), 0.0});
+    const double most = verdict_.checks().look * size;
+    if (!(std::max(beyond, within) > most)) return;
+    verdict_.Warning(
+        Code::kPhysicsLooksDiffer, body.mark,
+        fmt::format("what {} of body '{}' reaches {} mm beyond what {}, more than {:.3g} mm",
+                    beyond > within ? "is seen" : "collides", body.name,
+                    NumberBeyond(1000 * std::max(beyond, within), 1000 * most),
+                    beyond > within ? "collides" : "is seen", 1000 * most),
+        "the same sizes and places for both, or set `look`");
   }
 
   const model::Object& object_;

@@ -69,7 +69,7 @@ class Drop {
         mj_step(&m_, &d_);
         CountContacts();
       }
-      slow = Speed() < checks_.rest_speed ? slow + look : 0;
+      slow = FastestPoint(m_, d_).speed < checks_.rest_speed ? slow + look : 0;
       highest_energy_ = std::max(highest_energy_, Energy());
     }
     result_.at_rest = slow >= steps_at_rest;
@@ -166,38 +166,14 @@ class Drop {
   void CountContacts() {
     result_.ncon = std::max(result_.ncon, d_.ncon);
     result_.nefc = std::max(result_.nefc, d_.nefc);
-    result_.penetration = std::max(result_.penetration, Depth());
-  }
-
-  double Depth() const {
-    double deepest = 0;
-    for (int i = 0; i < d_.ncon; ++i) deepest = std::max(deepest, -d_.contact[i].dist);
-    return deepest;
-  }
-
-  /// Of the fastest point, no point of a geom being farther from its body's centre of mass
-  /// than the geom's centre and bounding radius say.
-  double Speed() {
-    double fastest = 0;
-    for (int i = 0; i < m_.ngeom; ++i) {
-      const int body = m_.geom_bodyid[i];
-      if (m_.body_weldid[body] == 0) continue;
-      // MuJoCo's cvel is about the centre of mass of the whole tree, rotation first.
-      const mjtNum* cvel = d_.cvel + 6 * body;
-      const Eigen::Map<const Eigen::Vector3d> turn(cvel);
-      const Eigen::Map<const Eigen::Vector3d> move(cvel + 3);
-      const Eigen::Vector3d arm =
-          VectorAt(d_.geom_xpos, i) - VectorAt(d_.subtree_com, m_.body_rootid[body]);
-      const double speed = (move + turn.cross(arm)).norm() + turn.norm() * m_.geom_rbound[i];
-      if (speed > fastest) fastest_ = body;
-      fastest = std::max(fastest, speed);
-    }
-    return fastest;
+    result_.penetration = std::max(result_.penetration, DeepestContact(d_));
   }
 
   void End() {
-    result_.speed = Speed();
-    result_.sink = Depth();
+    const Fastest fastest = FastestPoint(m_, d_);
+    fastest_ = fastest.body;
+    result_.speed = fastest.speed;
+    result_.sink = DeepestContact(d_);
     if (energy_scale_ > 0)
       result_.energy_gain = std::max(0.0, highest_energy_ - start_energy_) / energy_scale_;
     for (const Root& root : roots_) {
@@ -216,7 +192,7 @@ class Drop {
   Eigen::Quaterniond lean_ = Eigen::Quaterniond::Identity();
   std::vector<Root> roots_;
   std::vector<mjtNum> starts_;  // xipos at the start
-  int fastest_ = 0;             // the body that was, when last looked at
+  int fastest_ = 0;             // the body that is, at the end
   double start_energy_ = 0;
   double highest_energy_ = 0;
   double energy_scale_ = 0;  // J

@@ -36,6 +36,29 @@ bool MakeRoom(mjModel& m, const mjData& d) {
   return true;
 }
 
+Fastest FastestPoint(const mjModel& m, const mjData& d) {
+  Fastest fastest;
+  for (int i = 0; i < m.ngeom; ++i) {
+    const int body = m.geom_bodyid[i];
+    if (m.body_weldid[body] == 0) continue;
+    // MuJoCo's cvel is about the centre of mass of the whole tree, rotation first.
+    const mjtNum* cvel = d.cvel + 6 * body;
+    const Eigen::Map<const Eigen::Vector3d> turn(cvel);
+    const Eigen::Map<const Eigen::Vector3d> move(cvel + 3);
+    const Eigen::Vector3d arm =
+        compiled::VectorAt(d.geom_xpos, i) - compiled::VectorAt(d.subtree_com, m.body_rootid[body]);
+    const double speed = (move + turn.cross(arm)).norm() + turn.norm() * m.geom_rbound[i];
+    if (speed > fastest.speed) fastest = {speed, body};
+  }
+  return fastest;
+}
+
+double DeepestContact(const mjData& d) {
+  double deepest = 0;
+  for (int i = 0; i < d.ncon; ++i) deepest = std::max(deepest, -d.contact[i].dist);
+  return deepest;
+}
+
 bool HasBlownUp(const mjData& d) {
   return d.warning[mjWARN_BADQPOS].number > 0 || d.warning[mjWARN_BADQVEL].number > 0 ||
          d.warning[mjWARN_BADQACC].number > 0;

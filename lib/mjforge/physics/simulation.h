@@ -25,6 +25,17 @@ class Workspace {
 /// True if it did: the data must then be made anew. False, too, if that would be too much.
 bool MakeRoom(mjModel& m, const mjData& d);
 
+struct Fastest {
+  double speed = 0;  // m/s
+  int body = 0;
+};
+/// The fastest point, no point of a geom being farther from its body's centre of mass than the
+/// geom's centre and bounding radius say.
+Fastest FastestPoint(const mjModel& m, const mjData& d);
+
+/// How deep the deepest contact is, m.
+double DeepestContact(const mjData& d);
+
 /// Whether MuJoCo found numbers that are NaN or too large and reset the data.
 bool HasBlownUp(const mjData& d);
 /// MuJoCo's words for what went wrong since the data was reset.

@@ -19,11 +19,11 @@ class Verdict {
   void Error(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
   void Warning(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
 
+  bool IsSilenced(diag::Code code) const;
+
   const model::Checks& checks() const { return checks_; }
 
  private:
-  bool IsSilenced(diag::Code code) const;
-
   const model::Checks& checks_;
   diag::Findings& findings_;
 };

@@ -73,6 +73,40 @@ void ReadFitting(const YamlNode& map, EntryReader& entries, Reading& reading) {
   reading.spec.checks.fits.push_back(std::move(fitting));
 }
 
+/// A text or a list of texts.
+std::vector<Value> ReadNames(const YamlNode* names, Reading& reading) {
+  std::vector<Value> texts;
+  if (names == nullptr) return texts;
+  if (names->kind != YamlNode::Kind::kList) return {reading.values.ReadText(*names)};
+  for (const YamlNode& name : names->items) texts.push_back(reading.values.ReadText(name));
+  return texts;
+}
+
+void ReadGrasping(const YamlNode& grasps, Reading& reading) {
+  if (!IsMap(grasps, "how the object is held", reading)) return;
+  CheckKeys(GraspingElement(), grasps, reading);
+  Checks::Grasping& grasping = reading.spec.checks.grasps.emplace();
+  grasping.mark = grasps.mark;
+  grasping.fields = ReadFields(GraspingElement(), grasps, reading);
+  grasping.sites = ReadNames(grasps.Find("sites"), reading);
+  RejectDraws(grasping.fields, reading);
+}
+
+void ReadPartCheck(const YamlNode& map, EntryReader& entries, Reading& reading) {
+  if (!IsMap(map, "a part and what is asked of it", reading)) return;
+  CheckKeys(PartCheckElement(), map, reading);
+  Checks::PartCheck check;
+  check.entry = entries.Begin(PartCheckElement(), map, map, EntryReader::Naming::kOptional);
+  check.entry.fields = ReadFields(PartCheckElement(), map, reading);
+  RejectDraws(check.entry.fields, reading);
+  check.parts = ReadNames(map.Find("part"), reading);
+  if (check.parts.empty())
+    reading.findings.Add(Code::kSpecMissingKey, map.mark, "'part' is missing",
+                         "the name of a part, or a list of names");
+  entries.End(check.entry);
+  reading.spec.checks.parts.push_back(std::move(check));
+}
+
 void ReadJointCheck(const YamlNode& map, EntryReader& entries, Reading& reading) {
   if (!IsMap(map, "a joint and what is asked of it", reading)) return;
   CheckKeys(JointCheckElement(), map, reading);
@@ -80,15 +114,10 @@ void ReadJointCheck(const YamlNode& map, EntryReader& entries, Reading& reading)
   check.entry = entries.Begin(JointCheckElement(), map, map, EntryReader::Naming::kOptional);
   check.entry.fields = ReadFields(JointCheckElement(), map, reading);
   RejectDraws(check.entry.fields, reading);
-  const YamlNode* joint = map.Find("joint");
-  if (joint == nullptr || (joint->kind == YamlNode::Kind::kList && joint->items.empty())) {
+  check.joints = ReadNames(map.Find("joint"), reading);
+  if (check.joints.empty())
     reading.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
                          "the name of a joint, or a list of names");
-  } else if (joint->kind == YamlNode::Kind::kList) {
-    for (const YamlNode& name : joint->items) check.joints.push_back(reading.values.ReadText(name));
-  } else {
-    check.joints.push_back(reading.values.ReadText(*joint));
-  }
   if (const YamlNode* at = map.Find("at")) check.at = ReadPositions(*at, reading);
   if (const YamlNode* skip = map.Find("skip"))
     check.skip = reading.values.ReadPlainText("skip", *skip);
@@ -136,6 +165,7 @@ void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Rea
   RejectDraws(reading.spec.checks.fields, reading);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, reading);
   if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, reading);
+  if (const YamlNode* grasps = map.Find("grasps")) ReadGrasping(*grasps, reading);
   EntryReader entries(reading);
   const auto read = [&](std::string_view key, std::string_view what, auto read_one) {
     const YamlNode* list = map.Find(key);
@@ -143,6 +173,7 @@ void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Rea
     for (const YamlNode& item : list->items) read_one(item, entries, reading);
   };
   read("fits", "what must go into holes", ReadFitting);
+  read("parts", "parts and what is asked of them", ReadPartCheck);
   read("joints", "joints and what is asked of them", ReadJointCheck);
 }
 

@@ -569,7 +569,31 @@ constexpr FieldInfo kJointCheckFields[] = {
     Row("skip", Slot::kPlainText, "", "Why it is not driven."),
 };
 
+constexpr FieldInfo kGraspingFields[] = {
+    Row({"sites", Key::kSites}, Slot::kNames,
+        "Where it is to be held; by default at the sites whose names begin with `grasp`, or, if "
+        "there is none, wherever it can be."),
+    Number("width", "m", Between(0.001, 2), "8cm", "How far apart the jaws can be."),
+    Number("force", "N", Above(0), "30", "With what force they close."),
+    Number("pull", "N", AtLeast(0), "5",
+           "With what force a joint pulls at the jaws that hold what moves about it: a drawer's "
+           "handle, a lid."),
+    Integer("tries", Between(1, 100), "3", "How many ways to hold it are tried at each site."),
+};
+
+constexpr FieldInfo kPartCheckFields[] = {
+    kIf,
+    kFor,
+    kLet,
+    Required(Row({"part", Key::kPart}, Slot::kNames, "The part; or several.")),
+    Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "", "In place of `density`."),
+    Number("thickness", "m", AtLeast(0), "", "In place of `thickness`."),
+    Number("aspect", "", AtLeast(1), "", "In place of `aspect`."),
+};
+
 constexpr FieldInfo kChecksFields[] = {
+    Word("profile", "none simready", "none",
+         "A named set of tests besides: those of the SimReady benchmark."),
     Number("self_collision", "m", AtLeast(0), "0.01mm",
            "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
            "with every object, not only in physical checks."),
@@ -596,6 +620,9 @@ constexpr FieldInfo kChecksFields[] = {
     Row("fits", Slot::kFittings, "",
         "Pegs, and bodies of the object, that must go into holes: the site's z axis is turned "
         "downwards, all else is held, and they drop in."),
+    Row("grasps", Slot::kGrasping, "",
+        "Jaws that close on the object, lift and shake it: they must hold it, in at least one way "
+        "at each site."),
     Row({"joints", Key::kJoints}, Slot::kJointChecks,
         "Joints that are driven in another way, or by other thresholds, than the rest."),
     Row("drive", Slot::kBoolean, "true", "Whether joints are driven at all."),
@@ -611,6 +638,8 @@ constexpr FieldInfo kChecksFields[] = {
     Number("slide_range", "", AtLeast(0), "3",
            "Longest range of a slide that nothing is coupled to, as a multiple of the object's "
            "longest side."),
+    Row({"parts", Key::kParts}, Slot::kPartChecks,
+        "Parts for which other limits hold than for the rest."),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "20 22000",
             "Lowest and highest density of a part."),
     Numbers("bulk_density", {2, 2}, "kg/m^3", AtLeast(0), "1 22000",
@@ -621,6 +650,9 @@ constexpr FieldInfo kChecksFields[] = {
     Number("aspect", "", AtLeast(1), "100", "Longest side of a part over its shortest."),
     Number("gap", "m", AtLeast(0), "0.5mm",
            "How far apart parts may be and still count as one piece."),
+    Number("look", "", AtLeast(0), "0.2",
+           "How far what is seen of a body may reach beyond what collides, or the reverse, as a "
+           "share of the body's size."),
     Row({"silence", Key::kSilence}, Slot::kSilence,
         "Findings to leave out, each with the reason: `physics/CODE: reason`, "
         "`spec/unused: reason`."),
@@ -666,6 +698,9 @@ constexpr ElementInfo kHolding = {
 constexpr ElementInfo kFitting = {
     "fit", "Something that must go into a hole: a peg, or a free body of the object.",
     kFittingFields};
+constexpr ElementInfo kGrasping = {"grasps", "How the object must be held by two parallel jaws.",
+                                   kGraspingFields};
+constexpr ElementInfo kPartCheck = {"limit", "What is asked of some parts.", kPartCheckFields};
 constexpr ElementInfo kJointCheck = {
     "drive", "How some joints are driven, and what is asked of them.", kJointCheckFields};
 constexpr ElementInfo kChecks = {
@@ -676,9 +711,9 @@ constexpr ElementInfo kChecks = {
     kChecksFields};
 
 constexpr const ElementInfo* kElements[] = {
-    &kObject,   &kParameter, &kMaterial, &kTexture, &kPart,      &kFrame,   &kSite,
-    &kCamera,   &kLight,     &kJoint,    &kBody,    &kContact,   &kExclude, &kExpectation,
-    &kDefaults, &kChecks,    &kHolding,  &kFitting, &kJointCheck};
+    &kObject,   &kParameter, &kMaterial, &kTexture, &kPart,     &kFrame,     &kSite,
+    &kCamera,   &kLight,     &kJoint,    &kBody,    &kContact,  &kExclude,   &kExpectation,
+    &kDefaults, &kChecks,    &kHolding,  &kFitting, &kGrasping, &kPartCheck, &kJointCheck};
 
 }  // namespace
 
@@ -710,6 +745,8 @@ const ElementInfo& DefaultsElement() { return kDefaults; }
 const ElementInfo& ChecksElement() { return kChecks; }
 const ElementInfo& HoldingElement() { return kHolding; }
 const ElementInfo& FittingElement() { return kFitting; }
+const ElementInfo& GraspingElement() { return kGrasping; }
+const ElementInfo& PartCheckElement() { return kPartCheck; }
 const ElementInfo& JointCheckElement() { return kJointCheck; }
 std::span<const ElementInfo* const> AllElements() { return kElements; }
 

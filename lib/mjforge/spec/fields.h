@@ -55,6 +55,8 @@ enum class Slot {
   kHolding,
   kJointChecks,
   kFittings,
+  kGrasping,
+  kPartChecks,
   kNames,
   kSilence,
   kAnything,
@@ -119,6 +121,8 @@ const ElementInfo& ChecksElement();
 const ElementInfo& HoldingElement();
 const ElementInfo& JointCheckElement();
 const ElementInfo& FittingElement();
+const ElementInfo& GraspingElement();
+const ElementInfo& PartCheckElement();
 std::span<const ElementInfo* const> AllElements();
 
 }  // namespace mjforge::spec

@@ -63,6 +63,8 @@ constexpr std::array kSlots = {
     SlotInfo{Slot::kHolding, "balls", R"("@is holds")"},
     SlotInfo{Slot::kJointChecks, "list of drives", R"("@list drive")"},
     SlotInfo{Slot::kFittings, "list of fits", R"("@list fit")"},
+    SlotInfo{Slot::kGrasping, "jaws", R"("@is grasps")"},
+    SlotInfo{Slot::kPartChecks, "list of limits", R"("@list limit")"},
     SlotInfo{Slot::kNames, "name or list of names",
              R"("anyOf": [{"type": "string"}, {"@list text", "minItems": 1}])"},
     SlotInfo{Slot::kSilence, "code: reason"},

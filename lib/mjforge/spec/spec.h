@@ -14,6 +14,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/demands.h"
 #include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
 #include "mjforge/spec/shapes.h"
@@ -35,25 +36,6 @@ struct Parameter {
   std::string record;
 };
 
-/// One of `pose:`: where a joint stands at the start, as qpos has it.
-struct Position {
-  Value joint;  // text
-  diag::SourceMark mark;
-  Value value;  // a number, or four
-};
-
-enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
-
-/// One of `expect:`.
-struct Expectation {
-  Entry entry;  // if, for, let; min and max as fields
-  ExpectationKind kind = ExpectationKind::kThat;
-  std::optional<expr::Expression> condition;  // kThat
-  std::vector<Value> names;                   // of the other kinds: two bodies or parts
-  std::vector<Position> at;
-  std::string doc;
-};
-
 struct Requirement {
   expr::Expression expression;
   diag::SourceMark mark;
@@ -68,34 +50,6 @@ struct Material {
 
   const Field* Find(Key id) const;
 };
-
-/// `checks:`, including the values set from outside.
-struct Checks {
-  std::vector<Field> fields;
-  struct Silence {
-    diag::Code code{};
-    std::string reason;
-  };
-  std::vector<Silence> silenced;
-  struct Holding {
-    std::vector<Field> fields;
-    diag::SourceMark mark;
-  };
-  std::optional<Holding> holds;
-  struct JointCheck {
-    Entry entry;                // if, for, let; thresholds as fields
-    std::vector<Value> joints;  // texts
-    std::vector<Position> at;
-    std::string skip;
-  };
-  std::vector<JointCheck> joints;
-  struct Fitting {
-    Entry entry;  // if, for, let; all else as fields
-  };
-  std::vector<Fitting> fits;
-};
-/// Whether findings of a code may be intended: how an object behaves, what a spec does not use.
-bool CanBeSilenced(diag::Code code);
 
 enum class RootJoints { kFree, kNone, kList };
 enum class Placement { kCenter, kCorner };

@@ -117,11 +117,40 @@ TEST_CASE("what is seen is near what collides") {
   decal.role = model::Role::kVisual;
   decal.mass = 0;
   model::Object object = Of({Cube(0.05, {0, 0, 0}), decal});
-  CHECK(Check(object).first.empty());
+  CHECK(Check(object).first == Strings{"physics/looks-differ"});
+  model::Checks checks;
+  checks.look = 1;
+  CHECK(Check(object, checks).first.empty());
   object.bodies[0].parts[1].X_BG.p.x() = 0.06 + 0.0866;  // half of the cube's diagonal: 0.08660
-  CHECK(Check(object).first.empty());
+  CHECK(Check(object, checks).first.empty());
   object.bodies[0].parts[1].X_BG.p.x() = 0.06 + 0.0867;
   CHECK(Check(object).first == Strings{"physics/far-visual"});
+}
+
+TEST_CASE("what is seen has the extent of what collides") {
+  for (const bool is_seen : {true, false}) {
+    Part longer = Cube(0.05, {0, 0, 0});
+    longer.shape.size = {0.05, 0.05, 0.1};
+    longer.role = is_seen ? model::Role::kVisual : model::Role::kCollision;
+    Part cube = Cube(0.05, {0, 0, 0});
+    cube.role = is_seen ? model::Role::kCollision : model::Role::kVisual;
+    CHECK(Check(Of({cube, longer})).first == Strings{"physics/looks-differ"});
+    model::Checks checks;
+    checks.look = 0.3;
+    CHECK(Check(Of({cube, longer}), checks).first.empty());
+  }
+}
+
+TEST_CASE("parts have limits of their own, and others those of all") {
+  Part sheet = Cube(0.05, {0, 0, 0});
+  sheet.shape.size = {0.02, 0.02, 0.00049};
+  sheet.mass = 1000 * model::Volume(sheet.shape);
+  sheet.name = "sheet";
+  model::Checks checks;
+  checks.parts = {{.parts = {"sheet"}, .thickness = 0.0005}};
+  CHECK(Check(Of({sheet}), checks).first.empty());
+  checks.parts = {{.parts = {"shet"}, .thickness = 0.0005}};
+  CHECK(Check(Of({sheet}), checks).first == Strings{"model/unknown-reference", "physics/thin"});
 }
 
 TEST_CASE("what collides is seen") {

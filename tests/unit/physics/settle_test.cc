@@ -84,7 +84,7 @@ TEST_CASE("what is fixed to the world is not dropped, and needs no floor") {
 TEST_CASE("an undamped pendulum on a foot does not come to rest") {
   const std::string pendulum =
       kCube +
-      "<body name=\"rod\" pos=\"0 0.06 0.2\"><joint name=\"swing\" axis=\"0 1 0\"/>"
+      "<body name=\"rod\" pos=\"0 0.06 0.07\"><joint name=\"swing\" axis=\"0 1 0\"/>"
       "<geom type=\"capsule\" fromto=\"0 0 0 0.1 0 0\" size=\"0.004\"/></body>";
   const Examined free = Examine(Free(0, pendulum));
   REQUIRE(free.result);
@@ -110,7 +110,7 @@ TEST_CASE("a spring that its timestep cannot follow is an error, and the end of 
 TEST_CASE("an actuator that lifts without a command gains energy") {
   const Examined jack = Examine(
       Free(0, kCube +
-                  "<body name=\"lift\" pos=\"0 0 0.2\"><joint name=\"screw\" type=\"slide\" "
+                  "<body name=\"lift\" pos=\"0 0 0.09\"><joint name=\"screw\" type=\"slide\" "
                   "damping=\"5\" limited=\"true\" range=\"0 0.3\"/><geom size=\"0.03\"/></body>"),
       "<actuator><general joint=\"screw\" biastype=\"affine\" biasprm=\"40 0 0\"/></actuator>");
   CHECK(jack.Codes() == Strings{"error physics/gains-energy"});

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+namespace mjforge::physics {
+
+/// A body on a hinge or slide, with nothing else of its object near it.
+struct Adrift {
+  int body = 0;
+  double distance = 0;  // m, to the nearest other geom's bounding box
+};
+
+/// Bodies on hinges and slides farther from all else of their tree, where they start, than a
+/// quarter of their own size. Boxes around geoms, seen ones too, tell.
+std::vector<Adrift> AdriftBodies(const mjModel& m);
+
+}  // namespace mjforge::physics

@@ -1,0 +1,114 @@
+#include "mjforge/physics/passing.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/simulation.h"
+
+namespace mjforge::physics {
+namespace {
+
+constexpr int kPositions = 8;
+
+/// The model, in which parents collide with their children.
+class Unfiltered {
+ public:
+  explicit Unfiltered(const mjModel& m) : m_(mj_copyModel(nullptr, &m)) {
+    m_->opt.disableflags |= mjDSBL_FILTERPARENT;
+    data_ = compiled::MakeData(*m_);
+  }
+
+  void Put(std::span<const mjtNum> qpos) { std::ranges::copy(qpos, data_->qpos); }
+  void Move(int joint, double position) { data_->qpos[m_->jnt_qposadr[joint]] = position; }
+
+  /// How deep a body, with all that is welded to it, is in its parent, m.
+  double Depth(int body, int parent) {
+    for (;;) {
+      mj_kinematics(m_.get(), data_.get());
+      mj_comPos(m_.get(), data_.get());
+      mj_collision(m_.get(), data_.get());
+      if (data_->warning[mjWARN_CONTACTFULL].number == 0) break;
+      const std::vector<mjtNum> qpos(data_->qpos, data_->qpos + m_->nq);
+      if (!MakeRoom(*m_, *data_)) break;
+      data_ = compiled::MakeData(*m_);
+      Put(qpos);
+    }
+    double deepest = 0;
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      const auto [low, high] = std::minmax(m_->body_weldid[m_->geom_bodyid[contact.geom1]],
+                                           m_->body_weldid[m_->geom_bodyid[contact.geom2]]);
+      if (low == parent && high == body) deepest = std::max(deepest, -contact.dist);
+    }
+    return deepest;
+  }
+
+ private:
+  engine::Model m_;
+  compiled::Data data_;
+};
+
+class Passings {
+ public:
+  Passings(const mjModel& m, std::string_view object, const model::Checks& checks)
+      : m_(m), checks_(checks), entries_(m, object, checks), unfiltered_(m) {}
+
+  std::vector<Passing> Find() {
+    std::vector<Passing> found;
+    const auto look = [&](int joint, std::span<const mjtNum> start,
+                          const model::JointCheck* check) {
+      const std::optional<Passing> passing = Look(joint, start, check);
+      if (passing) found.push_back(*passing);
+    };
+    for (const int joint : entries_.Others()) look(joint, compiled::StartOf(m_), nullptr);
+    for (const model::JointCheck& check : checks_.joints) {
+      if (!check.skip.empty()) continue;
+      const std::vector<mjtNum> start = entries_.StartOf(check);
+      for (const int joint : entries_.JointsOf(check)) look(joint, start, &check);
+    }
+    return found;
+  }
+
+ private:
+  std::optional<Passing> Look(int joint, std::span<const mjtNum> start,
+                              const model::JointCheck* check) {
+    const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
+    const int parent = m_.body_weldid[m_.body_parentid[body]];
+    const std::optional<compiled::JointRange> range = compiled::RangeOf(m_, joint);
+    // MuJoCo does let a body collide with the world.
+    if (parent == 0 || m_.jnt_type[joint] == mjJNT_BALL || !range) return std::nullopt;
+    Passing deepest{.joint = joint, .body = body, .parent = parent, .check = check};
+    unfiltered_.Put(start);
+    const double usual = unfiltered_.Depth(body, parent);
+    for (int i = 0; i < kPositions; ++i) {
+      const double at = range->low + (range->high - range->low) * i / (kPositions - 1);
+      unfiltered_.Move(joint, at);
+      const double depth = unfiltered_.Depth(body, parent) - usual;
+      if (depth <= deepest.depth) continue;
+      deepest.depth = depth;
+      deepest.where = at;
+    }
+    const double most = check != nullptr ? check->penetration.value_or(checks_.joint_penetration)
+                                         : checks_.joint_penetration;
+    return deepest.depth > most ? std::optional(deepest) : std::nullopt;
+  }
+
+  const mjModel& m_;
+  const model::Checks& checks_;
+  JointChecks entries_;
+  Unfiltered unfiltered_;
+};
+
+}  // namespace
+
+std::vector<Passing> PassingJoints(const mjModel& m, std::string_view object,
+                                   const model::Checks& checks) {
+  if (!checks.drive) return {};
+  return Passings(m, object, checks).Find();
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,58 @@
+#include "examined.h"
+
+namespace mjforge::physics {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+model::Checks Profile() {
+  model::Checks checks;
+  checks.simready = true;
+  return checks;
+}
+
+Result::SimReady Tested(const Examined& object) {
+  REQUIRE(object.result);
+  REQUIRE(object.result->simready);
+  return *object.result->simready;
+}
+
+}  // namespace
+
+TEST_CASE("a box passes the SimReady tests, and what rolls on does not come to rest") {
+  const Examined box =
+      Examine(Free(0.1, R"(<geom type="box" size="0.05 0.04 0.03"/>)"), {}, Profile());
+  CHECK(box.Codes().empty());
+  CHECK(Tested(box) == Result::SimReady{.ground_drop = "pass", .slope_drop = "pass"});
+  // It lands on a thing that sets it rolling.
+  const Examined ball = Examine(
+      Free(0.1, R"(<geom size="0.02"/><geom type="sphere" size="0.001" pos="0.01 0 -0.018"/>)"), {},
+      Profile());
+  CHECK(Tested(ball).ground_drop == "fail");
+}
+
+TEST_CASE("what is very soft sinks, and what is fixed to the world is not dropped") {
+  const Examined soft = Examine(
+      Free(0.1, R"(<geom type="box" size="0.05 0.04 0.1" solref="0.5 1" solimp="0.1 0.1 0.1"/>)"),
+      {}, Profile());
+  CHECK(Tested(soft).ground_drop == "fail");
+  const Examined fixed =
+      Examine(R"(<body><geom type="box" size="0.05 0.04 0.03"/></body>)", {}, Profile());
+  CHECK(Tested(fixed) == Result::SimReady{});
+}
+
+TEST_CASE("joints must reach both ends of their ranges") {
+  const auto door = [](const std::string& stop) {
+    return Examine(R"(<body><geom type="box" size="0.02 0.02 0.3"/>)" + stop +
+                       R"(<body pos="0.03 0 0"><joint name="hinge" axis="0 0 1" limited="true" )"
+                       R"(range="0 1.5"/><geom type="box" size="0.2 0.01 0.25" pos="0.25 0 0"/>)"
+                       R"(</body></body>)",
+                   {}, Profile());
+  };
+  CHECK(Tested(door("")).full_range_sweep == "pass");
+  CHECK(Tested(door("")).self_collision == "pass");
+  CHECK(Tested(door(R"(<geom type="box" size="0.02 0.02 0.3" pos="0.15 0.3 0"/>)"))
+            .full_range_sweep == "fail");
+}
+
+}  // namespace mjforge::physics
