@@ -23,6 +23,7 @@ using Eigen::Vector3d;
 
 // In the jaws' own frame, which is accelerated in place of being moved.
 constexpr double kClose = 0.5;      // s
+constexpr double kBounce = 0.1;     // s, for which jaws may leave what pushes them back
 constexpr double kGiving = 0.02;    // m/s
 constexpr double kArm = 0.05;       // m
 constexpr double kLift = 0.3;       // s
@@ -88,14 +89,14 @@ class Attempt {
     jaws_.Press(d_, grasping_.force);
     Gravity().setZero();
     if (!Pass(kClose)) return Grip::kDiverged;
-    if (!jaws_.Hold(d_, m_.body_rootid[body_])) return Grip::kMissed;
+    if (!Touches()) return Grip::kMissed;
     p_BJ_ = BodyPose().Inverse() * p_WJ_;
     slow.reset();
     const Grip grip = joint_ < 0 ? Lift() : Pull();
     if (grip != Grip::kHeld) return grip;
     jaws_.Press(d_, -grasping_.force);
     if (!Pass(kOpen)) return Grip::kDiverged;
-    return jaws_.Hold(d_, m_.body_rootid[body_]) ? Grip::kStuck : Grip::kHeld;
+    return apart_ == 0 ? Grip::kStuck : Grip::kHeld;
   }
 
  private:
@@ -105,15 +106,21 @@ class Attempt {
   Eigen::Map<Vector3d> Gravity() { return Eigen::Map<Vector3d>(m_.opt.gravity); }
 
   /// False: the simulation diverges.
+  bool Step() {
+    mj_step(&m_, &d_);
+    apart_ = jaws_.Hold(d_, m_.body_rootid[body_]) ? 0 : apart_ + m_.opt.timestep;
+    return !HasBlownUp(d_);
+  }
+
   bool Pass(double time) {
     for (double t = 0; t < time; t += m_.opt.timestep) {
-      mj_step(&m_, &d_);
-      if (HasBlownUp(d_)) return false;
+      if (!Step()) return false;
     }
     return true;
   }
 
-  bool Holds() const { return jaws_.Hold(d_, m_.body_rootid[body_]) && Slip() <= kMostSlip; }
+  bool Touches() const { return apart_ < kBounce; }
+  bool Holds() const { return Touches() && Slip() <= kMostSlip; }
 
   Grip Lift() {
     const Vector3d down(0, 0, -kEarthGravity);
@@ -123,8 +130,7 @@ class Attempt {
       if (t >= kLift && axis < 3)
         g[axis] += kShaking * kEarthGravity * std::sin(2 * std::numbers::pi * kFrequency * t);
       Gravity() = g;
-      mj_step(&m_, &d_);
-      if (HasBlownUp(d_)) return Grip::kDiverged;
+      if (!Step()) return Grip::kDiverged;
       if (Slip() > kMostSlip) return Grip::kSlipped;
     }
     return Holds() ? Grip::kHeld : Grip::kSlipped;
@@ -140,8 +146,7 @@ class Attempt {
     for (const double way : {1.0, -1.0}) {
       d_.qfrc_applied[dof] = way * grasping_.pull * lever;
       for (double t = 0; t < kHold / 2; t += m_.opt.timestep) {
-        mj_step(&m_, &d_);
-        if (HasBlownUp(d_)) return Grip::kDiverged;
+        if (!Step()) return Grip::kDiverged;
         if (Slip() > kMostSlip) return Grip::kSlipped;
       }
     }
@@ -155,6 +160,7 @@ class Attempt {
   const model::Grasping& grasping_;
   int joint_;
   int body_ = 0;
+  double apart_ = 0;                  // s, for how long the jaws have not touched it
   Vector3d p_BJ_ = Vector3d::Zero();  // the middle between the jaws, in the body
   Vector3d p_WJ_ = Vector3d::Zero();
 };
