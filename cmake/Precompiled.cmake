@@ -17,6 +17,8 @@ if(MJFORGE_PRECOMPILED)
   target_compile_features(mjforge_precompiled PUBLIC cxx_std_20)
   target_link_libraries(mjforge_precompiled
     PRIVATE Eigen3::Eigen fmt::fmt mjforge_options mjforge_watched)
+  set_target_properties(mjforge_precompiled PROPERTIES
+    POSITION_INDEPENDENT_CODE ${MJFORGE_PYTHON})
   target_precompile_headers(mjforge_precompiled PRIVATE ${mjforge_precompiled_headers})
 endif()
 

@@ -26,7 +26,8 @@ function(mjforge_room name)
     PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_watched>)
 
   mjforge_precompile_from(mjforge_${name} mjforge_precompiled)
-  set_target_properties(mjforge_${name} PROPERTIES UNITY_BUILD ${MJFORGE_UNITY})
+  set_target_properties(mjforge_${name} PROPERTIES UNITY_BUILD ${MJFORGE_UNITY}
+    POSITION_INDEPENDENT_CODE ${MJFORGE_PYTHON})  # the package is a shared library
 
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

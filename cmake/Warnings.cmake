@@ -4,6 +4,8 @@ target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
 # A step is compiled where it is noted and where it is taken again. Both must round alike, on
 # processors that can multiply and add at once, too.
 target_compile_options(mjforge_options INTERFACE -ffp-contract=off)
+# Within a shared library (app/python), calls may be inlined as in a program.
+target_compile_options(mjforge_options INTERFACE -fno-semantic-interposition)
 # GCC 12 sees overlaps in every `"text" + std::string` (its bug 105651), and ends of arrays where
 # std::string comes from a precompiled header. AddressSanitizer sees the real ones.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

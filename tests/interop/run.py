@@ -29,8 +29,8 @@ COUNTS = {"mujoco": 20, "robosuite": 3, "robocasa": 3, "mjx": 3}
 HOSTS = {
     # From 2.3.3 to 3.1.1 MuJoCo crashes on any mesh with texture coordinates in its XML.
     "mujoco-3.1": (["mujoco==3.1.2", "numpy<2"], [], ["check_mujoco.py"]),
-    "mujoco-3.3": (["mujoco==3.3.7"], [], ["check_mujoco.py"]),
-    "mujoco-newest": (["mujoco"], [], ["check_mujoco.py"]),
+    "mujoco-3.3": (["mujoco==3.3.7"], [], ["check_mujoco.py", "check_python.py"]),
+    "mujoco-newest": (["mujoco"], [], ["check_mujoco.py", "check_python.py"]),
     "robosuite": (["mujoco", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless",
                    "termcolor"], ["robosuite"], ["check_robosuite.py", "check_robocasa.py"]),
     "mjx": (["mujoco-mjx"], [], ["check_mjx.py"]),
@@ -76,7 +76,7 @@ def install(base, place, packages, alone):
             run(command + more)
 
 
-def run_host(base, folder, host):
+def run_host(base, folder, host, package):
     """(lines, seconds) of one host's checks."""
     start = time.monotonic()
     packages, alone, scripts = HOSTS[host]
@@ -85,7 +85,8 @@ def run_host(base, folder, host):
     except RuntimeError as error:
         return [f"FAILED {host}: cannot be installed: {error}"], time.monotonic() - start
     lines = []
-    environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore")
+    environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore",
+                       PYTHONPATH=str(package))
     for script in scripts:
         result = subprocess.run([folder / host / "bin/python", HERE / script, folder / "files"],
                                 capture_output=True, text=True, env=environment, cwd=folder)
@@ -104,6 +105,7 @@ def main():
     program, folder = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     if folder.exists():
         shutil.rmtree(folder)
+    package = program.parent.parent / "python"  # where a build tree has it
     base = folder / "pip"
     venv.create(base, with_pip=True)
     start = time.monotonic()
@@ -111,7 +113,7 @@ def main():
     print(f"{count} specs generated in {time.monotonic() - start:.0f} s", flush=True)
     passed = failed = 0
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        hosts = {pool.submit(run_host, base, folder, host): host for host in chosen}
+        hosts = {pool.submit(run_host, base, folder, host, package): host for host in chosen}
         for done in concurrent.futures.as_completed(hosts):
             lines, seconds = done.result()
             print(*lines, sep="\n")

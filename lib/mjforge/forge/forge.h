@@ -69,6 +69,11 @@ struct Recipe {
 /// As spec::LoadSpec.
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
+/// The same of a text, whose files are looked for here: as LoadRecipe("-") of a process that gets
+/// the text on standard input. Findings call it `name`.
+std::optional<Recipe> LoadRecipeText(const std::string& name, std::string text,
+                                     const spec::LoadOptions& options, diag::Sources& sources,
+                                     diag::Findings& findings);
 
 /// Thresholds set from outside, for a file that has no spec: names are `checks.` and a key.
 std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,

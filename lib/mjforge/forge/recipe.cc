@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
@@ -23,7 +24,7 @@ std::optional<std::string> NameWithin(const std::filesystem::path& file,
 void SetReference(const std::string& given, const std::vector<std::filesystem::path>& search_path,
                   Recipe& recipe) {
   recipe.reference = given;
-  if (given == "-" || recipe.spec->files.empty()) return;
+  if (given == bytes::kStandardInput || recipe.spec->files.empty()) return;
   const std::filesystem::path& file = recipe.spec->files.front();
   for (const std::filesystem::path& folder : search_path) {
     if (auto name = NameWithin(file, folder)) {
@@ -35,14 +36,12 @@ void SetReference(const std::string& given, const std::vector<std::filesystem::p
   recipe.file = file;
 }
 
-}  // namespace
-
-std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
-                                 diag::Sources& sources, diag::Findings& findings) {
+std::optional<Recipe> RecipeOf(std::unique_ptr<spec::ObjectSpec> spec, const std::string& reference,
+                               const std::vector<std::filesystem::path>& search_path) {
+  if (spec == nullptr) return std::nullopt;
   Recipe recipe;
-  recipe.spec = spec::LoadSpec(reference, options, sources, findings);
-  if (recipe.spec == nullptr) return std::nullopt;
-  SetReference(reference, options.search_path, recipe);
+  recipe.spec = std::move(spec);
+  SetReference(reference, search_path, recipe);
   for (const auto& [name, text] : recipe.spec->settings) {  // the last one of a name has won
     const auto same =
         std::ranges::find(recipe.settings, name, &std::pair<std::string, std::string>::first);
@@ -53,6 +52,21 @@ std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadO
     }
   }
   return recipe;
+}
+
+}  // namespace
+
+std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
+                                 diag::Sources& sources, diag::Findings& findings) {
+  return RecipeOf(spec::LoadSpec(reference, options, sources, findings), reference,
+                  options.search_path);
+}
+
+std::optional<Recipe> LoadRecipeText(const std::string& name, std::string text,
+                                     const spec::LoadOptions& options, diag::Sources& sources,
+                                     diag::Findings& findings) {
+  return RecipeOf(spec::LoadSpecText(name, std::move(text), ".", options, sources, findings),
+                  bytes::kStandardInput, options.search_path);
 }
 
 std::string ExpandName(std::string_view text, std::uint64_t index) {

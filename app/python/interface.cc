@@ -1,0 +1,205 @@
+#include "interface.h"
+
+#include <exception>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/forge/forge.h"
+
+using namespace mjforge;
+
+struct MjforgeMaker {
+  diag::Sources sources;
+  diag::Findings findings;
+  std::optional<forge::Recipe> recipe;
+  std::unique_ptr<forge::Generator> generator;
+  forge::Variant variant;
+  // What was said last.
+  std::string record;
+  std::string said_findings;
+  std::string said_files;
+  std::string description;
+  std::string failure;
+};
+
+namespace {
+
+MjforgeText View(std::string_view text) { return {text.data(), text.size()}; }
+
+/// What `find` finds for the word.
+template <typename Find, typename Words>
+auto OneOf(std::string_view option, std::string_view word, const Find& find, const Words& words) {
+  const auto found = find(word);
+  if (found) return *found;
+  const std::vector<std::string_view> known(std::begin(words), std::end(words));
+  const std::string meant = diag::DidYouMean(word, known);
+  throw std::invalid_argument(fmt::format("{}='{}' is not one of {}{}{}", option, word,
+                                          fmt::join(known, ", "), meant.empty() ? "" : "; ",
+                                          meant));
+}
+
+std::vector<std::string_view> TargetNames() {
+  std::vector<std::string_view> names;
+  for (const mjcf::TargetRules& rules : mjcf::Targets()) names.push_back(rules.name);
+  return names;
+}
+
+spec::LoadOptions LoadOptionsOf(const MjforgeRequest& request) {
+  spec::LoadOptions options;
+  for (std::size_t i = 0; i < request.setting_count; ++i) {
+    options.settings.push_back(
+        {request.settings[2 * i], request.settings[2 * i + 1], std::string("set")});
+  }
+  options.parameter_files.assign(request.parameter_files,
+                                 request.parameter_files + request.parameter_file_count);
+  options.search_path = forge::SearchPath();
+  options.search_path.emplace_back(request.catalogue);
+  return options;
+}
+
+forge::Options OptionsOf(const MjforgeRequest& request) {
+  forge::Options options;
+  options.seed = request.seed;
+  options.batch = request.batch;
+  options.name = request.name;
+  options.target = OneOf("target", request.target, mjcf::FindTarget, TargetNames());
+  options.sampler = OneOf("sampler", request.sampler, sample::FindMethod, sample::MethodNames());
+  options.on_invalid = OneOf("on_invalid", request.on_invalid, manifest::Find<forge::OnInvalid>,
+                             manifest::kOnInvalid);
+  options.validation = OneOf("validate", request.validate, manifest::Find<forge::Validation>,
+                             manifest::kValidations);
+  return options;
+}
+
+void Load(const MjforgeRequest& request, MjforgeMaker& maker) {
+  const forge::Options options = OptionsOf(request);
+  const spec::LoadOptions load = LoadOptionsOf(request);
+  maker.recipe = request.spec != nullptr
+                     ? forge::LoadRecipe(request.spec, load, maker.sources, maker.findings)
+                     : forge::LoadRecipeText(request.text_name, request.text, load, maker.sources,
+                                             maker.findings);
+  if (!options.name.empty()) forge::CheckName(options.name, maker.findings);
+  if (!maker.recipe || maker.findings.HasErrors()) return;
+  maker.generator = std::make_unique<forge::Generator>(*maker.recipe, maker.sources, options);
+}
+
+std::string FindingsJson(const diag::Findings& findings, const diag::Sources& sources) {
+  diag::Json json(nullptr);
+  json.StartArray();
+  for (const diag::Finding& finding : findings) {
+    json.StartArray();
+    json.Raw(diag::RenderJson(finding, sources));
+    json.Value(diag::RenderText(finding, sources, /*color=*/false));
+    json.EndArray();
+  }
+  json.EndArray();
+  return json.Take();
+}
+
+std::string FilesJson(const mjcf::MjcfDocument& document) {
+  diag::Json json(nullptr);
+  json.StartArray();
+  for (const auto& [name, file] : document.assets) {
+    json.StartArray();
+    json.Value(name);
+    json.Value(file.string());
+    json.EndArray();
+  }
+  json.EndArray();
+  return json.Take();
+}
+
+int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
+  forge::Variant& variant = maker.variant;
+  maker.generator->Make(index, variant);
+  maker.record.clear();
+  manifest::AppendRecord(maker.record, variant.record);
+  maker.record.pop_back();  // the line end
+  made.record = View(maker.record);
+  if (!variant.findings.empty()) {
+    maker.said_findings = FindingsJson(variant.findings, maker.sources);
+    made.findings = View(maker.said_findings);
+  }
+  if (!variant.ok()) return 1;
+  made.xml = View(variant.document.text);
+  if (!variant.document.assets.empty()) {
+    maker.said_files = FilesJson(variant.document);
+    made.files = View(maker.said_files);
+  }
+  return 0;
+}
+
+}  // namespace
+
+MjforgeMaker* MjforgeOpen(const MjforgeRequest* request) {
+  std::unique_ptr<MjforgeMaker> maker(new (std::nothrow) MjforgeMaker);
+  if (!maker) return nullptr;
+  try {
+    Load(*request, *maker);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  } catch (const std::exception& error) {
+    maker->failure = error.what();
+  }
+  return maker.release();
+}
+
+void MjforgeClose(MjforgeMaker* maker) { delete maker; }
+
+MjforgeText MjforgeFindings(MjforgeMaker* maker) {
+  maker->said_findings = FindingsJson(maker->findings, maker->sources);
+  return View(maker->said_findings);
+}
+
+MjforgeText MjforgeDescription(MjforgeMaker* maker) {
+  const spec::ObjectSpec& spec = *maker->recipe->spec;
+  diag::Json json(nullptr);
+  json.StartObject();
+  json.Member("name", spec.name);
+  json.Member("description", spec.description);
+  json.Key("parameters");
+  json.StartArray();
+  for (const spec::Parameter& parameter : spec.parameters) {
+    json.StartObject();
+    json.Member("name", parameter.name);
+    json.Member("unit", parameter.unit);
+    json.Member("doc", parameter.doc);
+    json.EndObject();
+  }
+  json.EndArray();
+  json.EndObject();
+  maker->description = json.Take();
+  return View(maker->description);
+}
+
+int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* variant) {
+  *variant = {};
+  try {
+    return Make(*maker, index, *variant);
+  } catch (const std::bad_alloc&) {
+    maker->failure.assign("too little memory");
+  } catch (const std::exception& error) {
+    maker->failure = error.what();
+  }
+  return 2;
+}
+
+MjforgeText MjforgeFailure(MjforgeMaker* maker) { return View(maker->failure); }
+
+MjforgeText MjforgeCatalogue(const char* folder) {
+  thread_local std::string names;
+  diag::Json json(nullptr);
+  json.Value(spec::ListSpecs(folder));
+  names = json.Take();
+  return View(names);
+}
+
+const char* MjforgeVersion() { return forge::Version().data(); }

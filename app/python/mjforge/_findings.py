@@ -1,0 +1,65 @@
+"""What was found, and what is raised for it."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence
+
+
+class Finding:
+    """An error or a warning. What it does not have is None."""
+
+    __slots__ = ("severity", "code", "message", "hint", "file", "line", "column", "seed", "index",
+                 "notes", "text")
+
+    severity: str  # "error" or "warning"
+    code: str  # "spec/unknown-key": a chapter of docs/errors.md
+    message: str
+    hint: Optional[str]
+    file: Optional[str]
+    line: Optional[int]  # from 1
+    column: Optional[int]  # from 1
+    seed: Optional[int]  # of the variant
+    index: Optional[int]  # of the variant
+    notes: list[dict[str, Any]]  # message, and file, line and column
+    text: str  # as the command prints it
+
+    def __init__(self, members: dict[str, Any], text: str = "") -> None:
+        for name in self.__slots__[:-1]:
+            setattr(self, name, members.get(name))
+        self.text = text.rstrip("\n") or self._summary()
+
+    def _summary(self) -> str:
+        place = ":".join(str(p) for p in (self.file, self.line, self.column) if p is not None)
+        summary = f"{place or 'mjforge'}: {self.severity}: {self.message} [{self.code}]"
+        return summary if self.hint is None else f"{summary}\n  hint: {self.hint}"
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<mjforge.Finding {self._summary()!r}>"
+
+
+class _FindingsError(ValueError):
+    """Its text is that of its findings."""
+
+    findings: tuple[Finding, ...]
+
+    def __init__(self, findings: Sequence[Finding]) -> None:
+        super().__init__(tuple(findings))
+        self.findings = tuple(findings)
+
+    def __str__(self) -> str:
+        return "\n".join(finding.text for finding in self.findings)
+
+
+class SpecError(_FindingsError):
+    """A spec has errors. `findings` has all of them, and its warnings."""
+
+
+class VariantError(_FindingsError):
+    """A variant could not be made or did not pass its checks; `findings` says why."""
+
+
+class MismatchError(ValueError):
+    """A compiled model is not what was meant."""

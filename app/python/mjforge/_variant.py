@@ -1,0 +1,160 @@
+"""One variant of an object."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import TYPE_CHECKING, Any, Optional
+
+from ._findings import Finding, MismatchError
+
+if TYPE_CHECKING:
+    import numpy as np
+
+_PIP = "python -m pip install 'mujoco>=2.2.2'"
+
+
+def _numpy() -> Any:
+    try:
+        import numpy
+    except ImportError as error:
+        raise ImportError("this needs NumPy: python -m pip install numpy") from error
+    return numpy
+
+
+def _mujoco(module: Any) -> Any:
+    if module is None:
+        try:
+            import mujoco as module
+        except ImportError as error:
+            raise ImportError(f"no MuJoCo to load it in: {_PIP}") from error
+    version = str(getattr(module, "__version__", ""))
+    numbers = tuple(int(part) for part in version.split(".")[:2] if part.isdigit())
+    if not hasattr(module, "MjModel") or numbers < (2, 2):
+        name = getattr(module, "__name__", repr(module))
+        raise ImportError(f"{name} {version} is not MuJoCo's Python package from 2.2 on: {_PIP}")
+    return module
+
+
+class Variant:
+    """An MJCF file and what is known about it. Frames: the object's own (m, kg, kg m^2)."""
+
+    __slots__ = ("xml_bytes", "_record_bytes", "_files_bytes", "findings", "_record")
+
+    xml_bytes: bytes  # the file, as the command writes it
+    findings: tuple[Finding, ...]  # warnings
+
+    def __init__(self, xml: bytes, record: bytes, files: bytes, findings: tuple[Finding, ...]):
+        self.xml_bytes = xml
+        self._record_bytes = record
+        self._files_bytes = files
+        self.findings = findings
+        self._record: Optional[dict[str, Any]] = None
+
+    @property
+    def xml(self) -> str:
+        """The MJCF file."""
+        return self.xml_bytes.decode()
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Its line of a manifest."""
+        if self._record is None:
+            self._record = json.loads(self._record_bytes)
+        return self._record
+
+    @property
+    def index(self) -> int:
+        return self.record["index"]
+
+    @property
+    def seed(self) -> int:
+        return self.record["seed"]
+
+    @property
+    def params(self) -> dict[str, Any]:
+        """What was drawn or computed for each parameter."""
+        return self.record["params"]
+
+    @property
+    def mass(self) -> float:
+        """kg"""
+        return self.record["mass"]
+
+    @property
+    def com(self) -> "np.ndarray":
+        """Center of mass, (3,), m."""
+        return _numpy().array(self.record["com"])
+
+    @property
+    def inertia(self) -> "np.ndarray":
+        """About the center of mass, (3, 3), kg m^2."""
+        xx, yy, zz, xy, xz, yz = self.record["inertia"]
+        return _numpy().array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+    @property
+    def bounds(self) -> "np.ndarray":
+        """Corners of the axis-aligned box around it, (2, 3): min and max; m."""
+        box = self.record["aabb"]
+        return _numpy().array([box["min"], box["max"]])
+
+    @property
+    def files(self) -> dict[str, bytes]:
+        """Meshes and textures by their names in the XML, read now. Most objects have none."""
+        files = {}
+        for name, path in json.loads(self._files_bytes or b"[]"):
+            with open(os.fsencode(path), "rb") as file:
+                files[name] = file.read()
+        return files
+
+    def load(self, mujoco: Any = None) -> Any:
+        """A mujoco.MjModel of it, in the given module or the one that is installed."""
+        return _mujoco(mujoco).MjModel.from_xml_string(self.xml, self.files)
+
+    def verify(self, mujoco: Any = None, tolerance: float = 1e-6) -> Any:
+        """Loads it and compares what was compiled with what was meant: the number of bodies,
+        joints and geoms, mass, principal moments of inertia and, where the target does not move
+        it, the center of mass. `tolerance` is relative to the mass, the size and their products.
+        Returns the model; raises MismatchError.
+        """
+        np = _numpy()
+        mujoco = _mujoco(mujoco)
+        model = self.load(mujoco)
+        data = mujoco.MjData(model)
+        mujoco.mj_forward(model, data)
+        mass, com, inertia = _mass_properties(np, model, data)
+        size = float(np.linalg.norm(np.ptp(self.bounds, axis=0)))
+        differences = []
+
+        def compare(what: str, compiled: Any, meant: Any, scale: float) -> None:
+            if not np.allclose(compiled, meant, rtol=0, atol=tolerance * scale):
+                differences.append(f"{what} is {compiled}, not {meant}")
+
+        for what in ("nbody", "njnt", "ngeom"):
+            compare(what, getattr(model, what), self.record[what], 0)
+        compare("mass", mass, self.mass, self.mass)
+        moments = np.linalg.eigvalsh(inertia), np.linalg.eigvalsh(self.inertia)
+        compare("principal moments of inertia", *moments, self.mass * size * size)
+        if self.record["target"] == "mujoco":
+            compare("center of mass", com, self.com, size)
+        if differences:
+            name = f"{self.record['name']} {self.index} of seed {self.seed}"
+            raise MismatchError(f"{name}: in MuJoCo {mujoco.__version__} " + "; ".join(differences))
+        return model
+
+    def __repr__(self) -> str:
+        return f"<mjforge.Variant {self.record['name']} {self.index} of seed {self.seed}>"
+
+
+def _mass_properties(np: Any, model: Any, data: Any) -> tuple[float, Any, Any]:
+    """Of all bodies together, in the world's axes, about their center of mass."""
+    masses = model.body_mass
+    mass = float(masses.sum())
+    com = masses @ data.xipos / mass
+    inertia = np.zeros((3, 3))
+    for body in range(1, model.nbody):
+        axes = data.ximat[body].reshape(3, 3)
+        arm = data.xipos[body] - com
+        inertia += axes @ np.diag(model.body_inertia[body]) @ axes.T
+        inertia += masses[body] * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    return mass, com, inertia

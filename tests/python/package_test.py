@@ -1,0 +1,140 @@
+"""The Python package makes what the command makes, and raises what it finds."""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import types
+import unittest
+
+import mjforge
+
+BALL = {"mjforge": 1, "name": "ball", "parts": [{"name": "ball", "type": "sphere", "size": 0.02}]}
+TYPO = "mjforge: 1\nname: ball\nparts: [{name: ball, type: sphere, sise: 2cm}]\n"
+
+
+class Variants(unittest.TestCase):
+    def test_are_byte_for_byte_what_the_command_writes(self):
+        for name in ("tools/hammer", "containers/mug"):
+            variants = mjforge.Spec(name).variants(seed=7, target="robosuite", validate="load")
+            with tempfile.TemporaryDirectory() as folder:
+                variants.write(folder, 3, jobs=2)
+                lines = pathlib.Path(folder, "manifest.jsonl").read_text().splitlines()
+                for variant, line in zip(variants[:3], lines, strict=True):
+                    record = json.loads(line)
+                    file = pathlib.Path(folder, record.pop("file"))
+                    self.assertEqual(file.read_bytes(), variant.xml_bytes)
+                    mine = {k: v for k, v in variant.record.items() if k != "file"}
+                    self.assertEqual(record, mine)
+
+    def test_slices_are_sequences(self):
+        variants = mjforge.Spec("hammer").variants()
+        some = variants[10:20:2]
+        self.assertEqual(len(some), 5)
+        self.assertEqual([v.index for v in some], [10, 12, 14, 16, 18])
+        self.assertEqual(some[-1].index, 18)
+        self.assertEqual([v.index for v in some[1:3]], [12, 14])
+        for wrong in (lambda: variants[5:], lambda: variants[-1], lambda: some[5]):
+            self.assertRaises(IndexError, wrong)
+        self.assertRaises(TypeError, len, variants)
+
+    def test_do_not_depend_on_threads(self):
+        variants = mjforge.Spec("hammer").variants(seed=3)
+        alone = [v.xml for v in variants[:200]]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            self.assertEqual(list(pool.map(lambda i: variants[i].xml, range(200))), alone)
+
+    def test_can_be_pickled(self):
+        variants = mjforge.Spec("hammer", set={"handle_length": "20cm .. 30cm"}).variants(seed=3)
+        again = pickle.loads(pickle.dumps(variants[5:9]))
+        self.assertEqual([v.xml for v in again], [v.xml for v in variants[5:9]])
+        self.assertEqual(pickle.loads(pickle.dumps(variants[5])).xml, variants[5].xml)
+
+    def test_outlive_their_maker(self):
+        first = mjforge.Spec("hammer").variants()[0]
+        self.assertIn("<mujoco", first.xml)
+        self.assertGreater(first.mass, 0)
+        self.assertTrue(0.05 < first.params["handle_length"] < 0.5)
+
+    def test_settings_take_numbers_and_texts(self):
+        for value in (0.25, "25cm", "250mm"):
+            spec = mjforge.Spec("hammer", set={"handle_length": value})
+            self.assertEqual(spec.variants()[0].params["handle_length"], 0.25)
+        drawn = mjforge.Spec("hammer", set={"handle_length": "20cm .. 30cm"}).variants()
+        for variant in drawn[:20]:
+            self.assertTrue(0.2 <= variant.params["handle_length"] <= 0.3)
+
+    def test_a_mapping_a_text_and_a_file_are_the_same_spec(self):
+        text = json.dumps(BALL, indent=1)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "ball.yaml")
+            file.write_text(text)
+            # The comment at the top tells the hash of the spec's text.
+            made = {mjforge.Spec(source).variants()[4].xml.partition("-->")[2]
+                    for source in (BALL, text, file)}
+        self.assertEqual(len(made), 1)
+
+
+class Errors(unittest.TestCase):
+    def test_a_broken_spec_raises_all_of_them(self):
+        with self.assertRaises(mjforge.SpecError) as raised:
+            mjforge.Spec(TYPO)
+        codes = [f.code for f in raised.exception.findings]
+        self.assertEqual(codes, ["spec/missing-key", "spec/unknown-key"])
+        second = raised.exception.findings[1]
+        self.assertEqual((second.line, second.column, second.severity), (3, 36, "error"))
+        self.assertEqual(second.hint, "did you mean 'size'?")
+        self.assertIn("<spec>:3:36: error: unknown key 'sise'", str(raised.exception))
+        self.assertIn("        ^", str(raised.exception))
+        self.assertEqual(len(pickle.loads(pickle.dumps(raised.exception.args))), 1)
+
+    def test_check_returns_them(self):
+        self.assertEqual(mjforge.check("hammer", 3), [])
+        self.assertEqual([f.code for f in mjforge.check(TYPO)],
+                         ["spec/missing-key", "spec/unknown-key"])
+        self.assertEqual(mjforge.check(mjforge.Spec("hammer"), 3, physics=True), [])
+
+    def test_wrong_words_say_what_is_known(self):
+        spec = mjforge.Spec("hammer")
+        with self.assertRaisesRegex(ValueError, "target='robosuit'.*robosuite"):
+            spec.variants(target="robosuit")
+        for wrong in (dict(seed=-1), dict(seed=2**64), dict(name="a\0b"), dict(validate="no")):
+            self.assertRaises(ValueError, spec.variants, **wrong)
+        with self.assertRaisesRegex(ValueError, "--jbs"):
+            spec.variants().write("unused", 1, jbs=2)
+        self.assertRaises(ValueError, mjforge.Spec, "hammer", set={"handle_length": float("nan")})
+        self.assertRaises(mjforge.SpecError, mjforge.Spec, "hammer", set={"handle_lenght": 1})
+        self.assertRaises(mjforge.SpecError, mjforge.Spec, "no/such/spec")
+
+    def test_writing_where_nothing_can_be_written_is_an_os_error(self):
+        self.assertRaises(OSError, mjforge.Spec("hammer").variants().write, "/proc/no/", 1)
+
+    def test_no_or_a_wrong_mujoco_says_what_to_install(self):
+        variant = mjforge.Spec("hammer").variants()[0]
+        old = types.SimpleNamespace(__name__="mujoco", __version__="2.1.5", MjModel=None)
+        for wrong in (types.ModuleType("mujoco_py"), old):
+            with self.assertRaisesRegex(ImportError, "pip install 'mujoco"):
+                variant.load(wrong)
+
+    def test_ctrl_c_ends_a_write_with_whole_files(self):
+        program = ("import mjforge, sys\n"
+                   "mjforge.Spec('hammer').variants().write(sys.argv[1], 10_000_000)")
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen([sys.executable, "-c", program, folder],
+                                       stderr=subprocess.PIPE)
+            while not any(pathlib.Path(folder).glob("hammer_*.xml")) and process.poll() is None:
+                pass
+            os.kill(process.pid, signal.SIGINT)
+            said = process.communicate(timeout=60)[1]
+            self.assertIn(b"KeyboardInterrupt", said)
+            for file in pathlib.Path(folder).glob("*.xml"):
+                self.assertTrue(file.read_bytes().endswith(b"</mujoco>\n"), file)
+
+
+if __name__ == "__main__":
+    unittest.main()
