@@ -89,12 +89,6 @@ std::string MisplacedMake(const GenerateOptions& options, const batch::Request& 
   return {};
 }
 
-std::vector<std::string_view> TargetNames() {
-  std::vector<std::string_view> names;
-  for (const mjcf::TargetRules& info : mjcf::Targets()) names.push_back(info.name);
-  return names;
-}
-
 void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command
       .add_option("-o,--output", options.output, "A folder [./NAME/], .xml, .tar[.zst], %d.tar, -")
@@ -117,7 +111,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   AddOutputOptions(command, options);
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
       ->option_text("TEXT");
-  AddWord(command, "--target", options.target, TargetNames(), "For");
+  AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });
   AddWord(command, "--on-invalid", options.on_invalid, manifest::kOnInvalid, "Invalid variants");

@@ -46,12 +46,6 @@ auto OneOf(std::string_view option, std::string_view word, const Find& find, con
                                           meant));
 }
 
-std::vector<std::string_view> TargetNames() {
-  std::vector<std::string_view> names;
-  for (const mjcf::TargetRules& rules : mjcf::Targets()) names.push_back(rules.name);
-  return names;
-}
-
 spec::LoadOptions LoadOptionsOf(const MjforgeRequest& request) {
   spec::LoadOptions options;
   for (std::size_t i = 0; i < request.setting_count; ++i) {
@@ -60,8 +54,7 @@ spec::LoadOptions LoadOptionsOf(const MjforgeRequest& request) {
   }
   options.parameter_files.assign(request.parameter_files,
                                  request.parameter_files + request.parameter_file_count);
-  options.search_path = forge::SearchPath();
-  options.search_path.emplace_back(request.catalogue);
+  options.search_path = forge::SearchPath(request.catalogue);
   return options;
 }
 
@@ -70,7 +63,7 @@ forge::Options OptionsOf(const MjforgeRequest& request) {
   options.seed = request.seed;
   options.batch = request.batch;
   options.name = request.name;
-  options.target = OneOf("target", request.target, mjcf::FindTarget, TargetNames());
+  options.target = OneOf("target", request.target, mjcf::FindTarget, mjcf::TargetNames());
   options.sampler = OneOf("sampler", request.sampler, sample::FindMethod, sample::MethodNames());
   options.on_invalid = OneOf("on_invalid", request.on_invalid, manifest::Find<forge::OnInvalid>,
                              manifest::kOnInvalid);

@@ -19,14 +19,14 @@ std::optional<std::filesystem::path> CatalogueFolder() {
   return std::nullopt;
 }
 
-std::vector<std::filesystem::path> SearchPath() {
+std::vector<std::filesystem::path> SearchPath(std::optional<std::filesystem::path> catalogue) {
   std::vector<std::filesystem::path> folders;
   const char* variable = std::getenv("MJFORGE_PATH");
   std::istringstream text(variable == nullptr ? "" : variable);
   for (std::string folder; std::getline(text, folder, ':');) {
     if (!folder.empty()) folders.emplace_back(folder);
   }
-  if (auto bundled = CatalogueFolder()) folders.push_back(*std::move(bundled));
+  if (catalogue) folders.push_back(*std::move(catalogue));
   return folders;
 }
 

@@ -49,8 +49,9 @@ std::vector<Library> Libraries();
 std::optional<std::filesystem::path> CatalogueFolder();
 
 /// Where specs are looked for by name: the folders of MJFORGE_PATH (separated
-/// by colons), then the bundled ones.
-std::vector<std::filesystem::path> SearchPath();
+/// by colons), then `catalogue`: the bundled ones.
+std::vector<std::filesystem::path> SearchPath(
+    std::optional<std::filesystem::path> catalogue = CatalogueFolder());
 
 /// A spec that is ready for making variants.
 struct Recipe {

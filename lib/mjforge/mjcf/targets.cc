@@ -110,6 +110,12 @@ static_assert(InOrder());
 
 std::span<const TargetRules> Targets() { return kTargets; }
 
+std::vector<std::string_view> TargetNames() {
+  std::vector<std::string_view> names;
+  for (const TargetRules& rules : kTargets) names.push_back(rules.name);
+  return names;
+}
+
 const TargetRules& RulesOf(Target target) { return kTargets[static_cast<std::size_t>(target)]; }
 
 std::optional<Target> FindTarget(std::string_view name) {

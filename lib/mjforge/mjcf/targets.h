@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace mjforge::mjcf {
 
@@ -72,6 +73,7 @@ struct TargetRules {
 
 /// In the order of the enumeration.
 std::span<const TargetRules> Targets();
+std::vector<std::string_view> TargetNames();
 const TargetRules& RulesOf(Target target);
 std::optional<Target> FindTarget(std::string_view name);
 

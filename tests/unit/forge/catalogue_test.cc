@@ -34,6 +34,12 @@ TEST_CASE("the folders of MJFORGE_PATH come first, empty ones left out") {
   }
 }
 
+TEST_CASE("specs that came with a package win over those beside the program") {
+  const SearchPathVariable variable("/a");
+  CHECK(SearchPath("/package/specs") ==
+        std::vector<std::filesystem::path>{"/a", "/package/specs"});
+}
+
 TEST_CASE("every library whose version matters is named with its version") {
   for (const Library& library : Libraries()) {
     CHECK_FALSE(library.version.empty());

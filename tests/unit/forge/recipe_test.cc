@@ -11,6 +11,17 @@ TEST_CASE("a spec that was given as a path is named by its file alone") {
   CHECK(LoadedRecipe(kBoxSpec).recipe.reference == "crate.yaml");
 }
 
+TEST_CASE("a text is a spec like any other, which findings call by the name it is given") {
+  diag::Sources sources;
+  diag::Findings findings;
+  const std::optional<Recipe> recipe = LoadRecipeText("crate", kBoxSpec, {}, sources, findings);
+  REQUIRE(recipe);
+  CHECK(recipe->reference == "-");
+  CHECK_FALSE(LoadRecipeText("mine", "mjforge: 1\nname: bad\nprats: []\n", {}, sources, findings));
+  REQUIRE(findings.HasErrors());
+  CHECK(sources.Name(findings[0].mark.file) == "mine");
+}
+
 TEST_CASE("a spec in the search path is named as the search path names it") {
   const harness::TemporaryFolder folder;
   const auto file = folder.Write("specs/boxes/crate.yaml", kBoxSpec);
