@@ -1,7 +1,6 @@
 #include "bare_load.h"
 
 #include <cstdlib>
-#include <cstring>
 
 namespace mjforge::bench {
 
@@ -17,16 +16,12 @@ std::vector<std::string> Texts(const forge::Recipe& recipe, std::string_view siz
   return texts;
 }
 
-BareLoader::BareLoader() : vfs_(new mjVFS) { mj_defaultVFS(vfs_.get()); }
-
 void BareLoader::Load(const std::string& text) {
-  mj_makeEmptyFileVFS(vfs_.get(), "model.xml", static_cast<int>(text.size()));
-  std::memcpy(vfs_->filedata[vfs_->nfile - 1], text.data(), text.size());
+  files_.SetText(text);
   char error[1000] = "";
-  mjModel* model = mj_loadXML("model.xml", vfs_.get(), error, sizeof(error));
+  mjModel* model = mj_loadXML(files_.kTextName, files_.Get(), error, sizeof(error));
   if (model == nullptr) std::abort();
   mj_deleteModel(model);
-  mj_deleteFileVFS(vfs_.get(), "model.xml");
 }
 
 }  // namespace mjforge::bench

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "mjforge/engine/memory_files.h"
 #include "recipes.h"
 
 namespace mjforge::bench {
@@ -22,13 +20,11 @@ std::vector<std::string> Texts(const forge::Recipe& recipe, std::string_view siz
 /// mj_loadXML from memory and nothing else.
 class BareLoader {
  public:
-  BareLoader();
-
   /// Loads and deletes a model; ends the program if MuJoCo refuses it.
   void Load(const std::string& text);
 
  private:
-  std::unique_ptr<mjVFS> vfs_;
+  engine::MemoryFiles files_;
 };
 
 }  // namespace mjforge::bench

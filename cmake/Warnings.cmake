@@ -1,6 +1,11 @@
 # Flags for our own code only; they are not exported.
 add_library(mjforge_options INTERFACE)
 target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
+# Counts are 64 bits wide from MuJoCo 3.4 on, the numbers of elements still int: that conversions
+# lose nothing is judged with Debian's.
+if(mujoco_VERSION VERSION_GREATER_EQUAL 3)
+  target_compile_options(mjforge_options INTERFACE -Wno-conversion -Wno-narrowing)
+endif()
 # A step is compiled where it is noted and where it is taken again. Both must round alike, on
 # processors that can multiply and add at once, too.
 target_compile_options(mjforge_options INTERFACE -ffp-contract=off)

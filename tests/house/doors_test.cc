@@ -33,7 +33,7 @@ const std::array kRooms = {
     Room{"model", {"bytes", "diag", "expr", "spec", "tape", "sample", "solid"}},
     Room{"expect", {"diag", "expr", "sample", "model"}},
     Room{"mjcf", {"diag", "expr", "tape", "model"}},
-    Room{"compiled", {"diag", "sample", "model"}},
+    Room{"compiled", {"diag", "sample", "model", "engine"}},
     Room{"attach", {"bytes", "diag", "expr", "spec", "sample", "model", "engine", "compiled"}},
     // expr: numbers in messages
     Room{"validate", {"diag", "expr", "model", "engine", "compiled", "mjcf"}},

@@ -55,7 +55,7 @@ foreach(file CMakeLists.txt main.cc)
 endforeach()
 run(${CMAKE_COMMAND} -S ${work_folder}/hammer -B ${work_folder}/hammer/build
   -G ${generator} -D CMAKE_PREFIX_PATH=${work_folder}/prefix -D CMAKE_CXX_COMPILER=${compiler}
-  -D CMAKE_BUILD_TYPE=${build_type} -D CMAKE_CXX_FLAGS=${flags})
+  -D CMAKE_BUILD_TYPE=${build_type} -D CMAKE_CXX_FLAGS=${flags} -D MJFORGE_MUJOCO=${mujoco})
 run(${CMAKE_COMMAND} --build ${work_folder}/hammer/build)
 run(${work_folder}/hammer/build/hammer)
 set(of_library "${output}")

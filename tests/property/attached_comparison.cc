@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "attached_file.h"
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
 namespace {
@@ -178,7 +179,7 @@ class Comparison {
     MJFORGE_SAME(mat_emission, 1);
     MJFORGE_SAME(mat_texrepeat, 2);
     MJFORGE_SAME(mat_texuniform, 1);
-    Texture(own_.mat_texid[i], object_.mat_texid[j]);
+    Texture(engine::TextureOf(own_, i), engine::TextureOf(object_, j));
   }
 
   void Texture(int i, int j) {
@@ -187,9 +188,7 @@ class Comparison {
     MJFORGE_SAME(tex_type, 1);
     MJFORGE_SAME(tex_width, 1);
     MJFORGE_SAME(tex_height, 1);
-    const int size = 3 * own_.tex_width[i] * own_.tex_height[i];
-    const mjtByte* own = own_.tex_rgb + own_.tex_adr[i];
-    CHECK(std::equal(own, own + size, object_.tex_rgb + object_.tex_adr[j]));
+    CHECK(std::ranges::equal(engine::PixelsOf(own_, i), engine::PixelsOf(object_, j)));
   }
 
   /// The surface must be where it was, in whatever frame MuJoCo keeps it (in
@@ -259,7 +258,7 @@ class Comparison {
     });
     ByName(mjOBJ_LIGHT, object_.nlight, [&](int i, int j) {
       MJFORGE_SAME(light_mode, 1);
-      MJFORGE_SAME(light_directional, 1);
+      CHECK((own_.*engine::kLightDirectional)[i] == (object_.*engine::kLightDirectional)[j]);
       MJFORGE_SAME(light_castshadow, 1);
       MJFORGE_SAME(light_active, 1);
       MJFORGE_SAME(light_pos, 3);
@@ -290,7 +289,7 @@ class Comparison {
   void Constraints() {
     ByName(mjOBJ_EQUALITY, object_.neq, [&](int i, int j) {
       MJFORGE_SAME(eq_type, 1);
-      MJFORGE_SAME(eq_active, 1);
+      CHECK((own_.*engine::kEqualityActive)[i] == (object_.*engine::kEqualityActive)[j]);
       Same("data", own_.eq_data, i, object_.eq_data, j, mjNEQDATA, 1);
       MJFORGE_SAME(eq_solref, mjNREF);
       MJFORGE_SAME(eq_solimp, mjNIMP);

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <random>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <mujoco/mujoco.h>
 #include <catch2/catch.hpp>
 
 #include "harness/effort.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/model/model.h"
 
@@ -80,39 +79,23 @@ std::string GeomText(const Solid& solid) {
          Attribute("density", std::vector<double>{solid.density}) + "/>";
 }
 
-[[noreturn]] void ThrowError(const char* message) { throw std::runtime_error(message); }
-void IgnoreWarning(const char* /*message*/) {}
-
 // MuJoCo, loading texts of one body from memory.
 class Compiler {
  public:
-  Compiler() : files_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS))), &std::free) {
-    mju_user_error = ThrowError;
-    mju_user_warning = IgnoreWarning;
-    mj_defaultVFS(files_.get());
-  }
-
   /// The model of one free body with `content`.
-  std::unique_ptr<mjModel, decltype(&mj_deleteModel)> Load(const std::string& content) {
+  engine::Model Load(const std::string& content) {
     const std::string text =
         "<mujoco><compiler angle=\"radian\"/><size njmax=\"10\" nconmax=\"1\" "
         "nstack=\"100000\"/><worldbody><body name=\"b\"><freejoint/>" +
         content + "</body></worldbody></mujoco>";
-    mj_deleteFileVFS(files_.get(), "m.xml");
-    REQUIRE(mj_makeEmptyFileVFS(files_.get(), "m.xml", static_cast<int>(text.size())) == 0);
-    const int file = mj_findFileVFS(files_.get(), "m.xml");
-    std::memcpy(files_->filedata[file], text.data(), text.size());
-    char error[1000] = "";
-    mjModel* model = mj_loadXML("m.xml", files_.get(), error, sizeof(error));
-    INFO(error << "\n" << text);
-    REQUIRE(model != nullptr);
-    return {model, &mj_deleteModel};
+    engine::Loaded loaded = engine_.LoadText(text);
+    INFO(loaded.error << "\n" << text);
+    REQUIRE(loaded.model);
+    return std::move(loaded.model);
   }
 
-  ~Compiler() { mj_deleteFileVFS(files_.get(), "m.xml"); }
-
  private:
-  std::unique_ptr<mjVFS, decltype(&std::free)> files_;
+  engine::Engine engine_;
 };
 
 constexpr int kBody = 1;  // 0 is the world
@@ -130,7 +113,7 @@ Matrix3d InertiaOfMotion(const mjModel& model) {
   mj_crb(&model, data.get());
   REQUIRE(model.nv == 6);
   Eigen::Matrix<double, 6, 6, Eigen::RowMajor> M;
-  mj_fullM(&model, M.data(), data->qM);
+  engine::FullInertia(model, *data, M.data());
   return M.bottomRightCorner<3, 3>();
 }
 

@@ -61,7 +61,7 @@ void PlaceOf(const mjModel& m, const mjData& d, int bottom, double place[3]) {
   const int ball = mj_name2id(&m, mjOBJ_BODY, "ball");
   double offset[3];
   mju_sub3(offset, d.xpos + 3 * ball, d.geom_xpos + 3 * bottom);
-  mju_rotVecMatT(place, offset, d.geom_xmat + 9 * bottom);
+  mju_mulMatTVec(place, d.geom_xmat + 9 * bottom, offset, 3, 3);
 }
 
 // Lets the ball fall onto the bottom, off its middle by the variant's number.
@@ -133,7 +133,7 @@ TEST_CASE("a small ball that falls into a turned container stays in it") {
     double offset[3];
     double place[3];
     mju_sub3(offset, d->xpos + 3 * m.jnt_bodyid[ball], d->xpos + 3);
-    mju_rotVecMatT(place, offset, d->xmat + 9);
+    mju_mulMatTVec(place, d->xmat + 9, offset, 3, 3);
     INFO(place[0] << " " << place[1] << " " << place[2]);
     CHECK(place[2] > bounds.bottom_offset + 0.004);
     CHECK(place[2] < bounds.bottom_offset + 0.6 * height);

@@ -3,14 +3,15 @@
 #include <vector>
 
 #include "mjforge/attach/section_reader.h"
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
 namespace {
 
-// In the order of mjtDyn, mjtGain, mjtBias.
-constexpr std::string_view kDynamics[] = {"none", "integrator", "filter", "muscle", "user"};
-constexpr std::string_view kGains[] = {"fixed", "affine", "muscle", "user"};
-constexpr std::string_view kBiases[] = {"none", "affine", "muscle", "user"};
+template <typename Type>
+std::string WordOf(int number) {
+  return std::string(engine::WordOf(static_cast<Type>(number)));
+}
 
 /// Zeros at the end are what MuJoCo takes anyhow; the first number's default is
 /// not 0.
@@ -33,9 +34,9 @@ void ReadActuators(SectionReader& sections) {
     Attributes& attributes = actuator->attributes;
     if (first == "cranksite") attributes.Number("cranklength", m.actuator_cranklength[i]);
     attributes.Read(m, mjOBJ_ACTUATOR, i);
-    attributes.Text("dyntype", std::string(kDynamics[m.actuator_dyntype[i]]));
-    attributes.Text("gaintype", std::string(kGains[m.actuator_gaintype[i]]));
-    attributes.Text("biastype", std::string(kBiases[m.actuator_biastype[i]]));
+    attributes.Text("dyntype", WordOf<mjtDyn>(m.actuator_dyntype[i]));
+    attributes.Text("gaintype", WordOf<mjtGain>(m.actuator_gaintype[i]));
+    attributes.Text("biastype", WordOf<mjtBias>(m.actuator_biastype[i]));
     attributes.Numbers("dynprm", WithoutZeros(Row(m.actuator_dynprm, i, mjNDYN)));
     attributes.Numbers("gainprm", WithoutZeros(Row(m.actuator_gainprm, i, mjNGAIN)));
     attributes.Numbers("biasprm", WithoutZeros(Row(m.actuator_biasprm, i, mjNBIAS)));

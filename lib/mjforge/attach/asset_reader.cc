@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mjforge/attach/attributes.h"
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
 namespace {
@@ -52,7 +53,7 @@ int AssetReader::Material(int id) {
   const mjModel& m = file_.model();
   model::Material material;
   taken_.Label(mjOBJ_MATERIAL, id, material);
-  material.texture = Texture(m.mat_texid[id]);
+  material.texture = Texture(engine::TextureOf(m, id));
   Attributes(spec::MaterialElement(), material.attributes).Read(m, mjOBJ_MATERIAL, id);
   out_.materials.push_back(std::move(material));
   return place->second;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/engine/engine.h"
+
 namespace mjforge::attach {
 
 namespace {
@@ -91,7 +93,7 @@ void ReadContacts(SectionReader& sections) {
     if (pair) pair->attributes.Read(m, mjOBJ_PAIR, i);
   }
   for (int i = 0; i < m.nexclude; ++i) {
-    const auto [body1, body2] = compiled::ExcludedBodies(m, i);
+    const auto [body1, body2] = engine::ExcludedBodies(m, i);
     sections.Add("contact", "exclude", mjOBJ_EXCLUDE, i,
                  {{mjOBJ_BODY, body1, "body1"}, {mjOBJ_BODY, body2, "body2"}});
   }

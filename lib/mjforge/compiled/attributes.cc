@@ -17,7 +17,7 @@ constexpr std::array<double, 6> kGray = {0.5, 0.5, 0.5, 1};
 constexpr std::array<double, 6> kOne = {1};
 constexpr std::nullopt_t kNone = std::nullopt;
 
-constexpr ArrayField User(mjtNum* M::*array, int M::*count) {
+constexpr ArrayField User(mjtNum* M::*array, engine::Count M::*count) {
   return {.attribute = "user", .array = array, .variable = count};
 }
 
@@ -58,7 +58,7 @@ constexpr ArrayField kCamera[] = {{"pos", &M::cam_pos, 3, kNone},
                                   User(&M::cam_user, &M::nuser_cam)};
 constexpr ArrayField kLight[] = {{"pos", &M::light_pos, 3, kNone},
                                  {"dir", &M::light_dir, 3, kNone},
-                                 {"directional", &M::light_directional},
+                                 {"directional", engine::kLightDirectional},
                                  {"castshadow", &M::light_castshadow, 1, kOne},
                                  {"active", &M::light_active, 1, kOne},
                                  {"attenuation", &M::light_attenuation, 3, kOne},
@@ -96,7 +96,7 @@ constexpr ArrayField kPair[] = {
     {"condim", &M::pair_dim, 1, kNone},         {"friction", &M::pair_friction, 5, kNone},
     {"solref", &M::pair_solref, mjNREF, kNone}, {"solimp", &M::pair_solimp, mjNIMP, kNone},
     {"margin", &M::pair_margin, 1, kNone},      {"gap", &M::pair_gap, 1, kNone}};
-constexpr ArrayField kEquality[] = {{"active", &M::eq_active, 1, kOne},
+constexpr ArrayField kEquality[] = {{"active", engine::kEqualityActive, 1, kOne},
                                     {"solref", &M::eq_solref, mjNREF, kSolref},
                                     {"solimp", &M::eq_solimp, mjNIMP, kSolimp}};
 constexpr ArrayField kMaterial[] = {{"rgba", &M::mat_rgba, 4, {{1, 1, 1, 1}}},
@@ -151,7 +151,7 @@ sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id) {
   sample::Numbers numbers;
   const int row = RowOf(m, field, id);
   if (row < 0) return numbers;
-  const int count = field.variable != nullptr ? m.*field.variable : field.count;
+  const auto count = field.variable != nullptr ? static_cast<int>(m.*field.variable) : field.count;
   std::visit(
       [&](auto array) {
         const auto* first = m.*array + static_cast<std::ptrdiff_t>(row) * count;
@@ -175,11 +175,6 @@ Wrap WrapAt(const mjModel& m, int wrap) {
     default:
       return {"geom", mjOBJ_GEOM, object, static_cast<int>(m.wrap_prm[wrap])};
   }
-}
-
-std::pair<int, int> ExcludedBodies(const mjModel& m, int exclude) {
-  const int signature = m.exclude_signature[exclude];  // two ids, each plus 1, in 16 bits
-  return {(signature >> 16) - 1, (signature & 0xFFFF) - 1};
 }
 
 }  // namespace mjforge::compiled

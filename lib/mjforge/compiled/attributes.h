@@ -6,11 +6,11 @@
 #include <array>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/engine/engine.h"
 #include "mjforge/model/model.h"
 #include "mjforge/sample/sample.h"
 
@@ -18,7 +18,7 @@ namespace mjforge::compiled {
 
 /// One attribute of a kind of element.
 struct ArrayField {
-  using Flags = mjtByte* mjModel::*;
+  using Flags = engine::Flag* mjModel::*;
   enum class Rows { kElement, kDof, kQpos };  // of a joint: its first one; kQpos: of a scalar one
 
   std::string_view attribute;
@@ -27,10 +27,11 @@ struct ArrayField {
   /// What MuJoCo takes where nothing is said; nothing: there is no such number.
   std::optional<std::array<double, 6>> usual = std::array<double, 6>{};
   Rows rows = Rows::kElement;
-  Flags needs = nullptr;             // without this flag the attribute says nothing
-  int mjModel::*variable = nullptr;  // in place of `count`: user data
+  Flags needs = nullptr;                       // without this flag the attribute says nothing
+  engine::Count mjModel::*variable = nullptr;  // in place of `count`: user data
 
-  bool IsFlag() const { return std::holds_alternative<Flags>(array); }
+  /// A light's kind is a number from MuJoCo 3.3.3 on.
+  bool IsFlag() const { return std::holds_alternative<Flags>(array) || attribute == "directional"; }
   bool IsFloat() const { return std::holds_alternative<float * mjModel::*>(array); }
 };
 
@@ -75,8 +76,5 @@ struct Wrap {
   int side = -1;    // a site
 };
 Wrap WrapAt(const mjModel& m, int wrap);
-
-/// The bodies that do not touch each other, the lower number first.
-std::pair<int, int> ExcludedBodies(const mjModel& m, int exclude);
 
 }  // namespace mjforge::compiled

@@ -15,8 +15,6 @@ namespace {
 
 using diag::Code;
 
-constexpr const char* kTextName = "mjforge-object.xml";
-
 // MuJoCo calls handlers on the thread that loads and passes them nothing else.
 thread_local std::vector<std::string> thread_warnings;
 
@@ -60,8 +58,7 @@ std::string NameInMemory(std::string_view name) {
 
 }  // namespace
 
-Engine::Engine() : vfs_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)))) {
-  if (!vfs_) throw std::bad_alloc();
+Engine::Engine() {
   mju_user_error = ThrowError;
   mju_user_warning = KeepWarning;
 }
@@ -73,25 +70,10 @@ const std::string* Engine::ReadOnce(const std::filesystem::path& file, std::stri
   return content ? &files_.emplace(file, *std::move(content)).first->second : nullptr;
 }
 
-void Engine::SetFile(int slot, std::string_view name, const std::string& bytes) {
-  char* stored = vfs_->filename[slot];
-  stored[name.copy(stored, mjMAXVFSNAME - 1)] = 0;
-  vfs_->filesize[slot] = static_cast<int>(bytes.size());
-  // MuJoCo only reads it.
-  vfs_->filedata[slot] = const_cast<char*>(bytes.data());
-}
-
 std::optional<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
-  vfs_->nfile = 1;  // the first is the text's
+  in_memory_.Clear();
   for (std::size_t i = 0; i < assets.size(); ++i) {
     const auto& [name, file] = assets[i];
-    const std::string in_memory = NameInMemory(name);
-    if (vfs_->nfile >= mjMAXVFS || in_memory.size() >= mjMAXVFSNAME) {
-      return AssetProblem{
-          i, Code::kMujocoError,
-          fmt::format("'{}' exceeds MuJoCo's limit of {} files with names of at most {} characters",
-                      name, mjMAXVFS - 2, mjMAXVFSNAME - 1)};
-    }
     std::string why_not;
     const std::string* bytes = ReadOnce(file, why_not);
     if (bytes == nullptr) {
@@ -101,31 +83,35 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
     if (bytes->empty()) {
       return AssetProblem{i, Code::kModelFileNotFound, fmt::format("'{}' is empty", file.string())};
     }
-    int same = 1;
-    while (same < vfs_->nfile && in_memory != vfs_->filename[same]) ++same;
-    if (same < vfs_->nfile) {
-      if (vfs_->filedata[same] == bytes->data()) continue;
-      return AssetProblem{i, Code::kMujocoError,
-                          fmt::format("'{}' differs from another file's name only in case or "
-                                      "folder, which MuJoCo cannot tell apart",
-                                      name)};
+    switch (in_memory_.Add(NameInMemory(name), *bytes)) {
+      case MemoryFiles::Added::kYes:
+        break;
+      case MemoryFiles::Added::kTooMany:
+        return AssetProblem{
+            i, Code::kMujocoError,
+            fmt::format(
+                "'{}' exceeds MuJoCo's limit of 1998 files with names of at most 999 characters",
+                name)};
+      case MemoryFiles::Added::kNameTaken:
+        return AssetProblem{i, Code::kMujocoError,
+                            fmt::format("'{}' differs from another file's name only in case or "
+                                        "folder, which MuJoCo cannot tell apart",
+                                        name)};
     }
-    SetFile(vfs_->nfile++, in_memory, *bytes);
   }
   return std::nullopt;
 }
 
 Loaded Engine::LoadText(const std::string& text) {
-  SetFile(0, kTextName, text);
-  vfs_->nfile = std::max(vfs_->nfile, 1);
-  return Load(kTextName, vfs_.get());
+  in_memory_.SetText(text);
+  return Load(MemoryFiles::kTextName, in_memory_.Get());
 }
 
 Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
   if (const auto fault = FindTooManyPixels(text, folder)) return TooLarge(*fault);
-  vfs_->nfile = 1;
-  SetFile(0, kTextName, text);
-  return Load((folder / kTextName).c_str(), vfs_.get());
+  in_memory_.Clear();
+  in_memory_.SetText(text);
+  return Load((folder / MemoryFiles::kTextName).c_str(), in_memory_.Get());
 }
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) {

@@ -2,7 +2,6 @@
 
 // MuJoCo's loader without side effects: it does not exit, print, or write a log.
 
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,6 +14,8 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/engine/api.h"
+#include "mjforge/engine/memory_files.h"
 #include "mjforge/engine/pictures.h"
 #include "mjforge/engine/refusal.h"
 #include "mjforge/engine/xml_file.h"
@@ -61,14 +62,8 @@ class Engine {
  private:
   /// The file's content, read at most once; null if it cannot be read.
   const std::string* ReadOnce(const std::filesystem::path& file, std::string& why_not);
-  void SetFile(int slot, std::string_view name, const std::string& bytes);
 
-  struct Free {
-    void operator()(mjVFS* vfs) const { std::free(vfs); }
-  };
-  // Filled by hand: the memory of its files is ours, its 2 MB are touched only where used, and
-  // mj_deleteFileVFS (2.2.2) never returns for any file except the last.
-  std::unique_ptr<mjVFS, Free> vfs_;
+  MemoryFiles in_memory_;
   std::map<std::filesystem::path, std::string> files_;
 };
 

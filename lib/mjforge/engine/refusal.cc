@@ -10,8 +10,10 @@
 namespace mjforge::engine {
 namespace {
 
-// How the compiler (mjCError), the reader (mjXError) and tinyxml2 say a line.
-constexpr std::string_view kLineWords[] = {", line = ", "', line ", "Line number=", "on line "};
+// How the compiler (mjCError; the second from 3.0 on), the reader (mjXError) and tinyxml2 say a
+// line.
+constexpr std::string_view kLineWords[] = {", line = ", ", line ", "', line ",
+                                           "Line number=", "on line "};
 constexpr std::string_view kPrefixes[] = {"XML Error: ", "Error: ", "XML parse error "};
 
 int LineOf(std::string_view message) {
@@ -56,12 +58,10 @@ Refusal ParseRefusal(std::string_view message) {
   refusal.line = LineOf(message);
   std::string_view reason = message;
   for (const std::string_view prefix : kPrefixes) {
-    if (!reason.starts_with(prefix)) continue;
-    reason.remove_prefix(prefix.size());
-    break;
+    if (reason.starts_with(prefix)) reason.remove_prefix(prefix.size());
   }
   // The last line says where; a parse error's first line is only its number.
-  const std::size_t where = std::min(reason.rfind("\nObject name"), reason.rfind("\nElement '"));
+  const std::size_t where = std::min(reason.rfind("\nObject name"), reason.rfind("\nElement "));
   refusal.reason = OneLine(reason.substr(0, where));
   return refusal;
 }

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "mjforge/engine/engine.h"
+
 namespace mjforge::physics {
 namespace {
 
@@ -54,7 +56,7 @@ void HoldOthers(mjModel& m, int first, int count) {
   for (int i = 0; i < m.nv; ++i) {
     if (i < first || i >= first + count) HoldDof(m, i);
   }
-  m.opt.disableflags |= mjDSBL_EQUALITY | mjDSBL_LIMIT | mjDSBL_PASSIVE | mjDSBL_ACTUATION;
+  m.opt.disableflags |= mjDSBL_EQUALITY | mjDSBL_LIMIT | engine::kDisablePassive | mjDSBL_ACTUATION;
 }
 
 }  // namespace mjforge::physics

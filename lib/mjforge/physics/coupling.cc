@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mjforge/engine/engine.h"
+
 namespace mjforge::physics {
 
 bool Couplings::Equality::IsLinear() const {
@@ -28,7 +30,7 @@ Couplings::Couplings(const mjModel& m) : coupled_(static_cast<std::size_t>(m.njn
     }
     couple(m.eq_obj1id[i]);
     couple(m.eq_obj2id[i]);
-    if (m.eq_obj2id[i] >= 0 && m.eq_active[i] != 0)
+    if (m.eq_obj2id[i] >= 0 && (m.*engine::kEqualityActive)[i] != 0)
       equalities_.push_back({m.eq_obj1id[i], m.eq_obj2id[i], m.eq_data + mjNEQDATA * i});
   }
   for (int i = 0; i < m.nwrap; ++i) {

@@ -21,7 +21,8 @@ engine::Model Hold(const mjModel& model) {
   engine::Model held(mj_copyModel(nullptr, &model));
   mjModel& m = *held;
   // Springs, friction and actuators have no part in where a joint can go.
-  m.opt.disableflags |= mjDSBL_GRAVITY | mjDSBL_PASSIVE | mjDSBL_FRICTIONLOSS | mjDSBL_ACTUATION;
+  m.opt.disableflags |=
+      mjDSBL_GRAVITY | engine::kDisablePassive | mjDSBL_FRICTIONLOSS | mjDSBL_ACTUATION;
   // A step takes damping into account even where passive forces are off.
   std::fill_n(m.dof_damping, m.nv, 0.0);
   for (int i = 0; i < m.njnt; ++i) {

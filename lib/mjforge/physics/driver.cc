@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
@@ -96,7 +97,7 @@ void Driver::Follow(std::vector<Ride>& rides) {
     std::copy_n(m_.qpos0 + at, 4, d_.qpos + at);
   }
   mj_forward(&m_, &d_);
-  for (int i = 0; i < m_.nv; ++i) inertia_[Index(i)] = d_.qM[m_.dof_Madr[i]];
+  for (int i = 0; i < m_.nv; ++i) inertia_[Index(i)] = engine::DofInertia(m_, d_, i);
   for (Ride& ride : rides) Start(ride);
   const auto move = [&](double Ride::*from, double Path::*end, double sign) {
     for (Ride& ride : rides) {
@@ -170,7 +171,7 @@ void Driver::Go(std::vector<Ride>& rides) {
 /// what equalities and tendons make move along, as a screw's turning with its lift. A
 /// test force tells.
 double Driver::InertiaOf(int dof) {
-  const double held = d_.qM[m_.dof_Madr[dof]];
+  const double held = engine::DofInertia(m_, d_, dof);
   const double force = held;  // for an acceleration of about 1
   mj_forward(&m_, &d_);
   const double idle = d_.qacc[dof];

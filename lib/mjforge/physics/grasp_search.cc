@@ -9,6 +9,7 @@
 #include <boost/random/sobol.hpp>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::physics {
 namespace {
@@ -118,9 +119,9 @@ double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit
     if ((to - to.dot(way) * way).squaredNorm() > radius * radius) continue;
     const mjtNum distance =
         m_.geom_type[geom] == mjGEOM_MESH
-            ? mj_rayMesh(&m_, &d_, geom, from.data(), way.data())
-            : mju_rayGeom(d_.geom_xpos + 3 * geom, d_.geom_xmat + 9 * geom, m_.geom_size + 3 * geom,
-                          from.data(), way.data(), m_.geom_type[geom]);
+            ? engine::RayMesh(&m_, &d_, geom, from.data(), way.data())
+            : engine::RayGeom(d_.geom_xpos + 3 * geom, d_.geom_xmat + 9 * geom,
+                              m_.geom_size + 3 * geom, from.data(), way.data(), m_.geom_type[geom]);
     if (distance < 0 || distance >= nearest) continue;
     nearest = distance;
     hit = geom;

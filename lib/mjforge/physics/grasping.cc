@@ -179,7 +179,7 @@ class Grasps {
         results_(results) {
     m.opt.cone = mjCONE_ELLIPTIC;
     m.opt.impratio = kImpratio;
-    m.opt.enableflags |= mjENBL_MULTICCD;
+    engine::EnableMultipleContacts(m.opt);
     for (int geom = 0; geom < m.ngeom; ++geom) {  // it hangs in the air
       if (m.geom_type[geom] == mjGEOM_PLANE) m.geom_contype[geom] = m.geom_conaffinity[geom] = 0;
     }

@@ -1,8 +1,9 @@
 #include "mjforge/physics/simulation.h"
 
 #include <algorithm>
-#include <limits>
 #include <span>
+
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::physics {
 namespace {
@@ -27,12 +28,13 @@ mjData& Workspace::For(const mjModel& m) {
 bool MakeRoom(mjModel& m, const mjData& d) {
   const bool crowded =
       d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
-  if (!crowded || m.nconmax >= kMostContacts) return false;
-  m.nconmax = std::min(4 * std::max(m.nconmax, 100), kMostContacts);
-  m.njmax = std::max(m.njmax, 500) + 4 * m.nconmax;  // pyramids of condim 3
+  engine::Room room = engine::RoomOf(m);
+  if (!crowded || room.contacts >= kMostContacts) return false;
+  room.contacts = std::min(4 * std::max(room.contacts, 100), kMostContacts);
+  room.rows = std::max(room.rows, 500) + 4 * room.contacts;  // pyramids of condim 3
   // As for mjcf's sizes: linear in the contacts for a body or a few.
-  const double numbers = m.nstack + 4000.0 * m.nconmax * std::max(1.0, m.nv / 24.0);
-  m.nstack = static_cast<int>(std::min(numbers, std::numeric_limits<int>::max() / 16.0));
+  room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
+  engine::SetRoom(m, room);
   return true;
 }
 

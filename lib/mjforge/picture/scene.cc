@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mjforge/engine/engine.h"
 #include "mjforge/picture/layers.h"
 #include "mjforge/picture/subject.h"
 
@@ -75,7 +76,7 @@ mjvLight MakeLight(const Eigen::Vector3d& direction, float diffuse, float specul
   std::ranges::fill(light.ambient, ambient);
   light.attenuation[0] = 1;
   light.cutoff = 180;
-  light.directional = 1;
+  engine::MakeDirectional(light);
   return light;
 }
 
@@ -146,7 +147,7 @@ void Scene::TellApart() {
   int number = 0;
   for (mjvGeom& geom : Geoms()) {
     SetColor(geom.rgba, DistinctColor(number++));
-    geom.texid = -1;
+    engine::TakeTexture(geom);
     geom.emission = 0;
     geom.reflectance = 0;
     geom.specular = 0.3F;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/validate/compare.h"
 
 namespace mjforge::validate {
@@ -131,7 +132,7 @@ class SectionComparison {
   void Excludes() {
     std::map<Names, int> left;
     for (int i = 0; i < m_.nexclude; ++i) {
-      const auto [body1, body2] = compiled::ExcludedBodies(m_, i);
+      const auto [body1, body2] = engine::ExcludedBodies(m_, i);
       ++left[Unordered(NameOf(mjOBJ_BODY, body1), NameOf(mjOBJ_BODY, body2))];
     }
     Contacts("exclude", "body1", "body2", m_.nexclude, std::move(left));

@@ -1,33 +1,29 @@
 #include "mjforge/validate/contacts.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
+
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::validate {
 namespace {
 
-constexpr int kContactsAtFirst = 25;
 // MuJoCo's contact has about 600 bytes: at most some 120 MB.
 constexpr int kMostContacts = 200'000;
 
 /// What mj_kinematics to mj_collision (2.2.2) use at most: three lists with a
 /// number for each pair of bodies, and some numbers a body.
-int StackSize(const mjModel& m) {
-  const double bodies = m.nbody;
-  const double numbers = 1.5 * bodies * bodies + 200 * bodies + 20'000;
-  constexpr double kMost = std::numeric_limits<int>::max() / 16.0;  // MuJoCo counts bytes in an int
-  return static_cast<int>(std::min(numbers, kMost));
+double StackSize(const mjModel& m) {
+  const auto bodies = static_cast<double>(m.nbody);
+  return 1.5 * bodies * bodies + 200 * bodies + 20'000;
 }
 
 }  // namespace
 
 ContactFinder::ContactFinder(mjModel& model) : model_(model) {
   // No constraint is made here, and rows for them are most of the memory.
-  model_.njmax = 0;
-  model_.nconmax = kContactsAtFirst;
-  model_.nstack = StackSize(model);
+  engine::SetRoom(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
   data_ = compiled::MakeData(model_);
   Move();
 }
@@ -39,9 +35,10 @@ void ContactFinder::Move() {
 
 void ContactFinder::Collide() {
   mj_collision(&model_, data_.get());
-  while (data_->warning[mjWARN_CONTACTFULL].number > 0 && model_.nconmax < kMostContacts) {
+  while (data_->warning[mjWARN_CONTACTFULL].number > 0 && room_ < kMostContacts) {
     const std::vector<mjtNum> here(qpos().begin(), qpos().end());
-    model_.nconmax = std::min(8 * model_.nconmax, kMostContacts);
+    room_ = std::min(8 * room_, kMostContacts);
+    engine::SetRoom(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model_)});
     data_ = compiled::MakeData(model_);
     std::ranges::copy(here, qpos().begin());
     Move();

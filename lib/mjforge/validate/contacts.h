@@ -43,6 +43,7 @@ class ContactFinder {
   void Collide();
 
   mjModel& model_;
+  int room_ = 25;  // for contacts, at first
   compiled::Data data_;
   std::vector<BodyContact> contacts_;
 };

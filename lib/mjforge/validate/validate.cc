@@ -175,10 +175,7 @@ std::string HintFor(std::string_view reason) {
 
 }  // namespace
 
-std::string MujocoVersion() {
-  const int version = mj_version();  // 222
-  return fmt::format("{}.{}.{}", version / 100, version / 10 % 10, version % 10);
-}
+std::string MujocoVersion() { return engine::Version(); }
 
 struct Loader::State {
   Engine engine;

@@ -45,27 +45,32 @@ TEST_CASE("materials and textures that are used are taken, once each, with their
 }
 
 TEST_CASE("texture files are absolute, one for each side that has one") {
-  // Written here, MuJoCo's own format: 1 x 1 pixels.
-  const std::string pixel("\1\0\0\0\1\0\0\0\0\0\0", 11);
+  // A PNG of 1 x 1 pixels.
+  const std::string pixel(
+      "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000"
+      "\001\000\000\000\001\010\002\000\000\000\220\167\123\336\000\000\000\014\111"
+      "\104\101\124\170\234\143\140\140\140\000\000\000\004\000\001\366\027\070\125"
+      "\000\000\000\000\111\105\116\104\256\102\140\202",
+      69);
   Attaching files(Mjcf(
       "<body name=\"b\"><geom size=\"1\" material=\"a\"/><geom size=\"1\" material=\"c\"/>"
       "</body>\n",
       "<compiler texturedir=\"pictures\"/><asset>"
-      "<texture name=\"one\" type=\"2d\" file=\"one.tex\"/>"
-      "<texture name=\"six\" type=\"cube\" fileright=\"right.tex\" fileup=\"up.tex\"/>"
+      "<texture name=\"one\" type=\"2d\" file=\"one.png\"/>"
+      "<texture name=\"six\" type=\"cube\" fileright=\"right.png\" fileup=\"up.png\"/>"
       "<material name=\"a\" texture=\"one\"/><material name=\"c\" texture=\"six\"/></asset>\n"));
   for (const char* name : {"one", "right", "up"}) {
-    files.Write("pictures/" + std::string(name) + ".tex", pixel);
+    files.Write("pictures/" + std::string(name) + ".png", pixel);
   }
   const model::Attachment& b = files.Get();
   REQUIRE(b.textures.size() == 2);
   REQUIRE(b.textures[0].files.size() == 1);
   CHECK(b.textures[0].files[0].attribute == "file");
   CHECK(b.textures[0].files[0].file.is_absolute());
-  CHECK(b.textures[0].files[0].file.filename() == "one.tex");
+  CHECK(b.textures[0].files[0].file.filename() == "one.png");
   REQUIRE(b.textures[1].files.size() == 2);
   CHECK(b.textures[1].files[0].attribute == "fileright");
-  CHECK(b.textures[1].files[1].file.filename() == "up.tex");
+  CHECK(b.textures[1].files[1].file.filename() == "up.png");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ TEST_CASE("MuJoCo's errors become exceptions that the process survives") {
   CHECK(engine.LoadText(kBox).model);
 }
 
+#if mjVERSION_HEADER < 312
 TEST_CASE("an error that leaves mj_loadXML releases its lock") {
   Engine engine;
   mjVFS* vfs = static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)));
@@ -28,7 +29,9 @@ TEST_CASE("an error that leaves mj_loadXML releases its lock") {
   std::free(vfs);
   CHECK(engine.LoadText(kBox).model);  // would wait for ever
 }
+#endif  // from 3.1.2 on a load holds no lock
 
+#if mjVERSION_HEADER < 300
 TEST_CASE("an engine error during compilation is an error of that load only") {
   Engine engine;
   std::string starved = kBox;
@@ -38,6 +41,7 @@ TEST_CASE("an engine error during compilation is an error of that load only") {
   CHECK(loaded.error == "Error: engine error: Stack overflow");
   CHECK(engine.LoadText(kBox).model);
 }
+#endif  // later ones give the stack what it needs
 
 TEST_CASE("warnings are collected for the load they belong to and no log is written") {
   Engine engine;

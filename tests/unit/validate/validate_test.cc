@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include <mujoco/mujoco.h>
 #include <catch2/catch.hpp>
 
 #include "../mjcf/hand_made.h"
@@ -130,13 +131,15 @@ TEST_CASE("MuJoCo's refusal is reported at the entry that made the line") {
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kMujocoError);
   CHECK(findings[0].mark == Line(12));
-  CHECK(findings[0].message ==
-        "MuJoCo refused geom 'mallet_head': sizes must be positive in object 'mallet_head' (id = "
-        "2)");
+  constexpr bool kOlder = mjVERSION_HEADER < 300;
+  const std::string reason = kOlder ? "sizes must be positive in object 'mallet_head' (id = 2)"
+                                    : "size 0 must be positive in geom";
+  CHECK(findings[0].message == "MuJoCo refused geom 'mallet_head': " + reason);
   REQUIRE(findings[0].notes.size() == 1);
   CHECK(findings[0].notes[0].message ==
-        "MuJoCo said: Error: sizes must be positive in object 'mallet_head' (id = 2) Object name "
-        "= mallet_head, id = 2, line = 10, column = -1");
+        "MuJoCo said: Error: " + reason +
+            (kOlder ? " Object name = mallet_head, id = 2, line = 10, column = -1"
+                    : " Element name 'mallet_head', id 2, line 10"));
 
   diag::Findings none;
   CHECK(loader.Validate(Written(object), object, none));
@@ -226,7 +229,9 @@ TEST_CASE("a texture that is no picture is refused at its entry") {
   CHECK(texts.back().find("40: mujoco/error: MuJoCo refused texture 'oak': ") == 0);
 }
 
-TEST_CASE("the library's version is told in words") { CHECK(MujocoVersion() == "2.2.2"); }
+TEST_CASE("the library's version is the one that it was built with") {
+  CHECK(MujocoVersion() == MJFORGE_MUJOCO_VERSION);
+}
 
 }  // namespace
 }  // namespace mjforge::validate
