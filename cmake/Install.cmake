@@ -5,6 +5,12 @@ set(mjforge_data_dir ${CMAKE_INSTALL_DATADIR}/mjforge)
 set(mjforge_specs_dir ${mjforge_data_dir}/specs)
 set(mjforge_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mjforge)
 
+if(MJFORGE_MUJOCO)
+  # The loader would not find it.
+  get_filename_component(mujoco_folder ${mujoco_LIBRARY} DIRECTORY)
+  set_property(TARGET mjforge PROPERTY INSTALL_RPATH ${mujoco_folder})
+endif()
+
 install(DIRECTORY specs schemas DESTINATION ${mjforge_data_dir})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -25,7 +25,7 @@ file(MAKE_DIRECTORY ${work_folder}/empty)
 run(${CMAKE_COMMAND} --install ${build_folder} --prefix ${work_folder}/first)
 file(RENAME ${work_folder}/first ${work_folder}/prefix)
 set(program ${work_folder}/prefix/bin/mjforge)
-if(build_type STREQUAL Release)
+if(build_type STREQUAL Release AND NOT mujoco)  # the folder of a private MuJoCo is named
   file(READ ${program} bytes HEX)
   string(HEX ${source_folder} folder_bytes)
   string(FIND "${bytes}" ${folder_bytes} place)

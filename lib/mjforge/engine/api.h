@@ -82,6 +82,18 @@ inline constexpr int kDisablePassive = mjDSBL_SPRING | mjDSBL_DAMPER;
 inline constexpr int kDisablePassive = mjDSBL_PASSIVE;
 #endif
 
+/// For after a geom was moved or may collide with more than when it was compiled: later releases
+/// keep where a body's geoms are, and what they collide with.
+inline void TellBody([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
+#if mjVERSION_HEADER >= 233
+  m.opt.disableflags |= mjDSBL_MIDPHASE;
+#endif
+#if mjVERSION_HEADER >= 300
+  m.body_contype[m.geom_bodyid[geom]] |= m.geom_contype[geom];
+  m.body_conaffinity[m.geom_bodyid[geom]] |= m.geom_conaffinity[geom];
+#endif
+}
+
 /// Several contact points where convex surfaces meet; from 3.8 on MuJoCo finds them unless told not
 /// to.
 inline void EnableMultipleContacts(mjOption& option) {
@@ -89,6 +101,14 @@ inline void EnableMultipleContacts(mjOption& option) {
   option.disableflags &= ~mjDSBL_MULTICCD;
 #else
   option.enableflags |= mjENBL_MULTICCD;
+#endif
+}
+
+/// Forces that fit to the last digits. From 3.0 on the solver stops too early where light bodies
+/// are pressed between heavy ones, which then shake.
+inline void SolveClosely([[maybe_unused]] mjOption& option) {
+#if mjVERSION_HEADER >= 300
+  option.tolerance = 1e-14;
 #endif
 }
 

@@ -36,8 +36,7 @@ TEST_CASE("the folders of MJFORGE_PATH come first, empty ones left out") {
 
 TEST_CASE("specs that came with a package win over those beside the program") {
   const SearchPathVariable variable("/a");
-  CHECK(SearchPath("/package/specs") ==
-        std::vector<std::filesystem::path>{"/a", "/package/specs"});
+  CHECK(SearchPath("/package/specs") == std::vector<std::filesystem::path>{"/a", "/package/specs"});
 }
 
 TEST_CASE("every library whose version matters is named with its version") {

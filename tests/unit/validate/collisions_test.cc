@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <mujoco/mujoco.h>
 #include <catch2/catch.hpp>
 
 #include "jointed.h"
@@ -197,7 +198,8 @@ TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
                 "within the margin"});
   object.bodies[1].parts[0].attributes.push_back(
       hand_made::Numbers("gap", spec::Applies::kCollision, {0.001}));
-  CHECK(Texts(Validated(object)).empty());
+  // What the gap takes from the margin is not pushed; in later releases it lies around the margin.
+  CHECK(Texts(Validated(object)).empty() == (mjVERSION_HEADER < 3009000));
 }
 
 TEST_CASE("a scene's floor is no body") {
