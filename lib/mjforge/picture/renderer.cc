@@ -115,6 +115,7 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
         static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height) * 3;
     const auto draw = [&](std::vector<std::uint8_t>& samples) {
       samples.resize(bytes);
+      const DriversOwn drivers_own;
       mjr_render(viewport, &scene.mujoco(), &*context);
       mjr_readPixels(samples.data(), nullptr, viewport, &*context);
     };
