@@ -19,8 +19,9 @@ if(LibArchive_FOUND AND NOT TARGET LibArchive::LibArchive)
   set_target_properties(LibArchive::LibArchive PROPERTIES
     IMPORTED_LOCATION ${libarchive_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${libarchive_INCLUDE_DIR})
   if(libarchive_LIBRARY MATCHES "\\.a$")
-    # What nothing refers to names libraries that are not there.
+    # What nothing refers to names libraries that are not there; zlib is, because others load it.
+    find_package(ZLIB REQUIRED)
     set_target_properties(LibArchive::LibArchive PROPERTIES
-      INTERFACE_LINK_LIBRARIES "${libarchive_zstd_LIBRARY};-Wl,--gc-sections")
+      INTERFACE_LINK_LIBRARIES "${libarchive_zstd_LIBRARY};ZLIB::ZLIB;-Wl,--gc-sections")
   endif()
 endif()

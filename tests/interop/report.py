@@ -3,6 +3,7 @@
 import sys
 import traceback
 
+_passed = 0
 _failed = 0
 
 
@@ -11,7 +12,7 @@ def check(name, action, *arguments):
 
     The action may return a few words that are said after the name.
     """
-    global _failed
+    global _passed, _failed
     try:
         words = action(*arguments)
     except Exception as error:  # whatever the host throws is a failure of the check
@@ -19,6 +20,7 @@ def check(name, action, *arguments):
         where = traceback.extract_tb(error.__traceback__)[-1]
         print(f"FAILED {name}: {error} ({where.name}, line {where.lineno})", flush=True)
     else:
+        _passed += 1
         print(f"ok {name}" + (f" ({words})" if words else ""), flush=True)
 
 
@@ -28,4 +30,5 @@ def expect(condition, message):
 
 
 def finish():
+    print(f"{_passed} passed, {_failed} failed")
     sys.exit(1 if _failed else 0)

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""Installs the wheel where nothing else of mjforge is, and tries the command, the module and the
+examples there. Says a line about each check and counts them.
+
+    run.py DIST FOLDER
+
+DIST has the wheel and the source distribution. The folder is made anew.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import venv
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "tests/interop"))
+
+from report import check, expect, finish
+
+# What a wheel for manylinux_2_35 may take from the system.
+SYSTEM = re.compile(r"(ld-linux-x86-64|linux-vdso|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z))\.so\b.*")
+MEBIBYTES = 15
+# Of what robosuite depends on, its devices and controllers are left out: they need a compiler and
+# a display.
+ROBOSUITE = ["mujoco==3.3.7", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless", "termcolor"]
+
+
+class Place:
+    """An empty virtual environment, and an empty folder to work in."""
+
+    def __init__(self, dist, folder):
+        shutil.rmtree(folder, ignore_errors=True)
+        self.wheel, = dist.glob("*.whl")
+        self.sources, = dist.glob("*.tar.gz")
+        self.bin = folder / "venv/bin"
+        self.empty = folder / "empty"
+        self.empty.mkdir(parents=True)
+        self.pip_python = folder / "pip/bin/python"
+        venv.create(folder / "pip", with_pip=True)
+        venv.create(folder / "venv")
+
+    def run(self, *command, status=0):
+        """Its standard output and error. No variable leads to a checkout."""
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith(("PYTHON", "MJFORGE", "LD_"))}
+        environment["PATH"] = f"{self.bin}:{environment['PATH']}"
+        result = subprocess.run([str(word) for word in command], cwd=self.empty, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
+        expect(result.returncode == status,
+               f"{command[0]} ended with {result.returncode}: {result.stdout[-800:]}")
+        return result.stdout
+
+    def pip(self, *words, status=0):
+        return self.run(self.pip_python, "-m", "pip", "--python", self.bin / "python",
+                        "--disable-pip-version-check", *words, status=status)
+
+
+def is_small(place):
+    size = place.wheel.stat().st_size / 2**20
+    expect(size <= MEBIBYTES, f"{size:.1f} MiB are more than {MEBIBYTES}")
+    expect("-py3-none-manylinux_2_35_x86_64" in place.wheel.name, place.wheel.name)
+    return f"{size:.1f} MiB"
+
+
+def installs_alone(place):
+    place.pip("install", "--no-index", "--no-deps", place.wheel)
+    listed = place.pip("list", "--format=freeze").split()
+    expect(len(listed) == 1 and listed[0].startswith("mjforge=="), f"installed: {listed}")
+
+
+def packaged(place):
+    """The folder of the installed module."""
+    said = place.run(place.bin / "python", "-c", "import mjforge; print(mjforge.__path__[0])")
+    return pathlib.Path(said.strip())
+
+
+def needs_nothing_else(place):
+    folder = packaged(place)
+    binaries = [folder / "bin/mjforge", folder / "lib/libmjforge.so",
+                *folder.with_name("mjforge.libs").iterdir()]
+    expect(len(binaries) > 10, f"only {binaries}")
+    for binary in binaries:
+        for line in place.run("ldd", binary).splitlines():
+            name, _, found = line.strip().partition(" => ")
+            known = SYSTEM.fullmatch(pathlib.Path(name.split()[0]).name)
+            expect(known or str(folder.parent) in found, f"{binary.name} needs {line.strip()}")
+        expect(str(SOURCE).encode() not in binary.read_bytes(), f"{binary.name} names {SOURCE}")
+
+
+def has_the_licenses(place):
+    folder, = packaged(place).parent.glob("mjforge-*.dist-info")
+    licenses = {file.name for file in (folder / "licenses").iterdir()}
+    wanted = {"LICENSE", "libmujoco-dev", "libarchive-dev", "libassimp5", "libssl3", "libdraco7"}
+    expect(wanted <= licenses, f"there are no {wanted - licenses}")
+    return f"{len(licenses)} licenses"
+
+
+def has_the_command(place):
+    expect(re.match(r"mjforge \d+\.\d+\.\d+\nMuJoCo 2\.2\.2\n", place.run("mjforge", "--version")),
+           "wrong version")
+    place.run("mjforge", "generate", "hammer", "-n", "3", "--seed", "7", "-o", "hammers")
+    place.run("mjforge", "generate", "mug", "-n", "3", "-o", "mugs.tar.zst")
+    made = sorted(path.name for path in (place.empty / "hammers").glob("*.xml"))
+    expect(made == [f"hammer_{i:06}.xml" for i in range(3)], f"made {made}")
+    place.run(place.bin / "python", "-m", "mjforge", "check", "mug", "-n", "2", "--physics")
+    expect("tools/hammer" in place.run("mjforge", "catalogue"), "no catalogue")
+
+
+def draws(place):
+    place.run("mjforge", "preview", "mug", "-o", "mug.png")
+    expect((place.empty / "mug.png").read_bytes()[:4] == b"\x89PNG", "not a picture")
+
+
+def has_the_module(place):
+    said = place.run(place.bin / "python", "-c", "import mjforge; "
+                     "print(mjforge.Spec('hammer').variants(seed=7, validate='load')[1].xml)")
+    # The command says that there is one variant, the module that there is no end.
+    written = (place.empty / "hammers/hammer_000001.xml").read_text()
+    expect(said.partition("-->")[2].strip() == written.partition("-->")[2].strip(), "bytes differ")
+
+
+def example(place, name, words):
+    said = place.run(place.bin / "python", SOURCE / "docs/examples/python" / name)
+    said = [line for line in said.splitlines() if not line.startswith("[robosuite ")]
+    expect(re.fullmatch(words, "\n".join(said)), f"said {said}")
+    return said[-1]
+
+
+def goes(place):
+    place.pip("uninstall", "--yes", "mjforge")
+    left = [path.name for path in place.bin.parent.rglob("*mjforge*")]
+    expect(not left, f"left: {left}")
+
+
+def sources_say_what_is_missing(place):
+    said = place.pip("install", "--no-deps", place.sources, status=1, *(
+        f"--config-settings=cmake.define.CMAKE_DISABLE_FIND_PACKAGE_{name}=ON"
+        for name in ("assimp", "csv")))
+    expect(re.search(r"These libraries are missing[^\n]*\n\s+assimp 5\s+csv\s", said), said[-1500:])
+
+
+def main():
+    place = Place(*(pathlib.Path(argument).resolve() for argument in sys.argv[1:3]))
+    check("the wheel is small", is_small, place)
+    check("the wheel needs no other package", installs_alone, place)
+    check("the wheel needs no other library", needs_nothing_else, place)
+    check("the wheel has the licenses of what is in it", has_the_licenses, place)
+    check("the command of the wheel", has_the_command, place)
+    check("pictures of the wheel", draws, place)
+    check("the module of the wheel", has_the_module, place)
+    check("robosuite beside the wheel", place.pip, "install", "--quiet", "--only-binary=:all:", *ROBOSUITE)
+    check("robosuite itself", place.pip, "install", "--quiet", "--no-deps", "robosuite==1.5.2")
+    check("example: a thousand models", example, place, "thousand_models.py",
+          r"1000 models of 0\.\d+ to 0\.\d+ kg")
+    check("example: a new hammer at each reset", example, place, "new_hammer_each_reset.py",
+          r"(hammer \d: (0\.\d+) kg of \2, \d+ mm above the table\n?){3}")
+    check("the wheel goes", goes, place)
+    check("the source distribution says what is missing", sources_say_what_is_missing, place)
+    finish()
+
+
+main()
