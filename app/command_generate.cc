@@ -10,6 +10,7 @@
 #include <set>
 
 #include "commands.h"
+#include "completion.h"
 #include "load_limit.h"
 #include "make_options.h"
 #include "options.h"
@@ -92,7 +93,8 @@ std::string MisplacedMake(const GenerateOptions& options, const batch::Request& 
 void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command
       .add_option("-o,--output", options.output, "A folder [./NAME/], .xml, .tar[.zst], %d.tar, -")
-      ->option_text("OUT");
+      ->option_text("OUT")
+      ->check(Offers("."));
   AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1);
   command.add_option("--shard", options.shard, "Part I (from 0) of the N parts of the batch")
       ->option_text("I/N");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "completion.h"
 #include "mjforge/batch/batch.h"
 #include "usage.h"
 
@@ -36,7 +37,8 @@ Action AddMerge(CLI::App& command) {
   auto options = std::make_shared<Options>();
   command.add_option("OUT", options->output, "Where the shards went: the value of generate's -o")
       ->required()
-      ->option_text(" ");
+      ->option_text(" ")
+      ->check(Offers("."));
   command.add_flag("--verify", options->verify, "Read archives and objects, too");
   return [options](Console& console) { return Merge(options->output, options->verify, console); };
 }

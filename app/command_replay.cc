@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "completion.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::app {
@@ -23,8 +24,11 @@ Action AddReplay(CLI::App& command) {
   auto request = std::make_shared<forge::ReplayRequest>();
   command.add_option("WHAT", request->what, "MANIFEST:INDEX or a generated FILE.xml")
       ->required()
-      ->option_text(" ");
-  command.add_option("--spec", request->spec, "The spec, if it has moved")->option_text("SPEC");
+      ->option_text(" ")
+      ->check(Offers(".jsonl .xml"));
+  command.add_option("--spec", request->spec, "The spec, if it has moved")
+      ->option_text("SPEC")
+      ->check(Offers(kSpecs));
   return [request](Console& console) { return Replay(*request, console); };
 }
 

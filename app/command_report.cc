@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "completion.h"
 #include "mjforge/output/output.h"
 #include "mjforge/report/report.h"
 #include "options.h"
@@ -143,11 +144,15 @@ Action AddReport(CLI::App& command) {
   auto options = std::make_shared<PageOptions>();
   command.add_option("WHAT", options->what, "The folder, archive or manifest of a batch")
       ->required()
-      ->option_text(" ");
+      ->option_text(" ")
+      ->check(Offers(".jsonl .tar .zst .part"));
   command.add_option("-o,--output", options->output, "The page, or - [beside the manifest]")
-      ->option_text("FILE.html");
+      ->option_text("FILE.html")
+      ->check(Offers(".html"));
   AddWholeNumber(command, "--thumbnails", options->thumbnails, "Variants to show, at most");
-  command.add_option("--spec", options->spec, "The spec, if it has moved")->option_text("SPEC");
+  command.add_option("--spec", options->spec, "The spec, if it has moved")
+      ->option_text("SPEC")
+      ->check(Offers(kSpecs));
   command.add_flag("--force", options->force, "Overwrite a file that is not a report");
   return [options](Console& console) {
     if (options->thumbnails > kMostThumbnails)

@@ -8,6 +8,7 @@
 
 #include "child.h"
 #include "commands.h"
+#include "completion.h"
 #include "json.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
@@ -158,7 +159,8 @@ Action AddValidate(CLI::App& command) {
   auto options = std::make_shared<ValidateOptions>();
   command.add_option("FILE", options->files, "Any MJCF file, or - (stdin)")
       ->required()
-      ->option_text("...");
+      ->option_text("...")
+      ->check(Offers(".xml"));
   CLI::Option* physics =
       command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSettings(command, options->settings, "Set a threshold: checks.NAME=VALUE");

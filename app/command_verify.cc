@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "completion.h"
 #include "mjforge/batch/batch.h"
 
 namespace mjforge::app {
@@ -33,7 +34,8 @@ Action AddVerify(CLI::App& command) {
   auto what = std::make_shared<std::string>();
   command.add_option("WHAT", *what, "A folder, a manifest, or an archive")
       ->required()
-      ->option_text(" ");
+      ->option_text(" ")
+      ->check(Offers(".jsonl .tar .zst"));
   return [what](Console& console) { return Verify(*what, console); };
 }
 

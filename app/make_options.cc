@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "completion.h"
+
 namespace mjforge::app {
 namespace {
 
@@ -47,10 +49,13 @@ bool IsRule(std::string_view start) {
 
 void AddMakeOptions(CLI::App& command, MakeOptions& options) {
   command.add_flag("--MD", options.dependencies, "Write a Make rule: what OUT is made from");
-  command.add_option("--MF", options.file, "The rule's file [OUT with .d]")->option_text("FILE");
+  command.add_option("--MF", options.file, "The rule's file [OUT with .d]")
+      ->option_text("FILE")
+      ->check(Offers("."));
   command.add_option("--MT", options.targets, "The rule's target [OUT]")
       ->option_text("TARGET")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(Offers("."));
   command.add_flag("--MP", options.phony, "Add an empty rule for each file");
 }
 

@@ -7,10 +7,14 @@
 #include <charconv>
 #include <limits>
 
+#include "completion.h"
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::app {
+
+using namespace std::string_literals;
+
 namespace {
 
 constexpr std::uint64_t kMostJobs = 1024;
@@ -19,16 +23,6 @@ constexpr std::array<std::string_view, 2> kFindings = {"text", "json"};
 constexpr std::array<std::string_view, 3> kColors = {"auto", "always", "never"};
 constexpr std::array<std::string_view, 2> kRoots = {"free", "none"};
 constexpr std::array<std::string_view, 2> kProfiles = {"none", "simready"};
-
-// Checks that a text is one of the words.
-std::function<std::string(const std::string&)> IsOneOf(std::span<const std::string_view> words) {
-  return [known = std::vector(words.begin(), words.end())](const std::string& text) {
-    if (std::ranges::find(known, text) != known.end()) return std::string();
-    const std::string meant = diag::DidYouMean(text, known);
-    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(known, ", "),
-                       meant.empty() ? "" : "; ", meant);
-  };
-}
 
 std::string CheckSetting(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -59,7 +53,8 @@ void AddSettings(CLI::App& command, std::vector<std::string>& settings, const st
   command.add_option("--set", settings, doc)
       ->option_text("NAME=VALUE")
       ->allow_extra_args(false)
-      ->check(CheckSetting);
+      ->check(CheckSetting)
+      ->check(Offers("<setting>"));
 }
 
 void AddProfile(CLI::App& command, std::vector<std::string>& settings,
@@ -84,7 +79,8 @@ void AddSpecOptions(CLI::App& command, SpecOptions& options) {
       ->option_text("WORD");
   command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
       ->option_text("FILE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(Offers(".yaml .yml"));
 }
 
 std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
@@ -106,7 +102,10 @@ bool IsMjcf(const std::string& what) {
 }
 
 void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc) {
-  command.add_option("WHAT", options.what, doc)->required()->option_text(" ");
+  command.add_option("WHAT", options.what, doc)
+      ->required()
+      ->option_text(" ")
+      ->check(Offers(kSpecs + " .xml"s));
   AddWholeNumber(command, "--index", options.index, "The variant to show");
   AddSpecOptions(command, options.spec);
 }
@@ -121,7 +120,8 @@ void AddManyOptions(CLI::App& command, ManyOptions& options) {
   batch::Request& request = options.request;
   command.add_option("SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)")
       ->required()
-      ->option_text("...");
+      ->option_text("...")
+      ->check(Offers(kSpecs));
   AddWholeNumber(command, "-n,--count", request.count, "Variants to make", 1);
   AddSpecOptions(command, options.spec);
   const auto set_jobs = [&request](std::uint64_t jobs) { request.jobs = jobs; };

@@ -4,15 +4,19 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <tuple>
 
+#include "completion.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::app {
 namespace {
 
+constexpr std::array<std::string_view, 5> kBackgrounds = {"studio", "transparent", "white", "gray",
+                                                          "black"};
 constexpr int kSizeOfOne = 640;
 constexpr int kSizeOfTile = 320;  // and of an animation
 // What is in memory at the same time: frames, and the tiles of a sheet.
@@ -140,12 +144,16 @@ void AddCamera(CLI::App& command, picture::View& view) {
 }  // namespace
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
-  command.add_option("WHAT", options.what, "A spec or a FILE.xml")->required()->option_text(" ");
+  command.add_option("WHAT", options.what, "A spec or a FILE.xml")
+      ->required()
+      ->option_text(" ")
+      ->check(Offers(std::string(kSpecs) + " .xml"));
   AddWholeNumber(command, "-n,--count", options.count, "Variants; several make a contact sheet", 1);
   AddWholeNumber(command, "--first", options.first, "Index of the first variant");
   AddSpecOptions(command, options.spec);
   command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
-      ->option_text("OUT");
+      ->option_text("OUT")
+      ->check(Offers(".png .gif"));
   AddWord(command, "--layer", options.layer, picture::LayerNames(), "Show");
   command.add_option("--joint", options.joints, "Set a joint's position (hinge=45deg)")
       ->option_text("NAME=VALUE")
@@ -155,8 +163,9 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
       ->option_text("WxH");
   command
       .add_option("--background", options.background,
-                  "studio, transparent, white, gray, black, #rrggbb")
+                  fmt::format("{}, #rrggbb", fmt::join(kBackgrounds, ", ")))
       ->check(CheckBackground)
+      ->check(Offers(fmt::format("{}", fmt::join(kBackgrounds, " "))))
       ->option_text("COLOR [studio]");
   command.add_flag("--sweep", options.sweep, "Animate all joints, or --joint NAME");
   AddTimeLimit(command, options.time_limit);

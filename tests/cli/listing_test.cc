@@ -52,7 +52,7 @@ TEST_CASE_METHOD(CrateTest, "schema prints the schemas that are checked in") {
   const auto result = Run({"schema", "other"});
   CHECK(result.status == 2);
   CHECK(result.err ==
-        "mjforge: error: 'other' is not one of object, manifest\n"
+        "mjforge: error: WHICH: 'other' is not one of object, manifest\n"
         "  hint: see 'mjforge schema --help'\n");
 }
 
