@@ -1,4 +1,5 @@
-# What `cmake --install` puts where. Rooms install their own libraries and headers.
+# What `cmake --install` puts where: the component `program` is what a user needs, `library` what
+# a program that links the rooms needs. Rooms install their own libraries and headers.
 include(CMakePackageConfigHelpers)
 
 set(mjforge_data_dir ${CMAKE_INSTALL_DATADIR}/mjforge)
@@ -11,9 +12,10 @@ if(MJFORGE_MUJOCO)
   set_property(TARGET mjforge PROPERTY INSTALL_RPATH ${mujoco_folder})
 endif()
 
-install(DIRECTORY specs schemas DESTINATION ${mjforge_data_dir})
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY specs schemas DESTINATION ${mjforge_data_dir} COMPONENT program)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT program)
 
 # mjforge::mjforge stands for all rooms, through the last ones.
 add_library(mjforge_library INTERFACE)
@@ -23,11 +25,11 @@ target_link_libraries(mjforge_library INTERFACE mjforge::batch mjforge::picture 
 
 install(TARGETS mjforge_library EXPORT mjforge_targets)
 install(EXPORT mjforge_targets NAMESPACE mjforge:: FILE mjforgeTargets.cmake
-        DESTINATION ${mjforge_package_dir})
+        DESTINATION ${mjforge_package_dir} COMPONENT library)
 configure_package_config_file(cmake/mjforgeConfig.cmake.in mjforgeConfig.cmake
   INSTALL_DESTINATION ${mjforge_package_dir} PATH_VARS mjforge_specs_dir)
 write_basic_package_version_file(mjforgeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/mjforgeConfig.cmake
               ${PROJECT_BINARY_DIR}/mjforgeConfigVersion.cmake cmake/Dependencies.cmake
-        DESTINATION ${mjforge_package_dir})
-install(DIRECTORY cmake/find DESTINATION ${mjforge_package_dir})
+        DESTINATION ${mjforge_package_dir} COMPONENT library)
+install(DIRECTORY cmake/find DESTINATION ${mjforge_package_dir} COMPONENT library)

@@ -30,8 +30,9 @@ function(mjforge_room name)
     POSITION_INDEPENDENT_CODE ${MJFORGE_PYTHON})  # the package is a shared library
 
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(FILES ${room_PUBLIC_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mjforge/${name})
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+  install(FILES ${room_PUBLIC_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mjforge/${name}
+          COMPONENT library)
 endfunction()
 
 # mjforge_embed(VARIABLE NAMESPACE ... FILES ...)

@@ -40,6 +40,10 @@ foreach(file LICENSE README.md CHANGELOG.md manual.md errors.md architecture.md 
     examples/make/Makefile)
   expect_file(${work_folder}/prefix/share/doc/mjforge/${file})
 endforeach()
+foreach(file man/man1/mjforge.1 man/man1/mjforge-generate.1 bash-completion/completions/mjforge
+    zsh/site-functions/_mjforge fish/vendor_completions.d/mjforge.fish)
+  expect_file(${work_folder}/prefix/share/${file})
+endforeach()
 
 # The project that README shows, and nothing that it does not show.
 file(READ ${source_folder}/README.md page)
