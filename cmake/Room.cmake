@@ -21,9 +21,11 @@ function(mjforge_room name)
   target_include_directories(mjforge_${name} PUBLIC
     $<BUILD_INTERFACE:${include_dir}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   list(TRANSFORM room_ROOMS PREPEND mjforge::)
+  # Ours first: options of libraries may say otherwise.
   target_link_libraries(mjforge_${name}
-    PUBLIC ${room_ROOMS} ${room_PUBLIC_LIBRARIES}
-    PRIVATE ${room_LIBRARIES} $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_watched>)
+    PRIVATE $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_watched>)
+  target_link_libraries(mjforge_${name}
+    PUBLIC ${room_ROOMS} ${room_PUBLIC_LIBRARIES} PRIVATE ${room_LIBRARIES})
 
   mjforge_precompile_from(mjforge_${name} mjforge_precompiled)
   set_target_properties(mjforge_${name} PROPERTIES UNITY_BUILD ${MJFORGE_UNITY}

@@ -2,9 +2,11 @@
 add_library(mjforge_options INTERFACE)
 target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
 # Counts are 64 bits wide from MuJoCo 3.4 on, the numbers of elements still int: that conversions
-# lose nothing is judged with Debian's.
+# lose nothing is judged with Debian's. Whoever includes MuJoCo's headers gets these options behind
+# those above; all else compiles as with Debian's, and the compiler's cache has it.
 if(mujoco_VERSION VERSION_GREATER_EQUAL 3)
-  target_compile_options(mjforge_options INTERFACE -Wno-conversion -Wno-narrowing)
+  set_property(TARGET mujoco::mujoco APPEND PROPERTY
+    INTERFACE_COMPILE_OPTIONS -Wno-conversion -Wno-narrowing)
 endif()
 # A step is compiled where it is noted and where it is taken again. Both must round alike, on
 # processors that can multiply and add at once, too.
