@@ -9,7 +9,7 @@ set(mjforge_dependencies
   "Boost 1.74"  # headers only: Math (quantiles), Container (small_vector)
   "fmt 9"
   "RapidJSON 1.1"
-  "OpenSSL 3 COMPONENTS Crypto"  # SHA-256
+  "Gcrypt"  # SHA-256
   "LibArchive 3.6"
   "tinyobjloader"
   "assimp 5"

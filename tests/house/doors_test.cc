@@ -78,11 +78,11 @@ const std::array kLibraries = {
     Library{"fmt/", {"bytes",  "diag",   "expr",  "spec",    "sample",   "engine",  "solid",
                      "model",  "expect", "mjcf",  "attach",  "validate", "physics", "manifest",
                      "output", "forge",  "batch", "picture", "report",   "app"}},
+    Library{"gcrypt.h", {"bytes"}},
     Library{"gif_lib.h", {"picture"}},
     // The engine's door is MuJoCo without its habits.
     Library{"libqhull_r/", {"solid"}},
     Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
-    Library{"openssl/", {"bytes", "report"}},
     Library{"png.h", {"picture"}},
     // engine and attach read other people's MJCF, which mjcf never sees.
     Library{"pugixml.hpp", {"mjcf", "engine", "attach", "physics"}},

@@ -126,24 +126,7 @@ std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix
 /// Whether the file has this size and this checksum; else why not ("it has 12 bytes, not 40").
 bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
 
-/// SHA-256 of bytes that come piece by piece.
-class Sha256 {
- public:
-  Sha256();
-  ~Sha256();
-  Sha256(const Sha256&) = delete;
-  Sha256& operator=(const Sha256&) = delete;
-
-  void Add(std::string_view bytes);
-  /// In hexadecimal; starts anew.
-  std::string Take();
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
-/// Of all bytes, in hexadecimal.
+/// SHA-256, in hexadecimal.
 std::string Sha256Of(std::string_view bytes);
 
 }  // namespace mjforge::bytes

@@ -1,54 +1,37 @@
-#include <openssl/evp.h>
+#include <gcrypt.h>
 
 #include <array>
+#include <cstdint>
 
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::bytes {
 namespace {
 
-std::string Hexadecimal(std::span<const unsigned char> bytes) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  text.reserve(2 * bytes.size());
-  for (const unsigned char byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
+constexpr std::size_t kDigestBytes = 32;
+
+// Libgcrypt is asked for once in a process, by whoever comes first.
+bool GetReady() {
+  if (::gcry_control(GCRYCTL_INITIALIZATION_FINISHED_P)) return true;
+  ::gcry_check_version(nullptr);
+  ::gcry_control(GCRYCTL_DISABLE_SECMEM);
+  ::gcry_control(GCRYCTL_INITIALIZATION_FINISHED);
+  return true;
 }
 
 }  // namespace
 
-struct Sha256::State {
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context{EVP_MD_CTX_new(),
-                                                                  EVP_MD_CTX_free};
-};
-
-Sha256::Sha256() : state_(std::make_unique<State>()) {
-  EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr);
-}
-
-Sha256::~Sha256() = default;
-
-void Sha256::Add(std::string_view bytes) {
-  EVP_DigestUpdate(state_->context.get(), bytes.data(), bytes.size());
-}
-
-std::string Sha256::Take() {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-  unsigned int size = 0;
-  EVP_DigestFinal_ex(state_->context.get(), digest.data(), &size);
-  EVP_DigestInit_ex(state_->context.get(), nullptr, nullptr);  // the same algorithm again
-  return Hexadecimal(std::span(digest).first(size));
-}
-
+// By Libgcrypt: OpenSSL hashes as fast, but getting it ready takes longer than all else of a short
+// command.
 std::string Sha256Of(std::string_view bytes) {
-  // Looking the algorithm up and making a context cost more than hashing an object's few
-  // kilobytes, so each thread does it once.
-  thread_local Sha256 sha256;
-  sha256.Add(bytes);
-  return sha256.Take();
+  [[maybe_unused]] static const bool kIsReady = GetReady();
+  std::array<unsigned char, kDigestBytes> digest;
+  ::gcry_md_hash_buffer(GCRY_MD_SHA256, digest.data(), bytes.data(), bytes.size());
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * digest.size());
+  for (const unsigned char byte : digest) text += {kDigits[byte >> 4], kDigits[byte & 15]};
+  return text;
 }
 
 }  // namespace mjforge::bytes

@@ -1,7 +1,6 @@
 #include "mjforge/report/picture_bytes.h"
 
-#include <openssl/evp.h>
-
+#include <algorithm>
 #include <cstddef>
 
 namespace mjforge::report {
@@ -45,12 +44,18 @@ std::optional<PictureInfo> ReadWebp(std::string_view bytes) {
 
 }  // namespace
 
+// RFC 4648: three bytes are four digits; what lacks at the end is '='.
 std::string Base64(std::string_view bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4, '\0');
-  // It ends what it writes with a zero, for which a string has room.
-  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                  reinterpret_cast<const unsigned char*>(bytes.data()),
-                  static_cast<int>(bytes.size()));
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? Byte(bytes, i + k) : 0);
+    for (unsigned k = 0; k < 4; ++k) text += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
   return text;
 }
 

@@ -54,9 +54,9 @@ std::optional<std::uint32_t> Files::Open(const fs::path& file, SourceMark mark) 
 }
 
 std::string Files::Sha256() const {
-  bytes::Sha256 sha256;
-  for (const std::uint32_t source : source_ids_) sha256.Add(sources_.Text(source));
-  return sha256.Take();
+  std::string texts;
+  for (const std::uint32_t source : source_ids_) texts += sources_.Text(source);
+  return bytes::Sha256Of(texts);
 }
 
 }  // namespace mjforge::spec

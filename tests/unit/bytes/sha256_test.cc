@@ -13,18 +13,5 @@ TEST_CASE("SHA-256 gives the values of the standard's examples") {
         "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST_CASE("a hash does not depend on what was hashed before") {
-  const std::string first = Sha256Of("one");
-  Sha256Of("two");
-  CHECK(Sha256Of("one") == first);
-}
-
-TEST_CASE("a hash of pieces is that of the whole") {
-  Sha256 sha256;
-  for (const char c : std::string("abc")) sha256.Add({&c, 1});
-  CHECK(sha256.Take() == Sha256Of("abc"));
-  CHECK(sha256.Take() == Sha256Of(""));
-}
-
 }  // namespace
 }  // namespace mjforge::bytes
