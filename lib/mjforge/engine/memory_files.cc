@@ -1,7 +1,6 @@
 #include "mjforge/engine/memory_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <new>
 #include <stdexcept>
 
@@ -53,10 +52,7 @@ MemoryFiles::Added MemoryFiles::Add(const std::string& name, const std::string& 
 
 #else
 
-MemoryFiles::MemoryFiles() : vfs_(static_cast<mjVFS*>(std::calloc(1, sizeof(mjVFS)))) {
-  if (!vfs_) throw std::bad_alloc();
-  Clear();
-}
+MemoryFiles::MemoryFiles() : vfs_(std::make_unique_for_overwrite<mjVFS>()) { Clear(); }
 
 const mjVFS* MemoryFiles::Get() { return vfs_.get(); }
 

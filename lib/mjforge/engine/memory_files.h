@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <string>
@@ -41,9 +40,7 @@ class MemoryFiles {
 #else
   // Filled by hand: the memory of its files is ours, its 2 MB are touched only where used, and
   // mj_deleteFileVFS (2.2.2) never returns for any file except the last.
-  struct Delete {
-    void operator()(mjVFS* vfs) const { std::free(vfs); }
-  };
+  using Delete = std::default_delete<mjVFS>;
   void SetFile(int slot, const std::string& name, const std::string& bytes);
 #endif
   std::unique_ptr<mjVFS, Delete> vfs_;
