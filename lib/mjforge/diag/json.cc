@@ -1,6 +1,7 @@
 #include "mjforge/diag/json.h"
 
 #include <algorithm>
+#include <array>
 
 namespace mjforge::diag {
 
@@ -24,31 +25,43 @@ bool IsNestedTooDeep(std::string_view json) {
 
 namespace {
 
-bool NeedsEscape(char c) { return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\'; }
+// By byte: every character of every text is asked for.
+constexpr auto kNeedsEscape = [] {
+  std::array<bool, 256> needs{};
+  for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
+  for (const unsigned char c : {'"', '\\'}) needs[c] = true;
+  return needs;
+}();
+
+bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 
 }  // namespace
 
 void Json::Value(std::string_view text) {
+  Separate();
+  text_ += '"';
+  if (std::ranges::none_of(text, NeedsEscape)) {
+    text_ += text;
+  } else {
+    Escaped(text);
+  }
+  text_ += '"';
+}
+
+void Json::Escaped(std::string_view text) {
   constexpr std::string_view kEscaped = "\"\\\b\f\n\r\t";
   constexpr std::string_view kLetters = "\"\\bfnrt";
   constexpr std::string_view kDigits = "0123456789ABCDEF";
-  Separate();
-  text_ += '"';
-  // Up to the next one to escape.
-  for (auto from = text.begin(); from != text.end();) {
-    const auto found = std::find_if(from, text.end(), NeedsEscape);
-    text_.append(from, found);
-    from = found;
-    if (from == text.end()) break;
-    const char c = *from++;
+  for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (const std::size_t at = kEscaped.find(c); at != kEscaped.npos) {
+    if (!NeedsEscape(c)) {
+      text_ += c;
+    } else if (const std::size_t at = kEscaped.find(c); at != kEscaped.npos) {
       text_ += {'\\', kLetters[at]};
     } else {
       text_ += {'\\', 'u', '0', '0', kDigits[byte >> 4], kDigits[byte & 15]};
     }
   }
-  text_ += '"';
 }
 
 }  // namespace mjforge::diag

@@ -72,6 +72,7 @@ class Json {
   std::string Take() { return std::move(text_); }
 
  private:
+  void Escaped(std::string_view text);
   void Open(char bracket) {
     Separate();
     text_ += bracket;

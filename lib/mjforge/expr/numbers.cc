@@ -152,12 +152,11 @@ bool AppendShortDecimal(std::string& out, double value) {
   auto whole = static_cast<std::uint64_t>(scaled);
   if (scaled - static_cast<double>(whole) >= 0.5) ++whole;
   if (static_cast<double>(whole) / power != magnitude) return false;
-  const std::size_t size = out.size();
-  out.resize(size + kLongest);
-  char* end = &out[size];
+  std::array<char, kLongest> text;
+  char* end = text.data();
   if (value < 0) *end++ = '-';
   end = WritePositional(end, Digits(whole * 10), exponent);
-  out.resize(static_cast<std::size_t>(end - out.data()));
+  out.append(text.data(), end);
   return true;
 }
 
@@ -216,14 +215,13 @@ void AppendNumber(std::string& out, double value) {
   }
   if (const std::optional<Decimal> decimal = Rounded(magnitude)) {
     const Digits digits(decimal->digits * 1'000'000);
-    const std::size_t size = out.size();
-    out.resize(size + kLongest);
-    char* end = &out[size];
+    std::array<char, kLongest> text;
+    char* end = text.data();
     if (value < 0) *end++ = '-';
     const bool positional = decimal->exponent >= -4 && decimal->exponent < kDigits;
     end = positional ? WritePositional(end, digits, decimal->exponent)
                      : WriteScientific(end, digits, decimal->exponent);
-    out.resize(static_cast<std::size_t>(end - out.data()));
+    out.append(text.data(), end);
   } else {
     AppendChars(out, value, std::chars_format::general, kDigits);
   }
