@@ -9,25 +9,44 @@
 namespace mjforge::batch {
 namespace {
 
-// One overload a type and one order of fields for both directions: Code(x) puts
-// what x holds, or fills it. Both processes are of one program, so numbers go as
-// they lie in memory.
+// One overload a type and one order of fields for all directions: Code(x) puts what x holds,
+// measures that, or fills x. Both processes are of one program, so numbers go as they lie in
+// memory.
 class Encoder {
  public:
+  explicit Encoder(char* out) : out_(out) {}
+
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void Code(const T& value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value)); }
+  void Code(const T& value) { Put(&value, sizeof(value)); }
   void Code(const std::string& text) {
     Code(text.size());
-    bytes_ += text;
+    Put(text.data(), text.size());
   }
-  void Reserve(std::size_t size) { bytes_.reserve(size); }
-  std::string Take() { return std::move(bytes_); }
 
   static constexpr bool kReads = false;
 
  private:
-  std::string bytes_;
+  void Put(const void* bytes, std::size_t size) {
+    std::memcpy(out_, bytes, size);
+    out_ += size;
+  }
+
+  char* out_;
+};
+
+class Measurer {
+ public:
+  template <typename T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void Code(const T& value) { size_ += sizeof(value); }
+  void Code(const std::string& text) { size_ += sizeof(text.size()) + text.size(); }
+  std::size_t size() const { return size_; }
+
+  static constexpr bool kReads = false;
+
+ private:
+  std::size_t size_ = 0;
 };
 
 class Decoder {
@@ -120,11 +139,23 @@ void Code(Coder& coder, diag::Findings& findings) {
 }
 
 template <typename Message>
-std::string EncodeMessage(const Message& message, std::size_t size) {
-  Encoder encoder;
-  encoder.Reserve(size);
-  Code(encoder, const_cast<Message&>(message));  // an encoder only reads
-  return encoder.Take();
+std::size_t SizeOf(const Message& message) {
+  Measurer measurer;
+  Code(measurer, const_cast<Message&>(message));  // it only reads
+  return measurer.size();
+}
+
+template <typename Message>
+void EncodeMessageTo(char* out, const Message& message) {
+  Encoder encoder(out);
+  Code(encoder, const_cast<Message&>(message));  // it only reads
+}
+
+template <typename Message>
+std::string EncodeMessage(const Message& message) {
+  std::string bytes(SizeOf(message), '\0');
+  EncodeMessageTo(bytes.data(), message);
+  return bytes;
 }
 
 template <typename Message>
@@ -137,11 +168,10 @@ Message DecodeMessage(std::string_view bytes) {
 
 }  // namespace
 
-std::string Encode(const Task& task) { return EncodeMessage(task, 0); }
-std::string Encode(const Result& result) {
-  constexpr std::size_t kRest = 4096;
-  return EncodeMessage(result, result.lines.size() + result.segment.size() + kRest);
-}
+std::string Encode(const Task& task) { return EncodeMessage(task); }
+std::string Encode(const Result& result) { return EncodeMessage(result); }
+std::size_t EncodedSize(const Result& result) { return SizeOf(result); }
+void EncodeTo(char* out, const Result& result) { EncodeMessageTo(out, result); }
 Task DecodeTask(std::string_view bytes) { return DecodeMessage<Task>(bytes); }
 Result DecodeResult(std::string_view bytes) { return DecodeMessage<Result>(bytes); }
 

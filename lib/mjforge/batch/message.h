@@ -2,6 +2,7 @@
 
 // What the batch's process and its workers say to each other.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -69,6 +70,9 @@ struct Result {
 
 std::string Encode(const Task& task);
 std::string Encode(const Result& result);
+/// A result as Encode makes it: how many bytes that are, and the same in memory of that size.
+std::size_t EncodedSize(const Result& result);
+void EncodeTo(char* out, const Result& result);
 // Decode what Encode made. Bytes that are cut short or have a wrong length are a bug, and throw.
 Task DecodeTask(std::string_view bytes);
 Result DecodeResult(std::string_view bytes);

@@ -24,8 +24,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-// A worker has its next task at hand when it is done with one.
-constexpr std::size_t kTasksPerWorker = 2;
 constexpr int kPollMilliseconds = 100;
 // A chunk's result fits, mostly: fewer turns of both processes.
 constexpr int kBufferBytes = 1 << 20;
@@ -69,8 +67,13 @@ bool WriteMessage(int descriptor, const std::string& message) {
   return WriteLength(descriptor, message.size()) && WriteAll(descriptor, message);
 }
 
-bool WriteResult(int channel, Slot& slot, const std::string& message) {
-  return slot.Leave(message) ? WriteLength(channel, kMail) : WriteMessage(channel, message);
+bool WriteResult(int channel, Slot& slot, const Result& result) {
+  const std::size_t size = EncodedSize(result);
+  char* const room = slot.RoomFor(size);
+  if (room == nullptr) return WriteMessage(channel, Encode(result));
+  EncodeTo(room, result);
+  slot.Leave(size);
+  return WriteLength(channel, kMail);
 }
 
 std::optional<std::string> ReadMessage(int descriptor) {
@@ -106,7 +109,7 @@ Channel MakeChannel() {
   try {
     const Work work = make_work();
     while (const std::optional<std::string> message = ReadMessage(channel)) {
-      if (!WriteResult(channel, slot, Encode(work(DecodeTask(*message), slot)))) break;
+      if (!WriteResult(channel, slot, work(DecodeTask(*message), slot))) break;
     }
   } catch (const std::bad_alloc&) {
     status = kNoMemoryStatus;
@@ -153,9 +156,12 @@ struct Pool::Worker {
   }
 };
 
-Pool::Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
-           std::function<Work()> make_work)
-    : time_limit_(time_limit), make_work_(std::move(make_work)), received_(kBufferBytes) {
+Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
+           std::chrono::duration<double> time_limit, std::function<Work()> make_work)
+    : tasks_per_worker_(tasks_per_worker),
+      time_limit_(time_limit),
+      make_work_(std::move(make_work)),
+      received_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {
   for (std::uint64_t i = 0; i < jobs; ++i) {
     auto worker = std::make_unique<Worker>();
     void* memory =
@@ -199,7 +205,9 @@ void Pool::Start(Worker& worker) {
 }
 
 bool Pool::HasRoom() const {
-  const auto has_room = [](const auto& worker) { return worker->given.size() < kTasksPerWorker; };
+  const auto has_room = [this](const auto& worker) {
+    return worker->given.size() < tasks_per_worker_;
+  };
   return !stopped_ && waiting_.empty() && std::any_of(workers_.begin(), workers_.end(), has_room);
 }
 
@@ -214,7 +222,7 @@ void Pool::Feed() {
     const auto least = std::min_element(
         workers_.begin(), workers_.end(),
         [](const auto& a, const auto& b) { return a->given.size() < b->given.size(); });
-    if ((*least)->given.size() == kTasksPerWorker) return;
+    if ((*least)->given.size() == tasks_per_worker_) return;
     Task task = std::move(waiting_.front());
     waiting_.pop_front();
     Send(**least, std::move(task));
@@ -234,18 +242,16 @@ bool Pool::IsBusy() const {
   return !results_.empty() || std::any_of(workers_.begin(), workers_.end(), has_task);
 }
 
-std::optional<Result> Pool::Wait() {
-  if (results_.empty()) {
-    std::vector<::pollfd> polled;
-    // poll passes over those that have no process yet: their channel is -1.
-    for (const auto& worker : workers_) polled.push_back({worker->channel, POLLIN, 0});
-    ::poll(polled.data(), polled.size(), kPollMilliseconds);
-    for (std::size_t i = 0; i < polled.size(); ++i) {
-      if (polled[i].revents != 0) Receive(*workers_[i]);
-    }
-    KillSlowWorkers();
-    Feed();
+std::optional<Result> Pool::Wait(bool may_wait) {
+  std::vector<::pollfd> polled;
+  // poll passes over those that have no process yet: their channel is -1.
+  for (const auto& worker : workers_) polled.push_back({worker->channel, POLLIN, 0});
+  ::poll(polled.data(), polled.size(), may_wait && results_.empty() ? kPollMilliseconds : 0);
+  for (std::size_t i = 0; i < polled.size(); ++i) {
+    if (polled[i].revents != 0) Receive(*workers_[i]);
   }
+  KillSlowWorkers();
+  Feed();
   if (results_.empty()) return std::nullopt;
   Result result = std::move(results_.front());
   results_.pop_front();
@@ -255,9 +261,9 @@ std::optional<Result> Pool::Wait() {
 void Pool::Receive(Worker& worker) {
   bool ended = false;
   while (true) {
-    const ssize_t got = ::recv(worker.channel, received_.data(), received_.size(), MSG_DONTWAIT);
+    const ssize_t got = ::recv(worker.channel, received_.get(), kBufferBytes, MSG_DONTWAIT);
     if (got > 0) {
-      worker.buffer.append(received_.data(), static_cast<std::size_t>(got));
+      worker.buffer.append(received_.get(), static_cast<std::size_t>(got));
       continue;
     }
     if (got < 0 && errno == EINTR) continue;

@@ -16,6 +16,9 @@
 
 namespace mjforge::batch {
 
+/// More tasks than this are not given to a worker in advance.
+inline constexpr std::size_t kMostTasksPerWorker = 4;
+
 /// What a worker shows of itself while it works, and its results, in memory that both processes
 /// see.
 class Slot {
@@ -32,29 +35,38 @@ class Slot {
   void AskToStop() { stop_.store(true, std::memory_order_relaxed); }
   bool IsAskedToStop() const { return stop_.load(std::memory_order_relaxed); }
 
-  /// Leaves a message, which saves two copies through a channel; false if it is too long, or the
-  /// last one was not taken yet.
-  bool Leave(std::string_view message) {
-    if (message.size() > mail_.size() || mail_size_.load(std::memory_order_acquire) != 0)
-      return false;
-    message.copy(mail_.data(), message.size());
-    mail_size_.store(message.size(), std::memory_order_release);
-    return true;
+  /// Memory for a result's message, which saves copies through a channel; null if it is too long,
+  /// or all that were left are still there.
+  char* RoomFor(std::size_t size) {
+    Mail& mail = mails_[left_ % mails_.size()];
+    const bool is_free = mail.size.load(std::memory_order_acquire) == 0;
+    return is_free && size <= mail.bytes.size() ? mail.bytes.data() : nullptr;
   }
-  /// The message that was left. It stays until it is removed.
+  /// The message that was written there.
+  void Leave(std::size_t size) {
+    mails_[left_++ % mails_.size()].size.store(size, std::memory_order_release);
+  }
+  /// The first that was left. It stays until it is removed.
   std::string_view mail() const {
+    const Mail& mail = mails_[removed_ % mails_.size()];
     // A worker that crashes may have written anywhere.
-    return {mail_.data(), std::min(mail_size_.load(std::memory_order_acquire), mail_.size())};
+    return {mail.bytes.data(),
+            std::min(mail.size.load(std::memory_order_acquire), mail.bytes.size())};
   }
-  void RemoveMail() { mail_size_.store(0, std::memory_order_release); }
+  void RemoveMail() { mails_[removed_++ % mails_.size()].size.store(0, std::memory_order_release); }
 
  private:
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
   std::atomic<std::uint64_t> index_ = 0;
   std::atomic<std::uint64_t> turn_ = 0;
   std::atomic<bool> stop_ = false;
-  std::atomic<std::uint64_t> mail_size_ = 0;
-  std::array<char, std::size_t{2} << 20> mail_;  // most results of a chunk fit
+  struct Mail {
+    std::atomic<std::uint64_t> size = 0;
+    std::array<char, std::size_t{2} << 20> bytes;  // most results of a chunk fit
+  };
+  std::array<Mail, kMostTasksPerWorker> mails_;
+  std::uint64_t left_ = 0;     // mails, by the worker
+  std::uint64_t removed_ = 0;  // by the process that leads
 };
 
 /// Does tasks, in the worker.
@@ -66,8 +78,9 @@ using Work = std::function<Result(const Task&, Slot&)>;
 /// end with this process, however it ends.
 class Pool {
  public:
-  /// `make_work` is called in each worker when it starts.
-  Pool(std::uint64_t jobs, std::chrono::duration<double> time_limit,
+  /// `make_work` is called in each worker when it starts. A worker has up to `tasks_per_worker`
+  /// tasks at hand, so that it need not wait when it is done with one.
+  Pool(std::uint64_t jobs, std::size_t tasks_per_worker, std::chrono::duration<double> time_limit,
        std::function<Work()> make_work);
   ~Pool();
   Pool(const Pool&) = delete;
@@ -76,10 +89,10 @@ class Pool {
   /// Whether a submitted task would start soon.
   bool HasRoom() const;
   void Submit(Task task);
-  /// The next available result, in any order; nothing if none comes within a tenth of a second.
-  /// Throws std::runtime_error if workers cannot be started, or end again and again before they
-  /// begin a variant.
-  std::optional<Result> Wait();
+  /// The next available result, in any order; nothing if none comes within a tenth of a second, or
+  /// none is there and it may not wait. Throws std::runtime_error if workers cannot be started, or
+  /// end again and again before they begin a variant.
+  std::optional<Result> Wait(bool may_wait = true);
   /// Workers end after their current variant; tasks that have not begun are dropped.
   void AskToStop();
   /// Whether results are still to come.
@@ -95,9 +108,10 @@ class Pool {
   void KillSlowWorkers();
   void NoteProgress(Worker& worker) const;
 
+  std::size_t tasks_per_worker_;
   std::chrono::duration<double> time_limit_;
   std::function<Work()> make_work_;
-  std::vector<char> received_;
+  std::unique_ptr<char[]> received_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::deque<Task> waiting_;
   std::deque<Result> results_;

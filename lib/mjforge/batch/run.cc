@@ -95,24 +95,27 @@ class Batch {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    Pool pool(jobs, request_.time_limit, [&] {
+    // What is not validated is made faster than this process gets its turn among its workers.
+    const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
+    Pool pool(jobs, is_quick ? kMostTasksPerWorker : 2, request_.time_limit, [&] {
       return MakeWork(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
     });
     next_ = todo.first;
     std::optional<Chunk> chunk = schedule.Next();
     std::optional<Clock::time_point> stopped;
     bool goes_on = true;
-    while (chunk || pool.IsBusy()) {
+    while (chunk || pool.IsBusy() || (goes_on && HasNext())) {
       while (chunk && pool.HasRoom() && waiting_bytes_ < kMostWaiting) {
         pool.Submit({*chunk, {}});
         chunk = schedule.Next();
       }
-      if (std::optional<Result> result = pool.Wait()) {
+      // One is taken at a time: workers get tasks in between.
+      if (std::optional<Result> result = pool.Wait(!HasNext())) {
         waiting_bytes_ += SizeOf(*result);
         const std::uint64_t first = result->chunk.first;
         waiting_.emplace(first, *std::move(result));
       }
-      goes_on = goes_on && TakeInOrder(sink, output_findings);
+      goes_on = goes_on && (!HasNext() || TakeNext(sink, output_findings));
       ShowProgress();
       summary_.interrupted |=
           request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
@@ -130,25 +133,25 @@ class Batch {
     return result.lines.size() + result.segment.size() + result.text.size();
   }
 
+  // Whether the result is there that is next in order.
+  bool HasNext() const { return !waiting_.empty() && waiting_.begin()->first == next_; }
+
   // False: the batch cannot go on.
-  bool TakeInOrder(Sink& sink, diag::Findings& output_findings) {
-    while (!waiting_.empty() && waiting_.begin()->first == next_) {
-      Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
-      waiting_bytes_ -= SizeOf(result);
-      RenumberSources(result);
-      const bool taken = sink.Take(result, output_findings);
-      // What failed is the chunk's first variant, or one after it.
-      if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
-      if (!taken || result.files_failed) {
-        summary_.files_failed = true;
-        output_findings.Append(std::move(result.output_findings));
-      }
-      if (taken) Count(result);
-      if (summary_.files_failed) return false;
-      if (result.done < result.chunk.count) return false;  // it was asked to stop
-      next_ = result.chunk.end();
+  bool TakeNext(Sink& sink, diag::Findings& output_findings) {
+    Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
+    waiting_bytes_ -= SizeOf(result);
+    RenumberSources(result);
+    const bool taken = sink.Take(result, output_findings);
+    // What failed is the chunk's first variant, or one after it.
+    if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
+    if (!taken || result.files_failed) {
+      summary_.files_failed = true;
+      output_findings.Append(std::move(result.output_findings));
     }
-    return true;
+    if (taken) Count(result);
+    next_ = result.chunk.end();
+    // With fewer variants it was asked to stop.
+    return !summary_.files_failed && result.done == result.chunk.count;
   }
 
   void Count(Result& result) {

@@ -13,7 +13,7 @@ namespace {
 // Work that tells the indices it did, in `text`, and meets its end where `fate` says so.
 Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
               std::function<void(std::uint64_t)> fate) {
-  return Pool(jobs, limit, [fate] {
+  return Pool(jobs, 2, limit, [fate] {
     return [fate](const Task& task, Slot& slot) {
       Result result;
       result.chunk = task.chunk;
@@ -59,7 +59,7 @@ TEST_CASE("every task is done once, by any number of workers") {
 
 TEST_CASE("results of any length arrive whole and in order") {
   constexpr std::size_t kLong = std::size_t{5} << 20;
-  Pool pool(1, std::chrono::seconds(10), [] {
+  Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [] {
     return [](const Task& task, Slot&) {
       Result result;
       result.chunk = task.chunk;
@@ -80,16 +80,29 @@ TEST_CASE("results of any length arrive whole and in order") {
   CHECK(order == "abcdefgh");
 }
 
-TEST_CASE("a slot holds one message until it is removed") {
+TEST_CASE("a slot holds a message for each task until they are removed") {
   const auto slot = std::make_unique<Slot>();
   CHECK(slot->mail().empty());
-  CHECK(slot->Leave("first"));
-  CHECK_FALSE(slot->Leave("second"));
+  const auto leave = [&slot](std::string_view message) {
+    char* const room = slot->RoomFor(message.size());
+    if (room == nullptr) return false;
+    message.copy(room, message.size());
+    slot->Leave(message.size());
+    return true;
+  };
+  for (const std::string_view message : {"first", "second", "third", "fourth"})
+    CHECK(leave(message));
+  CHECK_FALSE(leave("fifth"));
   CHECK(slot->mail() == "first");
   slot->RemoveMail();
-  CHECK_FALSE(slot->Leave(std::string(std::size_t{3} << 20, 'x')));
-  CHECK(slot->Leave("third"));
-  CHECK(slot->mail() == "third");
+  CHECK(slot->mail() == "second");
+  CHECK_FALSE(leave(std::string(std::size_t{3} << 20, 'x')));
+  CHECK(leave("fifth"));
+  for (const std::string_view message : {"second", "third", "fourth", "fifth"}) {
+    CHECK(slot->mail() == message);
+    slot->RemoveMail();
+  }
+  CHECK(slot->mail().empty());
 }
 
 TEST_CASE("a worker that a signal kills costs the variant it was at, and no other") {
@@ -162,7 +175,7 @@ TEST_CASE("a worker that is stopped while it has nothing to do ends with the oth
 }
 
 TEST_CASE("workers that die before they begin anything do not go on for ever") {
-  Pool pool(2, std::chrono::seconds(10), []() -> Work { std::_Exit(9); });
+  Pool pool(2, 2, std::chrono::seconds(10), []() -> Work { std::_Exit(9); });
   pool.Submit({{0, 2, 0}, {}});
   const auto start = std::chrono::steady_clock::now();
   CHECK_THROWS_WITH(
