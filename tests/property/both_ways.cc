@@ -37,6 +37,7 @@ Loaded::Loaded(const std::filesystem::path& file) {
 }
 
 int Compare(Loaded& loaded, Options options, std::uint64_t first, std::uint64_t count) {
+  options.mould_bytes = std::size_t{1} << 30;  // so that large objects come from moulds, too
   Generator generator(loaded.recipe, loaded.sources, options);
   options.moulds = false;
   Generator plain(loaded.recipe, loaded.sources, options);

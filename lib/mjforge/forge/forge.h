@@ -115,6 +115,8 @@ struct Options {
   /// Whether variants that go the same way are made by one mould; without, each is made from the
   /// spec. Their bytes are the same. For a single variant, making a mould is wasted.
   bool moulds = true;
+  /// How much memory they may take, about.
+  std::size_t mould_bytes = std::size_t{8} << 20;
   /// Of the manifest: records name the spec's file from here. Nothing: they do not.
   std::optional<std::filesystem::path> folder;
 };

@@ -59,7 +59,7 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
   }
   // A name with the index in it makes each variant one of its own.
   const bool same_name = ExpandName(options.name, 0) == ExpandName(options.name, 1);
-  if (options.moulds && same_name) moulds_ = std::make_unique<Moulds>();
+  if (options.moulds && same_name) moulds_ = std::make_unique<Moulds>(options.mould_bytes);
 }
 
 Generator::~Generator() = default;

@@ -6,8 +6,10 @@ namespace mjforge::forge {
 namespace {
 
 constexpr std::size_t kMostMoulds = 64;
-// Steps of all moulds together; a step takes about 100 bytes.
-constexpr std::size_t kMostSteps = 80'000;
+// What a mould takes, about: a step; a byte of the text, with its slots and with what it says in
+// the object.
+constexpr std::size_t kStepBytes = 100;
+constexpr std::size_t kTextBytes = 8;
 // Making a mould takes as long as several variants, so a family has to earn them: it may make some
 // in advance, and then one more for each kPrice variants that came from moulds.
 constexpr std::uint64_t kAdvance = 32;
@@ -17,6 +19,7 @@ constexpr std::uint64_t kPrice = 10;
 
 void Mould::Close(model::Object object, mjcf::MjcfDocument document, diag::Findings findings) {
   tape_.Close();
+  bytes_ = kStepBytes * tape_.size() + kTextBytes * document.text.size();
   object_ = std::make_shared<model::Object>(std::move(object));
   model::TakeOffTape(*object_, links_);
   form_.emplace(std::move(document));
@@ -49,14 +52,14 @@ std::unique_ptr<Mould> Moulds::Begin() {
 }
 
 void Moulds::Add(std::unique_ptr<Mould> mould) {
-  too_large_ = mould->tape().size() > kMostSteps;
+  too_large_ = mould->bytes() > most_bytes_;
   if (too_large_) return;
   mould->number = ++made_;
   moulds_.insert(moulds_.begin(), std::move(mould));
-  std::size_t steps = 0;
+  std::size_t bytes = 0;
   const auto last = std::ranges::find_if(moulds_, [&](const auto& one) {
-    steps += one->tape().size();
-    return steps > kMostSteps;
+    bytes += one->bytes();
+    return bytes > most_bytes_;
   });
   const auto most =
       moulds_.begin() + static_cast<std::ptrdiff_t>(std::min(kMostMoulds, moulds_.size()));

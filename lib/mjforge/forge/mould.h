@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -16,6 +17,8 @@ class Mould {
   /// The first variant is made.
   void Close(model::Object object, mjcf::MjcfDocument document, diag::Findings findings);
   std::shared_ptr<const model::Object> object() const { return object_; }
+  /// About how much memory it takes.
+  std::size_t bytes() const { return bytes_; }
 
   /// Makes the variant whose parameters were drawn last. False if it goes another way, or if
   /// someone still has the object of an earlier one.
@@ -29,17 +32,21 @@ class Mould {
   tape::Links links_;
   std::optional<mjcf::Form> form_;
   diag::Findings findings_;
+  std::size_t bytes_ = 0;
 };
 
 /// The moulds of one family, the one used last first.
 class Moulds {
  public:
+  explicit Moulds(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
   bool Make(Variant& variant);
   /// A mould for a variant that none of them could make; null if another one would not pay.
   std::unique_ptr<Mould> Begin();
   void Add(std::unique_ptr<Mould> mould);
 
  private:
+  std::size_t most_bytes_;
   std::vector<std::unique_ptr<Mould>> moulds_;
   bool too_large_ = false;   // a mould of this family
   std::uint64_t begun_ = 0;  // moulds

@@ -108,5 +108,38 @@ TEST_CASE("moulds are tried from the one that was used last, and the oldest goes
   CHECK(moulds == std::vector<std::uint64_t>{0, 0, 0, 1, 2, 3, 1, 1, 3});
 }
 
+TEST_CASE("moulds that take too much memory together are dropped, the oldest first") {
+  Moulds moulds(20'000);
+  for (int i = 0; i < 3; ++i) {
+    std::unique_ptr<Mould> mould = moulds.Begin();
+    REQUIRE(mould);
+    mjcf::MjcfDocument document;
+    document.text = std::string(1'000, ' ');
+    mould->Close({}, std::move(document), {});
+    CHECK(mould->bytes() == 8'000);
+    moulds.Add(std::move(mould));
+  }
+  // A mould whose object someone has is passed over.
+  std::vector<Variant> variants(3);
+  CHECK(moulds.Make(variants[0]));
+  CHECK(variants[0].mould == 3);
+  CHECK(moulds.Make(variants[1]));
+  CHECK(variants[1].mould == 2);
+  CHECK_FALSE(moulds.Make(variants[2]));
+}
+
+TEST_CASE("a family with a mould that takes too much memory has none") {
+  LoadedRecipe loaded(kBoxSpec);
+  Options options = Seeded(7);
+  options.mould_bytes = 1;
+  Generator generator(loaded.recipe, loaded.sources, options);
+  Variant variant;
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    generator.Make(i, variant);
+    CHECK(variant.ok());
+    CHECK(variant.mould == 0);
+  }
+}
+
 }  // namespace
 }  // namespace mjforge::forge
