@@ -3,7 +3,6 @@
 
 #include "fuzz/input.h"
 #include "mjforge/attach/attach.h"
-#include "mjforge/attach/flat_text.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/mjcf/mjcf.h"
 
@@ -19,10 +18,10 @@ void Run(Input input) {
   const std::filesystem::path file = Put("input.xml", text);
   diag::Sources sources;
   diag::Findings findings;
-  std::optional<attach::XmlElement> root = attach::ReadXml(file, sources, findings);
+  std::optional<engine::XmlElement> root = engine::ReadXml(file, sources, findings);
   if (root) {
-    attach::ResolveFiles(*root, Folder(), findings);
-    const attach::FlatText flat = attach::Flatten(*root);
+    engine::ResolveFiles(*root, Folder(), findings);
+    const engine::FlatText flat = engine::Flatten(*root);
     Must(!engine::WhyNotXml(flat.text), "the text for MuJoCo is no XML");
   }
   Must(root || findings.HasErrors(), "no tree and no error");

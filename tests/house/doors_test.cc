@@ -84,8 +84,8 @@ const std::array kLibraries = {
     Library{"libqhull_r/", {"solid"}},
     Library{"mujoco/", {"engine", "compiled", "attach", "validate", "physics", "picture"}, true},
     Library{"png.h", {"picture"}},
-    // engine and attach read other people's MJCF, which mjcf never sees.
-    Library{"pugixml.hpp", {"mjcf", "engine", "attach", "physics"}},
+    // engine reads other people's MJCF, which mjcf never sees.
+    Library{"pugixml.hpp", {"mjcf", "engine", "physics"}},
     Library{"rapidjson/", {"spec", "manifest", "report"}},
     Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"model"}},

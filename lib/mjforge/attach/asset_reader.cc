@@ -20,7 +20,7 @@ void ReadTexture(const XmlElement& element, model::Texture& out) {
   // A generated pattern wins over files.
   const std::string* builtin = element.Find("builtin");
   if (builtin != nullptr && *builtin != "none") return;
-  for (const std::string_view name : kFileAttributes) {
+  for (const std::string_view name : engine::kFileAttributes) {
     const std::string* text = element.Find(name);
     if (text == nullptr || text->empty()) continue;
     out.files.push_back({name, *text, {}});

@@ -163,7 +163,7 @@ MjcfReader::~MjcfReader() = default;
 
 const model::Attachment* MjcfReader::Attach(const fs::path& file, const std::string& body,
                                             diag::SourceMark mark, diag::Findings& findings) {
-  const std::string key = CanonicalName(file);
+  const std::string key = engine::CanonicalName(file);
   const File& read = state_->Read(key, file);
   Show(read.findings, mark, findings);
   if (read.findings.HasErrors()) return nullptr;

@@ -6,11 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mjforge/attach/xml_tree.h"
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::attach {
+
+using engine::XmlElement;
 
 /// Adds attributes of one kind of element, each with its row of the field table. An attribute with
 /// a default is added only if it differs from it.

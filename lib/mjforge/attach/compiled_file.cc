@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,6 +79,19 @@ void Replace(std::string& text, const std::string& from, const std::string& to) 
   }
 }
 
+/// What is attached is written for MuJoCo 2.2, whichever reads it here. True if that made the file
+/// another one.
+bool Adapt(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
+  diag::Findings found;
+  const bool changed =
+      engine::AdaptMjcf(root, engine::kPortable, engine::Use::kBodies, sources, found);
+  for (diag::Finding& finding : found) {
+    finding.notes.push_back({std::exchange(finding.mark, {}), "here"});
+  }
+  findings.Append(std::move(found));
+  return changed;
+}
+
 }  // namespace
 
 std::string KindName(mjtObj kind) {
@@ -88,16 +102,19 @@ std::string KindName(mjtObj kind) {
 std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& file,
                                                  engine::Engine& engine, diag::Sources& sources,
                                                  diag::Findings& findings) {
-  std::optional<XmlElement> root = ReadXml(file, sources, findings);
+  std::optional<XmlElement> root = engine::ReadXml(file, sources, findings);
   if (!root) return nullptr;
+  const bool adapted = Adapt(*root, sources, findings);
+  if (findings.HasErrors()) return nullptr;
   std::unique_ptr<CompiledFile> compiled(new CompiledFile);
   compiled->file_ = file;
   compiled->root_ = *std::move(root);
   compiled->engine_ = &engine;
-  compiled->file_names_ = ResolveFiles(compiled->root_, file.parent_path(), findings);
+  compiled->file_names_ = engine::ResolveFiles(compiled->root_, file.parent_path(), findings);
   if (findings.HasErrors()) return nullptr;
+  if (adapted) compiled->Weigh();
   NameElements(compiled->root_);
-  compiled->flat_ = Flatten(compiled->root_);
+  compiled->flat_ = engine::Flatten(compiled->root_);
   compiled->Load(findings);
   if (!compiled->model_) return nullptr;
   compiled->MapElements();
@@ -112,6 +129,12 @@ void CompiledFile::Load(diag::Findings& findings) {
     return;
   }
   engine::Loaded loaded = engine_->LoadText(flat_.text);
+  // Only older releases mind.
+  if (loaded.error.find("inconsistent orientation") != std::string::npos) {
+    Weigh();
+    flat_ = engine::Flatten(root_);
+    loaded = engine_->LoadText(flat_.text);
+  }
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},
                fmt::format("MuJoCo warns about '{}': {}", file_.string(),
@@ -127,6 +150,10 @@ void CompiledFile::Load(diag::Findings& findings) {
            fmt::format("MuJoCo refused {} of '{}': {}",
                        element == nullptr ? "the model" : element->Description(), file_.string(),
                        refusal.reason));
+}
+
+void CompiledFile::Weigh() {
+  engine::WeighMeshes(root_, [&](const std::string& text) { return engine_->LoadText(text); });
 }
 
 std::string CompiledFile::InWordsOfFile(std::string text) const {

@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "mjforge/attach/flat_text.h"
-#include "mjforge/attach/xml_tree.h"
 #include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
+
+using engine::AddError;
+using engine::AddWarning;
+using engine::XmlElement;
 
 /// An MJCF file: its elements, what MuJoCo compiled from them, and which
 /// belongs to which. Kinds are MuJoCo's (mjOBJ_GEOM, ...).
@@ -39,14 +41,16 @@ class CompiledFile {
   CompiledFile() = default;
   /// Leaves no model, but an error, if MuJoCo refuses the file.
   void Load(diag::Findings& findings);
+  /// Masses of meshes as those whom the file was written for compute them.
+  void Weigh();
   /// A message of MuJoCo, with files and elements named as in the file.
   std::string InWordsOfFile(std::string text) const;
   void MapElements();
 
   std::filesystem::path file_;
   XmlElement root_;
-  FileNames file_names_;
-  FlatText flat_;
+  engine::FileNames file_names_;
+  engine::FlatText flat_;
   engine::Engine* engine_ = nullptr;
   engine::Model model_;
   std::map<std::pair<int, std::string>, const XmlElement*> elements_;

@@ -9,10 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/attach/xml_tree.h"
+#include "mjforge/engine/engine.h"
 
 namespace mjforge::attach {
 namespace {
+
+using engine::AddError;
 
 std::vector<double> PlainOf(const sample::Numbers& numbers) {
   return {numbers.begin(), numbers.end()};

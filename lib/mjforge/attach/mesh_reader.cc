@@ -79,8 +79,9 @@ void MeshReader::FindFrames(diag::Findings& findings) {
     XmlElement& geom = AddChild(world, "geom");
     geom.Set("type", "mesh");
     geom.Set("mesh", m.names + m.name_meshadr[mesh]);
+    geom.Set("mass", "0");  // MuJoCo cannot weigh every mesh
   }
-  const engine::Loaded loaded = file_.engine().LoadText(Flatten(probe).text);
+  const engine::Loaded loaded = file_.engine().LoadText(engine::Flatten(probe).text);
   if (!loaded.model) {
     AddError(findings, diag::Code::kMujocoError, {},
              fmt::format("MuJoCo refused the meshes of '{}' on their own: {}",

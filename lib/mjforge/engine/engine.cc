@@ -115,6 +115,21 @@ Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string
 }
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) {
+  diag::Sources sources;
+  diag::Findings findings;
+  if (const auto xml = ReadXmlFile(file, sources, findings)) return LoadFile(file, *xml);
+  Loaded failed;
+  for (const diag::Finding& finding : findings) {
+    if (failed.error.empty() && finding.severity == diag::Severity::kError)
+      failed.error = finding.message;
+  }
+  return failed;
+}
+
+Loaded Engine::LoadFile(const std::filesystem::path& file, const XmlFile& xml) {
+  if (xml.adapted) {
+    return LoadTextIn(file == bytes::kStandardInput ? "." : file.parent_path(), *xml.adapted);
+  }
   Loaded failed;
   if (file == bytes::kStandardInput) {
     const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);

@@ -14,11 +14,15 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/engine/adapt.h"
 #include "mjforge/engine/api.h"
+#include "mjforge/engine/flat_text.h"
 #include "mjforge/engine/memory_files.h"
 #include "mjforge/engine/pictures.h"
 #include "mjforge/engine/refusal.h"
+#include "mjforge/engine/weigh_meshes.h"
 #include "mjforge/engine/xml_file.h"
+#include "mjforge/engine/xml_tree.h"
 
 namespace mjforge::engine {
 
@@ -56,8 +60,11 @@ class Engine {
   Loaded LoadText(const std::string& text);
   /// As if the text were a file in that folder: reads the files it refers to from the disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
-  /// Loads a file or standard input, and the files it refers to from the disk.
+  /// Loads a file or standard input, and the files it refers to from the disk. If it needs a later
+  /// MuJoCo, the first thing that does is the error.
   Loaded LoadFile(const std::filesystem::path& file);
+  /// The same, if it was read before.
+  Loaded LoadFile(const std::filesystem::path& file, const XmlFile& xml);
 
  private:
   /// The file's content, read at most once; null if it cannot be read.

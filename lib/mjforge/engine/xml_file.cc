@@ -10,7 +10,9 @@
 #include <pugixml.hpp>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/engine/refusal.h"
+#include "mjforge/engine/adapt.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/engine/weigh_meshes.h"
 
 namespace mjforge::engine {
 namespace {
@@ -25,6 +27,21 @@ std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
   const bool empty = result.status == pugi::status_no_document_element;
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
   return XmlFault{empty ? 0 : offset, fmt::format("not an XML file: {}", reason), {}};
+}
+
+/// The file's text for this MuJoCo, if it is to be another one.
+std::optional<std::string> AdaptFile(const std::filesystem::path& file, diag::Sources& sources,
+                                     diag::Findings& findings) {
+  diag::Findings of_includes;  // MuJoCo says them, too
+  std::optional<XmlElement> root = ReadXml(file, sources, of_includes);
+  if (!root) return std::nullopt;
+  if (!AdaptMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings)) return std::nullopt;
+  if (findings.HasErrors()) return std::nullopt;
+  const std::filesystem::path folder =
+      file == bytes::kStandardInput ? std::filesystem::path(".") : file.parent_path();
+  Engine engine;
+  WeighMeshes(*root, [&](const std::string& text) { return engine.LoadTextIn(folder, text); });
+  return FlattenInPlace(*root);
 }
 
 }  // namespace
@@ -59,7 +76,7 @@ diag::Code CodeOfUnread(const std::filesystem::path& file) {
 
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings) {
-  const std::string name = file == bytes::kStandardInput ? "<stdin>" : file.string();
+  const std::string name = ShownName(file);
   std::string why_not;
   std::optional<std::string> text = bytes::Read(file, bytes::kMaxMjcf, why_not);
   if (!text) {
@@ -78,7 +95,16 @@ std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sour
                  fault->hint);
     return std::nullopt;
   }
-  return XmlFile{source, has_includes};
+  diag::Findings found;
+  XmlFile xml{source, has_includes, AdaptFile(file, sources, found)};
+  const bool good = !found.HasErrors();
+  findings.Append(std::move(found));
+  if (!good) return std::nullopt;
+  return xml;
+}
+
+std::string ShownName(const std::filesystem::path& file) {
+  return file == bytes::kStandardInput ? "<stdin>" : file.string();
 }
 
 std::string EscapeXml(std::string_view text) {

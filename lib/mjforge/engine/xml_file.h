@@ -19,6 +19,8 @@ diag::Code CodeOfUnread(const std::filesystem::path& file);
 struct XmlFile {
   std::uint32_t source = 0;  // its number in Sources
   bool has_includes = false;
+  /// What this MuJoCo reads, with includes in their places, if it was written for a later one.
+  std::optional<std::string> adapted;
 };
 
 /// What is wrong with a text, and at which byte.
@@ -31,9 +33,13 @@ std::optional<XmlFault> WhyNotXml(std::string_view text);
 /// The same for a text whose root element must be <mujoco>.
 std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes = nullptr);
 
-/// Reads a file or standard input into `sources`; nothing and a finding if it is not MJCF.
+/// Reads a file or standard input into `sources`; nothing and a finding if it is not MJCF, or needs
+/// a later MuJoCo. A warning for each kind of thing in it that this MuJoCo leaves out.
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings);
+
+/// The name of a file in messages.
+std::string ShownName(const std::filesystem::path& file);
 
 /// A text as the value of an attribute, which stands between double quotes.
 std::string EscapeXml(std::string_view text);

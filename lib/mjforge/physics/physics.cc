@@ -207,8 +207,13 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
 std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
                                           const model::Checks& checks, diag::Sources& sources,
                                           diag::Findings& findings) {
-  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
-  if (!xml) return std::nullopt;
+  diag::Findings of_reading;
+  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, of_reading);
+  if (!xml) {
+    findings.Append(std::move(of_reading));
+    return std::nullopt;
+  }
+  const std::string& text = xml->adapted ? *xml->adapted : sources.Text(xml->source);
   const diag::SourceMark start = {xml->source, 1, 1};
   const auto refused = [&](std::string_view what, const engine::Loaded& loaded, std::string hint) {
     findings.Add(Code::kMujocoError, start,
@@ -217,21 +222,21 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
                  std::move(hint));
     return std::nullopt;
   };
-  engine::Loaded loaded = state_->engine.LoadFile(file);
+  engine::Loaded loaded = state_->engine.LoadFile(file, *xml);
   if (!loaded.model) return refused("", loaded, {});
   const model::Object object =
       compiled::ObjectOf(*loaded.model, start, compiled::Nameless::kNumbered);
   if (LacksFloor(*loaded.model)) {
     const std::string floor = FloorName(*loaded.model);
-    loaded = state_->engine.LoadTextIn(
-        FolderOf(file), WithFloor(file, sources.Text(xml->source), object.name, floor));
+    loaded = state_->engine.LoadTextIn(FolderOf(file), WithFloor(file, text, object.name, floor));
     if (!loaded.model)
       return refused(" with a floor", loaded, "a plane in the file would be used instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));
   }
-  return state_->Examine(
-      *loaded.model, object, start, checks, findings, sources.Text(xml->source),
-      [&](const std::string& text) { return state_->engine.LoadTextIn(FolderOf(file), text); });
+  return state_->Examine(*loaded.model, object, start, checks, findings, text,
+                         [&](const std::string& changed) {
+                           return state_->engine.LoadTextIn(FolderOf(file), changed);
+                         });
 }
 
 }  // namespace mjforge::physics

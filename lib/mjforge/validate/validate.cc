@@ -247,7 +247,7 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
   const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
   if (!xml) return nullptr;
   start = {xml->source, 1, 1};
-  Loaded loaded = engine.LoadFile(file);
+  Loaded loaded = engine.LoadFile(file, *xml);
   AddWarnings(loaded.warnings, false, start, findings);
   if (loaded.model) {
     CheckFinite(*loaded.model, start, findings);
@@ -281,8 +281,12 @@ std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, dia
 std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
                                          diag::Findings& findings) {
   diag::SourceMark start;
-  diag::Findings found;
-  const engine::Model model = state_->LoadFile(file, sources, start, found);
+  diag::Findings of_loading;
+  const engine::Model model = state_->LoadFile(file, sources, start, of_loading);
+  diag::Findings found;  // without what is left out, which does not move
+  for (const diag::Finding& finding : of_loading) {
+    if (model == nullptr || finding.code != Code::kMujocoLater) found.Add(finding);
+  }
   // Numbers that are not finite would go round and round.
   const bool clean = found.empty();
   findings.Append(std::move(found));

@@ -69,14 +69,15 @@ TEST_CASE("angles are in radians whatever the file's unit and order") {
                                    Eigen::AngleAxisd(90, Eigen::Vector3d::UnitX())));
 }
 
-TEST_CASE("a range without `limited` holds only with autolimits") {
+TEST_CASE("a range without `limited` holds, unless the file says that it does not") {
   const std::string ranged =
       "<body name=\"b\"><joint name=\"j\" range=\"0 45\"/><geom size=\"1\"/></body>\n";
-  Attaching without(Mjcf(ranged));
-  // From 3.0 on that is what a file means that says nothing.
-  CHECK((without.Try() != nullptr) == (mjVERSION_HEADER >= 300));
-  Attaching with(Mjcf(ranged, "<compiler autolimits=\"true\"/>\n"));
-  CHECK(with.Get().bodies[0].joints[0].range);
+  for (const std::string compiler : {"", "<compiler autolimits=\"true\"/>\n"}) {
+    Attaching with(Mjcf(ranged, compiler));
+    CHECK(with.Get().bodies[0].joints[0].range);
+  }
+  Attaching without(Mjcf(ranged, "<compiler autolimits=\"false\"/>\n"));
+  CHECK(without.Try() == nullptr);
   Attaching off(
       Mjcf("<body name=\"b\"><joint name=\"j\" range=\"0 45\" limited=\"false\"/><geom size=\"1\"/>"
            "</body>\n"));

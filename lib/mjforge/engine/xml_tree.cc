@@ -1,10 +1,10 @@
-#include "mjforge/attach/xml_tree.h"
+#include "mjforge/engine/xml_tree.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-namespace mjforge::attach {
+namespace mjforge::engine {
 namespace {
 
 diag::Finding& WithNote(diag::Finding& finding, diag::SourceMark place) {
@@ -55,4 +55,4 @@ diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::Sourc
   return WithNote(findings.Warn(code, {}, std::move(message), std::move(hint)), place);
 }
 
-}  // namespace mjforge::attach
+}  // namespace mjforge::engine

@@ -9,7 +9,7 @@
 
 #include "mjforge/diag/diag.h"
 
-namespace mjforge::attach {
+namespace mjforge::engine {
 
 /// An element of an MJCF file or of a file that it includes.
 struct XmlElement {
@@ -44,4 +44,4 @@ diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceM
 diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,
                           std::string message, std::string hint = {});
 
-}  // namespace mjforge::attach
+}  // namespace mjforge::engine

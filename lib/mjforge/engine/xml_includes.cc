@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "mjforge/attach/xml_tree.h"
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/engine/engine.h"
+#include "mjforge/engine/xml_file.h"
+#include "mjforge/engine/xml_tree.h"
 
-namespace mjforge::attach {
+namespace mjforge::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,7 +57,7 @@ class TreeReader {
                fmt::format("cannot read '{}': {}", main_.string(), why_not));
       return std::nullopt;
     }
-    const std::uint32_t source = sources_.Add(main_.string(), *std::move(text));
+    const std::uint32_t source = sources_.Add(ShownName(main_), *std::move(text));
     if (const auto fault = engine::WhyNotMjcf(sources_.Text(source))) {
       AddError(findings_, Code::kMujocoNotMjcf, engine::MarkAt(sources_, source, fault->offset),
                fmt::format("'{}' cannot be attached: {}", main_.string(), fault->message),
@@ -190,4 +190,4 @@ std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sourc
   return TreeReader(file, sources, findings).Read();
 }
 
-}  // namespace mjforge::attach
+}  // namespace mjforge::engine

@@ -1,4 +1,4 @@
-#include "mjforge/attach/flat_text.h"
+#include "mjforge/engine/flat_text.h"
 
 #include <algorithm>
 #include <string_view>
@@ -7,31 +7,32 @@
 #include <fmt/format.h>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/engine/engine.h"
+#include "mjforge/engine/xml_file.h"
 
-namespace mjforge::attach {
+namespace mjforge::engine {
 namespace {
 
 namespace fs = std::filesystem;
 
-void Write(const XmlElement& element, FlatText& out) {
-  if (!out.lines.empty()) out.text += '\n';
-  out.lines.push_back(&element);
-  out.text += '<';
-  out.text += element.tag;
+/// `start` is called before each element.
+template <typename Start>
+void Write(const XmlElement& element, std::string& out, const Start& start) {
+  start(element);
+  out += '<';
+  out += element.tag;
   const auto write = [&](std::string_view name, std::string value) {
     // XML cannot carry them there.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
     std::ranges::replace_if(value, is_control, ' ');
-    out.text += fmt::format(" {}=\"{}\"", name, engine::EscapeXml(value));
+    out += fmt::format(" {}=\"{}\"", name, EscapeXml(value));
   };
   for (const auto& [name, value] : element.attributes) {
     if (name != "name" || element.made_name.empty()) write(name, value);
   }
   if (!element.made_name.empty()) write("name", element.made_name);
-  out.text += '>';
-  for (const XmlElement& child : element.children) Write(child, out);
-  out.text += fmt::format("</{}>", element.tag);
+  out += '>';
+  for (const XmlElement& child : element.children) Write(child, out, start);
+  out += fmt::format("</{}>", element.tag);
 }
 
 /// The compiler's settings of where files are.
@@ -77,8 +78,21 @@ fs::path Absolute(const fs::path& file) {
 
 FlatText Flatten(const XmlElement& root) {
   FlatText flat;
-  Write(root, flat);
+  Write(root, flat.text, [&](const XmlElement& element) {
+    if (!flat.lines.empty()) flat.text += '\n';
+    flat.lines.push_back(&element);
+  });
   return flat;
+}
+
+std::string FlattenInPlace(const XmlElement& root) {
+  std::string text;
+  std::uint32_t line = 1;
+  Write(root, text, [&](const XmlElement& element) {
+    if (element.mark.file != root.mark.file) return;
+    for (; line < element.mark.line; ++line) text += '\n';
+  });
+  return text;
 }
 
 FileNames ResolveFiles(XmlElement& root, const fs::path& folder, diag::Findings& findings) {
@@ -111,4 +125,4 @@ FileNames ResolveFiles(XmlElement& root, const fs::path& folder, diag::Findings&
   return names;
 }
 
-}  // namespace mjforge::attach
+}  // namespace mjforge::engine

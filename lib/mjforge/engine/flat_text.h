@@ -6,16 +6,20 @@
 #include <string_view>
 #include <vector>
 
-#include "mjforge/attach/xml_tree.h"
+#include "mjforge/engine/xml_tree.h"
 
-namespace mjforge::attach {
+namespace mjforge::engine {
 
-/// A tree as one text for MuJoCo, with at most one element starting per line.
+/// A tree as one text for MuJoCo.
 struct FlatText {
   std::string text;
-  std::vector<const XmlElement*> lines;  // of line 1, 2, ...
+  std::vector<const XmlElement*> lines;  // that starts on line 1, 2, ...
 };
+/// With at most one element starting per line.
 FlatText Flatten(const XmlElement& root);
+/// With the elements of the root's file on their own lines, as far as no other file is included
+/// before them.
+std::string FlattenInPlace(const XmlElement& root);
 
 /// The attributes of assets that name a file.
 inline constexpr std::string_view kFileAttributes[] = {
@@ -27,4 +31,4 @@ using FileNames = std::map<std::string, std::string>;
 FileNames ResolveFiles(XmlElement& root, const std::filesystem::path& folder,
                        diag::Findings& findings);
 
-}  // namespace mjforge::attach
+}  // namespace mjforge::engine
