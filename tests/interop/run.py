@@ -32,7 +32,8 @@ HOSTS = {
     "mujoco-3.3": (["mujoco==3.3.7"], [], ["check_mujoco.py", "check_python.py"]),
     "mujoco-newest": (["mujoco"], [], ["check_mujoco.py", "check_python.py"]),
     "robosuite": (["mujoco", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless",
-                   "termcolor"], ["robosuite"], ["check_robosuite.py", "check_robocasa.py"]),
+                   "termcolor"], ["robosuite"],
+                  ["check_robosuite.py", "check_robocasa.py", "check_attached.py"]),
     "mjx": (["mujoco-mjx"], [], ["check_mjx.py"]),
 }
 

@@ -6,8 +6,24 @@
 
 namespace mjforge::attach {
 
+namespace {
+
+/// The file as MuJoCo loads it, with the masses of meshes that it has since 3.0.
+engine::Loaded Load(engine::Engine& engine, const std::filesystem::path& file) {
+  if (mjVERSION_HEADER >= 300) return engine.LoadFile(file);
+  diag::Sources sources;
+  diag::Findings findings;
+  std::optional<engine::XmlElement> root = engine::ReadXml(file, sources, findings);
+  if (!root) return {};
+  engine::ResolveFiles(*root, file.parent_path(), findings);
+  engine::WeighMeshes(*root, [&](const std::string& text) { return engine.LoadText(text); });
+  return engine.LoadText(engine::Flatten(*root).text);
+}
+
+}  // namespace
+
 AttachedFile::AttachedFile(std::filesystem::path file)
-    : file_(std::move(file)), own_(engine_.LoadFile(file_)), reader_(sources_) {}
+    : file_(std::move(file)), own_(Load(engine_, file_)), reader_(sources_) {}
 
 engine::Model AttachedFile::Attach(int body) {
   const std::string name = own().names + own().name_bodyadr[body];

@@ -79,17 +79,14 @@ void Replace(std::string& text, const std::string& from, const std::string& to) 
   }
 }
 
-/// What is attached is written for MuJoCo 2.2, whichever reads it here. True if that made the file
-/// another one.
-bool Adapt(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
+/// What is attached is written for MuJoCo 2.2, whichever reads it here.
+void Adapt(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
   diag::Findings found;
-  const bool changed =
-      engine::AdaptMjcf(root, engine::kPortable, engine::Use::kBodies, sources, found);
+  engine::AdaptMjcf(root, engine::kPortable, engine::Use::kBodies, sources, found);
   for (diag::Finding& finding : found) {
     finding.notes.push_back({std::exchange(finding.mark, {}), "here"});
   }
   findings.Append(std::move(found));
-  return changed;
 }
 
 }  // namespace
@@ -104,7 +101,7 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
                                                  diag::Findings& findings) {
   std::optional<XmlElement> root = engine::ReadXml(file, sources, findings);
   if (!root) return nullptr;
-  const bool adapted = Adapt(*root, sources, findings);
+  Adapt(*root, sources, findings);
   if (findings.HasErrors()) return nullptr;
   std::unique_ptr<CompiledFile> compiled(new CompiledFile);
   compiled->file_ = file;
@@ -112,7 +109,7 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
   compiled->engine_ = &engine;
   compiled->file_names_ = engine::ResolveFiles(compiled->root_, file.parent_path(), findings);
   if (findings.HasErrors()) return nullptr;
-  if (adapted) compiled->Weigh();
+  compiled->Weigh();
   NameElements(compiled->root_);
   compiled->flat_ = engine::Flatten(compiled->root_);
   compiled->Load(findings);
@@ -129,12 +126,6 @@ void CompiledFile::Load(diag::Findings& findings) {
     return;
   }
   engine::Loaded loaded = engine_->LoadText(flat_.text);
-  // Only older releases mind.
-  if (loaded.error.find("inconsistent orientation") != std::string::npos) {
-    Weigh();
-    flat_ = engine::Flatten(root_);
-    loaded = engine_->LoadText(flat_.text);
-  }
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},
                fmt::format("MuJoCo warns about '{}': {}", file_.string(),

@@ -10,6 +10,7 @@
 
 #include "mjforge/engine/api.h"
 #include "mjforge/engine/later_mjcf.h"
+#include "mjforge/engine/older_rules.h"
 #include "mjforge/engine/placed_elements.h"
 #include "mjforge/engine/rewrite.h"
 #include "mjforge/engine/xml_file.h"
@@ -18,37 +19,6 @@ namespace mjforge::engine {
 namespace {
 
 using diag::Code;
-
-constexpr std::pair<std::string_view, std::string_view> kLimits[] = {{"range", "limited"},
-                                                                     {"ctrlrange", "ctrllimited"},
-                                                                     {"forcerange", "forcelimited"},
-                                                                     {"actrange", "actlimited"}};
-
-/// Whether anything says a range, and not whether that limits.
-bool NeedsLimits(const XmlElement& element) {
-  const auto lacks = [&](const auto& limit) {
-    return element.Find(limit.first) != nullptr && element.Find(limit.second) == nullptr;
-  };
-  return std::ranges::any_of(kLimits, lacks) || std::ranges::any_of(element.children, NeedsLimits);
-}
-
-/// A range limits, as in every release since 3.0. With their usual setting, those before refuse
-/// each file in which that makes a difference.
-bool ImplyLimits(XmlElement& root) {
-  const auto is_compiler = [](const XmlElement& section) { return section.tag == "compiler"; };
-  for (const XmlElement& section : root.children) {
-    if (is_compiler(section) && section.Find("autolimits") != nullptr) return false;
-  }
-  if (!NeedsLimits(root)) return false;
-  auto compiler = std::ranges::find_if(root.children, is_compiler);
-  if (compiler == root.children.end()) {
-    compiler = root.children.emplace(root.children.begin());
-    compiler->tag = "compiler";
-    compiler->mark = root.mark;
-  }
-  compiler->Set("autolimits", "true");
-  return true;
-}
 
 std::string_view ReasonOf(Loss loss) {
   switch (loss) {
@@ -81,7 +51,7 @@ class Adapter {
       : root_(root), version_(version), use_(use), sources_(sources), findings_(findings) {}
 
   bool Run() {
-    bool changed = version_ < 300 && ImplyLimits(root_);
+    const bool changed = KeepOlderRules(root_, version_);
     if (!HasLater(root_)) return changed;
     PlacedElements elements(root_);
     Rewriting rewriting(elements, version_);
@@ -170,12 +140,12 @@ class Adapter {
     if (reason.empty()) return Refuse(element, attribute, later);
     if (!IsNew(element, attribute)) return;
     const std::string version = VersionText(later.since);
-    findings_.Warn(
-        Code::kMujocoLater, MarkOf(element, attribute),
-        attribute.empty()
-            ? fmt::format("{} is left out: {} (MuJoCo {})", element.Description(), reason, version)
-            : fmt::format("'{}' of {} is left out: {} (MuJoCo {})", attribute,
-                          element.Description(), reason, version));
+    findings_.Warn(Code::kMujocoLater, MarkOf(element, attribute),
+                   attribute.empty() ? fmt::format("{} is left out: {} (MuJoCo {})",
+                                                   element.Description(), reason, version)
+                                     : fmt::format("'{}' of {} is left out: {} (MuJoCo {})",
+                                                   Shown(element, attribute, later),
+                                                   element.Description(), reason, version));
   }
 
   void Refuse(const XmlElement& element, const std::string& attribute, const Later& later) {

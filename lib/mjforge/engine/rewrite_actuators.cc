@@ -81,7 +81,11 @@ void Rewriting::DampServo(Placed& servo) {
 // The range of the joint or tendon, made larger or smaller about its middle.
 void Rewriting::InheritRange(Placed& actuator) {
   const std::string* inherit = Lacking(actuator, "inheritrange");
-  if (inherit == nullptr || !IsServo(*actuator.element) || !IsNumber(*inherit)) return;
+  if (inherit == nullptr || !IsNumber(*inherit)) return;
+  if (!IsServo(*actuator.element)) {
+    if (actuator.element->tag == "general") return;  // may be one by its numbers
+    return Done(actuator, "inheritrange", "only servos inherit ranges");
+  }
   const double factor = NumbersOf(*inherit).front();
   const std::string_view attribute = TransmissionOf(*actuator.element);
   if (factor <= 0 || (attribute != "joint" && attribute != "tendon")) return;

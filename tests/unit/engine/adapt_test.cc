@@ -77,6 +77,26 @@ TEST_CASE("a compiler section that is there says so, and its own word is kept") 
   CHECK_FALSE(Adapted("<compiler autolimits=\"false\"/>" + joint).changed);
 }
 
+TEST_CASE("actuators with a state come last") {
+  const Adapted file(Arm("",
+                         "<general name=\"a\" joint=\"j\" class=\"slow\"/><motor name=\"b\" "
+                         "joint=\"j\"/><muscle name=\"c\" joint=\"j\" lengthrange=\"0 1\"/>"
+                         "<motor name=\"d\" joint=\"j\"/>",
+                         "<default class=\"slow\"><general dyntype=\"filter\"/></default>"));
+  CHECK(file.changed);
+  Loaded loaded;
+  const mjModel& m = *Load(file.text, loaded);
+  std::string names;
+  for (int i = 0; i < m.nu; ++i) names += mj_id2name(&m, mjOBJ_ACTUATOR, i);
+  CHECK(names == "bdac");
+}
+
+TEST_CASE("a range of controls that a class says stands in the element, where it must") {
+  const Adapted file(Arm("", "<damper joint=\"j\" kv=\"1\"/>", "<damper ctrlrange=\"0 2\"/>"));
+  Loaded loaded;
+  CHECK(Load(file.text, loaded)->actuator_ctrlrange[1] == 2);
+}
+
 TEST_CASE("what MuJoCo 2.2 reads as it stands is left alone") {
   CHECK_FALSE(Adapted("<worldbody><body><joint limited=\"true\" range=\"0 1\"/><geom "
                       "size=\"1\"/></body></worldbody><option integrator=\"RK4\"/>")
@@ -95,7 +115,8 @@ TEST_CASE("what is only seen or only computes is left out, with one warning for 
   CHECK(file.findings ==
         Strings{"4:5 warning: 'ellipsoidinertia' of the global on line 3 is left out: it changes "
                 "only what is seen (MuJoCo 2.3.4)",
-                "6:9 warning: 'integrator' of the option on line 6 is left out: it changes only "
+                "6:9 warning: 'integrator=implicitfast' of the option on line 6 is left out: it "
+                "changes only "
                 "how the whole model is simulated (MuJoCo 2.3.3)",
                 "6:35 warning: 'ls_iterations' of the option on line 6 is left out: it changes "
                 "only how the same is computed (MuJoCo 3.0.0)",
@@ -217,6 +238,12 @@ TEST_CASE("an inherited range is the joint's, about its middle") {
   CHECK(m.actuator_ctrlrange[1] == Approx(mjPI / 180 * 112.5));
 }
 
+TEST_CASE("a motor has no use for a range that a servo in its class would inherit") {
+  CHECK(Adapted(Arm("", "<motor joint=\"j\"/>", "<position inheritrange=\"1\"/>")).findings ==
+        Strings{"3:20 warning: 'inheritrange' of the position on line 3 is left out: only servos "
+                "inherit ranges (MuJoCo 3.1.3)"});
+}
+
 TEST_CASE("a joint's limit of forces is that of its only actuator") {
   const auto range = [](const std::string& actuator) {
     const Adapted file(Arm("actuatorfrcrange=\"-10 20\"", actuator));
@@ -258,7 +285,8 @@ TEST_CASE("how a mesh is weighed matters where a mass comes from it") {
   const std::string geom = "<geom type=\"mesh\" mesh=\"m\"/>";
   CHECK(body(geom) == Strings{"2:36 error: 'inertia=shell' of mesh 'm' needs MuJoCo 3.3.0"});
   const Strings none = {
-      "2:36 warning: 'inertia' of mesh 'm' is left out: no mass is computed from the mesh (MuJoCo "
+      "2:36 warning: 'inertia=shell' of mesh 'm' is left out: no mass is computed from the mesh "
+      "(MuJoCo "
       "3.3.0)"};
   CHECK(body("<inertial mass=\"1\" pos=\"0 0 0\" diaginertia=\"1 1 1\"/>" + geom) == none);
   CHECK(body("<geom type=\"mesh\" mesh=\"m\" mass=\"0\"/>") == none);
