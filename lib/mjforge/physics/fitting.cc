@@ -1,6 +1,8 @@
 #include "mjforge/physics/fitting.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -24,6 +26,8 @@ constexpr double kSteel = 7850;    // kg/m^3, of a peg of steel
 constexpr double kLonger = 1.5;    // a peg, than it has to go
 constexpr double kMostTime = 2;    // s; a free fall of 1 m takes 0.45 s
 constexpr double kNearly = 1e-4;   // m, a contact's softness
+constexpr double kPushes = 2;      // so long, beside the time of a free fall
+constexpr double kAgainst = 0.3;   // of a contact's normal, against a push
 
 std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kAddedPrefix, fitting); }
 
@@ -35,6 +39,12 @@ struct Peg {
   model::Pose X_BT;
 };
 
+struct Entry {
+  double depth = 0;  // m, that the tip gets to
+  /// Whether what is there keeps it from leaving sideways.
+  bool is_held = false;
+};
+
 class Trial {
  public:
   Trial(mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int added) : m_(m), d_(d) {
@@ -42,42 +52,105 @@ class Trial {
     mj_kinematics(&m, &d);
   }
 
-  /// How deep the tip gets, m; nothing if the simulation diverges.
-  std::optional<double> Run(const Peg& peg, int hole, double depth) {
+  /// Nothing if the simulation diverges.
+  std::optional<Entry> Run(const Peg& peg, int hole, double depth) {
     const model::Pose X_WH = SitePose(d_, hole);
+    Lay(peg, X_WH);
     const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
-    const int joint = m_.body_jntadr[peg.body];
-    const int dof = m_.jnt_dofadr[joint];
-    const model::Pose X_WT = {X_WH.p - kBefore * way, X_WH.q};
-    const model::Pose X_WB = X_WT * peg.X_BT.Inverse();
-    const Eigen::Quaterniond q = X_WB.q;
-    const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
-    mju_copy3(d_.qpos + m_.jnt_qposadr[joint], X_WB.p.value().data());
-    mju_copy4(d_.qpos + m_.jnt_qposadr[joint] + 3, quat);
-    HoldOthers(m_, dof, 6);
     Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * way;
     double deepest = -kBefore;
     for (double time = 0; time < kMostTime && deepest < depth; time += m_.opt.timestep) {
       mj_step(&m_, &d_);
       if (HasBlownUp(d_)) return std::nullopt;
-      const model::Pose X_WBnow = compiled::PoseAt(d_.xpos, d_.xquat, peg.body);
-      const Vector3d tip = X_WBnow.p + X_WBnow.q * peg.X_BT.p;
-      deepest = std::max(deepest, (tip - X_WH.p).dot(way));
+      deepest = std::max(deepest, (TipOf(peg) - X_WH.p).dot(way));
       Touch(peg.body);
     }
-    return deepest;
+    if (deepest < depth - kNearly) return Entry{deepest, false};
+    const bool is_held = IsHeld(peg, X_WH);
+    if (HasBlownUp(d_)) return std::nullopt;
+    return Entry{deepest, is_held};
   }
 
   /// What it last touched.
   const std::string& touched() const { return touched_; }
 
  private:
+  /// In front of the hole, and holds all else.
+  void Lay(const Peg& peg, const model::Pose& X_WH) {
+    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const model::Pose X_WT = {X_WH.p - kBefore * way, X_WH.q};
+    const model::Pose X_WB = X_WT * peg.X_BT.Inverse();
+    const Eigen::Quaterniond q = X_WB.q;
+    const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
+    const int joint = m_.body_jntadr[peg.body];
+    mju_copy3(d_.qpos + m_.jnt_qposadr[joint], X_WB.p.value().data());
+    mju_copy4(d_.qpos + m_.jnt_qposadr[joint] + 3, quat);
+    HoldOthers(m_, m_.jnt_dofadr[joint], 6);
+  }
+
+  Vector3d TipOf(const Peg& peg) const {
+    return compiled::PoseAt(d_.xpos, d_.xquat, peg.body) * peg.X_BT.p.value();
+  }
+
+  /// Whether what is behind the hole's mouth stops it to both sides, along the hole's x axis or
+  /// along its y axis, within its own width. A slot is a hole, too; but a peg that comes out of a
+  /// hole is held only by what is before the mouth.
+  bool IsHeld(const Peg& peg, const model::Pose& X_WH) {
+    const std::vector<mjtNum> qpos(d_.qpos, d_.qpos + m_.nq);
+    const Vector3d sides = SidesOf(peg, X_WH);
+    const auto stops = [&](int axis, double sign) {
+      std::ranges::copy(qpos, d_.qpos);
+      return Stops(peg, X_WH, X_WH.q.value() * (sign * Vector3d::Unit(axis)), sides[axis]);
+    };
+    return (stops(0, 1) && stops(0, -1)) || (stops(1, 1) && stops(1, -1));
+  }
+
+  /// How wide it is along the axes of the hole, m.
+  Vector3d SidesOf(const Peg& peg, const model::Pose& X_WH) const {
+    const model::Pose X_HW = X_WH.Inverse();
+    model::Box3 box;
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      if (IsOf(peg.body, geom) && compiled::Collides(m_, geom))
+        box.Add(compiled::GeomBox(m_, geom, X_HW * compiled::GeomPose(d_, geom)));
+    }
+    return box.empty() ? Vector3d(Vector3d::Zero()) : Vector3d(box.max - box.min);
+  }
+
+  /// Whether its weight, turned that way, presses it against something behind the mouth, and moves
+  /// it by less than `most`, m.
+  bool Stops(const Peg& peg, const model::Pose& X_WH, const Vector3d& push, double most) {
+    mju_zero(d_.qvel, m_.nv);
+    mju_zero(d_.qacc_warmstart, m_.nv);
+    mj_kinematics(&m_, &d_);
+    const Vector3d start = TipOf(peg);
+    Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * push;
+    const double time = kPushes * std::sqrt(2 * most / kEarthGravity);
+    bool is_pressed = false;
+    for (double t = 0; t < time; t += m_.opt.timestep) {
+      mj_step(&m_, &d_);
+      if (HasBlownUp(d_) || (TipOf(peg) - start).dot(push) > most) return false;
+      is_pressed = is_pressed || IsPressed(peg, X_WH, push);
+    }
+    return is_pressed;
+  }
+
+  bool IsPressed(const Peg& peg, const model::Pose& X_WH, const Vector3d& push) const {
+    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
+      const bool touches = IsOf(peg.body, contact.geom1) || IsOf(peg.body, contact.geom2);
+      const Vector3d p = Eigen::Map<const Vector3d>(contact.pos);
+      const double against = std::abs(Eigen::Map<const Vector3d>(contact.frame).dot(push));
+      return touches && contact.dist < 0 && against > kAgainst && (p - X_WH.p).dot(way) > kNearly;
+    });
+  }
+
+  bool IsOf(int root, int geom) const { return m_.body_rootid[m_.geom_bodyid[geom]] == root; }
+
   void Touch(int body) {
     for (int i = 0; i < d_.ncon; ++i) {
-      const int one = m_.geom_bodyid[d_.contact[i].geom1];
-      const int two = m_.geom_bodyid[d_.contact[i].geom2];
-      if (m_.body_rootid[one] != body && m_.body_rootid[two] != body) continue;
-      const int geom = m_.body_rootid[one] == body ? d_.contact[i].geom2 : d_.contact[i].geom1;
+      const auto [one, two] = std::pair(d_.contact[i].geom1, d_.contact[i].geom2);
+      if (!IsOf(body, one) && !IsOf(body, two)) continue;
+      const int geom = IsOf(body, one) ? two : one;
       touched_ = compiled::NameOf(m_, mjOBJ_GEOM, geom);
     }
   }
@@ -150,11 +223,10 @@ class Fits {
       LeaveOnly(*copy, peg.body);
       mjData& d = workspace_.For(*copy);
       Trial trial(*copy, d, start_, first_, added_);
-      const double wanted = fitting.depth;
-      const std::optional<double> depth = trial.Run(peg, hole, wanted);
+      const std::optional<Entry> entry = trial.Run(peg, hole, fitting.depth);
       if (MakeRoom(*copy, d)) continue;
-      if (depth && *depth >= wanted - kNearly) return true;
-      Report(fitting, depth, trial.touched());
+      if (entry && entry->is_held) return true;
+      Report(fitting, entry, trial.touched());
       return false;
     }
   }
@@ -168,21 +240,27 @@ class Fits {
     }
   }
 
-  void Report(const model::Fitting& fitting, std::optional<double> depth,
+  void Report(const model::Fitting& fitting, const std::optional<Entry>& entry,
               const std::string& touched) {
     const std::string peg = fitting.body.empty() ? "a peg" : fmt::format("'{}'", fitting.body);
-    if (!depth) {
+    const double wanted = 1000 * fitting.depth;
+    if (!entry) {
       verdict_.Error(
           Code::kPhysicsUnstable, fitting.mark,
           fmt::format("the simulation diverges as {} goes into '{}'", peg, fitting.hole));
-      return;
+    } else if (entry->depth >= fitting.depth - kNearly) {
+      verdict_.Error(Code::kPhysicsDoesNotFit, fitting.mark,
+                     fmt::format("nothing holds {} sideways, {:.3g} mm behind '{}'", peg, wanted,
+                                 fitting.hole),
+                     "the site must be at the mouth of a hole, and its z axis is the way in");
+    } else {
+      verdict_.Error(
+          Code::kPhysicsDoesNotFit, fitting.mark,
+          fmt::format("{} goes {} mm into '{}', not {:.3g} mm{}", peg,
+                      NumberBeyond(std::max(0.0, 1000 * entry->depth), wanted), fitting.hole,
+                      wanted, touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
+          "make the hole wider or deeper; the z axis of its site is the way in");
     }
-    verdict_.Error(
-        Code::kPhysicsDoesNotFit, fitting.mark,
-        fmt::format("{} goes {:.3g} mm into '{}', not {:.3g} mm{}", peg,
-                    std::max(0.0, 1000 * *depth), fitting.hole, 1000 * fitting.depth.value(),
-                    touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
-        "make the hole wider or deeper; the z axis of its site is the way in");
   }
 
   const mjModel& m_;

@@ -1,6 +1,7 @@
 #include "mjforge/physics/passing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -12,7 +13,11 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kPositions = 8;
+// How far a body moves from one position to the next, so that a lid does not jump over a rim; where
+// the way is long, farther.
+constexpr double kApart = 0.002;  // m
+constexpr int kFewest = 8;
+constexpr int kMost = 40;
 
 /// The model, in which parents collide with their children.
 class Unfiltered {
@@ -23,6 +28,14 @@ class Unfiltered {
   }
 
   void Put(std::span<const mjtNum> qpos) { std::ranges::copy(qpos, data_->qpos); }
+
+  /// Into how many positions a range of a joint is divided that moves a body.
+  int Positions(int joint, int body, double range) const {
+    double way = range;
+    if (m_->jnt_type[joint] == mjJNT_HINGE) way *= Reach(joint, body);
+    return std::clamp(static_cast<int>(std::ceil(way / kApart)), kFewest, kMost);
+  }
+
   void Move(int joint, double position) { data_->qpos[m_->jnt_qposadr[joint]] = position; }
 
   /// How deep a body, with all that is welded to it, is in its parent, m.
@@ -48,6 +61,18 @@ class Unfiltered {
   }
 
  private:
+  /// How far a body, with all that is welded to it, reaches from a joint's anchor, m.
+  double Reach(int joint, int body) const {
+    double reach = 0;
+    for (int geom = 0; geom < m_->ngeom; ++geom) {
+      if (m_->body_weldid[m_->geom_bodyid[geom]] != body) continue;
+      const Eigen::Vector3d arm =
+          compiled::VectorAt(data_->geom_xpos, geom) - compiled::VectorAt(data_->xanchor, joint);
+      reach = std::max(reach, arm.norm() + m_->geom_rbound[geom]);
+    }
+    return reach;
+  }
+
   engine::Model m_;
   compiled::Data data_;
 };
@@ -84,8 +109,9 @@ class Passings {
     Passing deepest{.joint = joint, .body = body, .parent = parent, .check = check};
     unfiltered_.Put(start);
     const double usual = unfiltered_.Depth(body, parent);
-    for (int i = 0; i < kPositions; ++i) {
-      const double at = range->low + (range->high - range->low) * i / (kPositions - 1);
+    const int positions = unfiltered_.Positions(joint, body, range->high - range->low);
+    for (int i = 0; i < positions; ++i) {
+      const double at = range->low + (range->high - range->low) * i / (positions - 1);
       unfiltered_.Move(joint, at);
       const double depth = unfiltered_.Depth(body, parent) - usual;
       if (depth <= deepest.depth) continue;

@@ -21,8 +21,9 @@ struct Passing {
 };
 
 /// Hinges and slides that pass more than `joint_penetration` deep into their parents somewhere in
-/// their ranges. Looks at eight positions of each, all others standing where they start, or where
-/// an entry of checks.joints has them. `object` is its name. May throw std::exception.
+/// their ranges. Looks at 8 to 40 positions of each, if possible 2 mm apart, all others standing
+/// where they start, or where an entry of checks.joints has them. `object` is its name. May throw
+/// std::exception.
 std::vector<Passing> PassingJoints(const mjModel& m, std::string_view object,
                                    const model::Checks& checks);
 
