@@ -116,6 +116,7 @@ def _shows(browser, name):
         "empty": "The manifest has no records",
         "gone": "have no picture",
         "interrupted": "still under construction",
+        "tried": "Jaws lift and hold it",
     }[name]
     expect(expected in browser.run("return document.body.innerText"), f"no '{expected}'")
 

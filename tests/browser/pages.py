@@ -40,7 +40,7 @@ class Pages:
         return done
 
     def names(self):
-        return ("one", "many", "failing", "archive", "empty", "gone", "interrupted")
+        return ("one", "many", "failing", "archive", "empty", "gone", "interrupted", "tried")
 
     def page(self, name):
         return self.folder / f"{name}.html"
@@ -61,6 +61,10 @@ class Pages:
         self._report("empty", "empty")
         self._make_failing()
         self._make_gone()
+        # Some of these do not slide, and some are not held.
+        self.run("generate", "mallet.yaml", "-n", "12", "-o", "tried/", "-q", "--profile", "simready",
+                 "--set", "checks.grasps={force: 5N}", "--on-invalid", "skip")
+        self._report("tried", "tried")
         lines = (self.folder / "many/manifest.jsonl").read_text().splitlines(keepends=True)
         (self.folder / ".manifest.jsonl.part").write_text("".join(lines[:20]) + lines[20][:80])
         self._report(".manifest.jsonl.part", "interrupted")

@@ -75,6 +75,7 @@ void Gathered::Add(const Record& record) {
     if (const std::optional<double> value = Measures()[i].of(record))
       measures[i].Add(*value, is_bad);
   }
+  if (record.physics) trials.Add(*record.physics);
   if (const std::optional<double> size = SizeOf(record))
     points.Add({*size, record.mass_properties.mass, is_bad});
   AddFindings(record);

@@ -14,6 +14,7 @@
 #include "mjforge/report/measures.h"
 #include "mjforge/report/spread_sample.h"
 #include "mjforge/report/tallies.h"
+#include "mjforge/report/trials.h"
 
 namespace mjforge::report {
 
@@ -72,6 +73,7 @@ class Gathered {
   std::map<std::string, CodeTally> codes;
   ParameterTallies params;
   std::vector<NumberTally> measures;  // as Measures()
+  Trials trials;
   SpreadSample<Point> points;
   std::string other_batch;  // how the first record that is of another batch differs
 

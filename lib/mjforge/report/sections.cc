@@ -134,6 +134,36 @@ class ParameterPanels {
   bool is_set_ = false;
 };
 
+std::string WordsOf(const Trial& trial) {
+  switch (trial.kind) {
+    case Trial::Kind::kSimReady:
+      return "SimReady benchmark";
+    case Trial::Kind::kHolds:
+      return "The balls that are dropped into it stay inside.";
+    case Trial::Kind::kFits:
+      return "All that has to fit into holes goes in.";
+    case Trial::Kind::kGrasps:
+      return fmt::format("Jaws lift and hold it; {} of {} do.", Counted(trial.held),
+                         Counted(trial.ways, "way"));
+  }
+  return {};
+}
+
+void AddTrials(Dictionary& section, const Trials& trials) {
+  if (trials.list().empty()) return;
+  Dictionary& table = Section(section, "TRIALS");
+  for (const Trial& trial : trials.list()) {
+    Dictionary& row = Section(table, "TRIAL");
+    const std::uint64_t all = trial.passed + trial.failed;
+    Set(row, "NAME", trial.name.empty() ? "grasp" : Clean(trial.name));
+    Set(row, "MEANING", WordsOf(trial));
+    Set(row, "PASSED", Counted(trial.passed));
+    Set(row, "FAILED", Counted(trial.failed));
+    Set(row, "SHARE", ShareText(trial.passed, all));
+    Set(row, "PERCENT", 100 * static_cast<double>(trial.passed) / static_cast<double>(all));
+  }
+}
+
 // Measures that belong together, but for those that nothing was measured of.
 void AddMeasures(Dictionary& section, const Gathered& gathered, bool physics) {
   for (std::size_t i = 0; i < gathered.measures.size(); ++i) {
@@ -230,6 +260,7 @@ void AddPhysics(Dictionary& body, const Gathered& gathered) {
     Set(sizes, "NCON", fmt::format("{:.0f}", gathered.Of(MeasureId::kContacts).all.max()));
     Set(sizes, "NEFC", fmt::format("{:.0f}", gathered.Of(MeasureId::kConstraints).all.max()));
   }
+  AddTrials(section, gathered.trials);
   AddMeasures(section, gathered, true);
 }
 

@@ -100,6 +100,29 @@ TEST_CASE_METHOD(PageTest, "a record of enormous texts and many parameters does 
   CHECK(Has(page, "and 1960 in the manifest"));
 }
 
+TEST_CASE_METHOD(PageTest, "a page says what was tried, and how often it came out well") {
+  std::string text;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    manifest::Record record = RecordOf(i);
+    record.physics.emplace();
+    record.physics->simready = {.ground_drop = i == 0 ? "fail" : "pass"};
+    for (const bool held : {i > 1, i == 3})
+      record.physics->grasps.push_back({.site = "rim", .body = "mug", .held = held});
+    manifest::AppendRecord(text, record);
+  }
+  const auto page = Make(text);
+  const auto row = [](const std::string& name, const std::string& words, const std::string& passed,
+                      const std::string& failed) {
+    return "<th scope=\"row\"><code>" + name + "</code><span class=\"muted\">" + words +
+           "</span></th>\n<td class=\"number passed\">" + passed +
+           "</td>\n<td class=\"number failed\">" + failed + "</td>";
+  };
+  CHECK(Has(page, row("ground_drop", "SimReady benchmark", "3", "1")));
+  CHECK(Has(page, row("rim", "Jaws lift and hold it; 3 of 8 ways do.", "2", "2")));
+  CHECK_FALSE(Has(page, "slope_drop"));
+  CHECK_FALSE(Has(Make(ManifestOf(4)), "What was tried"));
+}
+
 TEST_CASE_METHOD(PageTest, "a page may replace a page and nothing else") {
   const auto page = folder.Write("page.html", Make(ManifestOf(3))->html);
   const auto other = folder.Write("other.html", "<!doctype html><title>mine</title>");
