@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 constexpr double kRoom = 0.005;     // m, on either side of what they close on
 constexpr double kAside = 0.0003;   // m, from a ray to those that tell how its face lies
 constexpr double kFriction = 1;     // of the jaws: the tangent of the friction cone
+constexpr double kSeam = 2e-5;      // m, from a point to its rays: pieces may meet at it
 constexpr double kThinnest = 5e-4;  // m
 constexpr double kOffset = 0.008;   // m, beside a site
 constexpr double kPerOffset = 20;   // 1/m: what a metre beside a site costs, as slopes do
@@ -142,12 +143,13 @@ std::vector<GraspSearch::Line> GraspSearch::LinesThrough(const Vector3d& p_W,
   for (const Vector3d& direction : Directions()) {
     const Vector3d way = q_WS * direction;
     const auto [one, two] = Across(way);
+    const Vector3d start = p_W + kSeam * (one + two / 2);
     Line line{.way = way};
     double ends[2] = {0, 0};  // along the way from the point
     bool fits = true;
     for (int side = 0; side < 2 && fits; ++side) {
       const Vector3d inwards = side == 0 ? Vector3d(-way) : way;
-      const Vector3d from = p_W - grasping_.width / 2 * inwards;
+      const Vector3d from = start - grasping_.width / 2 * inwards;
       int hit = 0;
       const double distance = Distance(from, inwards, hit);
       fits = distance < grasping_.width && IsPartOf(hit, only);

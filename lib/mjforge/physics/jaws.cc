@@ -19,7 +19,10 @@ constexpr double kTip = 0.01;  // how far they reach beyond the middle, m
 constexpr double kPalm = 0.01;
 constexpr double kFree = 0.002;      // between fingers and palm, which would rub
 constexpr double kFingerMass = 0.1;  // kg
-constexpr double kSpeed = 0.1;       // m/s, at which they close
+// A drive behind gears feels as heavy as that. MuJoCo's contacts are as stiff as what they move is
+// heavy: light fingers would press through a plate.
+constexpr double kDrive = 0.5;  // kg
+constexpr double kSpeed = 0.1;  // m/s, at which they close
 // Rubber that gives way a little.
 constexpr std::string_view kRubber = R"(condim="4" friction="1 0.01 0.0001")";
 
@@ -33,9 +36,9 @@ std::string Finger(int side, const model::Grasping& grasping) {
   return fmt::format(
       R"(<body name="{}"><joint name="{}" type="slide" pos="0 0 0" axis="0 {} 0" ref="0" )"
       R"(limited="true" range="{} 0" damping="{}" stiffness="0" springref="0" frictionloss="0" )"
-      R"(armature="0" margin="0" solreflimit="0.02 1"/>{}</body>)",
+      R"(armature="{}" margin="0" solreflimit="0.02 1"/>{}</body>)",
       JawsName(fmt::format("finger-{}", side)), JawsName(fmt::format("slide-{}", side)), -sign,
-      -grasping.width / 2, grasping.force / kSpeed, AddedGeom(box, kFingerMass, kRubber));
+      -grasping.width / 2, grasping.force / kSpeed, kDrive, AddedGeom(box, kFingerMass, kRubber));
 }
 
 }  // namespace
