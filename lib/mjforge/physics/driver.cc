@@ -13,10 +13,13 @@ namespace {
 
 constexpr std::size_t Index(int i) { return static_cast<std::size_t>(i); }
 
-constexpr double kMoveTime = 0.5;   // s, from one end to the other
-constexpr double kHoldTime = 0.1;   // s, at an end, once it is there or no longer comes nearer
-constexpr double kMostWaiting = 1;  // s, for what follows slowly
-constexpr double kThere = 0.01;     // of the range
+constexpr double kMoveTime = 0.5;    // s, from one end to the other
+constexpr double kFastest = 12;      // rad/s
+constexpr double kLongestMove = 10;  // s
+constexpr double kHoldTime = 0.1;    // s, at an end, once it is there or no longer comes nearer
+constexpr double kMostWaiting = 1;   // s, for what follows slowly
+constexpr double kThere = 0.01;      // of the range
+constexpr double kVeryNear = 0.005;  // rad or m, if that is less: a screw's range is many turns
 // How fast errors are to vanish, rad/s: slow beside the 50 rad/s of MuJoCo's own
 // limits and contacts, fast beside a move.
 constexpr double kStiffness = 20;
@@ -24,12 +27,19 @@ constexpr double kStiffness = 20;
 // that is held, up to kMostHeld.
 constexpr double kMostError = 0.1;
 constexpr double kMostHeld = 0.1;  // rad or m
-/// From 0 to 1 without a jolt.
-Move MoveAt(double time) {
-  const double share = std::clamp(time / kMoveTime, 0.0, 1.0);
+
+/// How long a move takes, s: a screw makes its turns no faster than kFastest, so that it does not
+/// hit the end like a flywheel.
+double TimeOf(double angle) {
+  return std::clamp(std::numbers::pi / 2 * std::abs(angle) / kFastest, kMoveTime, kLongestMove);
+}
+
+/// From 0 to 1 without a jolt, in `duration` s.
+Move MoveAt(double time, double duration) {
+  const double share = std::clamp(time / duration, 0.0, 1.0);
   if (share >= 1) return {1, 0, 0};
   const double phase = std::numbers::pi * share;
-  const double rate = std::numbers::pi / kMoveTime;
+  const double rate = std::numbers::pi / duration;
   return {(1 - std::cos(phase)) / 2, rate * std::sin(phase) / 2, rate * rate * std::cos(phase) / 2};
 }
 
@@ -145,24 +155,30 @@ void Driver::Finish(const Ride& ride) {
 
 void Driver::Go(std::vector<Ride>& rides) {
   const double dt = m_.opt.timestep;
+  double duration = kMoveTime;
   for (Ride& ride : rides) {
     ride.nearest = std::abs(Value(ride.path) - ride.End());
     ride.held = 0;
+    if (m_.jnt_type[ride.path.joint] != mjJNT_SLIDE)
+      duration = std::max(duration, TimeOf(ride.to - ride.from));
   }
   const auto is_done = [&](const Ride& ride) {
     return ride.held >= kHoldTime || ride.driven->blown_up;
   };
-  for (double time = 0; time < kMoveTime + kHoldTime + kMostWaiting; time += dt) {
+  for (double time = 0; time < duration + kHoldTime + kMostWaiting; time += dt) {
     if (std::ranges::all_of(rides, is_done)) return;
-    SetForces(rides, MoveAt(time));
+    SetForces(rides, MoveAt(time, duration));
     mj_step(&m_, &d_);
     Look(rides);
     for (Ride& ride : rides) {
       const double distance = std::abs(Value(ride.path) - ride.End());
-      const double near = kThere * ride.path.range();
-      const bool nears = distance > near && distance < ride.nearest - near * dt;
+      const double near = std::min(kThere * ride.path.range(), kVeryNear);
+      // It creeps nearer, or swings about its end.
+      const double speed = std::abs(d_.qvel[m_.jnt_dofadr[ride.path.joint] + ride.path.axis]);
+      const bool moves =
+          distance > near && (distance < ride.nearest - near * dt || speed > near / kHoldTime);
       ride.nearest = std::min(ride.nearest, distance);
-      ride.held = time < kMoveTime || nears ? 0 : ride.held + dt;
+      ride.held = time < duration || moves ? 0 : ride.held + dt;
     }
   }
 }

@@ -222,9 +222,12 @@ class SimReady {
       const auto words = [&](double value) {
         return slides ? fmt::format("{:.3g} mm", 1000 * value) : fmt::format("{:.3g} rad", value);
       };
-      const double off = std::max((1 - joint.reach) * driven.range, joint.overshoot);
-      if (off > most)
-        return fmt::format("joint '{}' stops {} from an end of its range", joint.name, words(off));
+      const double missing = (1 - joint.reach) * driven.range;
+      if (missing > most)
+        return fmt::format("joint '{}' lacks {} of its range", joint.name, words(missing));
+      if (joint.overshoot > most)
+        return fmt::format("joint '{}' goes {} beyond its range", joint.name,
+                           words(joint.overshoot));
       if (joint.return_error > kReturn)
         return fmt::format("joint '{}' comes back to {} from where it began", joint.name,
                            words(joint.return_error));

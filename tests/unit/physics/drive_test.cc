@@ -155,6 +155,28 @@ TEST_CASE("an unlimited hinge makes a full turn; an unlimited slide has no ends"
   CHECK(rail.result->joints.empty());
 }
 
+TEST_CASE("a joint of several turns does not hit its end like a flywheel") {
+  const std::string turns = R"(axis="0 0 1" limited="true" range="0 30")";
+  const std::string wheel = R"(type="cylinder" size="0.05 0.01")";
+  const Examined screw = Examine(Free(0, kCube + Child("wheel", "0 0 0.1", turns, wheel)));
+  CHECK(Only(screw).overshoot < 0.1);
+  CHECK(Only(screw).return_error < 0.005);
+}
+
+TEST_CASE("a joint comes back although what is on it swings") {
+  const std::string back = R"(<body name="back" pos="-0.12 0 0">
+    <joint name="tilt" axis="0 -1 0" range="0 0.3" limited="true"/>
+    <geom type="box" size="0.01 0.2 0.2" pos="-0.03 0 0.25"/></body>)";
+  const Examined seat =
+      Examine(Free(0, kCube + R"(<body name="seat" pos="0 0 0.1"><joint name="turn" axis="0 0 1"/>
+    <geom type="box" size="0.1 0.02 0.02"/>)" +
+                          back + "</body>"));
+  REQUIRE(seat.result);
+  REQUIRE(seat.result->joints.size() == 2);
+  CHECK(seat.result->joints[0].name == "turn");
+  CHECK(seat.result->joints[0].return_error < 0.005);
+}
+
 TEST_CASE("soft limits let a joint overshoot") {
   const std::string soft = kDoorRange + R"( solreflimit="1 1")";
   const Examined door = Examine(Free(0, kCube + Child("door", "0.06 0 0", soft, kBar)));
