@@ -16,6 +16,7 @@
 #include "mjforge/physics/joint_checks.h"
 #include "mjforge/physics/passing.h"
 #include "mjforge/physics/resting.h"
+#include "mjforge/physics/rounding.h"
 #include "mjforge/physics/settle.h"
 #include "mjforge/physics/simready.h"
 #include "mjforge/physics/stability.h"
@@ -36,6 +37,11 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kShortestStep = 1e-5;  // s
 constexpr double kLongestStep = 0.02;   // s; from 2 mm above the floor things fall for 0.02 s
 constexpr double kMostSteps = 1e7;
+
+/// Of what is slow in millimetres.
+std::string Speed(double speed) {
+  return speed < 1 ? RoundedText(1000 * speed) + " mm/s" : RoundedText(speed) + " m/s";
+}
 
 class Behaviour {
  public:
@@ -125,16 +131,15 @@ class Behaviour {
   }
 
   void ReportToppling(const Nudge& nudge, const Margin& margin, const Result& nudged) {
-    const std::string how = nudge.tilt > 0
-                                ? fmt::format("tilted by {:.3g} deg", kDegrees * nudge.tilt)
-                                : fmt::format("pushed at {:.3g} m/s", nudge.speed);
-    verdict_.Error(
-        Code::kPhysicsTopples, mark_,
-        fmt::format("'{}' topples when it is {}: it leans over by {:.3g} deg; at rest it "
-                    "can be tilted by {:.3g} deg ({:.2g} J)",
-                    object_.name, how, kDegrees * nudged.tilt, kDegrees * margin.least.angle,
-                    margin.least.energy),
-        "give it a wider foot or a lower centre of mass, or set `nudge`");
+    const std::string how =
+        nudge.tilt > 0 ? fmt::format("tilted by {} deg", RoundedText(kDegrees * nudge.tilt))
+                       : fmt::format("pushed at {} m/s", RoundedText(nudge.speed));
+    verdict_.Error(Code::kPhysicsTopples, mark_,
+                   fmt::format("'{}' topples when it is {}: it leans over by {} deg; at rest it "
+                               "can be tilted by {} deg ({:.2g} J)",
+                               object_.name, how, RoundedText(kDegrees * nudged.tilt),
+                               RoundedText(kDegrees * margin.least.angle), margin.least.energy),
+                   "give it a wider foot or a lower centre of mass, or set `nudge`");
   }
 
   void ReportMisplaced(const Misplaced& misplaced) {
@@ -166,36 +171,40 @@ class Behaviour {
       const double range =
           (m_.jnt_range[2 * joint + 1] - m_.jnt_range[2 * joint]) * (1 - kSameRange);
       if (m_.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
+        const Beyond beyond(kDegrees * range, kDegrees * checks.hinge_range);
         verdict_.Warning(Code::kPhysicsJointRange, MarkOf(name),
-                         fmt::format("joint '{}' turns by {}, more than {:g} deg", name,
-                                     Distance(joint, range), kDegrees * checks.hinge_range),
+                         fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
+                                     beyond.value, beyond.limit),
                          "angles are in radians; a screw or a valve sets checks.hinge_range");
       }
       if (m_.jnt_type[joint] == mjJNT_SLIDE && range > checks.slide_range * size && size > 0) {
-        verdict_.Warning(Code::kPhysicsJointRange, MarkOf(name),
-                         fmt::format("joint '{}' slides by {}, more than {:g} times the object's "
-                                     "size of {:.3g} mm",
-                                     name, Distance(joint, range), checks.slide_range, 1000 * size),
-                         "lengths are in metres; a crane sets checks.slide_range");
+        const Beyond beyond(1000 * range, 1000 * checks.slide_range * size);
+        verdict_.Warning(
+            Code::kPhysicsJointRange, MarkOf(name),
+            fmt::format("joint '{}' slides by {} mm, more than {} mm, {} times the "
+                        "object's size",
+                        name, beyond.value, beyond.limit, RoundedText(checks.slide_range)),
+            "lengths are in metres; a crane sets checks.slide_range");
       }
     }
   }
 
   void ReportJam(const Jam& jam) {
     if (!(jam.depth > verdict_.checks().joint_penetration)) return;
-    verdict_.Error(Code::kPhysicsJointCollides, jam.check != nullptr ? jam.check->mark : mark_,
-                   fmt::format("bodies '{}' and '{}' are {:.3g} mm in each other before any joint "
-                               "is driven",
-                               compiled::NameOf(m_, mjOBJ_BODY, jam.body1),
-                               compiled::NameOf(m_, mjOBJ_BODY, jam.body2), 1000 * jam.depth),
-                   jam.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
+    verdict_.Error(
+        Code::kPhysicsJointCollides, jam.check != nullptr ? jam.check->mark : mark_,
+        fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
+                    "is driven",
+                    compiled::NameOf(m_, mjOBJ_BODY, jam.body1),
+                    compiled::NameOf(m_, mjOBJ_BODY, jam.body2), RoundedText(1000 * jam.depth)),
+        jam.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
   }
 
   void ReportAdrift(const Adrift& adrift) {
     const std::string body = compiled::NameOf(m_, mjOBJ_BODY, adrift.body);
     verdict_.Warning(Code::kPhysicsLoose, MarkOf(m_.body_jntadr[adrift.body]),
-                     fmt::format("body '{}' hangs in the air: {:.3g} mm from all else of '{}'",
-                                 body, 1000 * adrift.distance, object_.name),
+                     fmt::format("body '{}' hangs in the air: {} mm from all else of '{}'", body,
+                                 RoundedText(1000 * adrift.distance), object_.name),
                      "look at its `pos` and the units");
   }
 
@@ -203,9 +212,10 @@ class Behaviour {
     const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, passing.joint);
     verdict_.Warning(
         Code::kPhysicsJointPasses, MarkOf(name),
-        fmt::format("joint '{}' moves body '{}' {:.3g} mm into its parent '{}', at {}; MuJoCo does "
+        fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
                     "not let the two collide",
-                    name, compiled::NameOf(m_, mjOBJ_BODY, passing.body), 1000 * passing.depth,
+                    name, compiled::NameOf(m_, mjOBJ_BODY, passing.body),
+                    RoundedText(1000 * passing.depth),
                     compiled::NameOf(m_, mjOBJ_BODY, passing.parent),
                     Distance(passing.joint, passing.where)),
         "look at the axis, its sign, and the range; what may be so says why in `silence`");
@@ -216,42 +226,42 @@ class Behaviour {
   void ReportAbove(Code code, double value, double limit, double scale, const char* text,
                    const char* hint) {
     if (!(value > limit)) return;
+    const Beyond beyond(scale * value, scale * limit);
     verdict_.Error(code, mark_,
-                   fmt::format(fmt::runtime(text), object_.name,
-                               NumberBeyond(scale * value, scale * limit), scale * limit),
-                   hint);
+                   fmt::format(fmt::runtime(text), object_.name, beyond.value, beyond.limit), hint);
   }
 
   void ReportDrop(const Trouble& trouble, const Result& result) {
     const model::Checks& checks = verdict_.checks();
     ReportAbove(Code::kPhysicsGainsEnergy, result.energy_gain, checks.energy_gain, 1,
-                "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2:g}",
+                "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2}",
                 "look for parts that push each other apart, springs, or actuators");
     if (!result.at_rest && result.dropped && result.ncon == 0) {
       verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
-                       fmt::format("'{}' touches nothing for {:g} s and ends at {:.3g} m/s",
-                                   object_.name, result.time, result.speed),
+                       fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
+                                   RoundedText(result.time), Speed(result.speed)),
                        "check gravity and the contact bits (contype, conaffinity)");
     } else if (!result.at_rest && result.dropped) {
       verdict_.Warning(
           Code::kPhysicsNotAtRest, mark_,
-          fmt::format("'{}' still moves after {:g} s: body '{}' at {:.3g} m/s, {:.3g} mm "
-                      "from where it began",
-                      object_.name, result.time, trouble.fastest, result.speed, 1000 * trouble.way),
+          fmt::format("'{}' still moves after {} s: body '{}' at {}, {} mm from where it began; at "
+                      "rest it is slower than {} for 0.1 s",
+                      object_.name, RoundedText(result.time), trouble.fastest, Speed(result.speed),
+                      RoundedText(1000 * trouble.way), Speed(checks.rest_speed)),
           "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
     }
     ReportAbove(Code::kPhysicsPenetrates, result.penetration, checks.penetration, 1000,
-                "contacts get {1} mm deep as '{0}' lands, more than {2:g} mm", kHarderContacts);
+                "contacts get {1} mm deep as '{0}' lands, more than {2} mm", kHarderContacts);
     ReportAbove(Code::kPhysicsSinks, result.sink, checks.sink, 1000,
-                "contacts are {1} mm deep when '{0}' has settled, more than {2:g} mm",
+                "contacts are {1} mm deep when '{0}' has settled, more than {2} mm",
                 kHarderContacts);
     if (checks.stable) {
       ReportAbove(Code::kPhysicsTopples, result.tilt, checks.tilt, kDegrees,
-                  "'{0}' topples: it leans over by {1} deg, more than {2:.3g} deg",
+                  "'{0}' topples: it leans over by {1} deg, more than {2} deg",
                   "give it a wider foot or a lower centre of mass");
     }
     ReportAbove(Code::kPhysicsDrifts, result.drift, checks.drift, 1000,
-                "'{0}' moves {1} mm along the floor, more than {2:g} mm",
+                "'{0}' moves {1} mm along the floor, more than {2} mm",
                 "give it a level foot or more friction");
   }
 
@@ -302,18 +312,19 @@ class Behaviour {
     const Result::Joint& joint = driven.measured;
     if (joint.penetration >
         Limit(driven, &model::JointCheck::penetration, checks.joint_penetration)) {
-      ErrorOf(joint, Code::kPhysicsJointCollides,
-              fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {:.3g} mm into each "
-                          "other, at {}",
-                          joint.name, driven.body1, driven.body2, 1000 * joint.penetration,
-                          Distance(driven.joint, driven.where)),
-              kInTheWay);
+      ErrorOf(
+          joint, Code::kPhysicsJointCollides,
+          fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {} mm into each "
+                      "other, at {}",
+                      joint.name, driven.body1, driven.body2, RoundedText(1000 * joint.penetration),
+                      Distance(driven.joint, driven.where)),
+          kInTheWay);
     }
     if (!(joint.reach < Limit(driven, &model::JointCheck::reach, checks.joint_reach))) return;
     const bool collide = !driven.body1.empty();
     ErrorOf(joint, Code::kPhysicsJointBlocked,
-            fmt::format("joint '{}' reaches only {:.3g} % of its range of {}", joint.name,
-                        100 * joint.reach, Distance(driven.joint, driven.range)) +
+            fmt::format("joint '{}' reaches only {} % of its range of {}", joint.name,
+                        RoundedText(100 * joint.reach), Distance(driven.joint, driven.range)) +
                 (collide ? fmt::format(": '{}' and '{}' collide", driven.body1, driven.body2) : ""),
             collide ? kInTheWay
                     : "it is held back by something that an equality or a tendon couples it to");
@@ -336,8 +347,8 @@ class Behaviour {
 
   /// A joint's distance for people: degrees of hinges and balls, millimetres of slides.
   std::string Distance(int joint, double value) const {
-    if (m_.jnt_type[joint] == mjJNT_SLIDE) return fmt::format("{:.3g} mm", 1000 * value);
-    return fmt::format("{:.3g} deg", kDegrees * value);
+    if (m_.jnt_type[joint] == mjJNT_SLIDE) return RoundedText(1000 * value) + " mm";
+    return RoundedText(kDegrees * value) + " deg";
   }
 
   mjModel& m_;

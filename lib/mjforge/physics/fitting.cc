@@ -13,6 +13,7 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/added.h"
 #include "mjforge/physics/named.h"
+#include "mjforge/physics/rounding.h"
 
 namespace mjforge::physics {
 namespace {
@@ -250,16 +251,16 @@ class Fits {
           fmt::format("the simulation diverges as {} goes into '{}'", peg, fitting.hole));
     } else if (entry->depth >= fitting.depth - kNearly) {
       verdict_.Error(Code::kPhysicsDoesNotFit, fitting.mark,
-                     fmt::format("nothing holds {} sideways, {:.3g} mm behind '{}'", peg, wanted,
-                                 fitting.hole),
+                     fmt::format("nothing holds {} sideways, {} mm behind '{}'", peg,
+                                 RoundedText(wanted), fitting.hole),
                      "the site must be at the mouth of a hole, and its z axis is the way in");
     } else {
-      verdict_.Error(
-          Code::kPhysicsDoesNotFit, fitting.mark,
-          fmt::format("{} goes {} mm into '{}', not {:.3g} mm{}", peg,
-                      NumberBeyond(std::max(0.0, 1000 * entry->depth), wanted), fitting.hole,
-                      wanted, touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
-          "make the hole wider or deeper; the z axis of its site is the way in");
+      const Beyond depth(std::max(0.0, 1000 * entry->depth), wanted);
+      verdict_.Error(Code::kPhysicsDoesNotFit, fitting.mark,
+                     fmt::format("{} goes {} mm into '{}', not {} mm{}", peg, depth.value,
+                                 fitting.hole, depth.limit,
+                                 touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
+                     "make the hole wider or deeper; the z axis of its site is the way in");
     }
   }
 

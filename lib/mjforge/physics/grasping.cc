@@ -14,6 +14,7 @@
 #include "mjforge/physics/grasp_search.h"
 #include "mjforge/physics/jaws.h"
 #include "mjforge/physics/named.h"
+#include "mjforge/physics/rounding.h"
 
 namespace mjforge::physics {
 namespace {
@@ -275,8 +276,8 @@ class Grasps {
     const std::string where = site.empty() ? "" : fmt::format(" at site '{}'", site);
     if (outcomes.empty()) {
       verdict_.Error(Code::kPhysicsNotGrasped, grasping_.mark,
-                     fmt::format("'{}' has no two faces{} that jaws of {:g} mm can close on", name_,
-                                 where, 1000 * grasping_.width),
+                     fmt::format("'{}' has no two faces{} that jaws of {} mm can close on", name_,
+                                 where, RoundedText(1000 * grasping_.width)),
                      "a site must be between the faces; there must be room for fingers of "
                      "10 x 20 mm, or a wider `width`");
       return;
@@ -293,8 +294,9 @@ class Grasps {
     }
     verdict_.Error(
         Code::kPhysicsNotGrasped, grasping_.mark,
-        fmt::format("jaws that close with {:g} N do not hold '{}'{}: of {} {}, {}", grasping_.force,
-                    name_, where, outcomes.size(), outcomes.size() == 1 ? "way" : "ways", how),
+        fmt::format("jaws that close with {} N do not hold '{}'{}: of {} {}, {}",
+                    RoundedText(grasping_.force), name_, where, outcomes.size(),
+                    outcomes.size() == 1 ? "way" : "ways", how),
         "put the site nearer to the centre of mass, where the faces are parallel; or make it "
         "lighter, or set `force`");
   }

@@ -13,6 +13,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/added.h"
 #include "mjforge/physics/named.h"
+#include "mjforge/physics/rounding.h"
 
 namespace mjforge::physics {
 namespace {
@@ -177,8 +178,8 @@ class Container {
 
 std::string Place(const Ball& ball) {
   const Vector3d mm = 1000 * ball.p_W;
-  return fmt::format("one of {:.3g} mm at ({:.3g}, {:.3g}, {:.3g}) mm", 2000 * ball.radius, mm.x(),
-                     mm.y(), mm.z());
+  return fmt::format("one of {} mm at ({}, {}, {}) mm", RoundedText(2000 * ball.radius),
+                     RoundedText(mm.x()), RoundedText(mm.y()), RoundedText(mm.z()));
 }
 
 class Report {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mjforge/physics/overlap.h"
+#include "mjforge/physics/rounding.h"
 #include "mjforge/physics/solids.h"
 #include "mjforge/physics/touching.h"
 
@@ -28,8 +29,8 @@ constexpr double kFaces = 1e-9;  // m
 std::string OutsideOf(double value, const Eigen::Vector2d& range, std::string_view unit) {
   const bool low = value < range.x();
   const double limit = low ? range.x() : range.y();
-  return fmt::format("{} {}, {} than {:g}", NumberBeyond(value, limit), unit, low ? "less" : "more",
-                     limit);
+  const Beyond beyond(value, limit);
+  return fmt::format("{} {}, {} than {}", beyond.value, unit, low ? "less" : "more", beyond.limit);
 }
 
 bool IsOutside(double value, const Eigen::Vector2d& range) {
@@ -111,11 +112,12 @@ class Proportions {
     if (!(sides.prod() > 0)) return;
     const double density = mass / sides.prod();
     if (!IsOutside(density, verdict_.checks().bulk_density)) return;
-    verdict_.Warning(Code::kPhysicsBulkDensity, mark_,
-                     fmt::format("{:.3g} kg in a box of {:.3g} x {:.3g} x {:.3g} m is {}", mass,
-                                 sides.x(), sides.y(), sides.z(),
-                                 OutsideOf(density, verdict_.checks().bulk_density, "kg/m^3")),
-                     "sizes are in metres, masses in kilograms");
+    verdict_.Warning(
+        Code::kPhysicsBulkDensity, mark_,
+        fmt::format("{} kg in a box of {} x {} x {} m is {}", RoundedText(mass),
+                    RoundedText(sides.x()), RoundedText(sides.y()), RoundedText(sides.z()),
+                    OutsideOf(density, verdict_.checks().bulk_density, "kg/m^3")),
+        "sizes are in metres, masses in kilograms");
   }
 
   /// Without the object's in front of it.
@@ -162,19 +164,20 @@ class Proportions {
       const double thickness = Limit(solid, &model::PartCheck::thickness, checks.thickness);
       if (sides.x() < thickness && !is_told) {
         thin.insert(solid.piece_of);
-        verdict_.Warning(
-            Code::kPhysicsThin, solid.mark,
-            fmt::format("part '{}' is {} mm thin, less than {:g} mm", NameOf(solid),
-                        NumberBeyond(1000 * sides.x(), 1000 * thickness), 1000 * thickness),
-            "contacts push through thin parts; make it thicker, or set `role: "
-            "visual`");
+        const Beyond beyond(1000 * sides.x(), 1000 * thickness);
+        verdict_.Warning(Code::kPhysicsThin, solid.mark,
+                         fmt::format("part '{}' is {} mm thin, less than {} mm", NameOf(solid),
+                                     beyond.value, beyond.limit),
+                         "contacts push through thin parts; make it thicker, or set `role: "
+                         "visual`");
       }
       const double aspect = Limit(solid, &model::PartCheck::aspect, checks.aspect);
       if (solid.piece_of.empty() && sides.y() > aspect * sides.x()) {
+        const Beyond beyond(sides.y() / sides.x(), aspect);
         verdict_.Warning(
             Code::kPhysicsSlender, solid.mark,
-            fmt::format("part '{}' is {} times as long as it is thin, more than {:g} times",
-                        solid.name, NumberBeyond(sides.y() / sides.x(), aspect), aspect),
+            fmt::format("part '{}' is {} times as long as it is thin, more than {} times",
+                        solid.name, beyond.value, beyond.limit),
             "split it into several parts");
       }
     }
@@ -253,13 +256,13 @@ class Proportions {
       const model::Part& solid = solids.parts[pieces[i].front()];
       const std::size_t more = pieces[i].size() - 1;
       const Neighbour nearest = NearestOf(solids.parts, pieces[i], gap);
+      const Beyond beyond(1000 * nearest.distance, 1000 * gap);
       verdict_.Warning(
           Code::kPhysicsLoose, solid.mark,
           fmt::format("part '{}'{} of body '{}' is loose: {} mm from the nearest other part, '{}', "
-                      "more than {:g} mm",
-                      NameOf(solid), WithMore(more), body.name,
-                      NumberBeyond(1000 * nearest.distance, 1000 * gap),
-                      NameOf(solids.parts[nearest.part]), 1000 * gap));
+                      "more than {} mm",
+                      NameOf(solid), WithMore(more), body.name, beyond.value,
+                      NameOf(solids.parts[nearest.part]), beyond.limit));
     }
   }
 
@@ -289,9 +292,9 @@ class Proportions {
       ++far;
       verdict_.Warning(
           Code::kPhysicsFarVisual, part.mark,
-          fmt::format("visual part '{}' is {:.3g} mm from all that collides of body '{}', which is "
-                      "{:.3g} mm across",
-                      part.name, 1000 * distance, body.name, 1000 * size),
+          fmt::format("visual part '{}' is {} mm from all that collides of body '{}', which is "
+                      "{} mm across",
+                      part.name, RoundedText(1000 * distance), body.name, RoundedText(1000 * size)),
           "check its `pos` and its units; what is seen there can be neither touched nor held");
     }
     return far;
@@ -319,13 +322,14 @@ class Proportions {
     const double within =
         std::max({(seen.min() - hard.min()).maxCoeff(), (hard.max() - seen.max()).maxCoeff(), 0.0});
     const double most = verdict_.checks().look * size;
-    if (!(std::max(beyond, within) > most)) return;
+    const double farthest = std::max(beyond, within);
+    if (!(farthest > most)) return;
+    const Beyond compared(1000 * farthest, 1000 * most);
     verdict_.Warning(
         Code::kPhysicsLooksDiffer, body.mark,
-        fmt::format("what {} of body '{}' reaches {} mm beyond what {}, more than {:.3g} mm",
-                    beyond > within ? "is seen" : "collides", body.name,
-                    NumberBeyond(1000 * std::max(beyond, within), 1000 * most),
-                    beyond > within ? "collides" : "is seen", 1000 * most),
+        fmt::format("what {} of body '{}' reaches {} mm beyond what {}, more than {} mm",
+                    beyond > within ? "is seen" : "collides", body.name, compared.value,
+                    beyond > within ? "collides" : "is seen", compared.limit),
         "the same sizes and places for both, or set `look`");
   }
 

@@ -10,6 +10,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/floor.h"
+#include "mjforge/physics/rounding.h"
 
 namespace mjforge::physics {
 namespace {
@@ -80,13 +81,13 @@ class Fall {
       if (touched < 0 && t > kRestWithin) return "it does not reach the floor";
       lowest = std::min(lowest, Lowest());
       if (lowest < -kFloorDepth)
-        return fmt::format("it gets {:.3g} mm into the floor", -1000 * lowest);
+        return fmt::format("it gets {} mm into the floor", RoundedText(-1000 * lowest));
       if (!slow) slow_since = -1;
       if (slow && slow_since < 0) slow_since = t;
       if (touched >= 0 && slow && t - slow_since >= kStill) return Rested();
     }
-    return fmt::format("{:g} s after it touches the floor it still moves at {:.3g} m/s",
-                       kRestWithin, FastestPoint(m_, d_).speed);
+    return fmt::format("{:g} s after it touches the floor it still moves at {} m/s", kRestWithin,
+                       RoundedText(FastestPoint(m_, d_).speed));
   }
 
   /// Down a slope, by kSlides of its size.
@@ -107,13 +108,15 @@ class Fall {
       }
       if (way > kSlides * size_) return "";
     }
-    return fmt::format("it does not slide: it moves by {:.3g} mm", 1000 * way);
+    return fmt::format("it does not slide: it moves by {} mm", RoundedText(1000 * way));
   }
 
  private:
   std::string Rested() const {
     const double sink = DeepestContact(d_);
-    return sink <= checks_.sink ? "" : fmt::format("it rests {:.3g} mm deep", 1000 * sink);
+    if (sink <= checks_.sink) return "";
+    const Beyond beyond(1000 * sink, 1000 * checks_.sink);
+    return fmt::format("it rests {} mm deep, more than {} mm", beyond.value, beyond.limit);
   }
 
   void Step(double time) {
@@ -219,18 +222,19 @@ class SimReady {
       const Result::Joint& joint = driven.measured;
       const bool slides = m_.jnt_type[driven.joint] == mjJNT_SLIDE;
       const double most = slides ? kReachOfSlide * driven.range : kReach;
-      const auto words = [&](double value) {
-        return slides ? fmt::format("{:.3g} mm", 1000 * value) : fmt::format("{:.3g} rad", value);
+      const auto more = [&](const char* words, double value, double limit) {
+        const Beyond beyond(slides ? 1000 * value : value, slides ? 1000 * limit : limit);
+        const char* unit = slides ? "mm" : "rad";
+        return fmt::format(fmt::runtime(words), joint.name,
+                           fmt::format("{} {}", beyond.value, unit),
+                           fmt::format("more than {} {}", beyond.limit, unit));
       };
       const double missing = (1 - joint.reach) * driven.range;
-      if (missing > most)
-        return fmt::format("joint '{}' lacks {} of its range", joint.name, words(missing));
+      if (missing > most) return more("joint '{}' lacks {} of its range, {}", missing, most);
       if (joint.overshoot > most)
-        return fmt::format("joint '{}' goes {} beyond its range", joint.name,
-                           words(joint.overshoot));
+        return more("joint '{}' goes {} beyond its range, {}", joint.overshoot, most);
       if (joint.return_error > kReturn)
-        return fmt::format("joint '{}' comes back to {} from where it began", joint.name,
-                           words(joint.return_error));
+        return more("joint '{}' ends {} from where it began, {}", joint.return_error, kReturn);
     }
     return "";
   }
@@ -239,15 +243,16 @@ class SimReady {
     const double most = verdict_.checks().joint_penetration;
     for (const Jam& jam : drives.jams) {
       if (jam.depth > most)
-        return fmt::format("bodies '{}' and '{}' are {:.3g} mm in each other",
+        return fmt::format("bodies '{}' and '{}' are {} mm in each other",
                            compiled::NameOf(m_, mjOBJ_BODY, jam.body1),
-                           compiled::NameOf(m_, mjOBJ_BODY, jam.body2), 1000 * jam.depth);
+                           compiled::NameOf(m_, mjOBJ_BODY, jam.body2),
+                           RoundedText(1000 * jam.depth));
     }
     for (const Driven& driven : drives.joints) {
       if (driven.measured.penetration > most)
-        return fmt::format("joint '{}' pushes bodies '{}' and '{}' {:.3g} mm into each other",
+        return fmt::format("joint '{}' pushes bodies '{}' and '{}' {} mm into each other",
                            driven.measured.name, driven.body1, driven.body2,
-                           1000 * driven.measured.penetration);
+                           RoundedText(1000 * driven.measured.penetration));
     }
     return "";
   }

@@ -7,9 +7,6 @@
 
 namespace mjforge::physics {
 
-/// A number that is beyond a limit, with as many digits, at least three, as it takes to see that.
-std::string NumberBeyond(double value, double limit);
-
 /// Takes findings, except those whose code is silenced.
 class Verdict {
  public:

@@ -167,13 +167,6 @@ TEST_CASE("what collides is seen") {
   CHECK(Check(Of({hull})).first == Strings{"physics/unseen"});
 }
 
-TEST_CASE("a number beyond a limit has the digits to show it") {
-  CHECK(NumberBeyond(201, 100) == "201");
-  CHECK(NumberBeyond(100.04, 100) == "100.04");
-  CHECK(NumberBeyond(99.996, 100) == "99.996");
-  CHECK(NumberBeyond(1004, 1000) == "1004");
-}
-
 TEST_CASE("a part in the air is loose") {
   CHECK(Check(Of({Cube(0.05, {0, 0, 0}), Cube(0.05, {0.1004, 0, 0})})).first.empty());
   CHECK(Check(Of({Cube(0.05, {0, 0, 0}), Cube(0.05, {0.101, 0, 0})})).first ==

@@ -1,0 +1,34 @@
+#include "mjforge/physics/rounding.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::physics {
+namespace {
+
+constexpr double kMostWritten = 1e9;  // longer numbers are read as powers of ten
+
+std::string WithDigits(double value, int digits) {
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  if (text.find("e+") == text.npos || std::abs(value) >= kMostWritten) return text;
+  return fmt::format("{:.0f}", value);
+}
+
+}  // namespace
+
+std::string RoundedText(double value) { return WithDigits(value, 3); }
+
+Beyond::Beyond(double number, double bound) {
+  for (int digits = 3; digits <= 17; ++digits) {
+    value = WithDigits(number, digits);
+    limit = WithDigits(bound, digits);
+    const double shown = expr::ParseNumber(value).value_or(number);
+    const double shown_limit = expr::ParseNumber(limit).value_or(bound);
+    if (shown != shown_limit && (shown < shown_limit) == (number < bound)) break;
+  }
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,21 @@
+#pragma once
+
+// Numbers in messages: rounded to what matters.
+
+#include <string>
+
+namespace mjforge::physics {
+
+/// Three significant digits, and all digits before the point: "0.0123", "1.23", "1235".
+std::string RoundedText(double value);
+
+/// A number that is beyond a limit, and the limit, both with as few digits, from three on, as it
+/// takes to see that.
+struct Beyond {
+  Beyond(double value, double limit);
+
+  std::string value;
+  std::string limit;
+};
+
+}  // namespace mjforge::physics
