@@ -6,7 +6,7 @@ set(mjforge_dependencies
   "pugixml 1.13"
   "Eigen3 3.4 NO_MODULE"
   "mujoco 2.2...<4.1"
-  "Boost 1.74"  # headers only: Math (quantiles), Container (small_vector)
+  "Boost 1.74"  # headers only: Math (quantiles), Container (small_vector), ...
   "fmt 9"
   "RapidJSON 1.1"
   "Gcrypt"  # SHA-256

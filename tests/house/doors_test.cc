@@ -68,6 +68,7 @@ const std::array kLibraries = {
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
     Library{"assimp/", {"model"}},
+    Library{"boost/archive/iterators/", {"report"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample", "solid"}},
     // validate: points over joint ranges; physics: points in parts

@@ -1,7 +1,9 @@
 #include "mjforge/report/picture_bytes.h"
 
-#include <algorithm>
 #include <cstddef>
+
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 
 namespace mjforge::report {
 namespace {
@@ -44,18 +46,11 @@ std::optional<PictureInfo> ReadWebp(std::string_view bytes) {
 
 }  // namespace
 
-// RFC 4648: three bytes are four digits; what lacks at the end is '='.
 std::string Base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? Byte(bytes, i + k) : 0);
-    for (unsigned k = 0; k < 4; ++k) text += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
+  namespace iterators = boost::archive::iterators;
+  using Digits = iterators::base64_from_binary<iterators::transform_width<const char*, 6, 8>>;
+  std::string text(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
   return text;
 }
 
