@@ -144,6 +144,8 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
   json.Member("top_offset", object.bounds.top_offset);
   json.Member("bottom_offset", object.bounds.bottom_offset);
   json.Member("horizontal_radius", object.bounds.horizontal_radius);
+  json.Member("text_bytes", variant.document.text.size());
+  json.Member("mesh_bytes", mjcf::MeshBytes(variant.document.text));
   Sweep(json, sweep);
   json.EndObject();
   return json.Line();

@@ -162,6 +162,12 @@ std::string Totals(const model::MassProperties& properties, const model::Box3& a
   return text;
 }
 
+std::string TextSize(const mjcf::MjcfDocument& document) {
+  const std::size_t meshes = mjcf::MeshBytes(document.text);
+  return fmt::format("text     {} bytes of MJCF{}\n", document.text.size(),
+                     meshes > 0 ? fmt::format(", {} of them in meshes", meshes) : "");
+}
+
 // What the joints do: contacts of bodies, deepest first seen, and the box of all poses.
 std::string SweepText(const std::optional<validate::Sweep>& sweep) {
   if (!sweep) return "";
@@ -201,6 +207,7 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   text += Parts(object) + Joints(object, false) + Sites(object) + Elements(object);
   text += Totals(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
+  text += TextSize(variant.document);
   return text + SweepText(sweep);
 }
 

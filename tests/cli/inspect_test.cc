@@ -35,7 +35,29 @@ TEST_CASE_METHOD(CrateTest, "inspect shows parameters, parts, joints, bounds and
         "mass     6 kg\n"
         "com      0 0 0 m\n"
         "inertia  0.065 0.065 0.04  0 0 0 kg m^2 (xx yy zz  xy xz yz)\n"
-        "radius   0.141421 m about the z axis\n");
+        "radius   0.141421 m about the z axis\n"
+        "text     602 bytes of MJCF\n");
+}
+
+TEST_CASE_METHOD(CrateTest, "inspect says how long the text is, and how much of it are meshes") {
+  folder().Write(
+      "ring.yaml",
+      "mjforge: 1\n"
+      "name: ring\n"
+      "parts:\n"
+      "  - {name: body, type: lathe, profile: [[2cm, 0], [3cm, 0], [3cm, 1cm], [2cm, 1cm]]}\n");
+  const std::string text = Run({"generate", "ring.yaml", "-o", "-"}).out;
+  std::size_t meshes = 0;
+  for (std::size_t at = text.find("    <mesh "); at != text.npos;
+       at = text.find("    <mesh ", at + 1))
+    meshes += text.find('\n', at) + 1 - at;
+  CHECK(meshes > 1000);
+  CHECK(Run({"inspect", "ring.yaml"})
+            .out.ends_with("\ntext     " + std::to_string(text.size()) + " bytes of MJCF, " +
+                           std::to_string(meshes) + " of them in meshes\n"));
+  CHECK(Run({"inspect", "ring.yaml", "--json"})
+            .out.find(",\"text_bytes\":" + std::to_string(text.size()) +
+                      ",\"mesh_bytes\":" + std::to_string(meshes) + "}") != std::string::npos);
 }
 
 TEST_CASE_METHOD(CrateTest, "inspect shows a range as the spec has it, and the value drawn") {
@@ -241,7 +263,8 @@ TEST_CASE_METHOD(CabinetTest, "inspect of several bodies shows the tree and who 
         "mass     4 kg\n"
         "com      -0.045 0.175 0 m\n"
         "inertia  0.0529067 0.0310067 0.0752067  0.0145 0 0 kg m^2 (xx yy zz  xy xz yz)\n"
-        "radius   0.326228 m about the z axis\n");
+        "radius   0.326228 m about the z axis\n"
+        "text     1979 bytes of MJCF\n");
 }
 
 TEST_CASE_METHOD(CabinetTest, "inspect --json of several bodies has poses, masses and sections") {
@@ -259,9 +282,9 @@ TEST_CASE_METHOD(CabinetTest, "inspect --sweep of a spec is by the joints of its
   const auto result = Run({"inspect", "cabinet.yaml", "--sweep"});
   CHECK(result.status == 0);
   CHECK(result.err.empty());
-  const auto radius = result.out.find("about the z axis\n");
-  REQUIRE(radius != std::string::npos);
-  CHECK(result.out.substr(radius + 17) ==
+  const auto text = result.out.find(" bytes of MJCF\n");
+  REQUIRE(text != std::string::npos);
+  CHECK(result.out.substr(text + 15) ==
         "\n"
         "joint         at    body          geom          body           geom          mm deep\n"
         "cabinet_rail  0.12  cabinet_left  cabinet_tray  cabinet_right  cabinet_stop  100\n"
@@ -283,6 +306,7 @@ TEST_CASE_METHOD(CrateTest, "inspect --sweep of an object whose joints move noth
   CHECK(result.status == 0);
   CHECK(
       result.out.ends_with("radius   0.141421 m about the z axis\n"
+                           "text     602 bytes of MJCF\n"
                            "\n"
                            "no contacts between bodies\n"
                            "\n"

@@ -89,8 +89,10 @@ TEST_CASE_METHOD(CrateTest, "validate reads standard input, and what it refers t
 TEST_CASE_METHOD(CrateTest, "inspect - takes MJCF or a spec, whichever standard input has") {
   CHECK(Run({"inspect", "-"}, kGoodXml).out.find("\na     world") != std::string::npos);
   CHECK(Run({"inspect", "-", "--sweep"}, kGoodXml).out.find("swept") != std::string::npos);
-  CHECK(Run({"inspect", "-"}, folder().Read("crate.yaml")).out ==
-        Run({"inspect", "crate.yaml"}).out);
+  // The text names its spec, so the last line differs.
+  const std::string named = Run({"inspect", "crate.yaml"}).out;
+  CHECK(Run({"inspect", "-"}, folder().Read("crate.yaml"))
+            .out.starts_with(named.substr(0, named.find("\ntext "))));
   CHECK(Run({"inspect", "-"}, "").status == 1);
 }
 

@@ -13,6 +13,19 @@ diag::SourceMark MjcfDocument::Origin(int line) const {
   return found != origins.end() && found->line == line ? found->mark : diag::SourceMark{};
 }
 
+std::size_t MeshBytes(std::string_view text) {
+  std::size_t bytes = 0;
+  // As the writer puts them: one per line.
+  while (!text.empty()) {
+    const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, size);
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin != line.npos && line.substr(begin).starts_with("<mesh ")) bytes += size;
+    text.remove_prefix(size);
+  }
+  return bytes;
+}
+
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,
                MjcfDocument& document) {
   const TargetRules& rules = RulesOf(target);

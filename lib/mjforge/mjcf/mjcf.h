@@ -108,6 +108,9 @@ std::vector<int> DepthFirst(const model::Object& object);
 /// object can still be compared with what MuJoCo compiles.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
+/// Bytes of the text's <mesh> elements: what shapes cost.
+std::size_t MeshBytes(std::string_view text);
+
 /// Replaces the content of `document`, reusing its memory.
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,
                MjcfDocument& document);
