@@ -175,12 +175,12 @@ constexpr FieldInfo kQuat = Numbers(
 constexpr FieldInfo kEuler = Numbers({"euler", Key::kEuler}, {3, 3}, "rad", kAnyNumber, "",
                                      "Orientation as rotations about the moving x, y and z axes.");
 constexpr FieldInfo kAxisAngle =
-    Numbers({"axisangle", Key::kAxisAngle}, {4, 4}, "1, 1, 1, rad", kAnyNumber, "",
-            "Orientation as an axis x y z and an angle.");
-constexpr FieldInfo kXyAxes = Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "", kAnyNumber, "",
+    Numbers({"axisangle", Key::kAxisAngle}, {4, 4}, "any one, any one, any one, rad", kAnyNumber,
+            "", "Orientation as an axis x y z and an angle.");
+constexpr FieldInfo kXyAxes = Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "any one", kAnyNumber, "",
                                       "Orientation as the directions of the x and y axes.");
 constexpr FieldInfo kZAxis =
-    Numbers({"zaxis", Key::kZAxis}, {3, 3}, "", kAnyNumber, "",
+    Numbers({"zaxis", Key::kZAxis}, {3, 3}, "any one", kAnyNumber, "",
             "Orientation as the direction of the z axis, reached by the smallest rotation.");
 constexpr FieldInfo kMaterialName = Row({"material", Key::kMaterial}, Slot::kText,
                                         "Name of a material of this spec or of an import.");
@@ -261,7 +261,7 @@ constexpr FieldInfo kPartFields[] = {
     Numbers({"fromto", Key::kFromTo}, {6, 6}, "m", kAnyNumber, "",
             "Two end points in place of a pose (capsule, cylinder, box, ellipsoid): the part's z "
             "axis points from the second to the first, turned the shortest way from +z."),
-    Numbers({"up", Key::kUp}, {3, 3}, "", kAnyNumber, "",
+    Numbers({"up", Key::kUp}, {3, 3}, "any one", kAnyNumber, "",
             "Beside `fromto`: the direction that the part's y axis takes, as far as it can."),
     Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a prism's outline."),
     Points({"holes", Key::kHoles}, {2, 2},
@@ -390,7 +390,8 @@ constexpr FieldInfo kLightFields[] = {
     kFor,
     kLet,
     kPos,
-    Numbers({"dir", Key::kAxis}, {3, 3}, "", kAnyNumber, "0 0 -1", "The direction of the light."),
+    Numbers({"dir", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 -1",
+            "The direction of the light."),
     Row("directional", Slot::kBoolean, "false", "Whether it comes from far away."),
     Row("castshadow", Slot::kBoolean, "true", "Whether it throws shadows."),
     Row("active", Slot::kBoolean, "true", "Whether it is on."),
@@ -413,7 +414,7 @@ constexpr FieldInfo kJointFields[] = {
     kLet,
     Word({"type", Key::kType}, "free ball slide hinge", "hinge", "The motion it allows."),
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position in the body."),
-    Numbers({"axis", Key::kAxis}, {3, 3}, "", kAnyNumber, "0 0 1",
+    Numbers({"axis", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 1",
             "Axis of a hinge or slide in the body (normalised for you)."),
     Numbers({"range", Key::kRange}, {2, 2}, "rad or m", kAnyNumber, "",
             "Limits; they apply unless `limited: false`."),

@@ -75,8 +75,8 @@ struct FieldInfo {
   Slot slot = Slot::kNumber;
   int min_count = 1;
   int max_count = 1;
-  /// "m"; "rad or m" of what turns or slides; "s, 1" of the first, the second; empty: plain
-  /// numbers.
+  /// "m"; "rad or m" of what turns or slides; "s, 1" of the first, the second; "any one" of the
+  /// three numbers of a direction; empty: plain numbers.
   std::string_view unit = {};
   bool any_unit = false;                                    // the unit is not known here
   std::string_view default_text = {};                       // as the manual shows it; empty: none

@@ -68,12 +68,16 @@ void CheckPart(const Entry& part, Reading& reading) {
     reading.findings.Add(Code::kSpecMissingKey, part.mark,
                          fmt::format("{} without '{}'", shape->type, PartElement().Find(id)->key));
   }
+  const bool is_round = FindField(part, Key::kRound, reading.spec.defaults) != nullptr;
   for (const Field& field : part.fields) {
     const Key id = field.info->id;
     const bool has_own_words = id == Key::kSize || id == Key::kFromTo || id == Key::kUp;
-    if (has_own_words || !IsOfAShape(id) || shape->Takes(id)) continue;
+    if (has_own_words || !IsOfAShape(id)) continue;
+    const bool needs_round = std::ranges::find(shape->of_round, id) != shape->of_round.end();
+    if (shape->Takes(id) && (!needs_round || is_round)) continue;
     reading.findings.Add(Code::kSpecConflict, field.mark,
-                         fmt::format("'{}' has no meaning for a {}", field.info->key, shape->type));
+                         fmt::format("'{}' has no meaning for a {}{}", field.info->key, shape->type,
+                                     needs_round ? " without 'round'" : ""));
   }
   CheckSizes(part, *shape, reading);
 }

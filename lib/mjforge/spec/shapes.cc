@@ -10,6 +10,9 @@ constexpr std::array kSize = {Key::kSize};
 constexpr std::array kRoundBox = {Key::kRound, Key::kRoundCollision};
 constexpr std::array kRoundCylinder = {Key::kRound, Key::kRoundCollision, Key::kFacets,
                                        Key::kCrease};
+constexpr std::array kHowRoundBox = {Key::kRoundCollision};
+constexpr std::array kHowRoundCylinder = {Key::kRoundCollision, Key::kFacets, Key::kCrease};
+constexpr std::array kHowRoundPrism = {Key::kFacets};
 constexpr std::array kPolygon = {Key::kPolygon, Key::kHeight};
 constexpr std::array kPrism = {Key::kScale, Key::kHoles,  Key::kRound,
                                Key::kBevel, Key::kFacets, Key::kCrease};
@@ -24,12 +27,12 @@ constexpr std::array kFile = {Key::kFile};
 constexpr std::array kMesh = {Key::kScale};
 
 constexpr std::array kShapes = {
-    ShapeInfo{"box", 3, 2, kSize, kRoundBox},
+    ShapeInfo{"box", 3, 2, kSize, kRoundBox, kHowRoundBox},
     ShapeInfo{"sphere", 1, 0, kSize},
-    ShapeInfo{"cylinder", 2, 1, kSize, kRoundCylinder},
+    ShapeInfo{"cylinder", 2, 1, kSize, kRoundCylinder, kHowRoundCylinder},
     ShapeInfo{"capsule", 2, 1, kSize},
     ShapeInfo{"ellipsoid", 3, 2, kSize},
-    ShapeInfo{"prism", 0, 0, kPolygon, kPrism},
+    ShapeInfo{"prism", 0, 0, kPolygon, kPrism, kHowRoundPrism},
     ShapeInfo{"lathe", 0, 0, kProfile, kLathe},
     ShapeInfo{"tube", 0, 0, kPath, kTube},
     ShapeInfo{"hull", 0, 0, kPoints, kHull},

@@ -14,6 +14,7 @@ struct ShapeInfo {
   int sizes_fromto = 0;  // the same beside `fromto`; 0: it has no fromto
   std::span<const Key> required = {};
   std::span<const Key> optional = {};  // besides size and fromto
+  std::span<const Key> of_round = {};  // of these, what says how it is rounded
 
   bool Takes(Key key) const;
 };

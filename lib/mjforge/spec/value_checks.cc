@@ -47,8 +47,11 @@ std::string_view UnitOf(Motion motion, std::string_view unit) {
   return motion == Motion::kTurn ? unit.substr(0, at) : unit.substr(at + kOr.size());
 }
 
+// That of directions: only the ratio of their three numbers counts.
+constexpr std::string_view kAnyOne = "any one";
+
 bool Fits(std::string_view unit, const Dimension& dimension) {
-  return dimension.is_plain() || AnyOf(unit, " or ", [&](std::string_view one) {
+  return dimension.is_plain() || unit == kAnyOne || AnyOf(unit, " or ", [&](std::string_view one) {
            const auto named = expr::FindUnit(one);
            return named && named->dimension == dimension;
          });
@@ -77,6 +80,22 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
     both[i] = *one;
   }
   return both;
+}
+
+// The units that clash in a direction among the field's numbers: "in m and in kg".
+std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
+  const auto* list = std::get_if<List>(&value.form);
+  Dimension common;
+  for (int i = 0; i < value.components; ++i) {
+    if (UnitAt(field.unit, i) != kAnyOne) continue;
+    const auto at = static_cast<std::size_t>(i);
+    const Dimension own = list != nullptr ? DimensionAt(list->items[at].dimensions, 0)
+                                          : DimensionAt(value.dimensions, at);
+    const auto both = i % 3 == 0 ? own : expr::Common(common, own);
+    if (!both) return fmt::format("in {} and in {}", common.Text(), own.Text());
+    common = *both;
+  }
+  return std::nullopt;
 }
 
 // Somebody who thinks in degrees.
@@ -160,7 +179,10 @@ void ValueReader::CheckUnits(const FieldInfo& field, const Value& value, int pos
   if (field.any_unit || value.type != Type::kNumber) return;
   const auto* list = std::get_if<List>(&value.form);
   const auto* draw = std::get_if<Draw>(&value.form);
-  if (list != nullptr) {
+  if (const auto clash = Clash(field, value)) {
+    findings_.Add(Code::kExprUnits, value.mark,
+                  fmt::format("{} must be in one unit, but is {}", field.key, *clash));
+  } else if (list != nullptr) {
     int at = position;
     for (const Value& item : list->items) CheckUnits(field, item, at++, motion);
   } else if (draw != nullptr && (draw->distribution == Distribution::kChoice ||

@@ -46,6 +46,18 @@ TEST_CASE("sizes are counted by type", "[entries]") {
         Strings{"5:38 spec/conflict: 'fromto' has no meaning for a sphere"});
   CHECK(ReportPart("{name: a, type: box, size: v, height: 2}") ==
         Strings{"5:35 spec/conflict: 'height' has no meaning for a box"});
+  CHECK(ReportPart("{name: a, type: box, size: v, round_collision: false}") ==
+        Strings{"5:35 spec/conflict: 'round_collision' has no meaning for a box without 'round'"});
+  CHECK(ReportPart("{name: a, type: box, size: v, round: 0.1, round_collision: false}").empty());
+  CHECK(ReportPart("{name: a, type: box, size: v, round: 0.1, facets: 8}") ==
+        Strings{"5:47 spec/conflict: 'facets' has no meaning for a box"});
+  CHECK(ReportPart("{name: a, type: cylinder, size: [1, 2], facets: 8, crease: 1}") ==
+        Strings{"5:45 spec/conflict: 'facets' has no meaning for a cylinder without 'round'",
+                "5:56 spec/conflict: 'crease' has no meaning for a cylinder without 'round'"});
+  CHECK(ReportPart("{name: a, type: cylinder, size: [1, 2], round: 0.1, facets: 8}").empty());
+  CHECK(ReportPart("{name: a, type: prism, polygon: [[0, 0], [1, 0], [0, 1]], height: 1, "
+                   "facets: 8}") ==
+        Strings{"5:74 spec/conflict: 'facets' has no meaning for a prism without 'round'"});
 }
 
 TEST_CASE("what is said twice is a conflict", "[entries]") {

@@ -57,6 +57,12 @@ TEST_CASE("a key takes numbers in its own unit, and plain ones") {
         "type: sphere, size: 1, mass: load, user: [3kg, 2m]",
         "type: sphere, size: 1, density: load / w ^ 3, quat: random",
         "type: box, fromto: [0, 0, 0, w, w, 1], size: [1, w]",
+        "type: box, fromto: [0, 0, 0, w, w, 1], size: [1, w], up: [0, w, 3]",
+        "type: sphere, size: 1, zaxis: [w, 0, 2 * w]", "type: sphere, size: 1, zaxis: offset",
+        "type: sphere, size: 1, zaxis: {choice: [[load, 0, 2kg], [w, 1, 0]]}",
+        "type: sphere, size: 1, xyaxes: [w, 0, 0, 0, load, 0]",
+        "type: sphere, size: 1, axisangle: [w, 0, 0, 90deg]",
+        "type: sphere, size: 1, quat: {about: offset}",
         "type: prism, polygon: [[0, 0], [w, 0], [0, 1]], height: w, scale: 2",
         "type: prism, polygon: [[0, 0], [1, 0], [0, 1]], height: w, scale: w"}) {
     CAPTURE(keys);
@@ -87,6 +93,12 @@ TEST_CASE("a key takes numbers in its own unit, and plain ones") {
            {"type: sphere, size: 1, euler: [0, 90deg, 1m]", "euler is in rad, but this is in m"},
            {"type: sphere, size: 1, axisangle: [0, 0, 1, 1m]",
             "axisangle is in rad, but this is in m"},
+           {"type: sphere, size: 1, zaxis: [w, 0, 1kg]",
+            "zaxis must be in one unit, but is in m and in kg"},
+           {"type: sphere, size: 1, xyaxes: [1, 0, w, w, load, 0]",
+            "xyaxes must be in one unit, but is in m and in kg"},
+           {"type: sphere, size: 1, axisangle: [w, 1s, 0, 1]",
+            "axisangle must be in one unit, but is in m and in s"},
            {"type: prism, polygon: [[0, 0], [w, 0], [0, 1kg]], height: w",
             "polygon is in m, but this is in kg"},
            {"type: prism, polygon: [[0, 0], [1, 0], [0, 1]], height: w, scale: 1kg",
@@ -103,6 +115,8 @@ TEST_CASE("a key takes numbers in its own unit, and plain ones") {
 TEST_CASE("a joint's keys are in rad or m, as it turns or slides") {
   CHECK(OfJoint("range: [0, 90deg], damping: 0.1Nm * 1s / 1rad, frictionloss: 1Nm").empty());
   CHECK(OfJoint("type: slide, range: [0, 9cm], damping: 2N * 1s / 1m, armature: 1kg").empty());
+  CHECK(OfJoint("axis: [0, 1cm, 2cm]").empty());
+  CHECK(OfJoint("axis: [0, 1cm, 2s]") == "axis must be in one unit, but is in m and in s");
   CHECK(OfJoint("range: [0, 5N]") == "range is in rad, but this is in N");
   CHECK(OfJoint("range: [0, 5cm]") == "range is in rad, but this is in m");
   CHECK(OfJoint("type: slide, range: [0, 45deg]") == "range is in m, but this is in rad");
