@@ -39,15 +39,18 @@ void WriteMaterial(const model::Object& object, const model::Material& material,
   writer.Close();
 }
 
+using Spelling = ElementWriter::Spelling;
+
 template <typename Vector>
 void WriteVectors(std::string_view begin, const std::vector<Vector>& vectors, tape::Tape* tape,
-                  ElementWriter& writer) {
+                  ElementWriter& writer, Spelling spelling = Spelling::kNumber) {
   if (vectors.empty()) return;
   writer.Raw(begin);
   for (const Vector& vector : vectors) {
     for (const double& number : vector) {
-      writer.Append(tape == nullptr ? Traced<double>(number)
-                                    : Traced<double>(number, *tape, number));
+      writer.Append(
+          tape == nullptr ? Traced<double>(number) : Traced<double>(number, *tape, number),
+          spelling);
     }
   }
   writer.Raw("\"");
@@ -55,8 +58,16 @@ void WriteVectors(std::string_view begin, const std::vector<Vector>& vectors, ta
 
 void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
   const model::TriangleMesh& mesh = asset.mesh;
-  WriteVectors(" vertex=\"", mesh.vertices, mesh.tape, writer);
-  WriteVectors(" normal=\"", mesh.normals, mesh.tape, writer);
+  if (mesh.in_micrometres) writer.Raw(" scale=\"1e-06 1e-06 1e-06\"");
+  WriteVectors(" vertex=\"", mesh.vertices, mesh.tape, writer,
+               mesh.in_micrometres ? Spelling::kMicrometres : Spelling::kNumber);
+  // MuJoCo makes normals of the triangles that share a vertex, which differ hardly. Where a texture
+  // begins and ends they share none; below square micrometres it takes their area for none.
+  const bool are_computed = mesh.in_micrometres && mesh.texcoords.empty();
+  if (are_computed)
+    writer.Raw(" smoothnormal=\"true\"");
+  else
+    WriteVectors(" normal=\"", mesh.normals, mesh.tape, writer);
   WriteVectors(" texcoord=\"", mesh.texcoords, mesh.tape, writer);
   if (asset.is_hull) return;
   writer.Raw(" face=\"");

@@ -125,8 +125,11 @@ void ElementWriter::Append(const Traced<double>& number, Spelling spelling) {
 }
 
 void AppendSpelled(double number, Slot::Spelling spelling, std::string& out) {
-  expr::AppendNumber(out,
-                     spelling == Slot::Spelling::kWithoutNoise ? WithoutNoise(number) : number);
+  if (spelling == Slot::Spelling::kMicrometres)
+    number = std::round(number * 1e6);
+  else if (spelling == Slot::Spelling::kWithoutNoise)
+    number = WithoutNoise(number);
+  expr::AppendNumber(out, number);
 }
 
 void ElementWriter::Pose(const model::Pose& pose) {

@@ -42,7 +42,7 @@ struct LineOrigin {
 
 /// A number in a text that differs between variants.
 struct Slot {
-  enum class Spelling { kIndex, kNumber, kWithoutNoise };
+  enum class Spelling { kIndex, kNumber, kWithoutNoise, kMicrometres };
 
   std::size_t begin = 0;  // bytes of the text
   std::size_t end = 0;

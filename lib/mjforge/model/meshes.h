@@ -21,6 +21,7 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
   std::vector<Eigen::Vector3d> normals = {};    // none, or for each vertex, of length 1
   std::vector<Eigen::Vector2d> texcoords = {};  // none, or for each vertex
+  bool in_micrometres = false;                  // all vertices are at whole ones
   /// The tape that moves them; null if they are the same in all variants.
   tape::Tape* tape = nullptr;
 };

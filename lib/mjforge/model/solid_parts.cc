@@ -55,7 +55,8 @@ Made MadeOf(solid::Solid solid) {
   made.meshes.push_back({.vertices = std::move(solid.look.vertices),
                          .triangles = std::move(solid.look.triangles),
                          .normals = std::move(solid.look.normals),
-                         .texcoords = std::move(solid.look.texcoords)});
+                         .texcoords = std::move(solid.look.texcoords),
+                         .in_micrometres = solid.look.in_micrometres});
   for (solid::Piece& piece : solid.pieces) {
     made.meshes.push_back(
         {.vertices = std::move(piece.vertices), .triangles = std::move(piece.triangles)});
@@ -69,7 +70,8 @@ Made MadeOf(solid::Solid solid) {
 // Moves the numbers of `from` to the places of `to`; false if there are others.
 bool Refill(Made& from, Made& to) {
   const auto is_same = [](const TriangleMesh& a, const TriangleMesh& b) {
-    return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles;
+    return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles &&
+           a.in_micrometres == b.in_micrometres;
   };
   if (from.turns.size() != to.turns.size()) return false;
   if (!std::ranges::equal(from.primitives, to.primitives, {}, &Primitive::type, &Primitive::type))
@@ -146,9 +148,9 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
   const auto add_mesh = [&](std::size_t mesh, Part& to) {
     AddInline(made.meshes[mesh], tape != nullptr ? &at.meshes[mesh] : nullptr, to);
   };
-  // A convex solid whose look nobody made is one geom, as MuJoCo's own are.
-  if (made.meshes[0].vertices.empty()) {
-    add_mesh(1, part);
+  // A convex solid of one mesh is one geom, as MuJoCo's own are.
+  if (counts.empty() || made.meshes[0].vertices.empty()) {
+    add_mesh(counts.size(), part);
     return {};
   }
   part.solid = PropertiesOf(On(tape, made.mass, at.mass));

@@ -192,11 +192,11 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
   };
 }
 
-Maker HullOf(SolidReader& read) {
+Maker HullOf(SolidReader& read, const solid::Texture& texture) {
   read.Add(Key::kRound, 0);
   read.AddPoints(Key::kPoints, "points");
-  return [](std::span<const double> numbers, solid::Fault& fault) {
-    solid::Hull hull{.points = {}, .round = numbers[0]};
+  return [texture](std::span<const double> numbers, solid::Fault& fault) {
+    solid::Hull hull{.points = {}, .round = numbers[0], .texture = texture};
     for (std::size_t i = 1; i + 2 < numbers.size(); i += 3)
       hull.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
     return solid::Make(hull, fault);
@@ -231,8 +231,10 @@ Maker TubeOf(SolidReader& read, const solid::Texture& texture) {
   };
 }
 
-Maker BoxOf(SolidReader& read, const std::optional<Traced<double>>& half_length) {
+Maker BoxOf(SolidReader& read, const solid::Texture& texture,
+            const std::optional<Traced<double>>& half_length) {
   solid::RoundedBox box;
+  box.texture = texture;
   box.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
   read.Add(Key::kRound, 0);
   read.AddNumbers(Key::kSize, "size", 3, half_length);
@@ -277,8 +279,8 @@ std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entr
   Maker maker = type == "lathe"   ? LatheOf(read, texture)
                 : type == "prism" ? PrismOf(read, texture)
                 : type == "tube"  ? TubeOf(read, texture)
-                : type == "hull"  ? HullOf(read)
-                : type == "box"   ? BoxOf(read, half_length)
+                : type == "hull"  ? HullOf(read, texture)
+                : type == "box"   ? BoxOf(read, texture, half_length)
                                   : CylinderOf(read, texture, half_length);
   return read.Make(std::move(maker), assets, part);
 }

@@ -1,11 +1,26 @@
 #pragma once
 
+#include <array>
+#include <numbers>
+
 #include "mjforge/solid/convex.h"
 #include "mjforge/solid/plan.h"
 
 namespace mjforge::solid {
 
-/// What is seen of a turned outline: 48 segments a turn. Texture coordinates go along `line`, the
+inline constexpr double kWholeTurn = 2 * std::numbers::pi;
+
+/// How far a chord of what is seen may lie within the true circle, m, in a shape of that half size.
+double ChordError(double half_size);
+
+/// Segments of a whole turn with no larger chord error: 16, 32, 64 and so on, since variants with
+/// the same number share a mould, but at most 48 in the angle, rad, that is seen of it.
+int SegmentsOf(double radius, double chord_error, double angle);
+
+/// The triangles between four corners, counter-clockwise.
+void AddQuad(int a, int b, int c, int d, Surface& surface);
+
+/// What is seen of a turned outline. Texture coordinates go along `line`, the
 /// points that the outline's sources count, if it is closed back to the first.
 struct TurnedLook {
   const Outline& outline;
@@ -28,8 +43,12 @@ struct PrismLook {
 };
 Surface Make(const PrismLook& look);
 
-/// Positions rounded to a millionth of the size, normals to a ten-thousandth: nobody sees more, and
-/// each digit is text.
+/// Gives all vertices the texture coordinates that MuJoCo gives a box: along x and against y, in
+/// each cross section the same.
+void LayFromAbove(const Texture& texture, Surface& surface);
+
+/// Positions rounded to a micrometre (of shapes below 2 mm or above 10 m to a millionth of the
+/// size), normals to a ten-thousandth: nobody sees more, and each digit is text.
 void RoundForText(Surface& surface);
 
 }  // namespace mjforge::solid

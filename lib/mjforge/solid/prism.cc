@@ -14,7 +14,13 @@
 namespace mjforge::solid {
 namespace {
 
-constexpr int kSegments = 48;  // of what is seen, a whole turn
+/// Of a rounded corner as it is seen, a whole turn.
+int CornerSegments(const Prism& prism) {
+  Eigen::AlignedBox2d box;
+  for (const Point& p : prism.polygon) box.extend(p);
+  const double half_size = std::max(box.sizes().maxCoeff(), prism.height) / 2;
+  return SegmentsOf(prism.round, ChordError(half_size), kWholeTurn);
+}
 
 Mass MassOf(const Plan& plan, double height, double bevel) {
   // Along z all integrals are polynomials of at most degree 6 in each layer.
@@ -83,7 +89,7 @@ std::optional<Solid> Make(const Prism& prism, Fault& fault) {
   const std::optional<Plan> plan = PlanOf(prism, fault);
   if (!plan) return std::nullopt;
   Solid solid;
-  solid.look = Make(PrismLook{.levels = plan->LevelsAt(prism.bevel, kSegments, false),
+  solid.look = Make(PrismLook{.levels = plan->LevelsAt(prism.bevel, CornerSegments(prism), false),
                               .height = prism.height,
                               .bevel = prism.bevel,
                               .crease = prism.crease,

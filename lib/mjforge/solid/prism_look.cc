@@ -87,7 +87,10 @@ class PrismLooker {
       return outward(i + count - 1).dot(outward(i)) >= std::cos(in_.crease);
     };
     double along = 0;
+    std::pair<int, int> very_first;
     std::pair<int, int> last;
+    // Where the texture ends, it begins again.
+    const bool joins = in_.texture.unit == Texture::Unit::kNone && is_smooth(0);
     for (std::size_t i = 0; i < count; ++i) {
       const auto add = [&, first = first, count = count](std::size_t corner, std::size_t beside) {
         Point flat = outward(i);
@@ -104,10 +107,10 @@ class PrismLooker {
         return std::pair(low, vertex(above));
       };
       const auto from = i > 0 && is_smooth(i) ? last : add(i, i + count - 1);
+      if (i == 0) very_first = from;
       along += side(i).norm();
-      last = add(i + 1, i + 1);
-      surface_.triangles.push_back({from.first, last.first, last.second});
-      surface_.triangles.push_back({from.first, last.second, from.second});
+      last = joins && i + 1 == count ? very_first : add(i + 1, i + 1);
+      AddQuad(from.first, last.first, last.second, from.second, surface_);
     }
   }
 

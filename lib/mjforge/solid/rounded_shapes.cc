@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -11,9 +10,7 @@
 namespace mjforge::solid {
 namespace {
 
-// Segments of a round edge in a whole turn: of what is seen, of what collides.
-constexpr int kSeen = 16;
-constexpr int kCollides = 8;
+constexpr int kCollides = 8;  // segments of a round edge in a whole turn
 
 bool IsTooRound(double round, double least, Fault& fault) {
   fault = {};
@@ -23,9 +20,29 @@ bool IsTooRound(double round, double least, Fault& fault) {
   return true;
 }
 
-Solid Rounded(const Polytope& core, double round) {
+/// The faces, each with vertices of its own.
+Surface FlatSurface(const Polytope& polytope) {
+  Surface surface;
+  for (const Polytope::Face& face : polytope.faces) {
+    const int first = static_cast<int>(surface.vertices.size());
+    const int count = static_cast<int>(face.corners.size());
+    for (const int corner : face.corners) {
+      surface.vertices.push_back(polytope.vertices[static_cast<std::size_t>(corner)]);
+      surface.normals.push_back(face.normal);
+    }
+    for (int i = 1; i + 1 < count; ++i)
+      surface.triangles.push_back({first, first + i, first + i + 1});
+  }
+  return surface;
+}
+
+Solid Rounded(const Polytope& core, double round, const Texture& texture) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : core.vertices) box.extend(p);
+  const double error = ChordError(box.sizes().maxCoeff() / 2 + round);
   Solid solid;
-  solid.look = RoundedSurface(core, round, kSeen);
+  solid.look = RoundedSurface(core, round, SegmentsOf(round, error, kWholeTurn));
+  LayFromAbove(texture, solid.look);
   RoundForText(solid.look);
   Surface coarse = RoundedSurface(core, round, kCollides);
   solid.pieces.push_back(
@@ -43,16 +60,21 @@ Piece PlainPiece(Piece::Type type, const Eigen::Vector3d& size) {
 std::optional<Solid> Make(const Hull& hull, Fault& fault) {
   const std::optional<Polytope> core = HullOf(hull.points, fault);
   if (!core) return std::nullopt;
-  if (hull.round > 0) return Rounded(*core, hull.round);
+  if (hull.round > 0) return Rounded(*core, hull.round, hull.texture);
   Solid solid;
-  solid.pieces.push_back(PieceOf(*core));
+  if (hull.texture.unit == Texture::Unit::kNone) {
+    solid.pieces.push_back(PieceOf(*core));
+  } else {
+    solid.look = FlatSurface(*core);
+    LayFromAbove(hull.texture, solid.look);
+  }
   solid.mass = RoundedMass(*core, 0);
   return solid;
 }
 
 std::optional<Solid> Make(const RoundedBox& box, Fault& fault) {
   if (IsTooRound(box.round, box.half.minCoeff(), fault)) return std::nullopt;
-  Solid solid = Rounded(BoxOf(box.half.array() - box.round), box.round);
+  Solid solid = Rounded(BoxOf(box.half.array() - box.round), box.round, box.texture);
   if (box.piece_is_plain) solid.pieces = {PlainPiece(Piece::Type::kBox, box.half)};
   return solid;
 }
@@ -72,20 +94,20 @@ std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault) {
       outline.Add(p, outline.corners.size());
     return outline;
   };
-  const Outline seen = drawn(kSeen);
-  constexpr double kWhole = 2 * std::numbers::pi;
+  const Outline seen = drawn(SegmentsOf(cylinder.round, ChordError(std::max(r, h)), kWholeTurn));
   Solid solid;
   solid.look = Make(TurnedLook{.outline = seen,
                                .partition = PartitionOf(Area(seen.corners)),
                                .line = seen.corners,
                                .is_closed = true,
-                               .angle = kWhole,
+                               .angle = kWholeTurn,
                                .crease = cylinder.crease,
                                .texture = cylinder.texture});
   const Outline coarse = drawn(kCollides);
-  solid.pieces = TurnedPieces(coarse, PartitionOf(Area(coarse.corners)), kWhole, cylinder.facets);
+  solid.pieces =
+      TurnedPieces(coarse, PartitionOf(Area(coarse.corners)), kWholeTurn, cylinder.facets);
   if (cylinder.piece_is_plain) solid.pieces = {PlainPiece(Piece::Type::kCylinder, {r, h, 0})};
-  solid.mass = TurnedMass(NodesOf(*corners), kWhole);
+  solid.mass = TurnedMass(NodesOf(*corners), kWholeTurn);
   return solid;
 }
 

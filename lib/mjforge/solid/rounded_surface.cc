@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "mjforge/solid/edges.h"
+#include "mjforge/solid/look.h"
 
 namespace mjforge::solid {
 namespace {
@@ -90,10 +91,8 @@ class Rounder {
     const int right = edges_.FaceAt(b, a);
     const std::vector<int> below = Arc(a, right, left);
     const std::vector<int> above = Arc(b, right, left);
-    for (std::size_t i = 0; i + 1 < below.size(); ++i) {
-      AddTriangle(below[i], above[i], above[i + 1]);
-      AddTriangle(below[i], above[i + 1], below[i + 1]);
-    }
+    for (std::size_t i = 0; i + 1 < below.size(); ++i)
+      AddQuad(below[i], above[i], above[i + 1], below[i + 1], surface_);
   }
 
   void AddVertex(int vertex) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjforge/solid/look.h"
 #include "mjforge/solid/sweep.h"
 
 namespace mjforge::solid {
@@ -9,18 +10,22 @@ namespace {
 
 using Eigen::Vector3d;
 using std::numbers::pi;
-constexpr int kAround = 24;
-constexpr int kAlong = 32;  // a turn
+constexpr int kAlongCurve = 32;  // stations to a curve of four spans
 
 class Sweeper {
  public:
-  Sweeper(const std::vector<Span>& spans, const Tube& tube)
-      : tube_(tube), stations_(StationsOf(spans, tube.closed, kAlong)) {
+  Sweeper(const std::vector<Span>& spans, const Tube& tube) : tube_(tube) {
     const Texture& texture = tube.texture;
     const bool by_metre = texture.unit == Texture::Unit::kMetre;
     has_texture_ = texture.unit != Texture::Unit::kNone;
-    double radius = 0;
-    for (const Station& station : stations_) radius = std::max(radius, station.radius);
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : tube.path) box.extend(p);
+    const double radius = *std::ranges::max_element(tube.radii);
+    const double error = ChordError(box.sizes().maxCoeff() / 2 + radius);
+    sides_ = SegmentsOf(radius, error, kWholeTurn);
+    const int per_turn =
+        tube.smooth ? kAlongCurve : SegmentsOf(tube.bend + radius, error, kWholeTurn);
+    stations_ = StationsOf(spans, tube.closed, per_turn);
     around_ = texture.repeat.x() * (by_metre ? 2 * pi * radius : 1);
     along_ = texture.repeat.y() / (by_metre ? 1 : stations_.back().along);
   }
@@ -43,6 +48,9 @@ class Sweeper {
            across.dot(station.cut) / station.way.dot(station.cut) * station.way;
   }
 
+  /// Where the texture ends, it begins again.
+  int RingSize() const { return has_texture_ ? sides_ + 1 : sides_; }
+
   static Vector3d Across(const Station& station, double share) {
     const double turn = share == 1 ? 0 : 2 * pi * share;
     return std::cos(turn) * station.x + std::sin(turn) * station.y();
@@ -59,8 +67,8 @@ class Sweeper {
     const int first = static_cast<int>(surface_.vertices.size());
     const double side = less > 0 ? -1 : 1;
     const double length = stations_.back().along;
-    for (int i = 0; i <= kAround; ++i) {
-      const double share = static_cast<double>(i) / kAround;
+    for (int i = 0; i < RingSize(); ++i) {
+      const double share = static_cast<double>(i) / sides_;
       Vector3d normal = (Across(station, share) - station.slope * station.way).normalized();
       // Where two lines meet in a corner that is seen as smooth.
       if (way_before != nullptr)
@@ -77,6 +85,9 @@ class Sweeper {
   }
 
   void AddSide(double less) {
+    const int first = static_cast<int>(surface_.vertices.size());
+    const bool closes =
+        tube_.closed && !has_texture_ && IsSmooth(stations_.back(), stations_.front());
     int before = -1;
     for (std::size_t i = 0; i < stations_.size(); ++i) {
       const Station& station = stations_[i];
@@ -84,16 +95,21 @@ class Sweeper {
       if (repeats && IsSmooth(stations_[i - 1], station)) continue;
       const bool has_next = i + 1 < stations_.size() && stations_[i + 1].along == station.along;
       const bool joins = has_next && IsSmooth(station, stations_[i + 1]);
-      const int ring = AddRing(station, joins ? &station.way : nullptr, less);
+      const int ring = closes && i + 1 == stations_.size()
+                           ? first
+                           : AddRing(station, joins ? &station.way : nullptr, less);
       if (before >= 0 && !repeats) AddBand(before, ring, less > 0);
       before = ring;
     }
   }
 
   void AddBand(int from, int to, bool inward) {
-    for (int i = 0; i < kAround; ++i) {
-      AddTriangle(from + i, from + i + 1, to + i + 1, inward);
-      AddTriangle(from + i, to + i + 1, to + i, inward);
+    for (int i = 0; i < sides_; ++i) {
+      const int next = (i + 1) % RingSize();
+      if (inward)
+        AddQuad(from + i, to + i, to + next, from + next, surface_);
+      else
+        AddQuad(from + i, from + next, to + next, to + i, surface_);
     }
   }
 
@@ -107,8 +123,8 @@ class Sweeper {
     const Vector3d normal = side * station.way;
     const auto add = [&](double r) {
       const int first = static_cast<int>(surface_.vertices.size());
-      for (int i = 0; i < kAround; ++i) {
-        const double share = static_cast<double>(i) / kAround;
+      for (int i = 0; i < sides_; ++i) {
+        const double share = static_cast<double>(i) / sides_;
         const double relative = r / station.radius / 2;
         Add(At(station, share, r), normal, 0.5 + relative * std::cos(2 * pi * share),
             0.5 + relative * std::sin(2 * pi * share));
@@ -117,8 +133,8 @@ class Sweeper {
     };
     const int outer = add(station.radius);
     const int inner = tube_.wall ? add(station.radius - *tube_.wall) : -1;
-    for (int i = 0; i < kAround; ++i) {
-      const int next = (i + 1) % kAround;
+    for (int i = 0; i < sides_; ++i) {
+      const int next = (i + 1) % sides_;
       if (inner >= 0) {
         AddTriangle(outer + i, outer + next, inner + next, side < 0);
         AddTriangle(outer + i, inner + next, inner + i, side < 0);
@@ -129,6 +145,7 @@ class Sweeper {
   }
 
   const Tube& tube_;
+  int sides_ = 0;
   std::vector<Station> stations_;
   bool has_texture_ = false;
   double around_ = 1;

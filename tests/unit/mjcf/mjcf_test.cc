@@ -118,6 +118,33 @@ TEST_CASE("an inline mesh states its triangles unless it is the hull of its vert
   CHECK(document.text.find(" face=\"0 1 2 2 1 3\"/>") != std::string::npos);
 }
 
+TEST_CASE("what is only seen is written in micrometres, and its normals beside coordinates only") {
+  model::Object object = hand_made::Wedge();
+  MjcfDocument document;
+  const auto text = [&] {
+    WriteMjcf(object, Target::kMujoco, SomeProvenance(), document);
+    const std::size_t at = document.text.find("<mesh name=\"wedge_body\"");
+    return document.text.substr(at + 23, document.text.find('\n', at) - at - 23);
+  };
+  model::MeshAsset& asset = *object.meshes[0];
+  asset.is_hull = false;
+  asset.mesh.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.000123, 0}, {0, 0, -1.5}};
+  asset.mesh.triangles = {{0, 1, 2}};
+  asset.mesh.normals.assign(4, {0, 0.6, 0.8});
+  CHECK(text() ==
+        " vertex=\"0 0 0 0.1 0 0 0 0.000123 0 0 0 -1.5\""
+        " normal=\"0 0.6 0.8 0 0.6 0.8 0 0.6 0.8 0 0.6 0.8\" face=\"0 1 2\"/>");
+  asset.mesh.in_micrometres = true;
+  CHECK(text() ==
+        " scale=\"1e-06 1e-06 1e-06\" vertex=\"0 0 0 100000 0 0 0 123 0 0 0 -1500000\""
+        " smoothnormal=\"true\" face=\"0 1 2\"/>");
+  asset.mesh.texcoords.assign(4, {0.5, 1});
+  CHECK(text() ==
+        " scale=\"1e-06 1e-06 1e-06\" vertex=\"0 0 0 100000 0 0 0 123 0 0 0 -1500000\""
+        " normal=\"0 0.6 0.8 0 0.6 0.8 0 0.6 0.8 0 0.6 0.8\""
+        " texcoord=\"0.5 1 0.5 1 0.5 1 0.5 1\" face=\"0 1 2\"/>");
+}
+
 TEST_CASE("every target is found by its name") {
   for (const TargetRules& info : Targets()) CHECK(FindTarget(info.name) == info.target);
   CHECK_FALSE(FindTarget("robot"));

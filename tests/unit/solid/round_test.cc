@@ -51,7 +51,7 @@ TEST_CASE("a hull has the mass of what its triangles enclose, and all points in 
   Random random(31);
   for (int i = 0; i < harness::Effort(500); ++i) {
     CAPTURE(i);
-    const Hull hull = {.points = RandomPoints(random)};
+    const Hull hull = {.points = RandomPoints(random), .texture = {.unit = Texture::Unit::kNone}};
     const Solid solid = Made(hull);
     REQUIRE(solid.pieces.size() == 1);
     const Piece& piece = solid.pieces[0];
