@@ -287,7 +287,7 @@ std::string WithPegs(std::string_view text, const model::Checks& checks) {
     const std::string shape = fitting.is_round
                                   ? fmt::format(R"(type="cylinder" size="{} {}")", x, length / 2)
                                   : fmt::format(R"(type="box" size="{} {} {}")", x, y, length / 2);
-    pegs += fmt::format(R"(<body name="{}"><joint type="free"/>{}</body>)", PegName(i),
+    pegs += fmt::format(R"(<body name="{}"><freejoint/>{}</body>)", PegName(i),
                         AddedGeom(shape, kSteel * area * length));
   }
   return WithBodies(text, pegs);

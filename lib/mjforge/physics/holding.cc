@@ -238,7 +238,7 @@ std::string WithBalls(std::string_view text, const model::Holding& holding) {
   for (int i = 0; i < holding.balls; ++i) {
     const double radius = RadiusOf(holding, i);
     const double mass = kDensity * 4 / 3 * std::numbers::pi * radius * radius * radius;
-    balls += fmt::format(R"(<body name="{}"><joint type="free"/>{}</body>)", BallName(i),
+    balls += fmt::format(R"(<body name="{}"><freejoint/>{}</body>)", BallName(i),
                          AddedGeom(fmt::format(R"(type="sphere" size="{}")", radius), mass));
   }
   return WithBodies(text, balls);

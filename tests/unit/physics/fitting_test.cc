@@ -53,6 +53,13 @@ TEST_CASE("a peg fits only where something holds it sideways") {
   check(R"(<site name="mouth" pos="0.031 0 0.015" zaxis="0 0 -1"/>)");  // along its outside
 }
 
+TEST_CASE("a file's defaults for joints are not those of a peg") {
+  const std::string defaults = R"(<default><joint damping="10" armature="10"/></default>)";
+  const Examined damped =
+      Examine(Free(0, std::string(kShaft) + kInto), defaults, Fits(0.0095, 0.02));
+  CHECK(damped.result->fits == Fitting{1, 1});
+}
+
 TEST_CASE("a slot holds a peg, too") {
   const std::string slot = R"(<geom type="box" size="0.01 0.05 0.01" pos="-0.015 0 -0.01"/>
     <geom type="box" size="0.01 0.05 0.01" pos="0.015 0 -0.01"/>
