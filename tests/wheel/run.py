@@ -93,7 +93,7 @@ def needs_nothing_else(place):
 def has_the_licenses(place):
     folder, = packaged(place).parent.glob("mjforge-*.dist-info")
     licenses = {file.name for file in (folder / "licenses").iterdir()}
-    wanted = {"LICENSE", "libmujoco-dev", "libarchive-dev", "libassimp5", "libssl3", "libdraco7"}
+    wanted = {"LICENSE", "libmujoco-dev", "libarchive-dev", "libassimp5", "libgcrypt20", "libdraco7"}
     expect(wanted <= licenses, f"there are no {wanted - licenses}")
     return f"{len(licenses)} licenses"
 
