@@ -9,7 +9,7 @@ namespace {
 
 class MemoryTest : public harness::ProgramTest {
  protected:
-  /// With so many kilobytes of memory, the program's own 90,000 included.
+  /// With so many kilobytes of memory, the program's own 45,000 included.
   harness::CommandResult RunWithin(int kilobytes, const std::string& arguments) const {
     return harness::Command{
         .program = "bash",
@@ -24,7 +24,7 @@ TEST_CASE_METHOD(MemoryTest, "a variant that needs too much memory fails, and no
   folder().Write("heap.yaml",
                  "mjforge: 1\nname: heap\nparams: {n: {cycle: [10, 40000]}}\nparts:\n"
                  "  - {name: \"pebble_${i}\", for: {i: n}, type: sphere, size: 1cm}\n");
-  const auto result = RunWithin(130'000, "generate heap.yaml -n 4 -j 1 --validate none -o out");
+  const auto result = RunWithin(100'000, "generate heap.yaml -n 4 -j 1 --validate none -o out");
   INFO(result.err);
   CHECK(result.status == 1);
   CHECK(result.err.find("error: variant 1: its worker needs more memory than there is") !=
@@ -32,7 +32,7 @@ TEST_CASE_METHOD(MemoryTest, "a variant that needs too much memory fails, and no
   CHECK(result.err.find("internal error") == std::string::npos);
   CHECK(result.err.find(": 2 ok, 2 failed (") != std::string::npos);
   CHECK(std::filesystem::exists(folder() / "out/heap_000002.xml"));
-  const auto check = RunWithin(130'000, "check heap.yaml -n 2 -j 1");
+  const auto check = RunWithin(100'000, "check heap.yaml -n 2 -j 1");
   CHECK(check.status == 1);
   CHECK(check.err.find("heap.yaml: 1 of 2 variants ok\n") != std::string::npos);
 }
@@ -43,12 +43,12 @@ TEST_CASE_METHOD(MemoryTest, "a spec that needs too much memory is an input fail
     text += "  - {name: p" + std::to_string(i) + ", type: sphere, size: 1cm}\n";
   folder().Write("heap.yaml", text);
   for (const char* arguments : {"check heap.yaml", "generate heap.yaml"}) {
-    const auto result = RunWithin(130'000, arguments);
+    const auto result = RunWithin(100'000, arguments);
     CHECK(result.status == 3);
     CHECK(result.err == "mjforge: error: not enough memory\n");
     CHECK(folder().Files() == std::vector<std::string>{"heap.yaml"});
   }
-  const auto inspected = RunWithin(130'000, "inspect heap.yaml");
+  const auto inspected = RunWithin(100'000, "inspect heap.yaml");
   CHECK(inspected.status == 1);
   CHECK(inspected.err.starts_with("mjforge: error: 'heap.yaml' needs more memory than there is"));
 }
