@@ -12,7 +12,6 @@ set(mjforge_dependencies
   "Gcrypt"  # SHA-256
   "LibArchive 3.6"
   "tinyobjloader"
-  "assimp 5"
   "PNG 1.6"
   "ZLIB 1.2"
   "GIF 5.2"

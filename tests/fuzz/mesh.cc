@@ -3,9 +3,6 @@
 #include "fuzz/input.h"
 #include "mjforge/model/mesh_files.h"
 
-// Assimp 5.2 keeps 2.4 kB for each text that it refuses.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
-
 namespace mjforge::fuzz {
 
 void Run(Input input) {

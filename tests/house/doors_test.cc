@@ -67,7 +67,6 @@ const std::array kLibraries = {
             true},
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
-    Library{"assimp/", {"model"}},
     Library{"boost/archive/iterators/", {"report"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model"}, true},
     Library{"boost/math/", {"sample", "solid"}},

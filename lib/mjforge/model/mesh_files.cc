@@ -1,22 +1,23 @@
 #include "mjforge/model/mesh_files.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <exception>
-#include <memory>
 #include <new>
 #include <unordered_map>
 #include <utility>
 
-#include <assimp/scene.h>
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
-#include <assimp/Importer.hpp>
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
 
 namespace mjforge::model {
 namespace {
@@ -113,6 +114,90 @@ bool HasPolygons(std::string_view content) {
   return false;
 }
 
+// Binary STL: a header of any 80 bytes, the number of triangles, and for each its normal and its
+// corners, twelve numbers, and two more bytes.
+static_assert(std::endian::native == std::endian::little);
+constexpr std::size_t kStlCount = 80;  // where it stands
+constexpr std::size_t kStlHeader = 84;
+constexpr std::size_t kStlTriangle = 50;
+
+template <typename T>
+T ValueAt(std::string_view bytes, std::size_t at) {
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof(value));
+  return value;
+}
+
+bool IsBinaryStl(std::string_view content) {
+  return content.size() >= kStlHeader && (content.size() - kStlHeader) % kStlTriangle == 0 &&
+         (content.size() - kStlHeader) / kStlTriangle == ValueAt<std::uint32_t>(content, kStlCount);
+}
+
+void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
+  for (std::size_t at = kStlHeader; at < content.size(); at += kStlTriangle) {
+    const auto numbers = ValueAt<std::array<float, 12>>(content, at);
+    std::array<Eigen::Vector3d, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = {numbers[3 * k + 3], numbers[3 * k + 4], numbers[3 * k + 5]};
+    builder.Add(corners);
+  }
+}
+
+// The words of a line `vertex X Y Z`, in the precision of binary STL.
+std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words) {
+  if (words.size() != 4) return std::nullopt;
+  Eigen::Vector3d vertex;
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<double> number = expr::ParseNumber(words[static_cast<std::size_t>(i) + 1]);
+    if (!number) return std::nullopt;
+    vertex[i] = static_cast<float>(*number);
+  }
+  return vertex;
+}
+
+// Text STL, one line after the other. Names of solids may be any words, and normals are not needed.
+// False, and why, if it is something else.
+bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why_not) {
+  constexpr std::string_view kPassedOver[] = {"solid", "facet", "outer", "endfacet", "endsolid"};
+  std::array<Eigen::Vector3d, 3> corners;
+  std::size_t count = 0;  // of the triangle at hand
+  bool is_begun = false;
+  for (std::size_t number = 1; !content.empty(); ++number) {
+    const std::string_view line = content.substr(0, content.find('\n'));
+    content.remove_prefix(std::min(content.size(), line.size() + 1));
+    const std::vector<std::string_view> words = expr::WordsOf(line);
+    if (words.empty()) continue;
+    is_begun |= words[0] == "solid";
+    if (is_begun && std::ranges::count(kPassedOver, words[0]) > 0) continue;
+    const auto vertex = words[0] == "vertex" ? StlVertex(words) : std::nullopt;
+    if (is_begun && vertex && count < 3) {
+      corners[count++] = *vertex;
+    } else if (words[0] == "endloop" && count == 3) {
+      builder.Add(corners);
+      count = 0;
+    } else {
+      why_not = is_begun ? fmt::format("line {} does not belong in an STL text", number)
+                         : "neither a text nor a binary STL file";
+      return false;
+    }
+  }
+  if (count > 0) why_not = "it ends within a triangle";
+  return count == 0;
+}
+
+// What `parse` gives; nothing, and why, if it throws.
+template <typename Parse>
+std::optional<MeshFile> Caught(Parse parse, std::string& why_not) {
+  try {
+    return parse();
+  } catch (const std::bad_alloc&) {
+    why_not = "needs more memory than there is";
+  } catch (const std::exception& error) {
+    why_not = FirstLine(error.what());
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not) {
@@ -120,66 +205,33 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
     why_not = "not a text file";
     return std::nullopt;
   }
-  try {
+  const auto parse = [&]() -> std::optional<MeshFile> {
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig config;
     config.triangulate = true;
     config.vertex_color = false;
-    if (!reader.ParseFromString(std::string(content), std::string(), config)) {
-      why_not = reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error());
-      return std::nullopt;
-    }
-    return BuildObj(reader, HasPolygons(content), why_not);
-  } catch (const std::bad_alloc&) {
-    why_not = "needs more memory than there is";
+    if (reader.ParseFromString(std::string(content), std::string(), config))
+      return BuildObj(reader, HasPolygons(content), why_not);
+    why_not = reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error());
     return std::nullopt;
-  } catch (const std::exception& error) {
-    why_not = FirstLine(error.what());
-    return std::nullopt;
-  }
+  };
+  return Caught(parse, why_not);
 }
 
-// Through Assimp. ADMesh, the lighter choice, is not fit for a library: it
-// prints to standard output and error, exits, and reads text with fscanf, that
-// is in the locale of the host program. (Assimp 5.2 leaks 2.4 kB when it refuses
-// a text file; each file is read at most once a run.)
 std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not) {
-  try {
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, "stl");
-    if (scene == nullptr) {
-      // Assimp's own words speak of a made-up file name.
-      why_not = "neither a text nor a binary STL file";
-      return std::nullopt;
-    }
+  const auto parse = [&]() -> std::optional<MeshFile> {
     MeshBuilder builder;
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-      const aiMesh& solid = *scene->mMeshes[i];
-      for (unsigned j = 0; j < solid.mNumFaces; ++j) {
-        const aiFace& face = solid.mFaces[j];
-        if (face.mNumIndices != 3) continue;
-        std::array<Eigen::Vector3d, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const aiVector3D& v = solid.mVertices[face.mIndices[k]];
-          corners[k] = {v.x, v.y, v.z};
-        }
-        builder.Add(corners);
-      }
+    const bool is_binary = IsBinaryStl(content);
+    if (is_binary) {
+      AddBinaryStl(content, builder);
+    } else if (!AddTextStl(content, builder, why_not)) {
+      return std::nullopt;
     }
     std::optional<TriangleMesh> mesh = std::move(builder).Finish(why_not);
     if (!mesh) return std::nullopt;
-    // A binary file is 84 bytes and 50 for each triangle; a text never has a
-    // zero byte, which the header's padding or the counter always has.
-    const bool is_binary = content.size() > 84 && (content.size() - 84) % 50 == 0 &&
-                           content.find('\0') != std::string_view::npos;
     return MeshFile{std::move(*mesh), is_binary};
-  } catch (const std::bad_alloc&) {
-    why_not = "needs more memory than there is";
-    return std::nullopt;
-  } catch (const std::exception& error) {
-    why_not = FirstLine(error.what());
-    return std::nullopt;
-  }
+  };
+  return Caught(parse, why_not);
 }
 
 std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not,

@@ -9,10 +9,6 @@
 
 #include "mjforge/model/shapes.h"
 
-// Assimp 5.2 forgets one empty mesh (2.4 kB) for each text STL it refuses;
-// LeakSanitizer asks for this function by name.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
-
 namespace mjforge::model {
 namespace {
 
@@ -94,6 +90,38 @@ TEST_CASE("binary and text STL give the same mesh") {
   const std::optional<MeshFile> text = ParseStl(TextStl(), why_not);
   CheckTetrahedron(text, why_not);
   CHECK_FALSE(text->fit_for_mujoco);  // MuJoCo reads binary STL only
+}
+
+TEST_CASE("text STL is read whatever its solids are called and their normals are") {
+  std::string text = TextStl();
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+      text.replace(at, from.size(), to);
+  };
+  replace("solid tetra", "solid  vertex of a facet");
+  replace("normal 0 0 0", "normal nan nan nan");
+  replace("\n", " \r\n\t");
+  std::string why_not;
+  CheckTetrahedron(ParseStl("\n" + text + "solid\nendsolid", why_not), why_not);
+}
+
+TEST_CASE("text STL that is something else is refused with its line") {
+  const auto reason = [](std::string_view text) {
+    std::string why_not;
+    CHECK_FALSE(ParseStl(text, why_not));
+    return why_not;
+  };
+  const std::string corner = "vertex 0 1 -2.5e-1\n";
+  const std::string open = "solid a\nfacet normal 0 0 1\nouter loop\n" + corner + corner;
+  CHECK(reason("facet normal 0 0 1\n") == "neither a text nor a binary STL file");
+  CHECK(reason("solid a\nendsolid a\n") == "no triangles");
+  CHECK(reason(open) == "it ends within a triangle");
+  CHECK(reason(open + "endloop\n") == "line 6 does not belong in an STL text");
+  CHECK(reason(open + corner + corner) == "line 7 does not belong in an STL text");
+  CHECK(reason(open + "vertex 1 2\n") == "line 6 does not belong in an STL text");
+  CHECK(reason(open + "vertex 1 2 x\n") == "line 6 does not belong in an STL text");
+  CHECK(reason(open + "corner 1 2 3\n") == "line 6 does not belong in an STL text");
+  CHECK(reason(open + "vertex 1 1 1e39\nendloop\n") == "a coordinate is not a finite number");
 }
 
 TEST_CASE("OBJ faces of many corners are cut into triangles, which MuJoCo cannot do") {
