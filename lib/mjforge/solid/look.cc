@@ -12,7 +12,7 @@ constexpr int kMost = 48;    // of what is seen of it
 
 }  // namespace
 
-double ChordError(double half_size) { return std::min(0.25e-3, 0.005 * half_size); }
+double ChordError(double half_size, double share) { return std::min(0.25e-3, share * half_size); }
 
 int SegmentsOf(double radius, double chord_error, double angle) {
   const double share = angle / kWholeTurn;

@@ -11,7 +11,8 @@ namespace mjforge::solid {
 inline constexpr double kWholeTurn = 2 * std::numbers::pi;
 
 /// How far a chord of what is seen may lie within the true circle, m, in a shape of that half size.
-double ChordError(double half_size);
+/// `share`: of the half size.
+double ChordError(double half_size, double share = 0.005);
 
 /// Segments of a whole turn with no larger chord error: 16, 32, 64 and so on, since variants with
 /// the same number share a mould, but at most 48 in the angle, rad, that is seen of it.

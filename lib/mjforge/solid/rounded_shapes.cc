@@ -39,7 +39,8 @@ Surface FlatSurface(const Polytope& polytope) {
 Solid Rounded(const Polytope& core, double round, const Texture& texture) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : core.vertices) box.extend(p);
-  const double error = ChordError(box.sizes().maxCoeff() / 2 + round);
+  // A corner has the square of an edge's segments.
+  const double error = ChordError(box.sizes().maxCoeff() / 2 + round, 0.02);
   Solid solid;
   solid.look = RoundedSurface(core, round, SegmentsOf(round, error, kWholeTurn));
   LayFromAbove(texture, solid.look);

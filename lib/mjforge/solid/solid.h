@@ -20,7 +20,8 @@ inline constexpr std::size_t kMostPoints = 1000;
 /// What is seen: triangles counter-clockwise from outside, with a normal of length 1 and, if it
 /// has any, a texture coordinate for each vertex. A vertex on a sharp edge, or where the texture
 /// begins and ends, is there once for each side. Between a chord and the true circle there are at
-/// most 0.25 mm, and at most 0.5 % of half the shape's size, unless that takes more than 48 chords.
+/// most 0.25 mm, and at most 0.5 % of half the shape's size (2 % at the edges of boxes and hulls),
+/// unless that takes more than 48 chords.
 struct Surface {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Eigen::Vector3d> normals;
