@@ -38,11 +38,6 @@ constexpr double kShortestStep = 1e-5;  // s
 constexpr double kLongestStep = 0.02;   // s; from 2 mm above the floor things fall for 0.02 s
 constexpr double kMostSteps = 1e7;
 
-/// Of what is slow in millimetres.
-std::string Speed(double speed) {
-  return speed < 1 ? RoundedText(1000 * speed) + " mm/s" : RoundedText(speed) + " m/s";
-}
-
 class Behaviour {
  public:
   Behaviour(mjModel& m, Workspace& workspace, const model::Object& object, diag::SourceMark mark,
@@ -239,15 +234,16 @@ class Behaviour {
     if (!result.at_rest && result.dropped && result.ncon == 0) {
       verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
                        fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
-                                   RoundedText(result.time), Speed(result.speed)),
+                                   RoundedText(result.time), SpeedText(result.speed)),
                        "check gravity and the contact bits (contype, conaffinity)");
     } else if (!result.at_rest && result.dropped) {
       verdict_.Warning(
           Code::kPhysicsNotAtRest, mark_,
           fmt::format("'{}' still moves after {} s: body '{}' at {}, {} mm from where it began; at "
                       "rest it is slower than {} for 0.1 s",
-                      object_.name, RoundedText(result.time), trouble.fastest, Speed(result.speed),
-                      RoundedText(1000 * trouble.way), Speed(checks.rest_speed)),
+                      object_.name, RoundedText(result.time), trouble.fastest,
+                      SpeedText(result.speed), RoundedText(1000 * trouble.way),
+                      SpeedText(checks.rest_speed)),
           "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
     }
     ReportAbove(Code::kPhysicsPenetrates, result.penetration, checks.penetration, 1000,

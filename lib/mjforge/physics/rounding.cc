@@ -21,6 +21,10 @@ std::string WithDigits(double value, int digits) {
 
 std::string RoundedText(double value) { return WithDigits(value, 3); }
 
+std::string SpeedText(double speed) {
+  return speed < 1 ? RoundedText(1000 * speed) + " mm/s" : RoundedText(speed) + " m/s";
+}
+
 Beyond::Beyond(double number, double bound) {
   for (int digits = 3; digits <= 17; ++digits) {
     value = WithDigits(number, digits);

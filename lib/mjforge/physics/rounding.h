@@ -9,6 +9,9 @@ namespace mjforge::physics {
 /// Three significant digits, and all digits before the point: "0.0123", "1.23", "1235".
 std::string RoundedText(double value);
 
+/// A speed (m/s), below 1 m/s in mm/s.
+std::string SpeedText(double speed);
+
 /// A number that is beyond a limit, and the limit, both with as few digits, from three on, as it
 /// takes to see that.
 struct Beyond {

@@ -86,8 +86,10 @@ class Fall {
       if (slow && slow_since < 0) slow_since = t;
       if (touched >= 0 && slow && t - slow_since >= kStill) return Rested();
     }
-    return fmt::format("{:g} s after it touches the floor it still moves at {} m/s", kRestWithin,
-                       RoundedText(FastestPoint(m_, d_).speed));
+    return fmt::format(
+        "{:g} s after it touches the floor it still moves, at the end at {}; at rest it is slower "
+        "than {} for {:g} s",
+        kRestWithin, SpeedText(FastestPoint(m_, d_).speed), SpeedText(checks_.rest_speed), kStill);
   }
 
   /// Down a slope, by kSlides of its size.

@@ -15,6 +15,12 @@ TEST_CASE("numbers have three digits, and all of those before the point") {
   CHECK(RoundedText(1.5e12) == "1.5e+12");
 }
 
+TEST_CASE("slow speeds are in millimetres") {
+  CHECK(SpeedText(0.00082) == "0.82 mm/s");
+  CHECK(SpeedText(0.9) == "900 mm/s");
+  CHECK(SpeedText(1.2345) == "1.23 m/s");
+}
+
 std::string Compared(double value, double limit) {
   const Beyond beyond(value, limit);
   return beyond.value + " " + beyond.limit;
