@@ -110,7 +110,9 @@ class Fall {
       }
       if (way > kSlides * size_) return "";
     }
-    return fmt::format("it does not slide: it moves by {} mm", RoundedText(1000 * way));
+    const Beyond beyond(1000 * way, 1000 * kSlides * size_);
+    return fmt::format("in {:g} s it slides by {} mm, less than {} mm", kSlopeTime, beyond.value,
+                       beyond.limit);
   }
 
  private:
