@@ -29,6 +29,7 @@ struct GenerateOptions : ManyOptions {
   std::uint64_t per_archive = 10'000;
   std::string shard;
   std::string target = "mujoco";
+  std::string assets = "inline";
   std::string validate = "load";
   std::string on_invalid = "fail";
   std::string sampler = "random";
@@ -66,6 +67,9 @@ std::string Misplaced(const GenerateOptions& options, const batch::Request& requ
     return fmt::format("-o {} takes one variant, -n asks for {}", options.output, request.count);
   if (kind != Kind::kFolder && options.specs.size() > 1)
     return fmt::format("-o {} takes one spec, {} are given", options.output, options.specs.size());
+  if (kind == Kind::kStandardOutput && request.variant.assets == mjcf::AssetForm::kFiles)
+    return "--assets files: standard output cannot carry them; write to a file, a folder or an "
+           "archive";
   if (is_one && request.resume) return fmt::format("-o {} has nothing to resume", options.output);
   if (is_one && !request.shard.IsWhole())
     return fmt::format("-o {} writes one variant, which has no shards", options.output);
@@ -114,6 +118,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
+  AddWord(command, "--assets", options.assets, mjcf::kAssetForms, "Meshes and textures");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });
   AddWord(command, "--on-invalid", options.on_invalid, manifest::kOnInvalid, "Invalid variants");
@@ -130,6 +135,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
 std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
   batch::Request request = RequestOf(static_cast<const ManyOptions&>(options));
   request.variant.target = *mjcf::FindTarget(options.target);
+  if (options.assets == mjcf::kAssetForms[1]) request.variant.assets = mjcf::AssetForm::kFiles;
   request.variant.sampler = *sample::FindMethod(options.sampler);
   request.variant.validation = *manifest::Find<forge::Validation>(options.validate);
   request.variant.on_invalid = *manifest::Find<forge::OnInvalid>(options.on_invalid);

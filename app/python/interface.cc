@@ -100,10 +100,10 @@ std::string FindingsJson(const diag::Findings& findings, const diag::Sources& so
 std::string FilesJson(const mjcf::MjcfDocument& document) {
   diag::Json json(nullptr);
   json.StartArray();
-  for (const auto& [name, file] : document.assets) {
+  for (const bytes::Asset& asset : document.assets) {
     json.StartArray();
-    json.Value(name);
-    json.Value(file.string());
+    json.Value(asset.name);
+    json.Value(asset.file.string());
     json.EndArray();
   }
   json.EndArray();

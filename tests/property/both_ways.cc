@@ -19,6 +19,8 @@ std::string WrittenAgain(const Variant& variant, const Recipe& recipe, const Opt
   if (provenance.name == recipe.spec->name) provenance.name.clear();
   mjcf::MjcfDocument document;
   mjcf::WriteMjcf(*variant.object, options.target, provenance, document);
+  diag::Findings findings;
+  REQUIRE(files::Maker().Make(*variant.object, document, findings));
   return document.text;
 }
 

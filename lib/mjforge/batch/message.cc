@@ -93,7 +93,7 @@ auto Members(Chunk& chunk) { return std::tie(chunk.first, chunk.count, chunk.arc
 auto Members(Condemned& condemned) {
   return std::tie(condemned.index, condemned.too_slow, condemned.how);
 }
-auto Members(Asset& asset) { return std::tie(asset.name, asset.source, asset.sha256); }
+auto Members(Asset& asset) { return std::tie(asset.name, asset.source, asset.sha256, asset.made); }
 auto Members(Task& task) { return std::tie(task.chunk, task.condemned); }
 auto Members(Result& result) {
   return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,

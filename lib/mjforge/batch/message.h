@@ -44,8 +44,9 @@ struct SourceText {
 /// A file that objects refer to.
 struct Asset {
   std::string name;    // in the object
-  std::string source;  // file
+  std::string source;  // file; empty: it is made
   std::string sha256;
+  std::string made = {};  // its content
 
   bool operator==(const Asset&) const = default;
 };

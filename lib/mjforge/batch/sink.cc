@@ -26,7 +26,9 @@ class FileSink : public Sink {
     document.text = result.text;
     output::AssetHashes hashes;
     for (const Asset& asset : result.assets) {
-      document.assets.emplace_back(asset.name, asset.source);
+      document.assets.push_back({.name = asset.name, .file = asset.source});
+      if (asset.source.empty())
+        document.assets.back().made = std::make_shared<const std::string>(asset.made);
       hashes.emplace_back(asset.name, asset.sha256);
     }
     return folder.Write(name, document, findings, hashes);

@@ -24,7 +24,7 @@ bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile&
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
 
-/// What records say is in a folder. Assets are read once.
+/// What records say is in a folder. Assets that many share are read once.
 class VouchedObjects {
  public:
   VouchedObjects(std::filesystem::path folder, bool verify)

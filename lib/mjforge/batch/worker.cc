@@ -42,6 +42,7 @@ class Worker {
     }
     usual_lines_ = std::max(usual_lines_, result.lines.size());
     result.segment = segment_.Take();
+    made_members_.clear();
     result.more_findings = digest.not_shown();
     result.findings.assign(digest.entries().begin(), digest.entries().end());
     for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
@@ -122,14 +123,24 @@ class Worker {
     return true;
   }
 
+  // Those that are made go to the leading process only where it writes them.
   void AddAssets(Result& result) const {
-    for (const auto& [name, source] : variant_.document.assets) {
+    for (const auto& [name, source, made] : variant_.document.assets) {
+      if (made && request_.destination.kind != Kind::kFile) continue;
       const auto& hashes = variant_.record.assets;
       const auto hash = std::ranges::find(hashes, name, &output::AssetHashes::value_type::first);
-      const Asset asset = {name, source.string(), hash->second};
+      const Asset asset = {name, source.string(), hash->second, made ? *made : std::string()};
       if (std::ranges::find(result.assets, asset) == result.assets.end())
         result.assets.push_back(asset);
     }
+  }
+
+  // What is made for the object goes before it, once in a segment: these are made side by side.
+  bool AddMadeFiles(diag::Findings& findings) {
+    return std::ranges::all_of(variant_.document.assets, [&](const bytes::Asset& asset) {
+      return !asset.made || !made_members_.insert(asset.name).second ||
+             segment_.Add(asset.name, *asset.made, findings);
+    });
   }
 
   // The object and its record to the archive.
@@ -141,7 +152,7 @@ class Worker {
     std::string spec_file = std::exchange(record.spec_file, {});
     AppendRecord(line_, record);
     record.spec_file = std::move(spec_file);
-    return segment_.Add(record.file, variant_.document.text, findings) &&
+    return AddMadeFiles(findings) && segment_.Add(record.file, variant_.document.text, findings) &&
            segment_.Add(stem + ".json", line_, findings);
   }
 
@@ -153,8 +164,8 @@ class Worker {
       result.variants.push_back(
           {record.index, record.name, record.status, record.attempt, record.file});
     }
-    for (const auto& [name, source] : variant_.document.assets) {
-      if (variant_.object && told_assets_.insert(source.string()).second)
+    for (const auto& [name, source, made] : variant_.document.assets) {
+      if (!made && variant_.object && told_assets_.insert(source.string()).second)
         result.inputs.push_back(source.string());
     }
   }
@@ -182,6 +193,7 @@ class Worker {
   forge::Generator generator_;
   output::ObjectFolder folder_;
   output::Segment segment_;
+  std::set<std::string> made_members_;  // of that
   forge::Variant variant_;
   std::string archive_;          // the name of the one that the chunk goes to
   std::string line_;             // the record in the archive; empty: it is not there

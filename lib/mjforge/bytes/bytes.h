@@ -12,6 +12,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace mjforge::bytes {
 
@@ -62,6 +64,32 @@ std::string_view KindOf(std::string_view text);
 /// Pixels of a PNG file, as its header has them; nothing for other files, and why if it cannot be
 /// read.
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not);
+
+/// A picture: rows from the top, red, green, blue and, with `has_alpha`, alpha (the colors are not
+/// multiplied by it).
+struct Pixels {
+  int width = 0;
+  int height = 0;
+  std::span<const std::uint8_t> colors;
+  bool has_alpha = false;
+};
+/// Keywords and texts that a PNG file carries.
+using PngTexts = std::vector<std::pair<std::string, std::string>>;
+std::string EncodePng(const Pixels& pixels, const PngTexts& texts = {});
+
+/// A file that a text refers to.
+struct Asset {
+  std::string name;                                   // in the text
+  std::filesystem::path file;                         // where it is read from; empty: it is `made`
+  std::shared_ptr<const std::string> made = nullptr;  // its content
+
+  bool operator==(const Asset& other) const {
+    return name == other.name && file == other.file &&
+           (made == nullptr) == (other.made == nullptr) &&
+           (made == nullptr || *made == *other.made);
+  }
+};
+using Assets = std::vector<Asset>;
 
 /// Whether it is a regular file (or standard input) of at most `limit` bytes; else why not.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);

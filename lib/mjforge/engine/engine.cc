@@ -70,12 +70,12 @@ const std::string* Engine::ReadOnce(const std::filesystem::path& file, std::stri
   return content ? &files_.emplace(file, *std::move(content)).first->second : nullptr;
 }
 
-std::optional<Engine::AssetProblem> Engine::SetAssets(const Assets& assets) {
+std::optional<Engine::AssetProblem> Engine::SetAssets(const bytes::Assets& assets) {
   in_memory_.Clear();
   for (std::size_t i = 0; i < assets.size(); ++i) {
-    const auto& [name, file] = assets[i];
+    const auto& [name, file, made] = assets[i];
     std::string why_not;
-    const std::string* bytes = ReadOnce(file, why_not);
+    const std::string* bytes = made ? made.get() : ReadOnce(file, why_not);
     if (bytes == nullptr) {
       return AssetProblem{i, CodeOfUnread(file),
                           fmt::format("cannot read '{}': {}", file.string(), why_not)};

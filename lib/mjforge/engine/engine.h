@@ -13,6 +13,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/engine/adapt.h"
 #include "mjforge/engine/api.h"
@@ -41,20 +42,19 @@ struct Loaded {
 
 class Engine {
  public:
-  using Assets = std::vector<std::pair<std::string, std::filesystem::path>>;
-
   /// Makes MuJoCo's errors C++ exceptions (std::runtime_error) and collects its warnings, in the
   /// whole process.
   Engine();
 
-  /// Puts the files into memory under the names that the text uses, reading each once. If it
-  /// cannot, returns the reason and the index of the asset; otherwise nothing.
+  /// Puts the files into memory under the names that the text uses, reading each once; those that
+  /// are made must live until the text is loaded. If it cannot, returns the reason and the index of
+  /// the asset; otherwise nothing.
   struct AssetProblem {
     std::size_t asset = 0;
     diag::Code code = diag::Code::kMujocoError;
     std::string message;
   };
-  std::optional<AssetProblem> SetAssets(const Assets& assets);
+  std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
   /// Loads a text that may refer to the assets.
   Loaded LoadText(const std::string& text);

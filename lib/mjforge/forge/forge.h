@@ -23,6 +23,7 @@
 
 #include "mjforge/attach/attach.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/files/files.h"
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -106,6 +107,7 @@ using manifest::Validation;
 struct Options {
   std::uint64_t seed = 0;
   mjcf::Target target = mjcf::Target::kMujoco;
+  mjcf::AssetForm assets = mjcf::AssetForm::kInline;
   std::string name;           // checked by CheckName; empty: the spec's
   std::uint64_t attempt = 0;  // draws before this one are not tried
   OnInvalid on_invalid = OnInvalid::kFail;
@@ -163,6 +165,7 @@ class Generator {
   diag::Sources record_sources_;  // names as records show them
   manifest::Record common_;       // BatchRecord
   sample::Sampler sampler_;
+  files::Maker files_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
   std::optional<sample::Evaluator> values_;    // of the variant at hand

@@ -32,6 +32,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
+  if (options.assets == mjcf::AssetForm::kFiles) record.assets_as = mjcf::kAssetForms[1];
   record.validate = options.validation;
   record.on_invalid = options.on_invalid;
   if (options.sampler != sample::Method::kRandom)
@@ -128,7 +129,8 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
     record.params[i].second = values_->Parameter(i);
   }
   const bool made = (moulds_ && moulds_->Make(variant)) || Assemble(variant);
-  if (!made) return Outcome::kFailed;
+  if (!made || !files_.Make(*variant.object, variant.document, variant.findings))
+    return Outcome::kFailed;
   Describe(*variant.object, record);
   Judge(variant);
   return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kMade : Outcome::kFailed;
@@ -184,9 +186,12 @@ void Generator::Judge(Variant& variant) {
 }
 
 bool Generator::HashAssets(Variant& variant) {
-  for (const auto& [name, file] : variant.document.assets) {
-    std::string& hash = hashes_[file.string()];
-    if (hash.empty()) {
+  for (const auto& [name, file, content] : variant.document.assets) {
+    std::string made;
+    std::string& hash = content ? made : hashes_[file.string()];
+    if (content) {
+      hash = bytes::Sha256Of(*content);
+    } else if (hash.empty()) {
       const auto bytes = output::ReadFile(file, bytes::kMaxAsset, variant.findings);
       if (!bytes) return false;
       hash = bytes::Sha256Of(*bytes);

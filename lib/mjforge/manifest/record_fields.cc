@@ -267,6 +267,10 @@ const std::array kFields = {
     Optional<&Record::settings, Scope::kBatch>(
         "set", R"("type": "object", "additionalProperties": {"type": "string"})",
         "Parameters that were set in place of the spec's own values, as YAML."),
+    Optional<&Record::assets_as, Scope::kBatch>("assets_as", R"("enum": ["files"])",
+                                                "How meshes and textures that no file has are "
+                                                "written: as files beside the object; left out "
+                                                "if they are in its file."),
     Optional<&Record::sampler, Scope::kBatch>(
         "sampler", R"("enum": ["sobol", "latin", "grid"])",
         "How the draws are spread over the batch; left out if they are random."),

@@ -39,6 +39,8 @@ void Form::Fill(std::uint64_t index, MjcfDocument& document) {
   document.slots.clear();
   document.origins = document_.origins;
   document.assets = document_.assets;
+  document.made_files = document_.made_files;
+  for (MadeFile& file : document.made_files) file.hash = Moved(file.hash);
   document.size_position = Moved(document_.size_position);
   document.world_position = Moved(document_.world_position);
   document.host_frees = document_.host_frees;

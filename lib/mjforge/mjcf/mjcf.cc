@@ -7,6 +7,18 @@
 #include "mjforge/mjcf/sections.h"
 
 namespace mjforge::mjcf {
+namespace {
+
+// Keeps the memory.
+void Clear(MjcfDocument& document) {
+  document.text.clear();
+  document.slots.clear();
+  document.origins.clear();
+  document.assets.clear();
+  document.made_files.clear();
+}
+
+}  // namespace
 
 diag::SourceMark MjcfDocument::Origin(int line) const {
   const auto found = std::ranges::lower_bound(origins, line, {}, &LineOrigin::line);
@@ -30,10 +42,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
                MjcfDocument& document) {
   const TargetRules& rules = RulesOf(target);
   const bool scene = rules.scene;
-  document.text.clear();
-  document.slots.clear();
-  document.origins.clear();
-  document.assets.clear();
+  Clear(document);
   document.lift = scene ? LiftOntoFloor(object) : Traced<double>(0);
 
   AppendProvenance(provenance, document);
@@ -52,7 +61,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
       !object.meshes.empty()) {
     writer.Open("asset");
     writer.Content();
-    WriteAssets(object, writer, document);
+    WriteAssets(object, provenance.assets_as == kAssetForms[1], writer, document);
     if (scene) WriteSceneAssets(writer);
     writer.End("asset");
   }

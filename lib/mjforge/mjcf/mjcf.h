@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/targets.h"
 #include "mjforge/model/model.h"
@@ -27,6 +28,7 @@ struct Provenance {
   std::uint64_t index = 0;
   std::string name;  // the object's, where it is not the spec's
   std::string target;
+  std::string assets_as;    // empty: inline
   std::string sampler;      // empty: random
   std::uint64_t batch = 0;  // 0: the variant does not depend on the batch's size
 };
@@ -50,6 +52,23 @@ struct Slot {
   const double* number = nullptr;  // where a run of the tape leaves it; null: the variant's index
 };
 
+/// How meshes and textures that no file has are written.
+enum class AssetForm {
+  kInline,  // into the text
+  kFiles    // beside it, as OBJ and PNG: the room files makes them
+};
+inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
+
+/// A file that is made from the object. Its name in the text has as many zeros where its content's
+/// hash belongs.
+inline constexpr std::size_t kHashDigits = 16;
+struct MadeFile {
+  enum class Kind { kMesh, kTexture };
+  Kind kind = Kind::kMesh;
+  std::size_t number = 0;  // in Object::meshes or Object::textures
+  std::size_t hash = 0;    // byte of the text
+};
+
 struct MjcfDocument {
   std::string text;
   /// In the order of the text: of the index, and of the numbers of an object on a tape.
@@ -64,8 +83,10 @@ struct MjcfDocument {
   /// The host gives the root body a free joint, so the file has none.
   bool host_frees = false;
   tape::Traced<double> lift = 0;  // m, added to the height of the root body
-  /// Files the text refers to: name in the text, file to copy.
-  std::vector<std::pair<std::string, std::filesystem::path>> assets;
+  /// Files the text refers to.
+  bytes::Assets assets;
+  /// Others, which are still to be made.
+  std::vector<MadeFile> made_files;
 
   /// The place in the spec that produced a line; no place if none did.
   diag::SourceMark Origin(int line) const;
@@ -110,6 +131,10 @@ void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
 /// Bytes of the text's <mesh> elements: what shapes cost.
 std::size_t MeshBytes(std::string_view text);
+
+/// A texture as an element of MJCF on its own, without random marks: these differ between MuJoCo's
+/// releases.
+std::string TextureElement(const model::Texture& texture);
 
 /// Replaces the content of `document`, reusing its memory.
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,

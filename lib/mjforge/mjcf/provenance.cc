@@ -81,6 +81,7 @@ bool ReadPair(std::string_view word, Provenance& provenance) {
   if (key == "sha256") provenance.spec_sha256 = *value;
   if (key == "name") provenance.name = *value;
   if (key == "target") provenance.target = *value;
+  if (key == "assets") provenance.assets_as = *value;
   if (key == "sampler") provenance.sampler = *value;
   if (key == "batch") return ReadInteger(*value, 10, provenance.batch);
   if (key.starts_with(kSetting)) {
@@ -124,6 +125,7 @@ void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
   document.slots.push_back({out.size() - index.size(), out.size(), Slot::Spelling::kIndex});
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
+  if (!provenance.assets_as.empty()) AppendPair("assets", provenance.assets_as, out);
   if (!provenance.sampler.empty()) AppendPair("sampler", provenance.sampler, out);
   if (provenance.batch != 0) AppendPair("batch", std::to_string(provenance.batch), out);
   for (const auto& [name, value] : provenance.settings) {

@@ -20,8 +20,9 @@ struct GeomGroups {
 const GeomGroups& GroupsOf(Target target);
 
 /// Textures, materials and meshes, without the element around them; adds the files they name to the
-/// document's assets.
-void WriteAssets(const model::Object& object, ElementWriter& writer, MjcfDocument& document);
+/// document's. `as_files`: none of them is inline.
+void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writer,
+                 MjcfDocument& document);
 
 /// The tree of bodies. `lift`, m, is added to the height of root bodies.
 void WriteBodies(const model::Object& object, const GeomGroups& groups, const Traced<double>& lift,

@@ -14,6 +14,16 @@
 namespace mjforge::output {
 namespace {
 
+// Assets that are not looked at again. Those that are made may be many in each variant.
+constexpr std::size_t kMostKnown = 10'000;
+
+// Whether a power cut may have left `present` of `bytes`: their beginning, and zeros.
+bool IsBeginningOf(std::string_view present, std::string_view bytes) {
+  if (present.size() > bytes.size()) return false;
+  const auto [end, other] = std::ranges::mismatch(present, bytes);
+  return std::all_of(end, present.end(), [](char c) { return c == 0; });
+}
+
 // Whether no living process has it, which would hold its lock.
 bool IsLeft(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -116,37 +126,45 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
 }
 
 // Keeps a copy that is there with the same bytes.
-bool ObjectFolder::CopyAsset(const std::filesystem::path& source,
-                             const std::filesystem::path& target, const std::string& sha256,
-                             diag::Findings& findings) const {
-  const std::optional<std::string> bytes = ReadAsset(source, sha256, findings);
-  if (!bytes) return false;
+bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
+                             const std::string& sha256, diag::Findings& findings) const {
+  std::optional<std::string> read;
+  if (!asset.made) read = ReadAsset(asset.file, sha256, findings);
+  if (!asset.made && !read) return false;
+  const std::string& bytes = asset.made ? *asset.made : *read;
   if (std::error_code ignored; std::filesystem::exists(target, ignored)) {
     const std::optional<std::string> present = ReadFile(target, bytes::kMaxAsset, findings);
     if (!present) return false;
-    if (*present == *bytes) return true;
-    if (!overwrite_.force && !overwrite_.assets.contains(bytes::Sha256Of(*present))) {
-      findings.Add(diag::Code::kOutputExists, {},
-                   fmt::format("'{}' exists, and its content differs from '{}'", target.string(),
-                               source.string()),
-                   "choose another place, or overwrite it with --force");
+    if (*present == bytes) return true;
+    const bool is_ours = asset.made ? IsBeginningOf(*present, bytes)
+                                    : overwrite_.assets.contains(bytes::Sha256Of(*present));
+    if (!overwrite_.force && !is_ours) {
+      findings.Add(
+          diag::Code::kOutputExists, {},
+          fmt::format("'{}' exists, and its content differs from {}", target.string(),
+                      asset.made ? "what belongs there" : fmt::format("'{}'", asset.file.string())),
+          "choose another place, or overwrite it with --force");
       return false;
     }
   }
-  return WriteFile(target, *bytes, false, findings, overwrite_.durability);
+  // What is made is known by its name, which a power cut does not change: as for objects, the
+  // batch waits for all of them together.
+  return WriteFile(target, bytes, false, findings,
+                   asset.made ? Durability::kNone : overwrite_.durability);
 }
 
 bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
                               const std::filesystem::path& folder, const AssetHashes& hashes,
                               diag::Findings& findings) {
-  for (const auto& [name, source] : document.assets) {
-    const std::filesystem::path target = folder / name;
+  for (const bytes::Asset& asset : document.assets) {
+    const std::filesystem::path target = folder / asset.name;
     if (assets_.contains(target)) continue;
-    const std::filesystem::path below = std::filesystem::path(name).parent_path();
+    const std::filesystem::path below = std::filesystem::path(asset.name).parent_path();
     if (!folders_.MakeBelow(folder, below, findings)) return false;
-    const auto hash = std::ranges::find(hashes, name, &AssetHashes::value_type::first);
-    if (!CopyAsset(source, target, hash == hashes.end() ? std::string() : hash->second, findings))
+    const auto hash = std::ranges::find(hashes, asset.name, &AssetHashes::value_type::first);
+    if (!CopyAsset(asset, target, hash == hashes.end() ? std::string() : hash->second, findings))
       return false;
+    if (assets_.size() >= kMostKnown) assets_.clear();
     assets_.insert(target);
   }
   return true;

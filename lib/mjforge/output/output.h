@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/output/archive.h"
@@ -80,8 +81,8 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings);
 /// Names of assets in a document, and the SHA-256 of their bytes.
 using AssetHashes = std::vector<std::pair<std::string, std::string>>;
 
-/// The content of an asset; nothing, and a finding, if it cannot be read or, unless `sha256` is
-/// empty, has another hash.
+/// The content of an asset's file; nothing, and a finding, if it cannot be read or, unless `sha256`
+/// is empty, has another hash.
 std::optional<std::string> ReadAsset(const std::filesystem::path& file, const std::string& sha256,
                                      diag::Findings& findings);
 
@@ -102,7 +103,7 @@ class ObjectFolder {
  private:
   bool CopyAssets(const mjcf::MjcfDocument& document, const std::filesystem::path& folder,
                   const AssetHashes& hashes, diag::Findings& findings);
-  bool CopyAsset(const std::filesystem::path& source, const std::filesystem::path& target,
+  bool CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                  const std::string& sha256, diag::Findings& findings) const;
 
   std::filesystem::path folder_;

@@ -33,7 +33,7 @@ struct Loader::State {
 Loader::Loader() : state_(std::make_unique<State>()) {}
 Loader::~Loader() = default;
 
-std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const Assets& assets,
+std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const bytes::Assets& assets,
                                           std::string& why_not) {
   if (const auto problem = state_->engine.SetAssets(assets)) {
     why_not = problem->message;

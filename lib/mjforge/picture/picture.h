@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 
 namespace mjforge::picture {
@@ -118,13 +119,11 @@ class Subject {
 /// Reads models. Keeps files it has read; one for all variants of a batch.
 class Loader {
  public:
-  using Assets = std::vector<std::pair<std::string, std::filesystem::path>>;
-
   Loader();
   ~Loader();
   /// A text, and the files it refers to by these names. Nothing, and why, if MuJoCo refuses it;
   /// MuJoCo's warnings are ignored.
-  std::unique_ptr<Subject> LoadText(const std::string& mjcf, const Assets& assets,
+  std::unique_ptr<Subject> LoadText(const std::string& mjcf, const bytes::Assets& assets,
                                     std::string& why_not);
   std::unique_ptr<Subject> LoadFile(const std::filesystem::path& file, std::string& why_not);
 

@@ -195,7 +195,7 @@ Loader::~Loader() = default;
 Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
                                    const model::Object& object, diag::Findings& findings) {
   if (const auto problem = engine.SetAssets(document.assets)) {
-    const std::string& name = document.assets[problem->asset].first;
+    const std::string& name = document.assets[problem->asset].name;
     findings.Add(problem->code, document.Origin(LineOf(document.text, '"' + name + '"')),
                  problem->message);
     return {};

@@ -24,7 +24,7 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   result.lines = std::string("a\0b\n", 4);
   result.segment = std::string(100'000, 'x');
   result.variants = {{3, "crate", Status::kOk, 2, "crate_000003.xml"}};
-  result.assets = {{"assets/a.png", "/a.png", "12ab"}};
+  result.assets = {{"assets/a.png", "/a.png", "12ab"}, {"assets/a.obj", "", "34cd", "v 0 0 0\n"}};
   result.inputs = {"knob.xml"};
   diag::Findings findings;
   diag::Finding& finding = findings.Warn(diag::Code::kModelBadValue, {2, 3, 4}, "message", "hint");

@@ -123,17 +123,19 @@ TEST_CASE("a variant that could not be built has nulls and no settings that were
 TEST_CASE("what only some batches have stands in its place") {
   Record record = WholeRecord();
   record.archive = "mugs_00000.tar";
+  record.assets_as = "files";
   record.sampler = "latin";
   record.batch = 100;
   record.on_invalid = OnInvalid::kSkip;
   const std::string line = LineOf(record);
   CHECK(line.find(R"("file":"mug_000003.xml","archive":"mugs_00000.tar","name")") != line.npos);
-  CHECK(line.find(R"("sampler":"latin","batch":100,"params")") != line.npos);
+  CHECK(line.find(R"("assets_as":"files","sampler":"latin","batch":100,"params")") != line.npos);
   CHECK(line.find(R"("validate":"load","on_invalid":"skip","status")") != line.npos);
   std::string why_not;
   const std::optional<Record> read = ReadRecord(line, why_not);
   REQUIRE(read);
   CHECK(read->archive == record.archive);
+  CHECK(read->assets_as == record.assets_as);
   CHECK(read->sampler == record.sampler);
   CHECK(read->batch == record.batch);
   CHECK(read->on_invalid == record.on_invalid);
@@ -157,6 +159,7 @@ TEST_CASE("records of another batch differ in what the command said") {
   CHECK(difference([](Record& r) { r.spec_file = "../mug.yaml"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.spec = "x"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.spec_sha256 = "x"; }).empty());
+  CHECK_FALSE(difference([](Record& r) { r.assets_as = "files"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.sampler = "grid"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.batch = 2; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.target = "mjx"; }).empty());

@@ -18,6 +18,7 @@ void CheckSame(const Provenance& a, const Provenance& b) {
   CHECK(a.index == b.index);
   CHECK(a.name == b.name);
   CHECK(a.target == b.target);
+  CHECK(a.assets_as == b.assets_as);
   CHECK(a.sampler == b.sampler);
   CHECK(a.batch == b.batch);
 }
@@ -42,12 +43,14 @@ TEST_CASE("the opening comment names a sampler and a batch's size where the file
   Provenance provenance;
   provenance.version = "0.1.0";
   provenance.target = "mjx";
+  provenance.assets_as = "files";
   provenance.sampler = "latin";
   provenance.batch = 1000;
   MjcfDocument out;
   AppendProvenance(provenance, out);
   CHECK(out.text ==
-        "<!-- mjforge 0.1.0 spec= sha256= seed=0 index=0 target=mjx sampler=latin batch=1000 -->");
+        "<!-- mjforge 0.1.0 spec= sha256= seed=0 index=0 target=mjx assets=files sampler=latin "
+        "batch=1000 -->");
   CHECK_FALSE(ReadProvenance("<!-- mjforge 1 seed=1 index=2 batch=many --><mujoco/>"));
 }
 
@@ -64,7 +67,8 @@ TEST_CASE("any provenance reads back from a valid comment as it was") {
   for (int i = 0; i < 2000; ++i) {
     Provenance provenance{
         text(),   text(), text(), {},     random() * (std::uint64_t{1} << 32) + random(),
-        random(), text(), text(), text(), random()};
+        random(), text(), text(), text(), text(),
+        random()};
     for (auto n = random() % 4; n > 0; --n) provenance.settings.emplace_back(text(), text());
     MjcfDocument written;
     AppendProvenance(provenance, written);

@@ -209,7 +209,7 @@ TEST_CASE("two files whose names differ only in case are refused") {
   WriteObj(folder.path() / "b.obj", hand_made::Wedge().meshes[0]->mesh);
   const model::Object object = WithMeshFile(folder.path() / "a.obj", "part.obj");
   mjcf::MjcfDocument document = Written(object);
-  document.assets.emplace_back("assets/Part.obj", folder.path() / "b.obj");
+  document.assets.push_back({"assets/Part.obj", folder.path() / "b.obj"});
   CHECK(FindingsOf(document, object) ==
         Texts{"0: mujoco/error: 'assets/Part.obj' differs from another file's name only in case or "
               "folder, which MuJoCo cannot tell apart"});

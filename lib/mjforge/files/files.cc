@@ -1,0 +1,107 @@
+#include "mjforge/files/files.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/bytes/bytes.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/files/obj.h"
+#include "mjforge/files/texture.h"
+
+namespace mjforge::files {
+namespace {
+
+using mjcf::MadeFile;
+
+// A generated texture usually is the same in all variants.
+constexpr std::size_t kMostKept = 64;
+
+// A file and what its name says of its content.
+struct Content {
+  std::shared_ptr<const std::string> bytes;
+  std::string hash;
+};
+
+std::string HashOf(std::string_view bytes) {
+  return bytes::ChecksumOf(bytes).substr(0, mjcf::kHashDigits);
+}
+
+// By its pixels: how small they get is a matter of the library that compresses them.
+Content ContentOf(const Picture& picture) {
+  const bytes::Pixels pixels = {
+      .width = picture.width, .height = picture.height, .colors = picture.rgb};
+  const std::string_view colors(reinterpret_cast<const char*>(picture.rgb.data()),
+                                picture.rgb.size());
+  return {std::make_shared<const std::string>(bytes::EncodePng(pixels)),
+          HashOf(fmt::format("{} {} {}", picture.width, picture.height, colors))};
+}
+
+}  // namespace
+
+struct Maker::State {
+  std::optional<engine::Engine> engine;     // once there is a texture
+  std::map<std::string, Content> textures;  // by element and random marks
+
+  // Nothing, and a finding, if it cannot be made.
+  std::optional<Content> MeshFile(const model::MeshAsset& mesh, diag::Findings& findings) const;
+  std::optional<Content> TextureFile(const model::Texture& texture, diag::Findings& findings);
+};
+
+Maker::Maker() : state_(std::make_unique<State>()) {}
+Maker::~Maker() = default;
+
+std::optional<Content> Maker::State::MeshFile(const model::MeshAsset& mesh,
+                                              diag::Findings& findings) const {
+  std::string why_not;
+  std::optional<std::string> obj = ObjOf(mesh, why_not);
+  if (!obj) {
+    findings.Add(diag::Code::kModelBadMesh, mesh.mark,
+                 fmt::format("mesh '{}' has no faces, and its hull {}", mesh.name, why_not));
+    return std::nullopt;
+  }
+  std::string hash = HashOf(*obj);
+  return Content{std::make_shared<const std::string>(*std::move(obj)), std::move(hash)};
+}
+
+std::optional<Content> Maker::State::TextureFile(const model::Texture& texture,
+                                                 diag::Findings& findings) {
+  std::string key = mjcf::TextureElement(texture);
+  for (const model::Attribute& attribute : texture.attributes) {
+    if (attribute.name == "mark") key += attribute.text;
+  }
+  if (const auto known = textures.find(key); known != textures.end()) return known->second;
+  if (!engine) engine.emplace();
+  std::string why_not;
+  const std::optional<Picture> picture = PictureOf(texture, *engine, why_not);
+  if (!picture) {
+    findings.Add(diag::Code::kMujocoError, texture.mark,
+                 fmt::format("MuJoCo cannot make texture '{}': {}", texture.name, why_not));
+    return std::nullopt;
+  }
+  if (textures.size() >= kMostKept) textures.clear();
+  return textures.emplace(std::move(key), ContentOf(*picture)).first->second;
+}
+
+bool Maker::Make(const model::Object& object, mjcf::MjcfDocument& document,
+                 diag::Findings& findings) {
+  std::string& text = document.text;
+  for (const MadeFile& file : std::exchange(document.made_files, {})) {
+    const std::optional<Content> content =
+        file.kind == MadeFile::Kind::kMesh
+            ? state_->MeshFile(*object.meshes[file.number], findings)
+            : state_->TextureFile(object.textures[file.number], findings);
+    if (!content) return false;
+    text.replace(file.hash, content->hash.size(), content->hash);
+    const std::size_t begin = text.rfind('"', file.hash) + 1;
+    const std::string name = text.substr(begin, text.find('"', file.hash) - begin);
+    // Equal meshes may have equal names.
+    if (std::ranges::count(document.assets, name, &bytes::Asset::name) == 0)
+      document.assets.push_back({.name = name, .file = {}, .made = content->bytes});
+  }
+  return true;
+}
+
+}  // namespace mjforge::files
