@@ -24,6 +24,18 @@ def check(name, action, *arguments):
         print(f"ok {name}" + (f" ({words})" if words else ""), flush=True)
 
 
+def still_refused(name, reason, action, *arguments):
+    """What a host cannot take: passes as long as the action raises, so that the reason is not told
+    when it no longer holds."""
+    def refused():
+        try:
+            action(*arguments)
+        except Exception:
+            return reason
+        raise AssertionError(f"it takes this now; it did not: {reason}")
+    check(name, refused)
+
+
 def expect(condition, message):
     if not condition:
         raise AssertionError(message)

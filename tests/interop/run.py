@@ -3,12 +3,17 @@
 it. Says a line about each check and counts them; what cannot be installed has
 failed.
 
-    run.py PROGRAM FOLDER [HOST...]
+    run.py PROGRAM FOLDER [--all] [--write] [HOST...]
 
-Without HOSTs all of them. The folder is made anew; it gets a virtual environment for each host.
+Without HOSTs those that are not heavy; --all: all of them. The folder is made anew; it gets a
+virtual environment for each host. --write puts the table of the hosts that ran into
+docs/hosts.md, if nothing failed.
 """
 
+import argparse
 import concurrent.futures
+import dataclasses
+import datetime
 import json
 import os
 import pathlib
@@ -20,22 +25,67 @@ import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# Variants of each spec, by target.
-COUNTS = {"mujoco": 20, "robosuite": 3, "robocasa": 3, "mjx": 3}
+# The sets of files: how many variants of each spec, and options of `generate`.
+SETS = {
+    "mujoco": (20, ["--target", "mujoco"]),
+    "robosuite": (3, ["--target", "robosuite"]),
+    "robocasa": (3, ["--target", "robocasa"]),
+    "mjx": (3, ["--target", "mjx"]),
+    "files": (1, ["--assets", "files"]),
+}
 
-# The hosts: packages, packages that come without what they depend on, checks.
-# Of what robosuite depends on, its devices and controllers are left out: they
-# need a compiler and a display.
+
+@dataclasses.dataclass
+class Host:
+    packages: list
+    scripts: list
+    checked: str  # for the page
+    alone: list = dataclasses.field(default_factory=list)  # without what they depend on
+    heavy: bool = False  # it is large, or it takes long
+
+
+# Of what robosuite depends on, its devices and controllers are left out: they need a compiler and
+# a display.
+ROBOSUITE = ["numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless", "termcolor"]
+MUJOCO = "masses and inertias of 20 variants, each simulated for a second"
 HOSTS = {
     # From 2.3.3 to 3.1.1 MuJoCo crashes on any mesh with texture coordinates in its XML.
-    "mujoco-3.1": (["mujoco==3.1.2", "numpy<2"], [], ["check_mujoco.py"]),
-    "mujoco-3.3": (["mujoco==3.3.7"], [], ["check_mujoco.py", "check_python.py"]),
-    "mujoco-newest": (["mujoco"], [], ["check_mujoco.py", "check_python.py"]),
-    "robosuite": (["mujoco", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless",
-                   "termcolor"], ["robosuite"],
-                  ["check_robosuite.py", "check_robocasa.py", "check_attached.py"]),
-    "mjx": (["mujoco-mjx"], [], ["check_mjx.py"]),
+    "mujoco-2.3": Host(["mujoco==2.3.7"], ["check_files.py"],
+                       "bodies, geoms and masses, with `--assets files`"),
+    "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO),
+    "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_python.py"], MUJOCO),
+    "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_files.py", "check_python.py"],
+                          MUJOCO + "; bodies, geoms and masses with `--assets files`"),
+    "robosuite": Host(["mujoco"] + ROBOSUITE,
+                      ["check_robosuite.py", "check_robocasa.py", "check_attached.py"],
+                      "`MujocoXMLObject`, its sampler, rest on a table; robocasa's rules for an object; "
+                      "robosuite's own files, attached", alone=["robosuite"]),
+    # Its environments run with MuJoCo before 3.10.
+    "robosuite-3.3": Host(["mujoco==3.3.7"] + ROBOSUITE, ["check_lift.py"],
+                          "the environment `Lift` with a Panda, in which four of the objects are the "
+                          "cube", alone=["robosuite==1.5.2"]),
+    "mjx": Host(["mujoco-mjx"], ["check_mjx.py"],
+                "a world with everything that it could touch, on the device"),
+    # It needs what MuJoCo 4.0 no longer has.
+    "dm_control": Host(["dm_control", "mujoco==3.17.0"], ["check_dm_control.py"],
+                       "`mjcf.from_path` and `Physics`: bodies, joints, geoms, masses, with inline "
+                       "meshes and with `--assets files`"),
+    "drake": Host(["drake"], ["check_drake.py"],
+                  "bodies, joints, collision geometries, mass, with `--assets files`; it leaves "
+                  "inline meshes out", heavy=True),
+    "newton": Host(["newton", "mujoco-warp", "trimesh", "Pillow", "scipy"], ["check_newton.py"],
+                   "bodies, shapes, mass, with inline meshes and with `--assets files`", heavy=True),
+    "mujoco-warp": Host(["mujoco-warp"], ["check_warp.py"],
+                        "masses on the device; three objects step as in MuJoCo, on the CPU",
+                        heavy=True),
+    "usd": Host(["mujoco-usd-converter"], ["check_usd.py"],
+                "bodies, joints, colliders, stated masses, with `--assets files`; it refuses inline "
+                "meshes and leaves ellipsoids out", heavy=True),
 }
+# The packages whose versions the page tells.
+TOLD = ["mujoco", "mujoco-mjx", "mujoco-warp", "robosuite", "dm_control", "drake", "newton",
+        "mujoco-usd-converter"]
+BEGIN, END = "<!-- written by ./dev interop --all --write -->\n", "<!-- up to here -->\n"
 
 
 def run(command):
@@ -52,10 +102,10 @@ def generate(program, folder):
     names = [entry["name"] for entry in json.loads(run([program, "catalogue", "--json"]))]
     if not names:
         raise RuntimeError("the catalogue is empty")
-    for target, count in COUNTS.items():
+    for target, (count, options) in SETS.items():
         for name in names:
             try:
-                run([program, "generate", name, "-n", str(count), "--target", target,
+                run([program, "generate", name, "-n", str(count), *options,
                      "-o", f"{folder / target / name}/", "--quiet"])
             except RuntimeError as error:
                 if "[target/one-root]" not in str(error):
@@ -77,18 +127,27 @@ def install(base, place, packages, alone):
             run(command + more)
 
 
+def versions_in(place):
+    """"robosuite 1.5.2, mujoco 3.3.7": of the packages that are told."""
+    code = ("import importlib.metadata as m, sys\n"
+            "there = {d.metadata['Name'].lower(): d.version for d in m.distributions()}\n"
+            "print(*[f'{p} {there[p.lower()]}' for p in sys.argv[1:] if p.lower() in there], sep=', ')")
+    return run([place / "bin/python", "-c", code, *reversed(TOLD)]).decode().strip()
+
+
 def run_host(base, folder, host, package):
-    """(lines, seconds) of one host's checks."""
+    """(lines, versions, seconds) of one host's checks."""
     start = time.monotonic()
-    packages, alone, scripts = HOSTS[host]
+    chosen = HOSTS[host]
     try:
-        install(base, folder / host, packages, alone)
+        install(base, folder / host, chosen.packages, chosen.alone)
     except RuntimeError as error:
-        return [f"FAILED {host}: cannot be installed: {error}"], time.monotonic() - start
+        return ([f"FAILED {host}: cannot be installed: {error}"], "", time.monotonic() - start)
+    installed = time.monotonic() - start
     lines = []
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore",
                        PYTHONPATH=str(package))
-    for script in scripts:
+    for script in chosen.scripts:
         result = subprocess.run([folder / host / "bin/python", HERE / script, folder / "files"],
                                 capture_output=True, text=True, env=environment, cwd=folder)
         said = [line for line in result.stdout.splitlines() if line.startswith(("ok ", "FAILED "))]
@@ -96,14 +155,39 @@ def run_host(base, folder, host, package):
             end = " ".join((result.stdout + result.stderr).split())[-500:]
             said.append(f"FAILED {host}: {script} broke off (status {result.returncode}): {end}")
         lines += said
-    return lines, time.monotonic() - start
+    lines.append(f"{host}: {installed:.0f} s to install, "
+                 f"{time.monotonic() - start - installed:.0f} s to check")
+    return lines, versions_in(folder / host), time.monotonic() - start
+
+
+def write_table(page, versions, specs):
+    rows = [f"Of each of the {specs} bundled specs, on {datetime.date.today()}:\n\n",
+            "| host | versions | what is checked |\n", "| --- | --- | --- |\n"]
+    rows += [f"| {host} | {versions[host]} | {one.checked} |\n"
+             for host, one in HOSTS.items() if host in versions]
+    text = page.read_text(encoding="utf-8")
+    begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
+    page.write_text(text[:begin] + "\n" + "".join(rows) + "\n" + text[end:], encoding="utf-8")
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("folder", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("hosts", nargs="*", metavar="HOST")
+    options = parser.parse_args(arguments)
+    if unknown := set(options.hosts) - set(HOSTS):
+        parser.error(f"{', '.join(unknown)}: the hosts are {', '.join(HOSTS)}")
+    if not options.hosts:
+        options.hosts = [host for host, one in HOSTS.items() if options.all or not one.heavy]
+    return options
 
 
 def main():
-    chosen = sys.argv[3:] or list(HOSTS)
-    if unknown := set(chosen) - set(HOSTS):
-        sys.exit(f"interop: {', '.join(unknown)}: the hosts are {', '.join(HOSTS)}")
-    program, folder = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    options = parse(sys.argv[1:])
+    program, folder = options.program, options.folder
     if folder.exists():
         shutil.rmtree(folder)
     package = program.parent.parent / "python"  # where a build tree has it
@@ -113,14 +197,17 @@ def main():
     count = generate(program, folder / "files")
     print(f"{count} specs generated in {time.monotonic() - start:.0f} s", flush=True)
     passed = failed = 0
+    versions = {}
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        hosts = {pool.submit(run_host, base, folder, host, package): host for host in chosen}
+        hosts = {pool.submit(run_host, base, folder, host, package): host for host in options.hosts}
         for done in concurrent.futures.as_completed(hosts):
-            lines, seconds = done.result()
+            lines, versions[hosts[done]], seconds = done.result()
             print(*lines, sep="\n")
             print(f"{hosts[done]}: {seconds:.0f} s", flush=True)
             failed += sum(line.startswith("FAILED ") for line in lines)
             passed += sum(line.startswith("ok ") for line in lines)
+    if options.write and not failed:
+        write_table(HERE.parent.parent / "docs/hosts.md", versions, count)
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)
 
