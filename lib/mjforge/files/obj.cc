@@ -42,7 +42,8 @@ std::vector<std::array<int, 3>> HullOf(const std::vector<double>& numbers, std::
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   solid::Fault fault;
-  const std::optional<solid::Solid> hull = solid::Make(solid::Hull{.points = points}, fault);
+  const std::optional<solid::Solid> hull = solid::Make(
+      solid::Hull{.points = points, .texture = {.unit = solid::Texture::Unit::kNone}}, fault);
   if (!hull) {
     why_not = fault.message;
     return {};
