@@ -20,11 +20,12 @@ void Write(const XmlElement& element, std::string& out, const Start& start) {
   start(element);
   out += '<';
   out += element.tag;
-  const auto write = [&](std::string_view name, std::string value) {
+  const auto write = [&](std::string_view name, const std::string& value) {
     // XML cannot carry them there.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
-    std::ranges::replace_if(value, is_control, ' ');
-    out += fmt::format(" {}=\"{}\"", name, EscapeXml(value));
+    std::string text = value;
+    std::ranges::replace_if(text, is_control, ' ');
+    out += fmt::format(" {}=\"{}\"", name, EscapeXml(text));
   };
   for (const auto& [name, value] : element.attributes) {
     if (name != "name" || element.made_name.empty()) write(name, value);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <ranges>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -72,9 +71,11 @@ std::vector<const XmlElement*> PlacedElements::DefaultsOf(const Placed& placed) 
   while (true) {
     const auto entry = classes_.find(name);
     if (entry == classes_.end()) break;  // MuJoCo will say so
-    for (const XmlElement* element : entry->second.elements | std::views::reverse) {
-      if (SectionOf("default", element->tag) == placed.section) found.push_back(element);
-    }
+    const std::vector<const XmlElement*>& elements = entry->second.elements;
+    std::copy_if(elements.rbegin(), elements.rend(), std::back_inserter(found),
+                 [&](const XmlElement* element) {
+                   return SectionOf("default", element->tag) == placed.section;
+                 });
     if (name.empty()) break;
     name = entry->second.parent;
   }
