@@ -15,7 +15,7 @@ std::string SpeedText(double speed);
 /// A number that is beyond a limit, and the limit, both with as few digits, from three on, as it
 /// takes to see that.
 struct Beyond {
-  Beyond(double value, double limit);
+  Beyond(double number, double bound);
 
   std::string value;
   std::string limit;
