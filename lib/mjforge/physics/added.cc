@@ -12,7 +12,9 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr double kHeld = 1e8;  // kg or kg m^2
+// What is held is so many times heavier than all there is, kg or kg m^2. Not more: MuJoCo 3.17 and
+// 4.0 weigh what their solver may leave undone by the mean inertia, and let small bodies tremble.
+constexpr double kHeld = 1e6;
 
 }  // namespace
 
@@ -50,7 +52,9 @@ void PlaceOthers(const mjModel& m, mjData& d, std::span<const mjtNum> start, int
 }
 
 // Of a free body that is symmetrical MuJoCo takes the second number.
-void HoldDof(mjModel& m, int dof) { m.dof_armature[dof] = m.dof_M0[dof] = kHeld; }
+void HoldDof(mjModel& m, int dof) {
+  m.dof_armature[dof] = m.dof_M0[dof] = kHeld * m.body_subtreemass[0];
+}
 
 void HoldOthers(mjModel& m, int first, int count) {
   for (int i = 0; i < m.nv; ++i) {

@@ -22,7 +22,9 @@ using compiled::VectorAt;
 using diag::Code;
 using Eigen::Vector3d;
 
-constexpr double kBefore = 0.002;  // m, from the tip to the hole
+// m, from the tip to the hole. From higher up a peg would fall so deep into a rim that it overlaps
+// by a millimetre that the rim would push it sideways, and let it through.
+constexpr double kBefore = 0.0002;
 constexpr double kSteel = 7850;    // kg/m^3, of a peg of steel
 constexpr double kLonger = 1.5;    // a peg, than it has to go
 constexpr double kMostTime = 2;    // s; a free fall of 1 m takes 0.45 s
