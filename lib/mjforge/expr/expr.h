@@ -22,10 +22,15 @@ namespace mjforge::expr {
 /// rounded, as short as possible: "0.015", "1e-08", "-3". Never "-0".
 void AppendNumber(std::string& out, double value);
 std::string NumberText(double value);
+/// Bytes that the functions below may write: a sign, 16 digits, a point, zeros.
+inline constexpr std::size_t kLongestNumber = 40;
+/// The same into memory. Returns the end; what is behind it may be overwritten, too.
+char* WriteNumber(char* out, double value);
 
 /// The shortest text that reads back as `value` (finite); for records that
 /// must reproduce a value to the last bit.
 void AppendExactNumber(std::string& out, double value);
+char* WriteExactNumber(char* out, double value);
 std::string ExactNumberText(double value);
 
 /// A plain YAML 1.2 number (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`), the

@@ -92,9 +92,6 @@ struct Digits {
   }
 };
 
-// Room for the longest text that is written here: a sign, 16 digits, a point, zeros.
-constexpr std::size_t kLongest = 40;
-
 // The digits with the point where the exponent of the first one, -4 or more,
 // says. Returns the end; bytes behind it are overwritten, too.
 char* WritePositional(char* out, const Digits& digits, int exponent) {
@@ -132,18 +129,16 @@ char* WriteScientific(char* out, const Digits& digits, int exponent) {
 }
 
 template <typename... Args>
-void AppendChars(std::string& out, Args... args) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), args...).ptr;
-  out.append(buffer.data(), end);
+char* WriteChars(char* out, Args... args) {
+  return std::to_chars(out, out + kLongestNumber, args...).ptr;
 }
 
 // Writes a value that has at most 15 digits and stands without an exponent
-// whatever its digits are; false for any other.
-bool AppendShortDecimal(std::string& out, double value) {
+// whatever its digits are; null for any other.
+char* WriteShortDecimal(char* out, double value) {
   constexpr int kCertain = 15;  // digits that survive being a double
   const double magnitude = std::abs(value);
-  if (!(magnitude >= 1e-3 && magnitude < 1e4)) return false;
+  if (!(magnitude >= 1e-3 && magnitude < 1e4)) return nullptr;
   int exponent = -3;
   for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
   // Dividing two exact numbers rounds as reading the decimal does.
@@ -151,22 +146,24 @@ bool AppendShortDecimal(std::string& out, double value) {
   const double scaled = magnitude * power;
   auto whole = static_cast<std::uint64_t>(scaled);
   if (scaled - static_cast<double>(whole) >= 0.5) ++whole;
-  if (static_cast<double>(whole) / power != magnitude) return false;
-  std::array<char, kLongest> text;
-  char* end = text.data();
-  if (value < 0) *end++ = '-';
-  end = WritePositional(end, Digits(whole * 10), exponent);
-  out.append(text.data(), end);
-  return true;
+  if (static_cast<double>(whole) / power != magnitude) return nullptr;
+  if (value < 0) *out++ = '-';
+  return WritePositional(out, Digits(whole * 10), exponent);
 }
 
-// Writes 0 to 9, which many numbers are; false for any other.
-bool AppendDigit(std::string& out, double value) {
-  if (!(value >= 0 && value <= 9)) return false;
+// Writes 0 to 9, which many numbers are; null for any other.
+char* WriteDigit(char* out, double value) {
+  if (!(value >= 0 && value <= 9)) return nullptr;
   const int digit = static_cast<int>(value);
-  if (digit != value) return false;
-  out += static_cast<char>('0' + digit);
-  return true;
+  if (digit != value) return nullptr;
+  *out = static_cast<char>('0' + digit);
+  return out + 1;
+}
+
+template <auto write>
+void Append(std::string& out, double value) {
+  std::array<char, kLongestNumber> text;
+  out.append(text.data(), write(text.data(), value));
 }
 
 // The length of the decimal number without sign at the start of `text`, 0 if none.
@@ -206,26 +203,23 @@ std::optional<double> ParseInteger(std::string_view digits, int base) {
 // 1e-4 <= |value| < 1e10, else with an exponent of at least two digits. That is
 // what MuJoCo's own files look like, and every reader of C numbers takes it.
 // Most values of a model need no rounding in doubt, which saves to_chars' search.
-void AppendNumber(std::string& out, double value) {
+char* WriteNumber(char* out, double value) {
   const double magnitude = std::abs(value);
-  if (AppendDigit(out, value)) return;
+  if (char* const end = WriteDigit(out, value)) return end;
   if (magnitude < kPowers[kDigits]) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value) return AppendChars(out, whole);
+    if (static_cast<double>(whole) == value) return WriteChars(out, whole);
   }
-  if (const std::optional<Decimal> decimal = Rounded(magnitude)) {
-    const Digits digits(decimal->digits * 1'000'000);
-    std::array<char, kLongest> text;
-    char* end = text.data();
-    if (value < 0) *end++ = '-';
-    const bool positional = decimal->exponent >= -4 && decimal->exponent < kDigits;
-    end = positional ? WritePositional(end, digits, decimal->exponent)
-                     : WriteScientific(end, digits, decimal->exponent);
-    out.append(text.data(), end);
-  } else {
-    AppendChars(out, value, std::chars_format::general, kDigits);
-  }
+  const std::optional<Decimal> decimal = Rounded(magnitude);
+  if (!decimal) return WriteChars(out, value, std::chars_format::general, kDigits);
+  const Digits digits(decimal->digits * 1'000'000);
+  if (value < 0) *out++ = '-';
+  const bool positional = decimal->exponent >= -4 && decimal->exponent < kDigits;
+  return positional ? WritePositional(out, digits, decimal->exponent)
+                    : WriteScientific(out, digits, decimal->exponent);
 }
+
+void AppendNumber(std::string& out, double value) { Append<WriteNumber>(out, value); }
 
 std::string NumberText(double value) {
   std::string text;
@@ -235,11 +229,14 @@ std::string NumberText(double value) {
 
 // Drawn values have few digits. A decimal of at most 15 is the only one of that
 // length that reads back as the value, hence the shortest.
-void AppendExactNumber(std::string& out, double value) {
+char* WriteExactNumber(char* out, double value) {
   const bool minus_zero = value == 0 && std::signbit(value);
-  if (!minus_zero && AppendDigit(out, value)) return;
-  if (!AppendShortDecimal(out, value)) AppendChars(out, value);
+  char* end = minus_zero ? nullptr : WriteDigit(out, value);
+  if (end == nullptr) end = WriteShortDecimal(out, value);
+  return end == nullptr ? WriteChars(out, value) : end;
 }
+
+void AppendExactNumber(std::string& out, double value) { Append<WriteExactNumber>(out, value); }
 
 std::string ExactNumberText(double value) {
   std::string text;

@@ -54,10 +54,6 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
       assembler_(&attachments_) {
-  // Their names: copying a record into another then needs no new memory.
-  for (const spec::Parameter& parameter : recipe.spec->parameters) {
-    common_.params.emplace_back(parameter.name, 0.0);
-  }
   // A name with the index in it makes each variant one of its own.
   const bool same_name = ExpandName(options.name, 0) == ExpandName(options.name, 1);
   if (options.moulds && same_name) moulds_ = std::make_unique<Moulds>(options.mould_bytes);
@@ -69,7 +65,9 @@ void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& varia
   variant.object.reset();
   variant.mould = 0;
   variant.findings.clear();
+  auto params = std::move(variant.record.params);  // they need no new memory
   variant.record = common_;
+  variant.record.params = std::move(params);
   variant.record.index = index;
   variant.record.attempt = attempt;
   variant.record.name =
@@ -125,8 +123,11 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
     return rejected ? Outcome::kHopeless : Outcome::kFailed;
   }
   record.attempt = values_->key().attempt;
+  record.params.resize(spec.parameters.size());
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    record.params[i].second = values_->Parameter(i);
+    auto& [name, value] = record.params[i];
+    name = spec.parameters[i].name;
+    values_->GetParameter(i, value);
   }
   const bool made = (moulds_ && moulds_->Make(variant)) || Assemble(variant);
   if (!made || !files_.Make(*variant.object, variant.document, variant.findings))

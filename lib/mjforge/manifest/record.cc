@@ -5,13 +5,26 @@
 #include "mjforge/manifest/record_fields.h"
 
 namespace mjforge::manifest {
+namespace {
+
+// `"key":` of each field: these need no look for what to escape.
+std::vector<std::string> MemberStarts() {
+  std::vector<std::string> starts;
+  for (const RecordField& field : RecordFields()) starts.push_back(fmt::format("\"{}\":", field.key));
+  return starts;
+}
+
+}  // namespace
 
 void AppendRecord(std::string& out, const Record& record) {
+  static const std::vector<std::string> kStarts = MemberStarts();
   diag::Json json(expr::AppendExactNumber, std::move(out));
   json.StartObject();
+  const std::string* start = kStarts.data();
   for (const RecordField& field : RecordFields()) {
+    const std::string& member = *start++;
     if (field.is_absent != nullptr && field.is_absent(record)) continue;
-    json.Key(field.key);
+    json.Raw(member);
     field.write(json, record);
   }
   json.EndObject();

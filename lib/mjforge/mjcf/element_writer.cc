@@ -120,16 +120,17 @@ void ElementWriter::Numbers(std::string_view name, std::span<const Traced<double
 void ElementWriter::Append(const Traced<double>& number, Spelling spelling) {
   if (text_.back() != '"') text_ += ' ';
   const std::size_t begin = text_.size();
-  AppendSpelled(number, spelling, text_);
+  std::array<char, expr::kLongestNumber> spelled;
+  text_.append(spelled.data(), WriteSpelled(number, spelling, spelled.data()));
   if (number.at() != nullptr) slots_.push_back({begin, text_.size(), spelling, number.at()});
 }
 
-void AppendSpelled(double number, Slot::Spelling spelling, std::string& out) {
+char* WriteSpelled(double number, Slot::Spelling spelling, char* out) {
   if (spelling == Slot::Spelling::kMicrometres)
     number = std::round(number * 1e6);
   else if (spelling == Slot::Spelling::kWithoutNoise)
     number = WithoutNoise(number);
-  expr::AppendNumber(out, number);
+  return expr::WriteNumber(out, number);
 }
 
 void ElementWriter::Pose(const model::Pose& pose) {

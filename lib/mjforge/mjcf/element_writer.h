@@ -23,7 +23,8 @@ using tape::Traced;
 /// that part of a turn) nothing is meant.
 inline double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
-void AppendSpelled(double number, Slot::Spelling spelling, std::string& out);
+/// As expr::WriteNumber.
+char* WriteSpelled(double number, Slot::Spelling spelling, char* out);
 
 class ElementWriter {
  public:

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <utility>
 
+#include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/element_writer.h"
 #include "mjforge/mjcf/mjcf.h"
 
@@ -17,25 +19,30 @@ Form::Form(MjcfDocument document) : document_(std::move(document)), lift_(docume
 
 void Form::Fill(std::uint64_t index, MjcfDocument& document) {
   std::string& text = document.text;
-  text.clear();
-  filled_.clear();
+  text.resize(document_.text.size() + expr::kLongestNumber * (first_.size() + 1));
+  filled_.resize(first_.size());
+  char* out = text.data();
+  const auto write = [&out](const char* from, std::size_t count) {
+    out = std::copy_n(from, count, out);
+  };
   std::size_t from = 0;
   for (std::size_t i = 0; i < first_.size(); ++i) {
     const Slot& slot = document_.slots[i];
-    text.append(document_.text, from, slot.begin - from);
+    write(document_.text.data() + from, slot.begin - from);
     from = slot.end;
-    const std::size_t begin = text.size();
+    const char* const begin = out;
     if (first_[i] < i) {
       const auto [first, end] = filled_[first_[i]];
-      text.append(text, first, end - first);
+      write(text.data() + first, end - first);
     } else if (slot.number == nullptr) {
-      text += std::to_string(index);
+      out = std::to_chars(out, out + expr::kLongestNumber, index).ptr;
     } else {
-      AppendSpelled(*slot.number, slot.spelling, text);
+      out = WriteSpelled(*slot.number, slot.spelling, out);
     }
-    filled_.emplace_back(begin, text.size());
+    filled_[i] = {begin - text.data(), out - text.data()};
   }
-  text.append(document_.text, from);
+  write(document_.text.data() + from, document_.text.size() - from);
+  text.resize(static_cast<std::size_t>(out - text.data()));
   document.slots.clear();
   document.origins = document_.origins;
   document.assets = document_.assets;

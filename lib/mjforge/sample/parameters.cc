@@ -64,8 +64,8 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
 Evaluator::Evaluator(Evaluator&& other) noexcept = default;
 Evaluator::~Evaluator() = default;
 
-void Evaluator::SetComponents(const spec::Parameter& parameter,
-                              std::span<const double> components) {
+template <typename Range>
+void Evaluator::SetComponents(const spec::Parameter& parameter, const Range& components) {
   const auto wanted = static_cast<std::size_t>(parameter.value.components);
   if (components.size() == wanted) {
     std::ranges::copy(components, variables_.begin() + parameter.slot);
@@ -99,7 +99,7 @@ void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
   } else if (IsVector(value)) {
     Numbers components;
     AppendVector(value, path, components);
-    SetComponents(parameter, std::vector<double>(components.begin(), components.end()));
+    SetComponents(parameter, components);
   } else {
     variables_[Slot(parameter)] = Number(value, path);
   }
@@ -117,7 +117,7 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
     variables_[Slot(parameter)] = *boolean ? 1 : 0;
   } else if (const auto* number = std::get_if<double>(&value);
              number && type == Type::kNumber && !is_list) {
-    SetComponents(parameter, {number, 1});
+    SetComponents(parameter, std::span(number, 1));
   } else if (numbers != nullptr && type == Type::kNumber && !is_list) {
     SetComponents(parameter, *numbers);
   } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value);
@@ -206,18 +206,33 @@ ParameterValue Evaluator::Any(const spec::Value& value, StreamId path, Numbers& 
 }
 
 ParameterValue Evaluator::Parameter(std::size_t i) const {
+  ParameterValue value;
+  GetParameter(i, value);
+  return value;
+}
+
+void Evaluator::GetParameter(std::size_t i, ParameterValue& value) const {
   const spec::Parameter& parameter = spec_.parameters[i];
   const std::size_t slot = Slot(parameter);
   if (parameter.value.is_list) {
     const auto list = static_cast<std::size_t>(parameter.list);
-    if (parameter.value.type == Type::kText) return list_texts_[list];
-    return lists_[list].numbers();
+    if (parameter.value.type == Type::kText) {
+      value = list_texts_[list];
+    } else {
+      value = lists_[list].numbers();
+    }
+  } else if (parameter.value.type == Type::kText) {
+    value = texts_[slot];
+  } else if (parameter.value.type == Type::kBoolean) {
+    value = variables_[slot] != 0;
+  } else if (!IsVector(parameter.value)) {
+    value = variables_[slot];
+  } else {
+    auto* numbers = std::get_if<std::vector<double>>(&value);
+    if (numbers == nullptr) numbers = &value.emplace<std::vector<double>>();
+    const auto first = variables_.begin() + parameter.slot;
+    numbers->assign(first, first + parameter.value.components);
   }
-  if (parameter.value.type == Type::kText) return texts_[slot];
-  if (parameter.value.type == Type::kBoolean) return variables_[slot] != 0;
-  if (!IsVector(parameter.value)) return variables_[slot];
-  const auto first = variables_.begin() + parameter.slot;
-  return std::vector<double>(first, first + parameter.value.components);
 }
 
 }  // namespace mjforge::sample

@@ -105,6 +105,8 @@ class Evaluator {
   int rejected_by() const { return rejected_by_; }
   /// The value of spec().parameters[i].
   ParameterValue Parameter(std::size_t i) const;
+  /// The same in place of `value`, whose memory is used again.
+  void GetParameter(std::size_t i, ParameterValue& value) const;
 
  private:
   std::array<double, 4> Uniforms(StreamId path) const {
@@ -115,7 +117,8 @@ class Evaluator {
   bool Holds(const spec::Requirement& requirement);
   void DrawParameter(const spec::Parameter& parameter, StreamId path);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
-  void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
+  template <typename Range>
+  void SetComponents(const spec::Parameter& parameter, const Range& components);
   void SetList(const spec::Parameter& parameter, std::vector<double> numbers,
                std::vector<std::string> texts);
   /// All of a list, or of a vector, that a name stands for.
