@@ -146,7 +146,7 @@ Maker LatheOf(SolidReader& read, const solid::Texture& texture) {
   };
 }
 
-/// MuJoCo makes a convex prism's look of the piece itself.
+/// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
 std::optional<solid::Solid> PlainPrism(const solid::Prism& prism) {
   if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return std::nullopt;
   std::vector<double> corners;
@@ -188,7 +188,9 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
     for (const std::size_t count : holes) prism.holes.push_back(take(count));
     prism.polygon = take(left.size() / 2);
     std::optional<solid::Solid> plain = PlainPrism(prism);
-    return plain ? plain : solid::Make(prism, fault);
+    if (plain && prism.texture.unit == solid::Texture::Unit::kNone) return plain;
+    std::optional<solid::Solid> whole = solid::Make(prism, fault);
+    return whole ? whole : plain;
   };
 }
 
