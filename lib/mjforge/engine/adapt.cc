@@ -9,9 +9,11 @@
 #include <fmt/format.h>
 
 #include "mjforge/engine/api.h"
+#include "mjforge/engine/frames.h"
 #include "mjforge/engine/later_mjcf.h"
 #include "mjforge/engine/older_rules.h"
 #include "mjforge/engine/placed_elements.h"
+#include "mjforge/engine/replicas.h"
 #include "mjforge/engine/rewrite.h"
 #include "mjforge/engine/xml_file.h"
 
@@ -51,7 +53,8 @@ class Adapter {
       : root_(root), version_(version), use_(use), sources_(sources), findings_(findings) {}
 
   bool Run() {
-    const bool changed = KeepOlderRules(root_, version_);
+    bool changed = Compose();
+    changed = KeepOlderRules(root_, version_) || changed;
     if (!HasLater(root_)) return changed;
     PlacedElements elements(root_);
     Rewriting rewriting(elements, version_);
@@ -67,6 +70,16 @@ class Adapter {
   }
 
  private:
+  /// What repeats and moves elements is gone before anything else looks at them.
+  bool Compose() {
+    if (version_ >= FindLater("body", "replicate")->since) return false;
+    const RefuseLater refuse = [&](const XmlElement& element, const Later& later) {
+      if (later.since > version_) Refuse(element, "", later);
+    };
+    const bool changed = WriteReplicas(root_, sources_, findings_, refuse);
+    return ComposeFrames(root_, sources_, findings_, refuse) || changed;
+  }
+
   const Later* Lacks(std::string_view parent, std::string_view tag) const {
     const Later* later = FindLater(parent, tag);
     return later != nullptr && later->since > version_ ? later : nullptr;

@@ -16,6 +16,7 @@ constexpr std::string_view kActuators[] = {"general",  "motor",       "position"
 constexpr Later kElements[] = {
     {"body/frame worldbody/frame frame/frame replicate/frame", "", 312},
     {"body/replicate worldbody/replicate frame/replicate replicate/replicate", "", 315},
+    {"frame/composite replicate/composite", "", 331},
     {"body/attach worldbody/attach frame/attach asset/model", "", 320},
     {"body/flexcomp worldbody/flexcomp frame/flexcomp deformable/flex equality/flex", "", 300},
     {"equality/flexvert", "", 3005000},

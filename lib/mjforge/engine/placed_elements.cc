@@ -98,6 +98,15 @@ std::string PlacedElements::Get(const Placed& placed, std::string_view attribute
   return text == nullptr ? std::string(usual) : *text;
 }
 
+std::string PlacedElements::Setting(std::string_view attribute, std::string_view usual) const {
+  std::string value(usual);
+  for (const Placed& placed : placed_) {
+    if (placed.section != "compiler") continue;
+    if (const std::string* said = placed.element->Find(attribute)) value = *said;
+  }
+  return value;
+}
+
 std::vector<double> NumbersOf(std::string_view text) {
   std::vector<double> numbers;
   while (true) {

@@ -30,6 +30,8 @@ class PlacedElements {
   /// What the element says, or its default class; null if neither does.
   const std::string* Find(const Placed& placed, std::string_view attribute) const;
   std::string Get(const Placed& placed, std::string_view attribute, std::string_view usual) const;
+  /// What the compiler sections say; the last one counts.
+  std::string Setting(std::string_view attribute, std::string_view usual) const;
   /// The elements of `<default>` that it takes after: those of the main class first.
   std::vector<const XmlElement*> DefaultsOf(const Placed& placed) const;
 

@@ -49,14 +49,6 @@ void Rewriting::Done(Placed& placed, std::string_view attribute, std::string_vie
   }
 }
 
-std::string Rewriting::Setting(std::string_view attribute, std::string_view usual) {
-  std::string value(usual);
-  for (const Placed* compiler : elements_.In("compiler")) {
-    if (const std::string* said = compiler->element->Find(attribute)) value = *said;
-  }
-  return value;
-}
-
 void Rewriting::SetFolders(Placed& compiler) {
   const std::string* folder = Lacking(compiler, "assetdir");
   if (folder == nullptr) return;
@@ -118,7 +110,7 @@ void Rewriting::WeighMesh(Placed& mesh) {
 }
 
 bool Rewriting::Weighs(const std::string& mesh) {
-  const bool all = Setting("inertiafromgeom", "auto") == "true";
+  const bool all = elements_.Setting("inertiafromgeom", "auto") == "true";
   const auto zero = [&](const Placed& geom, std::string_view attribute) {
     const std::vector<double> numbers = NumbersOf(elements_.Get(geom, attribute, "1"));
     return !numbers.empty() && numbers[0] == 0;

@@ -41,8 +41,6 @@ class Rewriting {
   void LayMaterial(Placed& material);
   void WeighMesh(Placed& mesh);
   bool Weighs(const std::string& mesh);
-  /// What the compiler sections say.
-  std::string Setting(std::string_view attribute, std::string_view usual);
 
   PlacedElements& elements_;
   int version_;

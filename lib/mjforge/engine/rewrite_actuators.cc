@@ -95,7 +95,7 @@ void Rewriting::InheritRange(Placed& actuator) {
     const std::vector<double> range = NumbersOf(elements_.Get(*target, "range", ""));
     if (range.size() != 2) return;
     const bool turns = attribute == "joint" && elements_.Get(*target, "type", "hinge") == "hinge";
-    const bool degrees = turns && Setting("angle", "degree") == "degree";
+    const bool degrees = turns && elements_.Setting("angle", "degree") == "degree";
     const double unit = degrees ? std::numbers::pi / 180 : 1;
     const double middle = (unit * range[0] + unit * range[1]) / 2;
     const double reach = (unit * range[1] - unit * range[0]) / 2 * factor;

@@ -1,48 +1,18 @@
 #include "mjforge/engine/adapt.h"
 
 #include <array>
-#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
-#include "harness/temporary_folder.h"
-#include "mjforge/engine/engine.h"
+#include "adapted.h"
 #include "mjforge/engine/later_mjcf.h"
 
 namespace mjforge::engine {
 namespace {
-
-/// A file as MuJoCo 2.2.2, or another release, is given it.
-struct Adapted {
-  explicit Adapted(const std::string& inner, int version = kPortable, Use use = Use::kWholeModel) {
-    const auto file = folder.Write("m.xml", "<mujoco>\n" + inner + "\n</mujoco>\n");
-    diag::Sources sources;
-    diag::Findings found;
-    std::optional<XmlElement> root = ReadXml(file, sources, found);
-    REQUIRE(root);
-    changed = AdaptMjcf(*root, version, use, sources, found);
-    text = FlattenInPlace(*root);
-    for (const diag::Finding& finding : found) {
-      findings.push_back(fmt::format(
-          "{}:{} {}: {}", finding.mark.line, finding.mark.column,
-          finding.severity == diag::Severity::kError ? "error" : "warning", finding.message));
-    }
-  }
-
-  bool Says(const std::string& part) const { return text.find(part) != std::string::npos; }
-
-  harness::TemporaryFolder folder;
-  bool changed = false;
-  std::string text;
-  std::vector<std::string> findings;
-};
-
-using Strings = std::vector<std::string>;
 
 /// An arm whose joint and servo say this, in classes that say that.
 std::string Arm(const std::string& joint, const std::string& servo,
@@ -50,13 +20,6 @@ std::string Arm(const std::string& joint, const std::string& servo,
   return "<compiler angle=\"radian\" autolimits=\"true\"/>\n<default>" + defaults +
          "</default>\n<worldbody><body><joint name=\"j\" " + joint +
          "/><geom size=\"1\"/></body></worldbody>\n<actuator>" + servo + "</actuator>";
-}
-
-mjModel* Load(const std::string& text, Loaded& loaded) {
-  loaded = Engine().LoadText(text);
-  INFO(loaded.error);
-  REQUIRE(loaded.model);
-  return loaded.model.get();
 }
 
 TEST_CASE("a range limits where the file does not say") {
@@ -139,11 +102,11 @@ TEST_CASE("settings of the model are no warning where only its bodies are used")
 
 TEST_CASE("what would mean something else is an error that names the release") {
   const Adapted file(
-      "<worldbody>\n<frame euler=\"0 0 90\">\n<body gravcomp=\"1\"/></frame>\n"
-      "<body name=\"b\" gravcomp=\"0.5\"/>\n<geom type=\"sdf\"/></worldbody>\n"
+      "<worldbody>\n<attach model=\"m\" prefix=\"p\"/>\n<frame>\n"
+      "<body name=\"b\" gravcomp=\"0.5\"/></frame>\n<geom type=\"sdf\"/></worldbody>\n"
       "<actuator><position joint=\"j\" dampratio=\"1\"/></actuator>");
   CHECK(file.findings ==
-        Strings{"3:1 error: the frame on line 3 needs MuJoCo 3.1.2",
+        Strings{"3:1 error: the attach on line 3 needs MuJoCo 3.2.0",
                 "5:16 error: 'gravcomp' of body 'b' needs MuJoCo 2.3.1",
                 "6:7 error: 'type=sdf' of the geom on line 6 needs MuJoCo 3.0.0",
                 "7:31 error: 'dampratio' of the position on line 7 needs MuJoCo 3.1.6"});
