@@ -140,7 +140,13 @@ ExitStatus ViewFile(const std::string& file, Console& console) {
   const auto viewer = FindViewer(console.findings);
   const auto folder = viewer ? MakeTemporaryFolder(console.findings) : nullptr;
   if (!folder) return ExitStatus::kFindings;
-  return RunViewer(*viewer, std::filesystem::absolute(file), *folder, console.findings);
+  const std::optional<std::string> adapted = validate::Loader::AdaptedText(file);
+  if (!adapted) {
+    return RunViewer(*viewer, std::filesystem::absolute(file), *folder, console.findings);
+  }
+  const std::filesystem::path shown = *folder / std::filesystem::path(file).filename();
+  if (!output::WriteFile(shown, *adapted, false, console.findings)) return ExitStatus::kInputOutput;
+  return RunViewer(*viewer, shown, *folder, console.findings);
 }
 
 ExitStatus ViewVariant(const OneOptions& options, Console& console) {

@@ -55,6 +55,29 @@ TEST_CASE_METHOD(ViewTest, "view shows a file where it is") {
   CHECK(folder().Read("seen.xml") == folder().Read("ball.xml"));
 }
 
+TEST_CASE_METHOD(ViewTest, "what was written for a later MuJoCo is shown as this one reads it") {
+  std::filesystem::create_directory(folder() / "meshes");
+  folder().Write("meshes/roof.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder().Write(
+      "house.xml",
+      "<mujoco><compiler meshdir='meshes'/>"
+      "<asset><mesh name='roof' file='roof.obj'/><material name='m' metallic='1'/></asset>"
+      "<worldbody><replicate count='2' offset='2 0 0'>"
+      "<geom name='g' type='mesh' mesh='roof'/></replicate></worldbody></mujoco>");
+  const auto result = View({"house.xml"});
+  CHECK(result.status == 0);
+  CHECK(Clean());
+  // Its meshes are found from any folder.
+  const auto expected = Run({"inspect", "house.xml", "--json", "--quiet"});
+  CHECK(Run({"inspect", "seen.xml", "--json", "--quiet"}).out == expected.out);
+  if (Run({"--version"}).out.find("\nMuJoCo 2.") == std::string::npos) return;
+  CHECK(result.out.find((folder() / "tmp").string() + "/mjforge-") == 0);
+  CHECK(result.out.find("\nhouse.xml\n") != std::string::npos);
+  CHECK(result.err.find("warning: 'metallic' of material 'm' is left out") != std::string::npos);
+  CHECK(folder().Read("seen.xml").find("<geom name=\"g1\" ") != std::string::npos);
+}
+
 TEST_CASE_METHOD(ViewTest, "assets go with the scene") {
   folder().Write("parts/roof.obj",
                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");

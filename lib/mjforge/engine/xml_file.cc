@@ -29,19 +29,22 @@ std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
   return XmlFault{empty ? 0 : offset, fmt::format("not an XML file: {}", reason), {}};
 }
 
-/// The file's text for this MuJoCo, if it is to be another one.
-std::optional<std::string> AdaptFile(const std::filesystem::path& file, diag::Sources& sources,
-                                     diag::Findings& findings) {
+std::filesystem::path FolderOf(const std::filesystem::path& file) {
+  return file == bytes::kStandardInput ? std::filesystem::path(".") : file.parent_path();
+}
+
+/// What this MuJoCo reads in place of the file, if that is something else.
+std::optional<XmlElement> AdaptFile(const std::filesystem::path& file, diag::Sources& sources,
+                                    diag::Findings& findings) {
   diag::Findings of_includes;  // MuJoCo says them, too
   std::optional<XmlElement> root = ReadXml(file, sources, of_includes);
   if (!root) return std::nullopt;
   if (!AdaptMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings)) return std::nullopt;
   if (findings.HasErrors()) return std::nullopt;
-  const std::filesystem::path folder =
-      file == bytes::kStandardInput ? std::filesystem::path(".") : file.parent_path();
+  const std::filesystem::path folder = FolderOf(file);
   Engine engine;
   WeighMeshes(*root, [&](const std::string& text) { return engine.LoadTextIn(folder, text); });
-  return FlattenInPlace(*root);
+  return root;
 }
 
 }  // namespace
@@ -96,11 +99,21 @@ std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sour
     return std::nullopt;
   }
   diag::Findings found;
-  XmlFile xml{source, has_includes, AdaptFile(file, sources, found)};
+  XmlFile xml{source, has_includes, {}};
+  if (const auto root = AdaptFile(file, sources, found)) xml.adapted = FlattenInPlace(*root);
   const bool good = !found.HasErrors();
   findings.Append(std::move(found));
   if (!good) return std::nullopt;
   return xml;
+}
+
+std::optional<std::string> AdaptedText(const std::filesystem::path& file) {
+  diag::Sources sources;
+  diag::Findings findings;
+  std::optional<XmlElement> root = AdaptFile(file, sources, findings);
+  if (!root) return std::nullopt;
+  ResolveFiles(*root, FolderOf(file), findings);
+  return Flatten(*root).text;
 }
 
 std::string ShownName(const std::filesystem::path& file) {

@@ -38,6 +38,11 @@ std::optional<XmlFault> WhyNotMjcf(std::string_view text, bool* has_includes = n
 std::optional<XmlFile> ReadXmlFile(const std::filesystem::path& file, diag::Sources& sources,
                                    diag::Findings& findings);
 
+/// What this MuJoCo reads in place of a file that was written for a later one, with absolute names
+/// of files, so that it can stand in any folder. Nothing if it reads the file as it is, or not at
+/// all.
+std::optional<std::string> AdaptedText(const std::filesystem::path& file);
+
 /// The name of a file in messages.
 std::string ShownName(const std::filesystem::path& file);
 

@@ -278,6 +278,10 @@ std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, dia
   return Describe(*model);
 }
 
+std::optional<std::string> Loader::AdaptedText(const std::filesystem::path& file) {
+  return engine::AdaptedText(file);
+}
+
 std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
                                          diag::Findings& findings) {
   diag::SourceMark start;

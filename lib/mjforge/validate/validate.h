@@ -81,6 +81,10 @@ class Loader {
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
 
+  /// What MuJoCo reads in place of a file that was written for a later one, as a text for any
+  /// folder; nothing if it reads the file as it is.
+  static std::optional<std::string> AdaptedText(const std::filesystem::path& file);
+
   /// Loads a document or a file and moves its joints. Nothing, and a finding, if MuJoCo refuses it
   /// or warns.
   std::optional<Sweep> SweepJoints(const mjcf::MjcfDocument& document, const model::Object& object,
