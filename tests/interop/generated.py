@@ -3,6 +3,8 @@
 import json
 import pathlib
 
+from report import expect
+
 
 class Variant:
     def __init__(self, folder, record):
@@ -11,6 +13,11 @@ class Variant:
 
     def __str__(self):
         return self.record["file"]
+
+    def expect_mass(self, mass, relative=1e-6):
+        """That the whole object has the mass of its record, in kg."""
+        expect(abs(mass - self.record["mass"]) < relative * mass,
+               f"{self}: weighs {mass} kg, not {self.record['mass']}")
 
 
 def specs(folder, target):

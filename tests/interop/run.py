@@ -81,12 +81,16 @@ HOSTS = {
     "mujoco-warp": Host(["mujoco-warp"], ["check_warp.py"],
                         "masses on the device; three objects step as in MuJoCo, on the CPU",
                         heavy=True),
+    # With PyTorch and its CUDA: 7 GB on the disk, although the CPU is enough here.
+    "mjlab": Host(["mjlab"], ["check_mjlab.py"],
+                  "`EntityCfg` and `Entity`: bodies, joints, geoms, masses; three objects step in two "
+                  "worlds as in MuJoCo, on the CPU", heavy=True),
     "usd": Host(["mujoco-usd-converter"], ["check_usd.py"],
                 "bodies, joints, colliders, stated masses, with `--assets files`; it refuses inline "
                 "meshes and leaves ellipsoids out", heavy=True),
 }
 # The packages whose versions the page tells.
-TOLD = ["mujoco", "mujoco-mjx", "mujoco-warp", "robosuite", "dm_control", "drake", "newton",
+TOLD = ["mujoco", "mujoco-mjx", "mujoco-warp", "robosuite", "dm_control", "drake", "newton", "mjlab",
         "mujoco-usd-converter"]
 BEGIN, END = "<!-- written by ./dev interop --all --write -->\n", "<!-- up to here -->\n"
 
