@@ -135,7 +135,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
 std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
   batch::Request request = RequestOf(static_cast<const ManyOptions&>(options));
   request.variant.target = *mjcf::FindTarget(options.target);
-  if (options.assets == mjcf::kAssetForms[1]) request.variant.assets = mjcf::AssetForm::kFiles;
+  request.variant.assets = *manifest::Find<mjcf::AssetForm>(options.assets);
   request.variant.sampler = *sample::FindMethod(options.sampler);
   request.variant.validation = *manifest::Find<forge::Validation>(options.validate);
   request.variant.on_invalid = *manifest::Find<forge::OnInvalid>(options.on_invalid);

@@ -26,6 +26,7 @@ struct MjforgeMaker {
   std::string record;
   std::string said_findings;
   std::string said_files;
+  std::string contents;
   std::string description;
   std::string failure;
 };
@@ -64,6 +65,8 @@ forge::Options OptionsOf(const MjforgeRequest& request) {
   options.batch = request.batch;
   options.name = request.name;
   options.target = OneOf("target", request.target, mjcf::FindTarget, mjcf::TargetNames());
+  options.assets =
+      OneOf("assets", request.assets, manifest::Find<mjcf::AssetForm>, mjcf::kAssetForms);
   options.sampler = OneOf("sampler", request.sampler, sample::FindMethod, sample::MethodNames());
   options.on_invalid = OneOf("on_invalid", request.on_invalid, manifest::Find<forge::OnInvalid>,
                              manifest::kOnInvalid);
@@ -97,17 +100,20 @@ std::string FindingsJson(const diag::Findings& findings, const diag::Sources& so
   return json.Take();
 }
 
-std::string FilesJson(const mjcf::MjcfDocument& document) {
+void SayFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
+  maker.contents.clear();
   diag::Json json(nullptr);
   json.StartArray();
   for (const bytes::Asset& asset : document.assets) {
     json.StartArray();
     json.Value(asset.name);
     json.Value(asset.file.string());
+    json.Value(asset.made ? asset.made->size() : 0);
     json.EndArray();
+    if (asset.made) maker.contents += *asset.made;
   }
   json.EndArray();
-  return json.Take();
+  maker.said_files = json.Take();
 }
 
 int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
@@ -124,8 +130,9 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   if (!variant.ok()) return 1;
   made.xml = View(variant.document.text);
   if (!variant.document.assets.empty()) {
-    maker.said_files = FilesJson(variant.document);
+    SayFiles(variant.document, maker);
     made.files = View(maker.said_files);
+    made.contents = View(maker.contents);
   }
   return 0;
 }

@@ -30,6 +30,7 @@ struct MjforgeRequest {
   std::size_t parameter_file_count;
   const char* name;  // of the object; empty: the spec's
   const char* target;
+  const char* assets;
   const char* sampler;
   const char* on_invalid;
   const char* validate;
@@ -42,7 +43,8 @@ struct MjforgeVariant {
   MjforgeText xml;       // empty unless it was made
   MjforgeText record;    // JSON, as a line of a manifest
   MjforgeText findings;  // JSON, as MjforgeFindings; empty: none
-  MjforgeText files;     // JSON, [[name in the XML, path], ...]; empty: none
+  MjforgeText files;     // JSON, [[name in the XML, path, size], ...]; empty: none
+  MjforgeText contents;  // of those without a path, one after the other, so many bytes of each
 };
 
 struct MjforgeMaker;

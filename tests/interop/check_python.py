@@ -11,8 +11,8 @@ import mujoco
 from report import check, expect, finish
 
 
-def verifies(name, target):
-    variants = mjforge.Spec(name).variants(seed=1, target=target, validate="load")
+def verifies(name, target, assets="inline"):
+    variants = mjforge.Spec(name).variants(seed=1, target=target, assets=assets, validate="load")
     try:
         for variant in variants[:2]:
             variant.verify(mujoco)
@@ -50,6 +50,7 @@ def makes_a_thousand_models():
 for name in mjforge.catalogue():
     for target in ("mujoco", "robosuite"):
         check(f"{name} for {target} verified in Python", verifies, name, target)
+    check(f"{name} with files verified in Python", verifies, name, "mujoco", "files")
 check("a difference is found in Python", finds_a_difference)
 check("an old MuJoCo is refused in Python", refuses_an_old_one)
 check("1,000 models in Python", makes_a_thousand_models)

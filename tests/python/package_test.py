@@ -32,6 +32,41 @@ class Variants(unittest.TestCase):
                     mine = {k: v for k, v in variant.record.items() if k != "file"}
                     self.assertEqual(record, mine)
 
+    def test_their_files_are_what_the_command_writes(self):
+        for name in ("kitchen/spoon", "furniture/round_table"):
+            variants = mjforge.Spec(name).variants(seed=3, assets="files")
+            self.assertIn('"assets_as":"files"', json.dumps(variants[0].record, separators=(",", ":")))
+            with tempfile.TemporaryDirectory() as folder:
+                variants.write(folder, 2)
+                written = {}
+                for variant in variants[:2]:
+                    file = pathlib.Path(folder, f"{variant.record['name']}_{variant.index:06}.xml")
+                    self.assertEqual(file.read_bytes(), variant.xml_bytes)
+                    self.assertNotIn("vertex=", variant.xml)
+                    again = pickle.loads(pickle.dumps(variant))
+                    self.assertEqual(again.files, variant.files)
+                    for asset in variant.files:
+                        self.assertIn(f'file="{asset}"', variant.xml)
+                    written.update(variant.files)
+                found = {str(file.relative_to(folder)): file.read_bytes()
+                         for file in pathlib.Path(folder).rglob("assets/*")}
+                self.assertEqual(written, found)
+                self.assertTrue(any(file.endswith(".obj") for file in found))
+        self.assertEqual(mjforge.Spec("kitchen/spoon").variants()[0].files, {})
+
+    def test_files_of_the_spec_are_among_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh = pathlib.Path(folder, "roof.obj")
+            mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+            spec = mjforge.Spec({
+                "mjforge": 1, "name": "house", "parts": [
+                    {"name": "roof", "type": "mesh", "file": str(mesh), "density": 100},
+                    {"name": "wall", "type": "box", "size": [0.1, 0.2, 0.3], "round": 0.01}]})
+            files = spec.variants(assets="files")[0].files
+            self.assertIn(mesh.read_bytes(), files.values())
+            self.assertGreater(len(files), 1)
+            self.assertEqual(list(spec.variants()[0].files.values()), [mesh.read_bytes()])
+
     def test_slices_are_sequences(self):
         variants = mjforge.Spec("hammer").variants()
         some = variants[10:20:2]
@@ -103,6 +138,8 @@ class Errors(unittest.TestCase):
         spec = mjforge.Spec("hammer")
         with self.assertRaisesRegex(ValueError, "target='robosuit'.*robosuite"):
             spec.variants(target="robosuit")
+        with self.assertRaisesRegex(ValueError, "assets='file'.*files"):
+            spec.variants(assets="file")
         for wrong in (dict(seed=-1), dict(seed=2**64), dict(name="a\0b"), dict(validate="no")):
             self.assertRaises(ValueError, spec.variants, **wrong)
         with self.assertRaisesRegex(ValueError, "--jbs"):

@@ -29,6 +29,7 @@ class Request(Structure):
         ("parameter_file_count", c_size_t),
         ("name", c_char_p),
         ("target", c_char_p),
+        ("assets", c_char_p),
         ("sampler", c_char_p),
         ("on_invalid", c_char_p),
         ("validate", c_char_p),
@@ -47,6 +48,8 @@ class VariantTexts(Structure):
         ("findings_size", c_size_t),
         ("files", c_void_p),
         ("files_size", c_size_t),
+        ("contents", c_void_p),
+        ("contents_size", c_size_t),
     ]
 
 

@@ -96,11 +96,13 @@ class _Maker:
             raise VariantError(findings)
         size = texts.files_size
         files = read(texts.files, size) if size else b""
+        size = texts.contents_size
+        contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, findings)
+                       files, contents, findings)
 
 
-_DEFAULTS = {"name": "", "target": "mujoco", "sampler": "random", "on_invalid": "fail",
+_DEFAULTS = {"name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
              "validate": "none", "seed": 0, "batch": 0}
 
 
@@ -152,6 +154,7 @@ class Spec:
         seed: int = 0,
         *,
         target: str = "mujoco",
+        assets: str = "inline",
         name: str = "",
         sampler: str = "random",
         batch: int = 0,
@@ -160,11 +163,12 @@ class Spec:
     ) -> "Variants":
         """Its variants: the same that `mjforge generate` makes with these options.
 
+        `assets="files"`: meshes are OBJ and textures PNG, in `Variant.files`, not in the XML.
         `name`: of the object; "${index}" allowed. `batch`: variants that the draws are spread
         over, for samplers that need to know. `on_invalid="skip"`: iteration leaves out what cannot
         be made. `validate`: "none", "load" or "physics", in the MuJoCo that the package contains.
         """
-        return Variants(self, {"name": name, "target": target, "sampler": sampler,
+        return Variants(self, {"name": name, "target": target, "assets": assets, "sampler": sampler,
                                "on_invalid": on_invalid, "validate": validate, "seed": seed,
                                "batch": batch})
 

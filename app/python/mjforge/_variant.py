@@ -39,15 +39,17 @@ def _mujoco(module: Any) -> Any:
 class Variant:
     """An MJCF file and what is known about it. Frames: the object's own (m, kg, kg m^2)."""
 
-    __slots__ = ("xml_bytes", "_record_bytes", "_files_bytes", "findings", "_record")
+    __slots__ = ("xml_bytes", "_record_bytes", "_files_bytes", "_contents", "findings", "_record")
 
     xml_bytes: bytes  # the file, as the command writes it
     findings: tuple[Finding, ...]  # warnings
 
-    def __init__(self, xml: bytes, record: bytes, files: bytes, findings: tuple[Finding, ...]):
+    def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
+                 findings: tuple[Finding, ...]):
         self.xml_bytes = xml
         self._record_bytes = record
         self._files_bytes = files
+        self._contents = contents
         self.findings = findings
         self._record: Optional[dict[str, Any]] = None
 
@@ -100,11 +102,19 @@ class Variant:
 
     @property
     def files(self) -> dict[str, bytes]:
-        """Meshes and textures by their names in the XML, read now. Most objects have none."""
+        """Meshes and textures by their names in the XML: those that the spec names, read now, and
+        with `assets="files"` all others as OBJ and PNG. Written under these names beside the XML,
+        they are what the command writes. Most objects have none with `assets="inline"`.
+        """
         files = {}
-        for name, path in json.loads(self._files_bytes or b"[]"):
-            with open(os.fsencode(path), "rb") as file:
-                files[name] = file.read()
+        start = 0
+        for name, path, size in json.loads(self._files_bytes or b"[]"):
+            if path:
+                with open(os.fsencode(path), "rb") as file:
+                    files[name] = file.read()
+            else:
+                files[name] = self._contents[start:start + size]
+                start += size
         return files
 
     def load(self, mujoco: Any = None) -> Any:

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
@@ -70,12 +68,12 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   const std::optional<sample::Method> sampler =
       record.sampler.empty() ? sample::Method::kRandom : sample::FindMethod(record.sampler);
   if (!sampler) return unknown("with sampler", record.sampler);
-  const auto form = std::ranges::find(mjcf::kAssetForms, record.assets_as);
-  if (!record.assets_as.empty() && form == std::end(mjcf::kAssetForms))
-    return unknown("with assets as", record.assets_as);
+  const std::optional<mjcf::AssetForm> form =
+      record.assets_as.empty() ? mjcf::AssetForm::kInline
+                               : manifest::Find<mjcf::AssetForm>(record.assets_as);
+  if (!form) return unknown("with assets as", record.assets_as);
   Options options;
-  if (!record.assets_as.empty())
-    options.assets = static_cast<mjcf::AssetForm>(form - std::begin(mjcf::kAssetForms));
+  options.assets = *form;
   options.seed = record.seed;
   options.target = *target;
   options.name = record.name;

@@ -58,6 +58,7 @@ enum class AssetForm {
   kFiles    // beside it, as OBJ and PNG: the room files makes them
 };
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
+constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
 
 /// A file that is made from the object. Its name in the text has as many zeros where its content's
 /// hash belongs.
