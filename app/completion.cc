@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "joint_names.h"
 #include "make_options.h"
 #include "mjforge/forge/forge.h"
 
@@ -65,14 +66,23 @@ class WordsBefore {
   }
   /// The spec that settings are for; empty if there is none.
   std::string Spec() const {
-    const bool is_spec = !arguments_.empty() && arguments_[0] != "-" &&  // it can be read once
-                         !arguments_[0].ends_with(".xml");
-    return is_spec ? arguments_[0] : "";
+    const std::string what = What();
+    return what.ends_with(".xml") ? "" : what;
+  }
+  /// The spec or file that is looked at; empty if there is none.
+  std::string What() const {
+    const bool is_there = !arguments_.empty() && arguments_[0] != "-";  // it can be read once
+    return is_there ? arguments_[0] : "";
+  }
+  const std::vector<std::string>& settings() const { return settings_; }
+  bool IsGiven(const std::string& option) const {
+    return given_.contains(command_.get_option_no_throw(option));
   }
 
  private:
   void Read(const std::string& word) {
     if (pending_ != nullptr) {
+      if (pending_->check_lname("set")) settings_.push_back(word);
       pending_ = nullptr;
     } else if (options_ended_ || word.size() < 2 || word[0] != '-') {
       arguments_.push_back(word);
@@ -80,7 +90,9 @@ class WordsBefore {
       options_ended_ = true;
     } else if (word[1] == '-') {
       const std::size_t equals = word.find('=');
-      Give(command_.get_option_no_throw(word.substr(0, equals)), equals == word.npos);
+      const std::string name = word.substr(0, equals);
+      if (name == "--set" && equals != word.npos) settings_.push_back(word.substr(equals + 1));
+      Give(command_.get_option_no_throw(name), equals == word.npos);
     } else {
       ReadShort(word);
     }
@@ -104,6 +116,7 @@ class WordsBefore {
   CLI::App& command_;
   CLI::Option* pending_ = nullptr;
   std::vector<std::string> arguments_;
+  std::vector<std::string> settings_;
   std::set<const CLI::Option*> given_;
   bool options_ended_ = false;
 };
@@ -204,6 +217,16 @@ void AddThresholds(const std::string& before, Answer& answer) {
   }
 }
 
+// Without the object's prefix, unless the word begins with it.
+void AddJoints(const std::string& before, const WordsBefore& line, Answer& answer) {
+  if (line.What().empty()) return;
+  const std::string start = answer.word().substr(before.size());
+  for (const JointName& joint : NamesOfJoints(line.What(), line.settings())) {
+    const std::string& name = joint.short_name.starts_with(start) ? joint.short_name : joint.name;
+    answer.Add(before + name + (line.IsGiven("--sweep") ? "" : "="), joint.meaning);
+  }
+}
+
 // `before` is what stands before the value in the word: "--target=".
 void AddValues(CLI::Option& option, const std::string& before, const WordsBefore& line,
                Answer& answer) {
@@ -214,6 +237,8 @@ void AddValues(CLI::Option& option, const std::string& before, const WordsBefore
       AddParameters(before, line.Spec(), answer);
       // There are more of them than of parameters.
       if (line.Spec().empty() || answer.word() != before) AddThresholds(before, answer);
+    } else if (value == "<joint>") {
+      AddJoints(before, line, answer);
     } else if (value[0] == '.') {
       answer.AddFiles(value);
     } else {

@@ -21,7 +21,8 @@ inline constexpr const char* kSpecs = "<spec> .yaml .yml";
 
 /// For `check` of an option: accepts any value, and says how a shell may complete it. `values`:
 /// words one space apart, each a value, except "<spec>" (names of the catalogue), "<setting>"
-/// (NAME=VALUE for the spec on the line), ".xml" (files whose names end so) and "." (any file).
+/// (NAME=VALUE for the spec on the line), "<joint>" (the same for its joints or those of a file,
+/// NAME alone with --sweep), ".xml" (files whose names end so) and "." (any file).
 CLI::Validator Offers(const std::string& values);
 /// The same of a fixed list; accepts nothing else. The words' letters live as long as the program.
 CLI::Validator IsOneOf(std::span<const std::string_view> words);

@@ -157,7 +157,8 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   AddWord(command, "--layer", options.layer, picture::LayerNames(), "Show");
   command.add_option("--joint", options.joints, "Set a joint's position (hinge=45deg)")
       ->option_text("NAME=VALUE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(Offers("<joint>"));
   AddCamera(command, options.picture.view);
   command.add_option("--size", options.size, "Pixels [640; several or --sweep: 320 each]")
       ->option_text("WxH");

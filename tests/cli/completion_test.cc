@@ -127,6 +127,32 @@ TEST_CASE_METHOD(CompletionTest, "settings are completed for the spec that is on
   CHECK(Words({"inspect", "fridge", "--set", "kind="}) == "kind=small\nkind=tall\n");
 }
 
+TEST_CASE_METHOD(CompletionTest, "joints are completed for the spec or the file on the line") {
+  folder().Write("doors.yaml",
+                 "mjforge: 1\nname: doors\nparams: {count: {value: 1}}\n"
+                 "parts: [{name: wall, type: box, size: [1, 1, 1]}]\njoints: none\nbodies:\n"
+                 "  - {for: {i: count}, name: \"leaf_${i}\", pos: [3 + 3 * i, 0, 0],\n"
+                 "     parts: [{name: \"board_${i}\", type: box, size: [1, 1, 1]}],\n"
+                 "     joints: [{name: \"swing_${i}\", axis: [0, 0, 1], range: [0, 90deg]},\n"
+                 "              {name: \"lift_${i}\", type: slide, axis: [0, 0, 1]}]}\n");
+  CHECK(Ask({"preview", "doors.yaml", "--joint", ""}) ==
+        "swing_0=\thinge, 0 to 1.57 rad\nlift_0=\tslide\n:\n");
+  CHECK(Words({"preview", "doors.yaml", "--joint=doors_sw"}) == "--joint=doors_swing_0=\n");
+  CHECK(Words({"preview", "doors.yaml", "--set", "count=2", "--joint", "lift_1"}) == "lift_1=\n");
+  CHECK(Words({"preview", "doors.yaml", "--set=count=2", "--joint", "lift_1"}) == "lift_1=\n");
+  CHECK(Words({"preview", "doors.yaml", "--sweep", "--joint", "sw"}) == "swing_0\n");
+  folder().Write("arm.xml",
+                 "<mujoco><worldbody><body><joint name='bend'/><joint type='ball' name='no'/>"
+                 "<geom size='1'/></body></worldbody></mujoco>");
+  CHECK(Words({"preview", "arm.xml", "--joint", ""}) == "bend=\n");
+  // What is offered is accepted; where there is nothing, there is silence.
+  CHECK(Run({"check", "doors.yaml"}).status == 0);
+  CHECK(Ask({"preview", "doors.yaml", "--set", "count=x", "--joint", ""}) == ":\n");
+  CHECK(Ask({"preview", "nosuch.xml", "--joint", ""}) == ":\n");
+  CHECK(Ask({"preview", "-", "--joint", ""}) == ":\n");
+  CHECK(Ask({"preview", "--joint", ""}) == ":\n");
+}
+
 TEST_CASE_METHOD(CompletionTest, "thresholds are settings, too, also of a file") {
   CHECK(Words({"check", "crate.yaml", "--set", "checks.ti"}) == "checks.tilt=\n");
   CHECK(Words({"validate", "x.xml", "--set", "checks.stable="}) ==

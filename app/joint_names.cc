@@ -1,0 +1,69 @@
+#include "joint_names.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "mjforge/forge/forge.h"
+#include "mjforge/picture/picture.h"
+#include "options.h"
+
+namespace mjforge::app {
+namespace {
+
+struct Loaded {
+  std::unique_ptr<picture::Subject> subject;
+  std::string prefix;  // of its names
+};
+
+Loaded LoadVariant(const std::string& what, const std::vector<std::string>& settings) {
+  spec::LoadOptions load;
+  load.settings = MakeSettings(settings);
+  load.search_path = forge::SearchPath();
+  diag::Sources sources;
+  diag::Findings findings;
+  const std::optional<forge::Recipe> recipe = forge::LoadRecipe(what, load, sources, findings);
+  if (!recipe || findings.HasErrors()) return {};
+  forge::Options how;
+  how.validation = forge::Validation::kNone;
+  how.moulds = false;
+  forge::Variant variant;
+  forge::Generator(*recipe, sources, how).Make(0, variant);
+  if (!variant.ok()) return {};
+  std::string why_not;
+  return {picture::Loader().LoadText(variant.document.text, variant.document.assets, why_not),
+          variant.record.name + "_"};
+}
+
+std::string MeaningOf(const picture::Joint& joint) {
+  const bool turns = joint.type == picture::Joint::Type::kHinge;
+  const std::string type = turns ? "hinge" : "slide";
+  if (!joint.limited) return type;
+  return fmt::format("{}, {:.3g} to {:.3g} {}", type, joint.range[0], joint.range[1],
+                     turns ? "rad" : "m");
+}
+
+}  // namespace
+
+std::vector<JointName> NamesOfJoints(const std::string& what,
+                                     const std::vector<std::string>& settings) {
+  std::string why_not;
+  const Loaded loaded = what.ends_with(".xml")
+                            ? Loaded{picture::Loader().LoadFile(what, why_not), {}}
+                            : LoadVariant(what, settings);
+  std::vector<JointName> names;
+  if (!loaded.subject) return names;
+  for (const picture::Joint& joint : loaded.subject->joints()) {
+    const bool moves =
+        joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
+    if (!moves || joint.name.empty()) continue;
+    const bool prefixed = joint.name.starts_with(loaded.prefix);
+    const std::string rest = joint.name.substr(prefixed ? loaded.prefix.size() : 0);
+    diag::Findings of_others;
+    const bool enough = loaded.subject->FindJoint(rest, of_others).has_value();
+    names.push_back({joint.name, enough ? rest : joint.name, MeaningOf(joint)});
+  }
+  return names;
+}
+
+}  // namespace mjforge::app
