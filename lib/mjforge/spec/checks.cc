@@ -25,6 +25,17 @@ YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> setting
   return map;
 }
 
+// A setting to nothing takes the spec's own away.
+void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
+  std::erase_if(map.pairs, [&](const YamlNode::Pair& pair) {
+    return pair.value.kind == YamlNode::Kind::kNull &&
+           std::ranges::any_of(settings, [&](const NamedNode& setting) {
+             return setting.name.starts_with(kChecksPrefix) &&
+                    setting.name.substr(kChecksPrefix.size()) == pair.key;
+           });
+  });
+}
+
 // A threshold that changes by chance says nothing about those who meet it.
 void RejectDraws(const std::vector<Field>& fields, Reading& reading) {
   for (const Field& field : fields) {
@@ -159,8 +170,9 @@ bool CanBeSilenced(diag::Code code) {
 
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading) {
   if (checks != nullptr && !IsMap(*checks, "checks", reading)) return;
-  const YamlNode map = WithSettings(checks, settings);
+  YamlNode map = WithSettings(checks, settings);
   CheckKeys(ChecksElement(), map, reading);
+  RemoveUnset(map, settings);
   reading.spec.checks.fields = ReadFields(ChecksElement(), map, reading);
   RejectDraws(reading.spec.checks.fields, reading);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, reading);

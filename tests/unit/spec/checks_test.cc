@@ -79,3 +79,16 @@ TEST_CASE("settings named checks.KEY take the place of a threshold", "[checks]")
   CHECK(Load(yaml, {{"checks.snik", "3mm"}}).Report() ==
         Strings{"1:14 spec/unknown-key: unknown key 'snik' in checks (did you mean 'sink'?)"});
 }
+
+TEST_CASE("a setting checks.KEY of nothing takes away what the spec says", "[checks]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nchecks: {sink: 2mm, grasps: {}}\n"
+      "parts: [{name: box, type: sphere, size: 1}]\n";
+  const Loaded loaded = Load(yaml, {{"checks.grasps", "null"}});
+  CHECK(loaded.Report().empty());
+  REQUIRE(loaded.spec);
+  CHECK_FALSE(loaded.spec->checks.grasps);
+  CHECK(KeysOf(loaded.spec->checks) == Strings{"sink"});
+  CHECK(Load(yaml, {{"checks.snik", "null"}}).Report() ==
+        Strings{"1:1 spec/unknown-key: unknown key 'snik' in checks (did you mean 'sink'?)"});
+}
