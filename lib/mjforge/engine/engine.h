@@ -18,6 +18,7 @@
 #include "mjforge/engine/adapt.h"
 #include "mjforge/engine/api.h"
 #include "mjforge/engine/flat_text.h"
+#include "mjforge/engine/geom_pairs.h"
 #include "mjforge/engine/memory_files.h"
 #include "mjforge/engine/pictures.h"
 #include "mjforge/engine/refusal.h"

@@ -45,7 +45,8 @@ Move MoveAt(double time, double duration) {
 
 }  // namespace
 
-Driver::Driver(const mjModel& m, mjData& d) : m_(m), d_(d), couplings_(m), inertia_(Index(m.nv)) {}
+Driver::Driver(mjModel& m, mjData& d)
+    : m_(m), d_(d), couplings_(m), inertia_(Index(m.nv)), stepper_(m, d) {}
 
 void Driver::Begin(std::span<const mjtNum> start) {
   start_.assign(start.begin(), start.end());
@@ -168,7 +169,7 @@ void Driver::Go(std::vector<Ride>& rides) {
   for (double time = 0; time < duration + kHoldTime + kMostWaiting; time += dt) {
     if (std::ranges::all_of(rides, is_done)) return;
     SetForces(rides, MoveAt(time, duration));
-    mj_step(&m_, &d_);
+    stepper_.Step();
     Look(rides);
     for (Ride& ride : rides) {
       const double distance = std::abs(Value(ride.path) - ride.End());

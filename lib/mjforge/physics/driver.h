@@ -11,6 +11,7 @@
 
 #include "mjforge/physics/coupling.h"
 #include "mjforge/physics/drive.h"
+#include "mjforge/physics/stepper.h"
 #include "mjforge/physics/travel.h"
 
 namespace mjforge::physics {
@@ -18,7 +19,7 @@ namespace mjforge::physics {
 /// Drives joints of a model without gravity and loose roots; `m` and its data `d` must outlive it.
 class Driver {
  public:
-  Driver(const mjModel& m, mjData& d);
+  Driver(mjModel& m, mjData& d);
 
   const Couplings& couplings() const { return couplings_; }
 
@@ -73,12 +74,13 @@ class Driver {
   double Value(const Path& path) const;
   void Look(std::vector<Ride>& rides);
 
-  const mjModel& m_;
+  mjModel& m_;
   mjData& d_;
   Couplings couplings_;
   std::vector<mjtNum> start_;      // nq
   std::map<Bodies, double> jams_;  // m, where they start
   std::vector<double> inertia_;    // nv, about its own axis
+  Stepper stepper_;
 };
 
 }  // namespace mjforge::physics

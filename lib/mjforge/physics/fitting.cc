@@ -14,6 +14,7 @@
 #include "mjforge/physics/added.h"
 #include "mjforge/physics/named.h"
 #include "mjforge/physics/rounding.h"
+#include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
@@ -50,7 +51,8 @@ struct Entry {
 
 class Trial {
  public:
-  Trial(mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int added) : m_(m), d_(d) {
+  Trial(mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int added)
+      : m_(m), d_(d), stepper_(m, d) {
     PlaceOthers(m, d, start, added > 0 ? m.body_jntadr[first] : 0, 7 * added);
     mj_kinematics(&m, &d);
   }
@@ -63,7 +65,7 @@ class Trial {
     Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * way;
     double deepest = -kBefore;
     for (double time = 0; time < kMostTime && deepest < depth; time += m_.opt.timestep) {
-      mj_step(&m_, &d_);
+      stepper_.Step();
       if (HasBlownUp(d_)) return std::nullopt;
       deepest = std::max(deepest, (TipOf(peg) - X_WH.p).dot(way));
       Touch(peg.body);
@@ -130,7 +132,7 @@ class Trial {
     const double time = kPushes * std::sqrt(2 * most / kEarthGravity);
     bool is_pressed = false;
     for (double t = 0; t < time; t += m_.opt.timestep) {
-      mj_step(&m_, &d_);
+      stepper_.Step();
       if (HasBlownUp(d_) || (TipOf(peg) - start).dot(push) > most) return false;
       is_pressed = is_pressed || IsPressed(peg, X_WH, push);
     }
@@ -161,6 +163,7 @@ class Trial {
   mjModel& m_;
   mjData& d_;
   std::string touched_;
+  Stepper stepper_;
 };
 
 class Fits {

@@ -15,6 +15,7 @@
 #include "mjforge/physics/jaws.h"
 #include "mjforge/physics/named.h"
 #include "mjforge/physics/rounding.h"
+#include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
@@ -79,7 +80,7 @@ bool IsFree(const mjModel& m, int root) {
 class Attempt {
  public:
   Attempt(mjModel& m, mjData& d, const Jaws& jaws, const model::Grasping& grasping, int joint)
-      : m_(m), d_(d), jaws_(jaws), grasping_(grasping), joint_(joint) {}
+      : m_(m), d_(d), jaws_(jaws), grasping_(grasping), joint_(joint), stepper_(m, d) {}
 
   Grip Run(const Candidate& candidate, std::span<const mjtNum> start) {
     jaws_.Place(d_, start, candidate.X_WJ, OpeningFor(candidate, grasping_));
@@ -108,7 +109,7 @@ class Attempt {
 
   /// False: the simulation diverges.
   bool Step() {
-    mj_step(&m_, &d_);
+    stepper_.Step();
     apart_ = jaws_.Hold(d_, m_.body_rootid[body_]) ? 0 : apart_ + m_.opt.timestep;
     return !HasBlownUp(d_);
   }
@@ -164,6 +165,7 @@ class Attempt {
   double apart_ = 0;                  // s, for how long the jaws have not touched it
   Vector3d p_BJ_ = Vector3d::Zero();  // the middle between the jaws, in the body
   Vector3d p_WJ_ = Vector3d::Zero();
+  Stepper stepper_;
 };
 
 class Grasps {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "mjforge/physics/added.h"
 #include "mjforge/physics/named.h"
 #include "mjforge/physics/rounding.h"
+#include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
@@ -72,6 +74,7 @@ class Container {
     for (int i = 0; i < holding.balls; ++i)
       balls_.push_back({i, qpos + 7 * i, RadiusOf(holding, i)});
     if (without > 0) TakeAway(without);
+    stepper_.emplace(m, d);
     Hold(start);
     if (box_.empty()) box_.min = box_.max = Vector3d(Vector3d::Zero());
     Place(holding);
@@ -144,7 +147,7 @@ class Container {
     m_.opt.gravity[0] = 0;
     m_.opt.gravity[1] = kEarthGravity * std::sin(angle);
     m_.opt.gravity[2] = -kEarthGravity * std::cos(angle);
-    mj_step(&m_, &d_);
+    stepper_->Step();
     for (Ball& ball : balls_) {
       if (ball.where == Where::kAbove || ball.where == Where::kIn) Follow(ball);
     }
@@ -174,6 +177,7 @@ class Container {
   int first_ = 0;  // body
   std::vector<Ball> balls_;
   model::Box3 box_;  // of the object
+  std::optional<Stepper> stepper_;
 };
 
 std::string Place(const Ball& ball) {

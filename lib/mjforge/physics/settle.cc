@@ -6,6 +6,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/floor.h"
 #include "mjforge/physics/simulation.h"
+#include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
@@ -44,7 +45,7 @@ Ground GroundOf(const mjModel& m, const mjData& d) {
 class Drop {
  public:
   Drop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge, Result& result)
-      : m_(m), d_(d), checks_(checks), nudge_(nudge), result_(result) {
+      : m_(m), d_(d), checks_(checks), nudge_(nudge), result_(result), stepper_(m, d) {
     for (int joint = 0; joint < m.njnt; ++joint) {
       if (m.jnt_type[joint] == mjJNT_FREE) roots_.emplace_back().body = m.jnt_bodyid[joint];
     }
@@ -66,7 +67,7 @@ class Drop {
     int step = 0;
     while (step < most && slow < steps_at_rest && !HasBlownUp(d_)) {
       for (int i = 0; i < look && step < most; ++i, ++step) {
-        mj_step(&m_, &d_);
+        stepper_.Step();
         CountContacts();
       }
       slow = FastestPoint(m_, d_).speed < checks_.rest_speed ? slow + look : 0;
@@ -196,6 +197,7 @@ class Drop {
   double start_energy_ = 0;
   double highest_energy_ = 0;
   double energy_scale_ = 0;  // J
+  Stepper stepper_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/floor.h"
 #include "mjforge/physics/rounding.h"
+#include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
@@ -54,8 +55,8 @@ Scene SceneOf(const mjModel& m) {
 
 class Fall {
  public:
-  Fall(const mjModel& m, mjData& d, const Scene& scene, const model::Checks& checks)
-      : m_(m), d_(d), scene_(scene), checks_(checks) {
+  Fall(mjModel& m, mjData& d, const Scene& scene, const model::Checks& checks)
+      : m_(m), d_(d), scene_(scene), checks_(checks), stepper_(m, d) {
     std::ranges::copy(compiled::StartOf(m), d.qpos);
     mj_kinematics(&m, &d);
     mj_comPos(&m, &d);
@@ -125,7 +126,7 @@ class Fall {
 
   void Step(double time) {
     const int steps = std::max(1, static_cast<int>(std::lround(time / m_.opt.timestep)));
-    for (int i = 0; i < steps; ++i) mj_step(&m_, &d_);
+    for (int i = 0; i < steps; ++i) stepper_.Step();
     mj_kinematics(&m_, &d_);
     mj_comPos(&m_, &d_);
   }
@@ -173,13 +174,14 @@ class Fall {
     return centers;
   }
 
-  const mjModel& m_;
+  mjModel& m_;
   mjData& d_;
   const Scene& scene_;
   const model::Checks& checks_;
   Vector3d normal_ = Vector3d::UnitZ();
   Vector3d on_floor_ = Vector3d::Zero();
   double size_ = 0;  // m
+  Stepper stepper_;
 };
 
 void Tilt(mjModel& m, int floor) {
