@@ -20,13 +20,12 @@ bool HangsOnJoint(const mjModel& m, int body) {
 
 }  // namespace
 
-std::vector<Adrift> AdriftBodies(const mjModel& m) {
-  const compiled::Data d = compiled::MakeData(m);
-  std::ranges::copy(compiled::StartOf(m), d->qpos);
-  mj_kinematics(&m, d.get());
+std::vector<Adrift> AdriftBodies(const mjModel& m, mjData& d) {
+  std::ranges::copy(compiled::StartOf(m), d.qpos);
+  mj_kinematics(&m, &d);
   std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(m.ngeom));
   for (int geom = 0; geom < m.ngeom; ++geom) {
-    const model::Box3 box = compiled::GeomBox(m, geom, compiled::GeomPose(*d, geom));
+    const model::Box3 box = compiled::GeomBox(m, geom, compiled::GeomPose(d, geom));
     if (!box.empty()) boxes[static_cast<std::size_t>(geom)] = {box.min.value(), box.max.value()};
   }
   std::vector<Adrift> adrift;

@@ -14,6 +14,7 @@ struct Adrift {
 
 /// Bodies on hinges and slides farther from all else of their tree, where they start, than a
 /// quarter of their own size. Boxes around geoms, seen ones too, tell.
-std::vector<Adrift> AdriftBodies(const mjModel& m);
+/// `d` is the model's data at its initial state.
+std::vector<Adrift> AdriftBodies(const mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

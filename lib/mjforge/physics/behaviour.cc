@@ -60,10 +60,10 @@ class Behaviour {
       ReportMisplaced(misplaced);
     CheckStability(result);
     CheckRanges();
-    for (const Adrift& adrift : AdriftBodies(m_)) ReportAdrift(adrift);
+    for (const Adrift& adrift : AdriftBodies(m_, workspace_.For(m_))) ReportAdrift(adrift);
     const Drives drives = DriveJoints(m_, workspace_.For(m_), object_.name, verdict_.checks());
     for (const Jam& jam : drives.jams) ReportJam(jam);
-    for (const Passing& passing : PassingJoints(m_, object_.name, verdict_.checks()))
+    for (const Passing& passing : PassingJoints(m_, workspace_, object_.name, verdict_.checks()))
       ReportPassing(passing);
     for (const Driven& driven : drives.joints) {
       result.joints.push_back(driven.measured);

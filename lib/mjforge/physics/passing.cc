@@ -8,7 +8,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/joint_checks.h"
-#include "mjforge/physics/simulation.h"
+#include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
@@ -22,10 +22,8 @@ constexpr int kMost = 40;
 /// The model, in which parents collide with their children.
 class Unfiltered {
  public:
-  explicit Unfiltered(const mjModel& m) : m_(mj_copyModel(nullptr, &m)) {
-    m_->opt.disableflags |= mjDSBL_FILTERPARENT;
-    data_ = compiled::MakeData(*m_);
-  }
+  Unfiltered(const mjModel& m, Workspace& workspace)
+      : m_(CopyOf(m)), workspace_(workspace), data_(&workspace.For(*m_)), near_(*m_) {}
 
   void Put(std::span<const mjtNum> qpos) { std::ranges::copy(qpos, data_->qpos); }
 
@@ -41,13 +39,13 @@ class Unfiltered {
   /// How deep a body, with all that is welded to it, is in its parent, m.
   double Depth(int body, int parent) {
     for (;;) {
-      mj_kinematics(m_.get(), data_.get());
-      mj_comPos(m_.get(), data_.get());
-      mj_collision(m_.get(), data_.get());
+      mj_kinematics(m_.get(), data_);
+      mj_comPos(m_.get(), data_);
+      Collide();
       if (data_->warning[mjWARN_CONTACTFULL].number == 0) break;
       const std::vector<mjtNum> qpos(data_->qpos, data_->qpos + m_->nq);
       if (!MakeRoom(*m_, *data_)) break;
-      data_ = compiled::MakeData(*m_);
+      data_ = &workspace_.For(*m_);
       Put(qpos);
     }
     double deepest = 0;
@@ -73,14 +71,32 @@ class Unfiltered {
     return reach;
   }
 
+  static engine::Model CopyOf(const mjModel& m) {
+    engine::Model copy(mj_copyModel(nullptr, &m));
+    copy->opt.disableflags |= mjDSBL_FILTERPARENT;
+    return copy;
+  }
+
+  void Collide() {
+    if (near_.works()) {
+      near_.Find(*data_, exactly_, 0).Collide(*m_, *data_);
+    } else {
+      mj_collision(m_.get(), data_);
+    }
+  }
+
   engine::Model m_;
-  compiled::Data data_;
+  Workspace& workspace_;
+  mjData* data_;
+  NearPairs near_;
+  std::vector<double> exactly_ = std::vector<double>(static_cast<std::size_t>(m_->nbody));
 };
 
 class Passings {
  public:
-  Passings(const mjModel& m, std::string_view object, const model::Checks& checks)
-      : m_(m), checks_(checks), entries_(m, object, checks), unfiltered_(m) {}
+  Passings(const mjModel& m, Workspace& workspace, std::string_view object,
+           const model::Checks& checks)
+      : m_(m), checks_(checks), entries_(m, object, checks), unfiltered_(m, workspace) {}
 
   std::vector<Passing> Find() {
     std::vector<Passing> found;
@@ -131,10 +147,10 @@ class Passings {
 
 }  // namespace
 
-std::vector<Passing> PassingJoints(const mjModel& m, std::string_view object,
+std::vector<Passing> PassingJoints(const mjModel& m, Workspace& workspace, std::string_view object,
                                    const model::Checks& checks) {
   if (!checks.drive) return {};
-  return Passings(m, object, checks).Find();
+  return Passings(m, workspace, object, checks).Find();
 }
 
 }  // namespace mjforge::physics

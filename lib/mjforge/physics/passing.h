@@ -6,6 +6,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/model/model.h"
+#include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
 
@@ -24,7 +25,7 @@ struct Passing {
 /// their ranges. Looks at 8 to 40 positions of each, if possible 2 mm apart, all others standing
 /// where they start, or where an entry of checks.joints has them. `object` is its name. May throw
 /// std::exception.
-std::vector<Passing> PassingJoints(const mjModel& m, std::string_view object,
+std::vector<Passing> PassingJoints(const mjModel& m, Workspace& workspace, std::string_view object,
                                    const model::Checks& checks);
 
 }  // namespace mjforge::physics
