@@ -36,7 +36,10 @@ constexpr double kLifting = 1.5;    // of gravity
 constexpr double kShaking = 0.5;    // of gravity
 constexpr double kFrequency = 5;    // Hz
 constexpr double kMostSlip = 0.02;  // m: the jaws' faces are as large
-constexpr double kImpratio = 10;    // friction that does not creep
+// What has been as slow for as long under a steady load does not slip by 2 mm in the rest of kHold.
+constexpr double kStillSpeed = 0.001;  // m/s
+constexpr double kStillTime = 0.2;     // s
+constexpr double kImpratio = 10;       // friction that does not creep
 constexpr std::string_view kSitePrefix = "grasp";
 
 /// What became of a try.
@@ -111,6 +114,7 @@ class Attempt {
   bool Step() {
     stepper_.Step();
     apart_ = jaws_.Hold(d_, m_.body_rootid[body_]) ? 0 : apart_ + m_.opt.timestep;
+    still_ = FastestPoint(m_, d_).speed < kStillSpeed ? still_ + m_.opt.timestep : 0;
     return !HasBlownUp(d_);
   }
 
@@ -121,12 +125,18 @@ class Attempt {
     return true;
   }
 
+  /// Of all that moves, under a load that has been the same all the while.
+  bool IsStill() const { return still_ >= kStillTime; }
+
   bool Touches() const { return apart_ < kBounce; }
   bool Holds() const { return Touches() && Slip() <= kMostSlip; }
 
   Grip Lift() {
     const Vector3d down(0, 0, -kEarthGravity);
-    for (double t = 0; t < kLift + 3 * kShake + kHold; t += m_.opt.timestep) {
+    constexpr double kMoved = kLift + 3 * kShake;
+    still_ = 0;
+    for (double t = 0; t < kMoved + kHold && !IsStill(); t += m_.opt.timestep) {
+      if (t < kMoved) still_ = 0;
       Vector3d g = t < kLift ? Vector3d(kLifting * down) : down;
       const int axis = static_cast<int>(std::floor((t - kLift) / kShake));
       if (t >= kLift && axis < 3)
@@ -147,7 +157,8 @@ class Attempt {
     const double lever = m_.jnt_type[joint_] == mjJNT_HINGE ? axis.cross(arm).norm() : axis.norm();
     for (const double way : {1.0, -1.0}) {
       d_.qfrc_applied[dof] = way * grasping_.pull * lever;
-      for (double t = 0; t < kHold / 2; t += m_.opt.timestep) {
+      still_ = 0;
+      for (double t = 0; t < kHold / 2 && !IsStill(); t += m_.opt.timestep) {
         if (!Step()) return Grip::kDiverged;
         if (Slip() > kMostSlip) return Grip::kSlipped;
       }
@@ -163,6 +174,7 @@ class Attempt {
   int joint_;
   int body_ = 0;
   double apart_ = 0;                  // s, for how long the jaws have not touched it
+  double still_ = 0;                  // s, for how long all has been as slow as kStillSpeed
   Vector3d p_BJ_ = Vector3d::Zero();  // the middle between the jaws, in the body
   Vector3d p_WJ_ = Vector3d::Zero();
   Stepper stepper_;
