@@ -68,6 +68,8 @@ void AddXml(Dictionary& words) {
            words);
   AddWords("<asset> <mesh <texture <composite <replicate <freejoint/> /> <![CDATA[ ]]> &lt; &#0;",
            words);
+  AddWords("<frame count= offset= sep= fromto= euler= axisangle= xyaxes= zaxis= quat= eulerseq",
+           words);
   AddWords("meshdir texturedir strippath fusestatic balanceinertia boundmass coordinate global",
            words);
   AddWords("childclass class file= name= seed= index= set: %20 sha256=", words);

@@ -125,7 +125,7 @@ class Writer {
     const std::vector<Referring> referring = TakeReferring(names);
     double size = SizeOf(replicate);
     for (const Referring& one : referring) size += SizeOf(one.element);
-    made_ += size * std::max(step->count, 0.0);
+    made_ += size * step->count;
     if (made_ > kMostElements) {
       return reader_.Refuse(replicate, "count",
                             fmt::format("makes more than {:.0f} elements", kMostElements));
@@ -164,7 +164,7 @@ class Writer {
       return std::nullopt;
     }
     if (!reader_.FromEuler(replicate, *angles)) return std::nullopt;
-    return Step{(*count)[0], *offset, *angles};
+    return Step{std::max((*count)[0], 0.0), *offset, *angles};
   }
 
   static XmlElement FrameOf(const XmlElement& replicate, const Pose& pose,

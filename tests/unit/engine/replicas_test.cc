@@ -49,8 +49,11 @@ TEST_CASE("numbers have as many digits as the count") {
   const mjModel& m = *Load(file.text, loaded);
   CHECK(Names(m, mjOBJ_GEOM, m.ngeom).front() == "g00");
   CHECK(Names(m, mjOBJ_GEOM, m.ngeom).back() == "g09");
-  CHECK(Adapted("<worldbody><replicate count=\"0\">" + kBall + "</replicate></worldbody>").text ==
-        "<mujoco>\n<worldbody></worldbody></mujoco>");
+  for (const std::string none : {"0", "-1", "-inf"}) {
+    CHECK(Adapted("<worldbody><replicate count=\"" + none + "\">" + kBall +
+                  "</replicate></worldbody>")
+              .text == "<mujoco>\n<worldbody></worldbody></mujoco>");
+  }
 }
 
 // As in MuJoCo's documentation of the element.
@@ -168,6 +171,8 @@ TEST_CASE("not more than a hundred thousand elements are written out") {
   };
   CHECK(findings("<replicate count=\"1000000000\">" + kBall + "</replicate>") ==
         Strings{"3:12 error: 'count' of the replicate on line 3 makes more than 100000 elements"});
+  CHECK(findings("<replicate count=\"inf\"/>").size() == 1);
+  CHECK(findings("<replicate count=\"nan\"/>").size() == 1);
   std::string nested = kBall;
   for (int i = 0; i < 8; ++i) nested = "<replicate count=\"9\">" + nested + "</replicate>";
   CHECK(findings(nested).size() == 1);
