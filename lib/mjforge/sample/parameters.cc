@@ -64,8 +64,8 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
 Evaluator::Evaluator(Evaluator&& other) noexcept = default;
 Evaluator::~Evaluator() = default;
 
-template <typename Range>
-void Evaluator::SetComponents(const spec::Parameter& parameter, const Range& components) {
+void Evaluator::SetComponents(const spec::Parameter& parameter,
+                              std::span<const double> components) {
   const auto wanted = static_cast<std::size_t>(parameter.value.components);
   if (components.size() == wanted) {
     std::ranges::copy(components, variables_.begin() + parameter.slot);
@@ -99,7 +99,8 @@ void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
   } else if (IsVector(value)) {
     Numbers components;
     AppendVector(value, path, components);
-    SetComponents(parameter, components);
+    const boost::container::small_vector<double, 6> plain(components.begin(), components.end());
+    SetComponents(parameter, {plain.data(), plain.size()});
   } else {
     variables_[Slot(parameter)] = Number(value, path);
   }
@@ -117,7 +118,7 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
     variables_[Slot(parameter)] = *boolean ? 1 : 0;
   } else if (const auto* number = std::get_if<double>(&value);
              number && type == Type::kNumber && !is_list) {
-    SetComponents(parameter, std::span(number, 1));
+    SetComponents(parameter, {number, 1});
   } else if (numbers != nullptr && type == Type::kNumber && !is_list) {
     SetComponents(parameter, *numbers);
   } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value);

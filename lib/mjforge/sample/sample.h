@@ -103,9 +103,8 @@ class Evaluator {
   /// Adds a finding of this variant and returns NaN, the value of a failed number.
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
   int rejected_by() const { return rejected_by_; }
-  /// The value of spec().parameters[i].
+  /// The value of spec().parameters[i]; in place of another one, whose memory is used again.
   ParameterValue Parameter(std::size_t i) const;
-  /// The same in place of `value`, whose memory is used again.
   void GetParameter(std::size_t i, ParameterValue& value) const;
 
  private:
@@ -117,8 +116,7 @@ class Evaluator {
   bool Holds(const spec::Requirement& requirement);
   void DrawParameter(const spec::Parameter& parameter, StreamId path);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
-  template <typename Range>
-  void SetComponents(const spec::Parameter& parameter, const Range& components);
+  void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
   void SetList(const spec::Parameter& parameter, std::vector<double> numbers,
                std::vector<std::string> texts);
   /// All of a list, or of a vector, that a name stands for.
