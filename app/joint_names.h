@@ -9,7 +9,7 @@ namespace mjforge::app {
 struct JointName {
   std::string name;
   std::string short_name;  // without the object's prefix, if that is enough
-  std::string meaning;  // "hinge, 0 to 1.92 rad"
+  std::string meaning;     // "hinge, 0 to 1.92 rad"
 };
 
 /// Those of the first variant of a spec with these settings (NAME=VALUE), or of an MJCF file. None
