@@ -37,7 +37,7 @@ Loaded LoadVariant(const std::string& what, const std::vector<std::string>& sett
 
 std::string MeaningOf(const picture::Joint& joint) {
   const bool turns = joint.type == picture::Joint::Type::kHinge;
-  const std::string type = turns ? "hinge" : "slide";
+  std::string type = turns ? "hinge" : "slide";
   if (!joint.limited) return type;
   return fmt::format("{}, {:.3g} to {:.3g} {}", type, joint.range[0], joint.range[1],
                      turns ? "rad" : "m");

@@ -170,7 +170,8 @@ class Composing {
     const bool has_ends = IsOneOf(type, {"capsule", "cylinder", "box", "ellipsoid"});
     const auto pos = reader_.Numbers<3>(element, "pos", elements_.Find(placed, "pos"), {});
     const auto ends = reader_.Numbers<6>(element, "fromto", elements_.Find(placed, "fromto"), {});
-    if (!has_ends || !pos || *pos != Point() || !ends) return false;
+    if (!has_ends || !pos || std::ranges::any_of(*pos, [](mjtNum n) { return n != 0; }) || !ends)
+      return false;
     Point middle;
     Point axis;  // from the second end to the first
     for (std::size_t i = 0; i < 3; ++i) {

@@ -215,10 +215,16 @@ class Writer {
         if (section.tag != tag) continue;
         std::vector<XmlElement> kept;
         for (XmlElement& element : section.children) {
-          const Reach reach = ReachOf(tag, element, names);
-          if (reach == Reach::kOutside) kept.push_back(std::move(element));
-          if (reach == Reach::kCut) WarnOfCut(element);
-          if (reach == Reach::kReplicas) taken.push_back({nullptr, std::move(element)});
+          switch (ReachOf(tag, element, names)) {
+            case Reach::kOutside:
+              kept.push_back(std::move(element));
+              break;
+            case Reach::kReplicas:
+              taken.push_back({nullptr, std::move(element)});
+              break;
+            case Reach::kCut:
+              WarnOfCut(element);
+          }
         }
         section.children = std::move(kept);
         for (Referring& one : taken) one.section = &section;  // the last of this kind
