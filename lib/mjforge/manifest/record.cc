@@ -10,7 +10,8 @@ namespace {
 // `"key":` of each field: these need no look for what to escape.
 std::vector<std::string> MemberStarts() {
   std::vector<std::string> starts;
-  for (const RecordField& field : RecordFields()) starts.push_back(fmt::format("\"{}\":", field.key));
+  for (const RecordField& field : RecordFields())
+    starts.push_back(fmt::format("\"{}\":", field.key));
   return starts;
 }
 

@@ -26,12 +26,12 @@ using Eigen::Vector3d;
 // m, from the tip to the hole. From higher up a peg would fall so deep into a rim that it overlaps
 // by a millimetre that the rim would push it sideways, and let it through.
 constexpr double kBefore = 0.0002;
-constexpr double kSteel = 7850;    // kg/m^3, of a peg of steel
-constexpr double kLonger = 1.5;    // a peg, than it has to go
-constexpr double kMostTime = 2;    // s; a free fall of 1 m takes 0.45 s
-constexpr double kNearly = 1e-4;   // m, a contact's softness
-constexpr double kPushes = 2;      // so long, beside the time of a free fall
-constexpr double kAgainst = 0.3;   // of a contact's normal, against a push
+constexpr double kSteel = 7850;   // kg/m^3, of a peg of steel
+constexpr double kLonger = 1.5;   // a peg, than it has to go
+constexpr double kMostTime = 2;   // s; a free fall of 1 m takes 0.45 s
+constexpr double kNearly = 1e-4;  // m, a contact's softness
+constexpr double kPushes = 2;     // so long, beside the time of a free fall
+constexpr double kAgainst = 0.3;  // of a contact's normal, against a push
 
 std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kAddedPrefix, fitting); }
 

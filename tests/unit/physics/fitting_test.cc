@@ -37,8 +37,7 @@ TEST_CASE("a peg that is narrower than its hole goes in, and a wider one does no
   const Examined wide = Examine(world, {}, Fits(0.012, 0.02));
   CHECK(wide.Codes() == Strings{"error physics/does-not-fit"});
   CHECK(wide.result->fits == Fitting{1, 0});
-  CHECK_THAT(MessageOf(wide),
-             Catch::Contains("mm into 'mouth', not 20 mm: it touches '"));
+  CHECK_THAT(MessageOf(wide), Catch::Contains("mm into 'mouth', not 20 mm: it touches '"));
 }
 
 TEST_CASE("a peg fits only where something holds it sideways") {
