@@ -208,7 +208,10 @@ bool Pool::HasRoom() const {
   const auto has_room = [this](const auto& worker) {
     return worker->given.size() < tasks_per_worker_;
   };
-  return !stopped_ && waiting_.empty() && std::any_of(workers_.begin(), workers_.end(), has_room);
+  // Who takes results more slowly than they come must not gather them without end.
+  const bool keeps_up = results_.size() <= workers_.size();
+  return !stopped_ && keeps_up && waiting_.empty() &&
+         std::any_of(workers_.begin(), workers_.end(), has_room);
 }
 
 void Pool::Submit(Task task) {

@@ -86,7 +86,7 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Whether a submitted task would start soon.
+  /// Whether a submitted task would start soon, and not too many results wait to be taken.
   bool HasRoom() const;
   void Submit(Task task);
   /// The next available result, in any order; nothing if none comes within a tenth of a second, or

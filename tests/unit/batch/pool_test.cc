@@ -1,10 +1,14 @@
 #include "mjforge/batch/pool.h"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <map>
+#include <new>
 #include <thread>
 
 namespace mjforge::batch {
@@ -55,6 +59,25 @@ TEST_CASE("every task is done once, by any number of workers") {
     REQUIRE(texts.size() == 10);
     CHECK(texts.at(30) == "30;31;32;33;34;35;36;37;38;39;");
   }
+}
+
+TEST_CASE("results that are taken slowly are not gathered without end") {
+  using Count = std::atomic<std::uint64_t>;
+  void* const memory =
+      ::mmap(nullptr, sizeof(Count), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  REQUIRE(memory != MAP_FAILED);
+  auto* const done = new (memory) Count(0);
+  Pool pool = MakePool(2, std::chrono::seconds(10), [done](std::uint64_t) { ++*done; });
+  std::uint64_t submitted = 0;
+  std::uint64_t most = 0;  // that are on their way
+  for (std::uint64_t taken = 0; taken < 200;) {
+    for (; submitted < 200 && pool.HasRoom(); ++submitted) pool.Submit({{submitted, 1, 0}, {}});
+    most = std::max(most, submitted - taken);
+    while (*done < submitted) std::this_thread::yield();
+    if (pool.Wait()) ++taken;
+  }
+  CHECK(most <= 8);  // two at hand for each worker, and as many results as wait at the most
+  ::munmap(memory, sizeof(Count));
 }
 
 TEST_CASE("results of any length arrive whole and in order") {
