@@ -9,9 +9,19 @@
 #include <vector>
 
 #include "harness/temporary_folder.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/physics/physics.h"
 
 namespace mjforge::physics {
+
+/// The model of these sections; the test fails if MuJoCo refuses it.
+inline engine::Model Load(const std::string& sections) {
+  static engine::Engine engine;
+  engine::Loaded loaded = engine.LoadText("<mujoco>" + sections + "</mujoco>");
+  INFO(loaded.error);
+  REQUIRE(loaded.model);
+  return std::move(loaded.model);
+}
 
 struct Examined {
   std::optional<Result> result;

@@ -4,20 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "examined.h"
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
 namespace {
-
-engine::Model Load(const std::string& rest) {
-  static engine::Engine engine;
-  engine::Loaded loaded = engine.LoadText("<mujoco>" + rest + "</mujoco>");
-  INFO(loaded.error);
-  REQUIRE(loaded.model);
-  return std::move(loaded.model);
-}
 
 /// Positions and numbers of contacts after each of `steps`, in the middle of which the first joint
 /// is put elsewhere.

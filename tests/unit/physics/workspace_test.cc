@@ -7,17 +7,14 @@
 namespace mjforge::physics {
 namespace {
 
-engine::Model Load(const std::string& body) {
-  static engine::Engine engine;
-  engine::Loaded loaded = engine.LoadText("<mujoco><worldbody>" + body + "</worldbody></mujoco>");
-  REQUIRE(loaded.model);
-  return std::move(loaded.model);
+engine::Model LoadBodies(const std::string& bodies) {
+  return Load("<worldbody>" + bodies + "</worldbody>");
 }
 
 TEST_CASE("memory is kept from one model to the next of the same sizes") {
-  const engine::Model small = Load("<body><freejoint/><geom size=\"0.1\"/></body>");
-  const engine::Model large = Load("<body><freejoint/><geom size=\"0.9\"/></body>");
-  const engine::Model other = Load("<body><joint/><geom size=\"0.9\"/></body>");
+  const engine::Model small = LoadBodies("<body><freejoint/><geom size=\"0.1\"/></body>");
+  const engine::Model large = LoadBodies("<body><freejoint/><geom size=\"0.9\"/></body>");
+  const engine::Model other = LoadBodies("<body><joint/><geom size=\"0.9\"/></body>");
   Workspace workspace;
   mjData* first = &workspace.For(*small);
   const mjtNum* qpos = first->qpos;
