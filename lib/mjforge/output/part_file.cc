@@ -6,9 +6,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -19,6 +21,11 @@ namespace {
 
 // Writing goes on while the next bytes are made: then there is little left to wait for.
 constexpr std::uint64_t kBeginEvery = std::uint64_t{8} << 20;
+
+// Blocks that a long file has in advance take a third off the system's work for each write: as many
+// bytes again as it has, within these bounds.
+constexpr std::uint64_t kLeastReserve = std::uint64_t{1} << 20;
+constexpr std::uint64_t kMostReserve = std::uint64_t{64} << 20;
 
 // Another process may be dying at the moment, its workers with it.
 constexpr int kLockTries = 20;
@@ -41,7 +48,10 @@ PartFile::PartFile(std::filesystem::path file, std::filesystem::path temporary, 
       size_(size) {}
 
 PartFile::~PartFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ < 0) return;
+  diag::Findings unheard;
+  GiveBack(unheard);
+  ::close(descriptor_);
 }
 
 std::filesystem::path PartFile::NameOf(const std::filesystem::path& file) {
@@ -92,7 +102,23 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
   }
 }
 
+// Where there is no room, or the file system has no such thing, writing goes on without.
+void PartFile::Reserve(std::uint64_t end) {
+  if (end < kLeastReserve || end <= reserved_) return;
+  const std::uint64_t more = end + std::clamp(size_, kLeastReserve, kMostReserve);
+  const bool done = ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<::off_t>(size_),
+                                static_cast<::off_t>(more - size_)) == 0;
+  reserved_ = done ? more : std::numeric_limits<std::uint64_t>::max();
+}
+
+bool PartFile::GiveBack(diag::Findings& findings) {
+  if (reserved_ == 0 || ::ftruncate(descriptor_, static_cast<::off_t>(size_)) == 0) return true;
+  AddCannotWrite(file_, errno, findings);
+  return false;
+}
+
 bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
+  Reserve(size_ + bytes.size());
   if (!WriteAll(descriptor_, bytes, file_, findings)) return false;
   size_ += bytes.size();
   checksum_.Add(bytes);
@@ -112,6 +138,7 @@ bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
   }
   size_ = size;
   begun_ = size;
+  reserved_ = 0;
   checksum_.Clear();
   if (size == 0) return true;
   std::string why_not;
@@ -133,6 +160,7 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     Drop();
     return true;
   }
+  if (!GiveBack(findings)) return false;
   if (durability == Durability::kBatch && !Sync(findings)) return false;
   if (std::rename(temporary_.c_str(), file_.c_str()) != 0) {
     AddCannotWrite(file_, errno, findings);

@@ -48,12 +48,15 @@ class PartFile {
  private:
   PartFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor,
            std::uint64_t size);
+  void Reserve(std::uint64_t end);
+  bool GiveBack(diag::Findings& findings);
 
   std::filesystem::path file_;
   std::filesystem::path temporary_;
   int descriptor_ = -1;  // -1: committed or dropped
   std::uint64_t size_ = 0;
-  std::uint64_t begun_ = 0;  // bytes that the system was asked to write
+  std::uint64_t begun_ = 0;     // bytes that the system was asked to write
+  std::uint64_t reserved_ = 0;  // bytes that have blocks, or all there can be; 0: nothing was asked
   bytes::Checksum checksum_;
 };
 

@@ -1,5 +1,7 @@
 #include "mjforge/output/part_file.h"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
@@ -56,6 +58,28 @@ TEST_CASE("only one process at a time writes a file") {
   second->Drop();
   CHECK(folder.Files() == Files{"x"});
   CHECK(folder.Read("x") == "first");
+}
+
+TEST_CASE("a long file leaves no part of the disk reserved") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  constexpr std::size_t kSize = std::size_t{5} << 20;
+  const auto room = [&](const std::string& name) {
+    struct stat status = {};
+    REQUIRE(::stat((folder / name).c_str(), &status) == 0);
+    return static_cast<std::size_t>(status.st_blocks) * 512;
+  };
+  {
+    auto file = PartFile::Open(folder / "x", findings);
+    for (std::size_t i = 0; i < kSize; i += kSize / 100)
+      REQUIRE(file->Append(std::string(kSize / 100, 'x'), findings));
+  }
+  CHECK(room(".x.part") < kSize + kSize / 10);
+  auto file = PartFile::Open(folder / "x", findings);
+  REQUIRE(file->Append(std::string(kSize, 'y'), findings));
+  REQUIRE(file->Commit(false, Durability::kBatch, findings));
+  CHECK(room("x") < 2 * kSize + kSize / 10);
+  CHECK(folder.Read("x") == std::string(kSize, 'x') + std::string(kSize, 'y'));
 }
 
 TEST_CASE("a long file with the same bytes keeps its time where that is asked for") {
