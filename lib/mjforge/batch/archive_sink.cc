@@ -209,7 +209,7 @@ class ArchiveSink : public Sink {
       const auto bytes = output::ReadAsset(asset.source, asset.sha256, findings);
       output::Segment segment(destination_.format);
       if (!bytes || !segment.Add(asset.name, *bytes, findings) ||
-          !archive_->Append(segment.Take(), findings)) {
+          !archive_->Append(segment.Bytes(), findings)) {
         return false;
       }
     }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace mjforge::batch {
 namespace {
@@ -19,7 +20,7 @@ class Encoder {
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Code(const T& value) { Put(&value, sizeof(value)); }
-  void Code(const std::string& text) {
+  void Code(std::string_view text) {
     Code(text.size());
     Put(text.data(), text.size());
   }
@@ -40,7 +41,7 @@ class Measurer {
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Code(const T& value) { size_ += sizeof(value); }
-  void Code(const std::string& text) { size_ += sizeof(text.size()) + text.size(); }
+  void Code(std::string_view text) { size_ += sizeof(text.size()) + text.size(); }
   std::size_t size() const { return size_; }
 
   static constexpr bool kReads = false;
@@ -56,10 +57,15 @@ class Decoder {
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Code(T& value) { std::memcpy(&value, Take(sizeof(value)).data(), sizeof(value)); }
-  void Code(std::string& text) {
+  void Code(std::string_view& text) {
     std::size_t size = 0;
     Code(size);
     text = Take(size);
+  }
+  void Code(std::string& text) {
+    std::string_view taken;
+    Code(taken);
+    text = taken;
   }
 
   static constexpr bool kReads = true;
@@ -173,6 +179,10 @@ std::string Encode(const Result& result) { return EncodeMessage(result); }
 std::size_t EncodedSize(const Result& result) { return SizeOf(result); }
 void EncodeTo(char* out, const Result& result) { EncodeMessageTo(out, result); }
 Task DecodeTask(std::string_view bytes) { return DecodeMessage<Task>(bytes); }
-Result DecodeResult(std::string_view bytes) { return DecodeMessage<Result>(bytes); }
+Result DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory) {
+  Result result = DecodeMessage<Result>(bytes);
+  result.memory = std::move(memory);
+  return result;
+}
 
 }  // namespace mjforge::batch

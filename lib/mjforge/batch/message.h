@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,8 +57,8 @@ struct Result {
   Chunk chunk;
   std::uint64_t done = 0;  // variants; fewer than the chunk's if stopped or failed
   std::vector<Status> statuses;
-  std::string lines;                // of the manifest
-  std::string segment;              // of the archive
+  std::string_view lines;           // of the manifest, in `memory`
+  std::string_view segment;         // of the archive, there, too
   std::string text;                 // of a single object
   std::vector<Done> variants;       // if they are watched
   std::vector<Asset> assets;        // each once
@@ -67,6 +69,8 @@ struct Result {
   // The variant after those done could not be written, or a file that it needs not be read.
   bool files_failed = false;
   diag::Findings output_findings;
+  /// Holds `lines` and `segment`; null in a worker, which has them itself.
+  std::shared_ptr<const void> memory;
 };
 
 std::string Encode(const Task& task);
@@ -76,6 +80,7 @@ std::size_t EncodedSize(const Result& result);
 void EncodeTo(char* out, const Result& result);
 // Decode what Encode made. Bytes that are cut short or have a wrong length are a bug, and throw.
 Task DecodeTask(std::string_view bytes);
-Result DecodeResult(std::string_view bytes);
+/// Its `lines` and `segment` lie in `bytes`, which `memory` holds.
+Result DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory);
 
 }  // namespace mjforge::batch

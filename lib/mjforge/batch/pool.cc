@@ -120,6 +120,26 @@ Channel MakeChannel() {
   std::exit(status);
 }
 
+std::shared_ptr<Slot> MakeSlot() {
+  void* const memory =
+      ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED)
+    throw std::system_error(errno, std::generic_category(), "cannot share memory");
+  // Not Slot(), which would fill the room for mail.
+  return {new (memory) Slot, [](Slot* slot) { ::munmap(slot, sizeof(Slot)); }};
+}
+
+// The mail is in the slot as long as the result is there.
+Result ReadMail(const std::shared_ptr<Slot>& slot) {
+  const std::string_view mail = slot->Take();
+  return DecodeResult(mail, {mail.data(), [slot, mail](const char*) { slot->Remove(mail); }});
+}
+
+Result ReadResult(std::string_view message) {
+  auto memory = std::make_shared<const std::string>(message);
+  return DecodeResult(*memory, memory);
+}
+
 // CPU time of a process, all its threads; 0 if it is gone.
 Seconds CpuTime(::pid_t process) {
   ::clockid_t clock = {};
@@ -143,8 +163,8 @@ struct Pool::Worker {
   ::pid_t process = -1;
   int channel = -1;
   std::deque<Task> given;
-  std::string buffer;  // of results, the last one perhaps in part
-  Slot* slot = nullptr;
+  std::string buffer;          // of results, the last one perhaps in part
+  std::shared_ptr<Slot> slot;  // from its start on
   // When it last went on.
   std::uint64_t seen_turn = 0;
   Seconds seen_at{};  // of Pool::watched_
@@ -162,15 +182,7 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
       time_limit_(time_limit),
       make_work_(std::move(make_work)),
       received_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {
-  for (std::uint64_t i = 0; i < jobs; ++i) {
-    auto worker = std::make_unique<Worker>();
-    void* memory =
-        ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED)
-      throw std::system_error(errno, std::generic_category(), "cannot share memory");
-    worker->slot = new (memory) Slot;  // not Slot(), which would fill the room for mail
-    workers_.push_back(std::move(worker));
-  }
+  for (std::uint64_t i = 0; i < jobs; ++i) workers_.push_back(std::make_unique<Worker>());
 }
 
 // A worker whose channel closes ends by itself. One that hangs or is stopped does not.
@@ -181,15 +193,13 @@ Pool::~Pool() {
       ::kill(worker->process, worker->given.empty() ? SIGCONT : SIGKILL);
       ::waitpid(worker->process, nullptr, 0);
     }
-    ::munmap(worker->slot, sizeof(Slot));
   }
 }
 
 void Pool::Start(Worker& worker) {
   const Channel channel = MakeChannel();
   const ::pid_t leader = ::getpid();
-  worker.slot->~Slot();
-  new (worker.slot) Slot;
+  worker.slot = MakeSlot();  // results may still hold mail in the former one
   const ::pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
@@ -281,9 +291,8 @@ void Pool::Receive(Worker& worker) {
     if (is_mail) size = 0;
     if (worker.buffer.size() - at - sizeof(size) < size) break;
     results_.push_back(
-        DecodeResult(is_mail ? worker.slot->mail()
-                             : std::string_view(worker.buffer).substr(at + sizeof(size), size)));
-    if (is_mail) worker.slot->RemoveMail();
+        is_mail ? ReadMail(worker.slot)
+                : ReadResult(std::string_view(worker.buffer).substr(at + sizeof(size), size)));
     worker.given.pop_front();
     NoteProgress(worker);
     fruitless_deaths_ = 0;
@@ -345,7 +354,9 @@ void Pool::KillSlowWorkers() {
 void Pool::AskToStop() {
   stopped_ = true;
   waiting_.clear();
-  for (const auto& worker : workers_) worker->slot->AskToStop();
+  for (const auto& worker : workers_) {
+    if (worker->slot) worker->slot->AskToStop();
+  }
 }
 
 }  // namespace mjforge::batch

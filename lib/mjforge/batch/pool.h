@@ -36,7 +36,7 @@ class Slot {
   bool IsAskedToStop() const { return stop_.load(std::memory_order_relaxed); }
 
   /// Memory for a result's message, which saves copies through a channel; null if it is too long,
-  /// or all that were left are still there.
+  /// or as many are still there as fit.
   char* RoomFor(std::size_t size) {
     Mail& mail = mails_[left_ % mails_.size()];
     const bool is_free = mail.size.load(std::memory_order_acquire) == 0;
@@ -46,14 +46,17 @@ class Slot {
   void Leave(std::size_t size) {
     mails_[left_++ % mails_.size()].size.store(size, std::memory_order_release);
   }
-  /// The first that was left. It stays until it is removed.
-  std::string_view mail() const {
-    const Mail& mail = mails_[removed_ % mails_.size()];
+  /// The next message; one was left. It stays until it is removed.
+  std::string_view Take() {
+    const Mail& mail = mails_[taken_++ % mails_.size()];
     // A worker that crashes may have written anywhere.
     return {mail.bytes.data(),
             std::min(mail.size.load(std::memory_order_acquire), mail.bytes.size())};
   }
-  void RemoveMail() { mails_[removed_++ % mails_.size()].size.store(0, std::memory_order_release); }
+  void Remove(std::string_view message) {
+    const auto is_it = [&](const Mail& mail) { return mail.bytes.data() == message.data(); };
+    std::ranges::find_if(mails_, is_it)->size.store(0, std::memory_order_release);
+  }
 
  private:
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
@@ -65,8 +68,8 @@ class Slot {
     std::array<char, std::size_t{2} << 20> bytes;  // most results of a chunk fit
   };
   std::array<Mail, kMostTasksPerWorker> mails_;
-  std::uint64_t left_ = 0;     // mails, by the worker
-  std::uint64_t removed_ = 0;  // by the process that leads
+  std::uint64_t left_ = 0;   // mails, by the worker
+  std::uint64_t taken_ = 0;  // by the process that leads
 };
 
 /// Does tasks, in the worker.

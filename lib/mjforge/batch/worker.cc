@@ -27,7 +27,9 @@ class Worker {
   Result operator()(const Task& task, Slot& slot) {
     Result result;
     result.chunk = task.chunk;
-    result.lines.reserve(usual_lines_);
+    lines_.clear();
+    segment_.Clear();
+    made_members_.clear();
     archive_ = request_.destination.Archive(task.chunk.archive).filename().string();
     Digest digest(kMaxFindings);
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
@@ -40,9 +42,8 @@ class Worker {
       digest.Add(variant_.findings, variant_.record.status == Status::kSkipped);
       Tell(result);
     }
-    usual_lines_ = std::max(usual_lines_, result.lines.size());
-    result.segment = segment_.Take();
-    made_members_.clear();
+    result.lines = lines_;
+    result.segment = segment_.Bytes();
     result.more_findings = digest.not_shown();
     result.findings.assign(digest.entries().begin(), digest.entries().end());
     for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
@@ -101,9 +102,9 @@ class Worker {
       return false;
     }
     if (line_.empty()) {
-      AppendRecord(result.lines, record);
+      AppendRecord(lines_, record);
     } else {
-      manifest::AppendWithPlaces(result.lines, line_, archive_, record.spec_file);
+      manifest::AppendWithPlaces(lines_, line_, archive_, record.spec_file);
     }
     return true;
   }
@@ -195,9 +196,9 @@ class Worker {
   output::Segment segment_;
   std::set<std::string> made_members_;  // of that
   forge::Variant variant_;
-  std::string archive_;          // the name of the one that the chunk goes to
-  std::string line_;             // the record in the archive; empty: it is not there
-  std::size_t usual_lines_ = 0;  // bytes of a chunk's records
+  std::string archive_;  // the name of the one that the chunk goes to
+  std::string lines_;    // the chunk's records
+  std::string line_;     // the record in the archive; empty: it is not there
 };
 
 }  // namespace

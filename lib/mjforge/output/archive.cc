@@ -75,11 +75,13 @@ std::string Compress(std::string_view bytes) {
 struct Segment::State {
   ArchiveFormat format;
   std::string members;  // as tar has them; before the writer, which writes there to its end
+  std::string compressed;
   Writer writer{archive_write_new()};
   Entry entry{archive_entry_new()};
 };
 
-Segment::Segment(ArchiveFormat format) : state_(new State{.format = format, .members = {}}) {
+Segment::Segment(ArchiveFormat format)
+    : state_(new State{.format = format, .members = {}, .compressed = {}}) {
   archive* writer = state_->writer.get();
   Require(archive_write_set_format_ustar(writer), writer);
   Open(writer, state_->members);
@@ -104,12 +106,13 @@ bool Segment::Add(const std::string& name, std::string_view bytes, diag::Finding
   return true;
 }
 
-std::string Segment::Take() {
-  std::string members = std::exchange(state_->members, {});
-  state_->members.reserve(members.size());  // the next segment is much like this one
+std::string_view Segment::Bytes() {
+  const std::string& members = state_->members;
   if (members.empty() || state_->format == ArchiveFormat::kTar) return members;
-  return Compress(members);
+  return state_->compressed = Compress(members);
 }
+
+void Segment::Clear() { state_->members.clear(); }
 
 std::string ArchiveEnd(ArchiveFormat format) {
   const std::string end(kEndBytes, '\0');

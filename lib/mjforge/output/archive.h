@@ -27,8 +27,10 @@ class Segment {
   /// A regular file, mode 0644. A finding if its name is too long for ustar: 100
   /// bytes, with folders 255.
   bool Add(const std::string& name, std::string_view bytes, diag::Findings& findings);
-  /// Returns the bytes and starts anew. Empty without members.
-  std::string Take();
+  /// The bytes, until the next Add or Clear. Empty without members.
+  std::string_view Bytes();
+  /// Starts anew.
+  void Clear();
 
  private:
   struct State;

@@ -21,8 +21,9 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   Result result;
   result.done = 5;
   result.statuses = {Status::kOk, Status::kFailed, Status::kSkipped};
-  result.lines = std::string("a\0b\n", 4);
-  result.segment = std::string(100'000, 'x');
+  const std::string segment(100'000, 'x');
+  result.lines = std::string_view("a\0b\n", 4);
+  result.segment = segment;
   result.variants = {{3, "crate", Status::kOk, 2, "crate_000003.xml"}};
   result.assets = {{"assets/a.png", "/a.png", "12ab"}, {"assets/a.obj", "", "34cd", "v 0 0 0\n"}};
   result.inputs = {"knob.xml"};
@@ -34,7 +35,8 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   result.sources = {{2, "knob.xml", "<mujoco/>"}};
   result.files_failed = true;
   result.output_findings.Add(diag::Code::kOutputCannotWrite, {}, "full");
-  const Result read = DecodeResult(Encode(result));
+  const auto message = std::make_shared<const std::string>(Encode(result));
+  const Result read = DecodeResult(*message, message);
   CHECK(read.done == 5);
   CHECK(read.statuses == result.statuses);
   CHECK(read.lines == result.lines);

@@ -105,7 +105,6 @@ TEST_CASE("results of any length arrive whole and in order") {
 
 TEST_CASE("a slot holds a message for each task until they are removed") {
   const auto slot = std::make_unique<Slot>();
-  CHECK(slot->mail().empty());
   const auto leave = [&slot](std::string_view message) {
     char* const room = slot->RoomFor(message.size());
     if (room == nullptr) return false;
@@ -116,16 +115,43 @@ TEST_CASE("a slot holds a message for each task until they are removed") {
   for (const std::string_view message : {"first", "second", "third", "fourth"})
     CHECK(leave(message));
   CHECK_FALSE(leave("fifth"));
-  CHECK(slot->mail() == "first");
-  slot->RemoveMail();
-  CHECK(slot->mail() == "second");
+  const std::string_view first = slot->Take();
+  const std::string_view second = slot->Take();
+  CHECK(first == "first");
+  CHECK(second == "second");
+  slot->Remove(first);
   CHECK_FALSE(leave(std::string(std::size_t{3} << 20, 'x')));
   CHECK(leave("fifth"));
-  for (const std::string_view message : {"second", "third", "fourth", "fifth"}) {
-    CHECK(slot->mail() == message);
-    slot->RemoveMail();
+  CHECK_FALSE(leave("sixth"));
+  CHECK(second == "second");
+  for (const std::string_view message : {"third", "fourth", "fifth"})
+    CHECK(slot->Take() == message);
+}
+
+TEST_CASE("results that are kept stay as they are, whatever becomes of their worker") {
+  std::vector<Result> kept;
+  {
+    std::string lines;  // a worker's own, which each of its results overwrites
+    Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [&lines] {
+      return [&lines](const Task& task, Slot& slot) {
+        slot.Begin(task.chunk.first);
+        if (task.chunk.first == 10 && task.condemned.empty()) ::raise(SIGKILL);
+        slot.End();
+        lines.assign(1000, static_cast<char>('a' + task.chunk.first));
+        Result result;
+        result.chunk = task.chunk;
+        result.lines = lines;
+        return result;
+      };
+    });
+    for (std::uint64_t next = 0; next < 20 || pool.IsBusy();) {
+      for (; next < 20 && pool.HasRoom(); ++next) pool.Submit({{next, 1, 0}, {}});
+      if (auto result = pool.Wait()) kept.push_back(*std::move(result));
+    }
   }
-  CHECK(slot->mail().empty());
+  REQUIRE(kept.size() == 20);
+  for (const Result& result : kept)
+    CHECK(result.lines == std::string(1000, static_cast<char>('a' + result.chunk.first)));
 }
 
 TEST_CASE("a worker that a signal kills costs the variant it was at, and no other") {

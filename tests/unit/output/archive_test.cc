@@ -18,10 +18,11 @@ TEST_CASE("members of several segments are read back") {
   std::string bytes;
   REQUIRE(segment.Add("a.xml", "first", findings));
   REQUIRE(segment.Add("assets/b.png", std::string(5000, 'b'), findings));
-  bytes += segment.Take();
-  CHECK(segment.Take().empty());
+  bytes += segment.Bytes();
+  segment.Clear();
+  CHECK(segment.Bytes().empty());
   REQUIRE(segment.Add("empty", "", findings));
-  bytes += segment.Take() + ArchiveEnd(format);
+  bytes += std::string(segment.Bytes()) + ArchiveEnd(format);
   const auto file = folder.Write("x.archive", bytes);
   CHECK(ReadMember(file, "a.xml", findings) == "first");
   CHECK(ReadMember(file, "assets/b.png", findings) == std::string(5000, 'b'));
@@ -34,7 +35,8 @@ TEST_CASE("a member that is not there, and a file that is no archive, are findin
   diag::Findings findings;
   Segment segment(ArchiveFormat::kTar);
   REQUIRE(segment.Add("a.xml", "first", findings));
-  const auto file = folder.Write("x.tar", segment.Take() + ArchiveEnd(ArchiveFormat::kTar));
+  const auto file =
+      folder.Write("x.tar", std::string(segment.Bytes()) + ArchiveEnd(ArchiveFormat::kTar));
   CHECK_FALSE(ReadMember(file, "b.xml", findings));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message == "cannot read 'b.xml' in '" + file.string() + "': it is not there");
@@ -85,8 +87,9 @@ TEST_CASE("a member whose name this locale cannot spell is passed over") {
   bytes.resize(1024);
   Segment segment(ArchiveFormat::kTar);
   REQUIRE(segment.Add("b.xml", "good", findings));
-  const auto file = folder.Write("x.tar", bytes + HeaderOf("a.xml", '0', 0) + segment.Take() +
-                                              ArchiveEnd(ArchiveFormat::kTar));
+  const auto file =
+      folder.Write("x.tar", bytes + HeaderOf("a.xml", '0', 0) + std::string(segment.Bytes()) +
+                                ArchiveEnd(ArchiveFormat::kTar));
   CHECK(ReadMember(file, "b.xml", findings) == "good");
 }
 
@@ -106,7 +109,8 @@ TEST_CASE("a name too long for tar is a finding, and the archive stays good") {
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kOutputCannotWrite);
   REQUIRE(segment.Add("b", "3", findings));
-  const auto file = folder.Write("x.tar", segment.Take() + ArchiveEnd(ArchiveFormat::kTar));
+  const auto file =
+      folder.Write("x.tar", std::string(segment.Bytes()) + ArchiveEnd(ArchiveFormat::kTar));
   CHECK(ReadMember(file, "b", findings) == "3");
 }
 
