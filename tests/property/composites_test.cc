@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/effort.h"
+#include "harness/random.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/model/model.h"
@@ -23,20 +23,11 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double Uniform(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  Vector3d Vector(double lo, double hi) {
-    return {Uniform(lo, hi), Uniform(lo, hi), Uniform(lo, hi)};
-  }
-  int Integer(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
+using harness::Random;
 
- private:
-  std::mt19937 engine_;
-};
+Vector3d RandomVector(Random& random, double lo, double hi) {
+  return {random.Uniform(lo, hi), random.Uniform(lo, hi), random.Uniform(lo, hi)};
+}
 
 struct Solid {
   Shape shape;
@@ -51,9 +42,9 @@ Solid RandomSolid(Random& random) {
   for (int i = 0; i < SizeCount(solid.shape.type); ++i) {
     solid.shape.size(i) = std::pow(10, random.Uniform(-2, 0));
   }
-  solid.X_BG.p = random.Vector(-0.5, 0.5);
+  solid.X_BG.p = RandomVector(random, -0.5, 0.5);
   const Vector3d angles = random.Integer(8) == 0 ? Vector3d(M_PI / 2 * random.Integer(4), 0, 0)
-                                                 : random.Vector(-M_PI, M_PI);
+                                                 : RandomVector(random, -M_PI, M_PI);
   solid.X_BG.q = FromEuler(angles);
   solid.density = random.Uniform(100, 8000);
   return solid;
@@ -280,8 +271,9 @@ TEST_CASE("every way to write an orientation means what it means in MuJoCo") {
   Compiler compiler;
   Random random(20240503);
   for (int i = 0; i < 200; ++i) {
-    const Vector3d a = random.Vector(-3, 3);
-    const Vector3d b = i % 20 == 0 ? Vector3d(0, 0, i % 40 == 0 ? 1 : -1) : random.Vector(-1, 1);
+    const Vector3d a = RandomVector(random, -3, 3);
+    const Vector3d b =
+        i % 20 == 0 ? Vector3d(0, 0, i % 40 == 0 ? 1 : -1) : RandomVector(random, -1, 1);
     const double angle = random.Uniform(-4, 4);
     Eigen::Matrix<double, 6, 1> both;
     both << a, b;

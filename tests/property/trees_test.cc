@@ -4,11 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <string>
 
 #include <mujoco/mujoco.h>
 
+#include "harness/random.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expect/motion.h"
@@ -22,21 +22,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double Uniform(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  std::string Vector(double lo, double hi) {
-    return "[" + Number(lo, hi) + ", " + Number(lo, hi) + ", " + Number(lo, hi) + "]";
-  }
-  std::string Number(double lo, double hi) { return expr::NumberText(Uniform(lo, hi)); }
-  int Integer(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
+using harness::Random;
 
- private:
-  std::mt19937 engine_;
-};
+std::string NumberText(Random& random, double lo, double hi) {
+  return expr::NumberText(random.Uniform(lo, hi));
+}
+
+std::string VectorText(Random& random, double lo, double hi) {
+  std::string text = "[" + NumberText(random, lo, hi);
+  for (int i = 0; i < 2; ++i) text += ", " + NumberText(random, lo, hi);
+  return text + "]";
+}
 
 std::string PartText(Random& random, const std::string& name) {
   constexpr const char* kTypes[] = {"box", "sphere", "cylinder", "capsule", "ellipsoid"};
@@ -47,8 +43,8 @@ std::string PartText(Random& random, const std::string& name) {
     size += (i == 0 ? "" : ", ") + expr::NumberText(std::pow(10, random.Uniform(-2, -0.5)));
   }
   return "{name: " + name + ", type: " + kTypes[type] + ", size: [" + size +
-         "], pos: " + random.Vector(-0.3, 0.3) + ", euler: " + random.Vector(-3, 3) +
-         ", density: " + random.Number(100, 8000) + "}";
+         "], pos: " + VectorText(random, -0.3, 0.3) + ", euler: " + VectorText(random, -3, 3) +
+         ", density: " + NumberText(random, 100, 8000) + "}";
 }
 
 // Up to seven bodies, each on any earlier one, with up to three joints.
@@ -58,8 +54,8 @@ std::string SpecText(Random& random, const std::string& name, const std::string&
   const int count = 1 + random.Integer(7);
   for (int i = 0; i < count; ++i) {
     const std::string n = std::to_string(i);
-    text +=
-        "- {name: b" + n + ", pos: " + random.Vector(-1, 1) + ", euler: " + random.Vector(-3, 3);
+    text += "- {name: b" + n + ", pos: " + VectorText(random, -1, 1) +
+            ", euler: " + VectorText(random, -3, 3);
     if (i > 0 && random.Integer(4) != 0) text += ", parent: b" + std::to_string(random.Integer(i));
     if (!nested.empty() && random.Integer(3) == 0) {
       text += ", spec: " + nested;
@@ -70,7 +66,8 @@ std::string SpecText(Random& random, const std::string& name, const std::string&
     for (int k = random.Integer(3); k > 0; --k) {
       text += "{name: j" + n + "_" + std::to_string(k) +
               ", type: " + (random.Integer(2) == 0 ? "hinge" : "slide") +
-              ", axis: " + random.Vector(0.1, 1) + ", pos: " + random.Vector(-1, 1) + "},";
+              ", axis: " + VectorText(random, 0.1, 1) + ", pos: " + VectorText(random, -1, 1) +
+              "},";
     }
     text += "]}\n";
   }

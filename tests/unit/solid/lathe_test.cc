@@ -20,18 +20,18 @@ namespace {
 /// Seen whole from a middle point: on the axis, so that the solid has no hole, or away from it.
 std::vector<Vector2d> RandomProfile(Random& random) {
   std::vector<Vector2d> profile;
-  const bool on_axis = random.Whole(0, 1) == 0;
-  const int count = random.Whole(3, 12);
-  const Vector2d middle(on_axis ? 0 : random.Between(0.11, 0.3), random.Between(-0.2, 0.2));
-  if (on_axis) profile.emplace_back(0, middle.y() - random.Between(0.01, 0.1));
+  const bool on_axis = random.Integer(2) == 0;
+  const int count = 3 + random.Integer(10);
+  const Vector2d middle(on_axis ? 0 : random.Uniform(0.11, 0.3), random.Uniform(-0.2, 0.2));
+  if (on_axis) profile.emplace_back(0, middle.y() - random.Uniform(0.01, 0.1));
   for (int i = 0; i < count; ++i) {
-    const double turn = on_axis ? kPi * ((i + random.Between(0.2, 0.8)) / count - 0.5)
-                                : 2 * kPi * (i + random.Between(0.2, 0.8)) / count;
-    const double radius = random.Between(0.02, 0.1);
+    const double turn = on_axis ? kPi * ((i + random.Uniform(0.2, 0.8)) / count - 0.5)
+                                : 2 * kPi * (i + random.Uniform(0.2, 0.8)) / count;
+    const double radius = random.Uniform(0.02, 0.1);
     profile.push_back(middle + radius * Vector2d(std::cos(turn), std::sin(turn)));
   }
-  if (on_axis) profile.emplace_back(0, middle.y() + random.Between(0.01, 0.1));
-  if (random.Whole(0, 1) == 0) std::ranges::reverse(profile);
+  if (on_axis) profile.emplace_back(0, middle.y() + random.Uniform(0.01, 0.1));
+  if (random.Integer(2) == 0) std::ranges::reverse(profile);
   return profile;
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("the mass of turned solids is that of quadrature") {
   for (int i = 0; i < harness::Effort(1000); ++i) {
     CAPTURE(i);
     Lathe lathe = {.profile = RandomProfile(random)};
-    if (i % 2 == 1) lathe.angle = random.Between(0.1, 6);
+    if (i % 2 == 1) lathe.angle = random.Uniform(0.1, 6);
     const Mass mass = Made(lathe).mass;
     const Mass meant = Integrated(lathe.profile, lathe.angle);
     CHECK(std::abs(mass.volume - meant.volume) <= 1e-9 * meant.volume);
@@ -110,8 +110,8 @@ TEST_CASE("pieces fill the solid up to the chord error, and never reach into a c
   int inside = 0;
   for (int i = 0; i < harness::Effort(100); ++i) {
     CAPTURE(i);
-    Lathe lathe = {.profile = RandomProfile(random), .facets = random.Whole(3, 24)};
-    if (i % 3 == 0) lathe.angle = random.Between(0.2, 6);
+    Lathe lathe = {.profile = RandomProfile(random), .facets = 3 + random.Integer(22)};
+    if (i % 3 == 0) lathe.angle = random.Uniform(0.2, 6);
     const Solid solid = Made(lathe);
     const double least = std::cos(kPi / lathe.facets);
     const auto any_of = [&](double lo, double hi, double r, double z) {
@@ -121,9 +121,9 @@ TEST_CASE("pieces fill the solid up to the chord error, and never reach into a c
       return false;
     };
     for (int k = 0; k < 100; ++k) {
-      const double r = random.Between(0, 0.5);
-      const double z = random.Between(-0.35, 0.35);
-      const double turn = random.Between(0, lathe.angle);
+      const double r = random.Uniform(0, 0.5);
+      const double z = random.Uniform(-0.35, 0.35);
+      const double turn = random.Uniform(0, lathe.angle);
       const bool hit = ContainsAny(solid, {r * std::cos(turn), r * std::sin(turn), z});
       CAPTURE(r, z, turn);
       if (hit) {
@@ -172,7 +172,7 @@ TEST_CASE("what is seen is closed, faces outwards, and nears the solid") {
   for (int i = 0; i < harness::Effort(60); ++i) {
     CAPTURE(i);
     Lathe lathe = {.profile = RandomProfile(random)};
-    if (i % 3 == 0) lathe.angle = random.Between(0.2, 6);
+    if (i % 3 == 0) lathe.angle = random.Uniform(0.2, 6);
     const Solid solid = Made(lathe);
     const Surface& look = solid.look;
     CHECK(VolumeOf(look.vertices, look.triangles) == Approx(solid.mass.volume).epsilon(0.01));

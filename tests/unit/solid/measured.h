@@ -6,11 +6,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <utility>
 #include <vector>
 
 #include "mjforge/solid/solid.h"
+
+#include "harness/random.h"
 
 namespace mjforge::solid {
 
@@ -20,17 +21,7 @@ using Eigen::Vector3d;
 
 inline constexpr double kPi = std::numbers::pi;
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double Between(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  int Whole(int lo, int hi) { return lo + static_cast<int>(engine_() % unsigned(hi - lo + 1)); }
-
- private:
-  std::mt19937 engine_;
-};
+using harness::Random;
 
 /// Nodes and weights of Gauss and Legendre on 0 .. 1, by Newton's method.
 inline std::vector<std::pair<double, double>> Gauss(int count) {

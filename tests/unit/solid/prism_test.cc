@@ -16,24 +16,24 @@ using Points = std::vector<Vector2d>;
 Points RandomStar(Random& random, const Vector2d& middle, double least, double most, int corners) {
   Points points;
   for (int i = 0; i < corners; ++i) {
-    const double turn = 2 * kPi * (i + random.Between(0.25, 0.75)) / corners;
+    const double turn = 2 * kPi * (i + random.Uniform(0.25, 0.75)) / corners;
     points.push_back(middle +
-                     random.Between(least, most) * Vector2d(std::cos(turn), std::sin(turn)));
+                     random.Uniform(least, most) * Vector2d(std::cos(turn), std::sin(turn)));
   }
-  if (random.Whole(0, 1) == 0) std::ranges::reverse(points);
+  if (random.Integer(2) == 0) std::ranges::reverse(points);
   return points;
 }
 
 /// A star with up to three holes in its middle, which do not meet.
 Prism RandomPrism(Random& random) {
   Prism prism;
-  prism.polygon = RandomStar(random, {0.02, -0.01}, 0.06, 0.1, random.Whole(5, 12));
-  for (int i = random.Whole(0, 3); i > 0; --i) {
+  prism.polygon = RandomStar(random, {0.02, -0.01}, 0.06, 0.1, 5 + random.Integer(8));
+  for (int i = random.Integer(4); i > 0; --i) {
     const Vector2d middle = Eigen::Rotation2Dd(2 * kPi * i / 3) * Vector2d(0.022, 0);
     prism.holes.push_back(
-        RandomStar(random, middle + Vector2d(0.02, -0.01), 0.005, 0.015, random.Whole(3, 8)));
+        RandomStar(random, middle + Vector2d(0.02, -0.01), 0.005, 0.015, 3 + random.Integer(6)));
   }
-  prism.height = random.Between(0.01, 0.1);
+  prism.height = random.Uniform(0.01, 0.1);
   return prism;
 }
 
@@ -148,16 +148,16 @@ TEST_CASE("the mass of rounded and bevelled prisms is that of quadrature") {
   Random random(22);
   for (int i = 0; i < harness::Effort(200); ++i) {
     CAPTURE(i);
-    const int count = random.Whole(3, 9);
+    const int count = 3 + random.Integer(7);
     Points core;
     for (int k = 0; k < count; ++k) {
-      const double turn = 2 * kPi * (k + random.Between(-0.1, 0.1)) / count;
+      const double turn = 2 * kPi * (k + random.Uniform(-0.1, 0.1)) / count;
       core.push_back(0.05 * Vector2d(std::cos(turn), std::sin(turn)) + Vector2d(0.03, 0.01));
     }
     Prism prism;
-    prism.round = random.Between(0.002, 0.01);
-    prism.bevel = random.Whole(0, 1) * random.Between(0.1, 0.9) * prism.round;
-    prism.height = random.Between(0.03, 0.1);
+    prism.round = random.Uniform(0.002, 0.01);
+    prism.bevel = random.Integer(2) * random.Uniform(0.1, 0.9) * prism.round;
+    prism.height = random.Uniform(0.03, 0.1);
     // Each side moved outwards by the radius.
     for (std::size_t k = 0; k < core.size(); ++k) {
       const Vector2d in = (core[k] - core[(k + core.size() - 1) % core.size()]).normalized();
@@ -205,8 +205,8 @@ TEST_CASE("the pieces of a prism fill it, and nothing else") {
     CHECK(VolumeOf(solid.look.vertices, solid.look.triangles) ==
           Approx(solid.mass.volume).epsilon(1e-4));
     for (int k = 0; k < 300; ++k) {
-      const Vector3d p(random.Between(-0.1, 0.14), random.Between(-0.13, 0.11),
-                       random.Between(-0.06, 0.06));
+      const Vector3d p(random.Uniform(-0.1, 0.14), random.Uniform(-0.13, 0.11),
+                       random.Uniform(-0.06, 0.06));
       CHECK(ContainsAny(solid, p) == IsInside(prism, p));
     }
   }
@@ -219,16 +219,16 @@ TEST_CASE("the pieces of rounded and bevelled prisms stay in what is seen, and n
   for (int i = 0; i < harness::Effort(60); ++i) {
     CAPTURE(i);
     Prism prism = RandomPrism(random);
-    prism.round = random.Whole(0, 1) * random.Between(0.001, 0.003);
-    prism.bevel = prism.round > 0 ? prism.round * random.Between(0.2, 0.9) : 0.0005;
+    prism.round = random.Integer(2) * random.Uniform(0.001, 0.003);
+    prism.bevel = prism.round > 0 ? prism.round * random.Uniform(0.2, 0.9) : 0.0005;
     Fault fault;
     const std::optional<Solid> solid = Make(prism, fault);
     if (!solid) continue;  // a side may be too short, a hole too near
     const Mass look = Enclosed(solid->look.vertices, solid->look.triangles);
     CHECK(look.volume == Approx(solid->mass.volume).epsilon(2e-3));
     for (int k = 0; k < 60; ++k) {
-      const Vector3d p(random.Between(-0.06, 0.1), random.Between(-0.09, 0.07),
-                       random.Between(-0.5, 0.5) * prism.height);
+      const Vector3d p(random.Uniform(-0.06, 0.1), random.Uniform(-0.09, 0.07),
+                       random.Uniform(-0.5, 0.5) * prism.height);
       if (ContainsAny(*solid, p)) {
         ++inside;
         CHECK(Encloses(solid->look, p));

@@ -42,8 +42,8 @@ struct Sum {
 
 std::vector<Vector3d> RandomPoints(Random& random) {
   std::vector<Vector3d> points;
-  for (int i = random.Whole(4, 20); i > 0; --i)
-    points.emplace_back(random.Between(-1, 1), random.Between(-1, 1), random.Between(-1, 1));
+  for (int i = 4 + random.Integer(17); i > 0; --i)
+    points.emplace_back(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
   return points;
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("a rounded hull's mass is that of its surface, up to the surface's ste
   Random random(32);
   for (int i = 0; i < harness::Effort(50); ++i) {
     CAPTURE(i);
-    const Hull hull = {.points = RandomPoints(random), .round = random.Between(0.1, 1)};
+    const Hull hull = {.points = RandomPoints(random), .round = random.Uniform(0.1, 1)};
     const Solid solid = Made(hull);
     const Mass seen = Enclosed(solid.look.vertices, solid.look.triangles);
     CHECK(seen.volume < solid.mass.volume);
@@ -80,12 +80,12 @@ TEST_CASE("a rounded hull's mass is that of its surface, up to the surface's ste
 TEST_CASE("a hull that is turned and moved has the same mass, turned and moved") {
   Random random(33);
   for (int i = 0; i < harness::Effort(100); ++i) {
-    Hull hull = {.points = RandomPoints(random), .round = random.Between(0.01, 1)};
+    Hull hull = {.points = RandomPoints(random), .round = random.Uniform(0.01, 1)};
     const Mass mass = Made(hull).mass;
     const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(random.Between(-1, 1), random.Between(-1, 1), random.Between(-1, 1), 1)
+        Eigen::Quaterniond(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1), 1)
             .normalized();
-    const Vector3d way(random.Between(-9, 9), random.Between(-9, 9), random.Between(-9, 9));
+    const Vector3d way(random.Uniform(-9, 9), random.Uniform(-9, 9), random.Uniform(-9, 9));
     for (Vector3d& p : hull.points) p = turn * p + way;
     const Matrix3d R = turn.toRotationMatrix();
     const Mass turned = {mass.volume, turn * mass.center + way, R * mass.inertia * R.transpose()};
@@ -96,8 +96,8 @@ TEST_CASE("a hull that is turned and moved has the same mass, turned and moved")
 TEST_CASE("a rounded box has the mass of its core, slabs, quarters of cylinders and a ball") {
   Random random(34);
   for (int i = 0; i < harness::Effort(1000); ++i) {
-    const Vector3d half(random.Between(0.1, 1), random.Between(0.1, 1), random.Between(0.1, 1));
-    const double r = random.Between(0.01, 0.95) * half.minCoeff();
+    const Vector3d half(random.Uniform(0.1, 1), random.Uniform(0.1, 1), random.Uniform(0.1, 1));
+    const double r = random.Uniform(0.01, 0.95) * half.minCoeff();
     const Vector3d c = half.array() - r;
     // Slices across z: rectangles whose corners are rounded with s.
     Sum sum;
@@ -143,9 +143,9 @@ TEST_CASE("a rounded box has the mass of its core, slabs, quarters of cylinders 
 TEST_CASE("a rounded cylinder has the mass of its rings") {
   Random random(35);
   for (int i = 0; i < harness::Effort(300); ++i) {
-    const double R = random.Between(0.1, 1);
-    const double h = random.Between(0.1, 1);
-    const double r = random.Between(0.01, 0.95) * std::min(R, h);
+    const double R = random.Uniform(0.1, 1);
+    const double h = random.Uniform(0.1, 1);
+    const double r = random.Uniform(0.01, 0.95) * std::min(R, h);
     Sum sum;
     const auto disc = [&](double z, double radius, double dz) {
       const double area = kPi * radius * radius;
@@ -174,12 +174,12 @@ TEST_CASE("a bent tube has the mass of quadrature around its line") {
   Random random(36);
   for (int i = 0; i < harness::Effort(200); ++i) {
     CAPTURE(i);
-    const double r = random.Between(0.01, 0.05);
-    const double bend = random.Between(1.01, 5) * r;
-    const double turn = random.Between(0.1, 2.5);
-    const double a = bend * std::tan(turn / 2) + random.Between(0.01, 0.3);
-    const double b = bend * std::tan(turn / 2) + random.Between(0.01, 0.3);
-    const double less = random.Whole(0, 1) * random.Between(0.2, 0.8) * r;
+    const double r = random.Uniform(0.01, 0.05);
+    const double bend = random.Uniform(1.01, 5) * r;
+    const double turn = random.Uniform(0.1, 2.5);
+    const double a = bend * std::tan(turn / 2) + random.Uniform(0.01, 0.3);
+    const double b = bend * std::tan(turn / 2) + random.Uniform(0.01, 0.3);
+    const double less = random.Integer(2) * random.Uniform(0.2, 0.8) * r;
     const Vector3d out(std::cos(turn), std::sin(turn), 0);
     Tube tube = {.path = {{-a, 0, 0}, {0, 0, 0}, b * out}, .radii = {r, r, r}, .bend = bend};
     if (less > 0) tube.wall = r - less;
@@ -240,12 +240,12 @@ TEST_CASE("a smooth tube goes through its points, and its mass is that of its su
   Random random(37);
   for (int i = 0; i < harness::Effort(30); ++i) {
     CAPTURE(i);
-    Tube tube = {.smooth = true, .closed = random.Whole(0, 1) == 0};
+    Tube tube = {.smooth = true, .closed = random.Integer(2) == 0};
     for (int k = 0; k < 8; ++k) {
       const double turn = 2 * kPi * k / 8;
-      tube.path.push_back(random.Between(0.8, 1.2) *
-                          Vector3d(std::cos(turn), std::sin(turn), random.Between(0, 0.4)));
-      tube.radii.push_back(random.Between(0.04, 0.06));
+      tube.path.push_back(random.Uniform(0.8, 1.2) *
+                          Vector3d(std::cos(turn), std::sin(turn), random.Uniform(0, 0.4)));
+      tube.radii.push_back(random.Uniform(0.04, 0.06));
     }
     const Solid solid = Made(tube);
     CHECK(Difference(Enclosed(solid.look.vertices, solid.look.triangles), solid.mass) < 0.03);
