@@ -98,7 +98,7 @@ TEST_CASE_METHOD(SeededTest, "physical checks find faults that are put into bund
 }
 
 TEST_CASE("each physical check has a fault that it finds, but for those of MJCF files alone") {
-  // A spec has no explicit inertia.
+  // Only an attached file can state an inertia.
   std::set<std::string> found = {"physics/inertia", "physics/center-of-mass"};
   for (const Fault& fault : Faults()) found.insert(fault.finds);
   for (const diag::CodeInfo& code : diag::AllCodes()) {

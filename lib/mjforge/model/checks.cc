@@ -91,7 +91,7 @@ void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) 
     if (!reader.Numbers(field, sizes)) return;
     holds.ball = {tape::Fixed(sizes.front()), tape::Fixed(sizes.back())};
     if (holds.ball.x() > holds.ball.y())
-      reader.Report(diag::Code::kModelBadValue, field, "has its larger ball first");
+      reader.Report(diag::Code::kModelBadValue, field, "has the larger diameter first");
   } else if (key == "at") {
     if (const auto at = reader.Vector<2>(field)) holds.at = tape::Fixed(*at);
   } else if (key == "without") {

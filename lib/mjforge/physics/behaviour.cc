@@ -103,7 +103,7 @@ class Behaviour {
   void CheckStability(Result& result) {
     const int body = result.dropped && result.at_rest ? NudgedBody(m_, *end_) : -1;
     if (body < 0) return;
-    const Margin margin = MarginOf(m_, *end_, body);
+    const Margin margin = MarginOf(m_, *end_, body, result.sink);
     result.stability = margin.least;
     const model::Checks& checks = verdict_.checks();
     if (!checks.stable || result.tilt > checks.tilt) return;
@@ -149,7 +149,9 @@ class Behaviour {
                     Distance(misplaced.joint, misplaced.low),
                     Distance(misplaced.joint, misplaced.high)),
         is_asked
-            ? "look at springs, `springref`, dry friction, and weight"
+            ? "look at springs, `springref`, dry friction, and weight; a limit of the range gives "
+              "way "
+              "a little, too"
             : "a spring or weight presses it: use a harder limit (a smaller solreflimit), or a "
               "softer spring");
   }
@@ -213,7 +215,7 @@ class Behaviour {
                     RoundedText(1000 * passing.depth),
                     compiled::NameOf(m_, mjOBJ_BODY, passing.parent),
                     Distance(passing.joint, passing.where)),
-        "look at the axis, its sign, and the range; what may be so says why in `silence`");
+        "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
   /// An error if the value is above the limit. `text` has places for the object's name {0} and, in
@@ -341,10 +343,8 @@ class Behaviour {
     verdict_.Error(code, MarkOf(joint.name), std::move(message), hint);
   }
 
-  /// A joint's distance for people: degrees of hinges and balls, millimetres of slides.
   std::string Distance(int joint, double value) const {
-    if (m_.jnt_type[joint] == mjJNT_SLIDE) return RoundedText(1000 * value) + " mm";
-    return RoundedText(kDegrees * value) + " deg";
+    return DistanceText(m_.jnt_type[joint] == mjJNT_SLIDE, value);
   }
 
   mjModel& m_;

@@ -182,7 +182,7 @@ class Container {
 
 std::string Place(const Ball& ball) {
   const Vector3d mm = 1000 * ball.p_W;
-  return fmt::format("one of {} mm at ({}, {}, {}) mm", RoundedText(2000 * ball.radius),
+  return fmt::format("one of {} mm in diameter at ({}, {}, {}) mm", RoundedText(2000 * ball.radius),
                      RoundedText(mm.x()), RoundedText(mm.y()), RoundedText(mm.z()));
 }
 
@@ -208,7 +208,8 @@ class Report {
 
  private:
   std::string Some(const std::vector<Ball>& balls) const {
-    return fmt::format("{} of {} balls", balls.size(), holding_.balls);
+    return fmt::format("{} of {} ball{}", balls.size(), holding_.balls,
+                       holding_.balls == 1 ? "" : "s");
   }
 
   void Lost(const std::vector<Ball>& lost, std::string_view when) {

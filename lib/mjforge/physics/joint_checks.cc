@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/rounding.h"
 #include "mjforge/physics/travel.h"
 
 namespace mjforge::physics {
@@ -46,12 +47,28 @@ bool JointChecks::Verify(Verdict& verdict) const {
     return false;
   };
   for (const model::JointCheck& check : checks_.joints) {
-    for (const std::string& name : check.joints) exists(check, name);
+    for (const std::string& name : check.joints) {
+      if (!exists(check, name) || !check.rests || IsHingeOrSlide(Find(name))) continue;
+      wrong(
+          diag::Code::kModelBadValue, check,
+          fmt::format("checks.joints: `rests` is for hinges and slides, which '{}' is not", name));
+    }
     for (const auto& [name, numbers] : check.positions) {
-      if (!exists(check, name) || SizeOf(m_, Find(name)) == numbers.size()) continue;
-      wrong(diag::Code::kModelBadValue, check,
-            fmt::format("checks.joints: the position of joint '{}' has {} numbers, but it takes {}",
-                        name, numbers.size(), SizeOf(m_, Find(name))));
+      if (!exists(check, name)) continue;
+      const int joint = Find(name);
+      if (SizeOf(m_, joint) != numbers.size()) {
+        wrong(
+            diag::Code::kModelBadValue, check,
+            fmt::format("checks.joints: the position of joint '{}' takes {} number{}, not {}", name,
+                        SizeOf(m_, joint), SizeOf(m_, joint) == 1 ? "" : "s", numbers.size()));
+      } else if (IsBeyondRange(joint, numbers.front())) {
+        const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
+        const mjtNum* range = m_.jnt_range + 2 * joint;
+        wrong(diag::Code::kModelBadValue, check,
+              fmt::format("checks.joints: joint '{}' cannot stand at {}: its range is {} to {}",
+                          name, DistanceText(is_slide, numbers.front()),
+                          DistanceText(is_slide, range[0]), DistanceText(is_slide, range[1])));
+      }
     }
   }
   return is_right;
@@ -84,6 +101,18 @@ std::vector<mjtNum> JointChecks::StartOf(const model::JointCheck& check) const {
 
 bool JointChecks::CanBeDriven(int joint) const {
   return !PathsOf(m_, joint, compiled::StartOf(m_)).empty();
+}
+
+bool JointChecks::IsHingeOrSlide(int joint) const {
+  return m_.jnt_type[joint] == mjJNT_HINGE || m_.jnt_type[joint] == mjJNT_SLIDE;
+}
+
+// By more than rounding.
+bool JointChecks::IsBeyondRange(int joint, double position) const {
+  if (!IsHingeOrSlide(joint) || m_.jnt_limited[joint] == 0) return false;
+  const mjtNum* range = m_.jnt_range + 2 * joint;
+  const double rounding = 1e-6 * (range[1] - range[0]);
+  return position < range[0] - rounding || position > range[1] + rounding;
 }
 
 int JointChecks::Find(const std::string& joint) const {

@@ -18,7 +18,7 @@ class JointChecks {
   JointChecks(const mjModel& m, std::string_view object, const model::Checks& checks)
       : m_(m), prefix_(std::string(object) + "_"), checks_(checks) {}
 
-  /// Reports joints that the model does not have, and positions that are not theirs. False: there
+  /// Reports joints that the model does not have, and positions that they cannot have. False: there
   /// are some, and no other function may be asked.
   bool Verify(Verdict& verdict) const;
 
@@ -38,6 +38,8 @@ class JointChecks {
   /// -1: there is none.
   int Find(const std::string& joint) const;
   bool CanBeDriven(int joint) const;
+  bool IsHingeOrSlide(int joint) const;
+  bool IsBeyondRange(int joint, double position) const;
 
   const mjModel& m_;
   std::string prefix_;

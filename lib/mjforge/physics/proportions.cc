@@ -128,15 +128,23 @@ class Proportions {
     return name;
   }
 
+  bool IsNamed(const model::Part& part, std::string_view name) const {
+    return name == OwnName(part) || name == NameOf(part);
+  }
+
   /// Entries of checks.parts must be of parts that there are.
   void FindParts() {
     for (const model::PartCheck& check : verdict_.checks().parts) {
       for (const std::string& name : check.parts) {
         std::vector<std::string_view> known;
+        bool found = false;
         for (const model::Body& body : object_.bodies) {
-          for (const model::Part& part : body.parts) known.push_back(OwnName(part));
+          for (const model::Part& part : body.parts) {
+            known.push_back(OwnName(part));
+            found |= IsNamed(part, name);
+          }
         }
-        if (std::ranges::find(known, name) != known.end()) continue;
+        if (found) continue;
         verdict_.Error(Code::kModelUnknownReference, check.mark,
                        fmt::format("`parts`: the object has no part '{}'", name),
                        diag::DidYouMean(name, known));
@@ -148,7 +156,8 @@ class Proportions {
   template <typename T>
   T Limit(const model::Part& part, std::optional<T> model::PartCheck::*own, const T& usual) const {
     for (const model::PartCheck& check : verdict_.checks().parts) {
-      const bool speaks = std::ranges::find(check.parts, OwnName(part)) != check.parts.end();
+      const bool speaks = std::ranges::any_of(
+          check.parts, [&](const std::string& name) { return IsNamed(part, name); });
       if (speaks && check.*own) return *(check.*own);
     }
     return usual;
@@ -191,8 +200,9 @@ class Proportions {
       verdict_.Warning(Code::kPhysicsDensity, mark,
                        fmt::format("{} '{}' has a density of {}", what, name,
                                    OutsideOf(mass / volume, range, "kg/m^3")),
-                       mass / volume < range.x() ? "polystyrene foam has about 20 kg/m^3"
-                                                 : "osmium has 22,590 kg/m^3");
+                       range != usual              ? ""
+                       : mass / volume < range.x() ? "polystyrene foam has about 20 kg/m^3"
+                                                   : "osmium has 22,590 kg/m^3");
     };
     if (!solids.masses_known) {
       double volume = 0;

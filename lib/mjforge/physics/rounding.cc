@@ -1,6 +1,7 @@
 #include "mjforge/physics/rounding.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,11 @@ std::string RoundedText(double value) { return WithDigits(value, 3); }
 
 std::string SpeedText(double speed) {
   return speed < 1 ? RoundedText(1000 * speed) + " mm/s" : RoundedText(speed) + " m/s";
+}
+
+std::string DistanceText(bool is_slide, double distance) {
+  return is_slide ? RoundedText(1000 * distance) + " mm"
+                  : RoundedText(distance * 180 / std::numbers::pi) + " deg";
 }
 
 Beyond::Beyond(double number, double bound) {

@@ -12,6 +12,9 @@ std::string RoundedText(double value);
 /// A speed (m/s), below 1 m/s in mm/s.
 std::string SpeedText(double speed);
 
+/// A joint's distance: of a slide (m) in mm, of others (rad) in deg.
+std::string DistanceText(bool is_slide, double distance);
+
 /// A number that is beyond a limit, and the limit, both with as few digits, from three on, as it
 /// takes to see that.
 struct Beyond {

@@ -62,7 +62,7 @@ class Hull {
 
 }  // namespace
 
-Margin MarginOf(const mjModel& m, const mjData& d, int root) {
+Margin MarginOf(const mjModel& m, const mjData& d, int root, double sink) {
   const Hull hull(m, d, root);
   const double height = hull.Below(-Eigen::Vector3d::UnitZ());
   const double weight =
@@ -77,7 +77,9 @@ Margin MarginOf(const mjModel& m, const mjData& d, int root) {
       const double side = std::sin(tilt);
       const double now =
           hull.Below({side * std::cos(azimuth), side * std::sin(azimuth), -std::cos(tilt)});
-      if (now <= highest + kFlat * height) break;
+      const bool rises = now > highest + kFlat * height;
+      if (!rises && (highest > height + sink || now < height - sink)) break;
+      if (!rises) continue;
       highest = now;
       angle = tilt;
     }

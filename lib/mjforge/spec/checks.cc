@@ -10,6 +10,7 @@ namespace mjforge::spec {
 namespace {
 
 using diag::Code;
+using diag::SourceMark;
 
 // The map with the settings put in.
 YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> settings) {
@@ -37,14 +38,26 @@ void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
 }
 
 // A threshold that changes by chance says nothing about those who meet it.
+void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Reading& reading) {
+  if (!HasDraw(value)) return;
+  reading.findings.Add(Code::kSpecBadValue, mark,
+                       fmt::format("'{}' is drawn, but a threshold must be a fixed value", key),
+                       "draw it as a parameter, and use that parameter's name here");
+}
+
 void RejectDraws(const std::vector<Field>& fields, Reading& reading) {
-  for (const Field& field : fields) {
-    if (!HasDraw(field.value)) continue;
-    reading.findings.Add(
-        Code::kSpecBadValue, field.mark,
-        fmt::format("'{}' is drawn, but a threshold must be a fixed value", field.info->key),
-        "draw it as a parameter, and use that parameter's name here");
+  for (const Field& field : fields) RejectDraw(field.info->key, field.mark, field.value, reading);
+}
+
+/// A text that says something.
+std::string ReadReason(std::string_view key, const YamlNode& reason, std::string_view what,
+                       Reading& reading) {
+  std::string text = reading.values.ReadPlainText(key, reason);
+  if (Trim(text).empty() && reason.kind == YamlNode::Kind::kScalar) {
+    reading.findings.Add(Code::kSpecBadValue, reason.mark,
+                         fmt::format("no reason is given {}", what));
   }
+  return text;
 }
 
 void ReadHolding(const YamlNode& holds, Reading& reading) {
@@ -129,9 +142,13 @@ void ReadJointCheck(const YamlNode& map, EntryReader& entries, Reading& reading)
   if (check.joints.empty())
     reading.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
                          "the name of a joint, or a list of names");
-  if (const YamlNode* at = map.Find("at")) check.at = ReadPositions(*at, reading);
+  if (const YamlNode* at = map.Find("at")) {
+    check.at = ReadPositions(*at, reading);
+    for (const Position& position : check.at)
+      RejectDraw("at", position.mark, position.value, reading);
+  }
   if (const YamlNode* skip = map.Find("skip"))
-    check.skip = reading.values.ReadPlainText("skip", *skip);
+    check.skip = ReadReason("skip", *skip, "why it is not driven", reading);
   entries.End(check.entry);
   reading.spec.checks.joints.push_back(std::move(check));
 }
@@ -153,12 +170,9 @@ void ReadSilence(const YamlNode& silence, Reading& reading) {
           hint.empty() ? "docs/errors.md lists them: physics/... and spec/unused" : hint);
       continue;
     }
-    std::string reason = reading.values.ReadPlainText("reason", pair.value);
-    if (Trim(reason).empty() && pair.value.kind == YamlNode::Kind::kScalar) {
-      reading.findings.Add(Code::kSpecBadValue, pair.value.mark,
-                           fmt::format("no reason is given why '{}' does not matter", pair.key));
-    }
-    reading.spec.checks.silenced.push_back({found->code, std::move(reason)});
+    const std::string what = fmt::format("why '{}' does not matter", pair.key);
+    reading.spec.checks.silenced.push_back(
+        {found->code, ReadReason(pair.key, pair.value, what, reading)});
   }
 }
 

@@ -530,8 +530,8 @@ constexpr FieldInfo kHoldingFields[] = {
            "How far above the object's highest point the lowest of them begins."),
     Numbers(
         "at", {2, 2}, "m", kAnyNumber, "",
-        "Where they are dropped, x and y in the object's frame; by default in the middle of its "
-        "bounding box."),
+        "Where they are dropped, x and y in the world, with the object where it starts; by default "
+        "in the middle of its bounding box."),
     Row("without", Slot::kText, "",
         "A body that is taken away before, with all that is on it: a lid, a cap."),
     Row("empties", Slot::kBoolean, "true",
@@ -564,9 +564,10 @@ constexpr FieldInfo kJointCheckFields[] = {
     Number("reach", "", Between(0, 1), "", "In place of `joint_reach`."),
     Number("penetration", "m", AtLeast(0), "", "In place of `joint_penetration`."),
     Number("return", "", AtLeast(0), "", "In place of `joint_return`."),
-    Numbers("rests", {2, 2}, "rad or m", kAnyNumber, "",
-            "Lowest and highest place where the joint may be when the object has settled: a lid "
-            "that must fall shut, a key that must come back up."),
+    Numbers(
+        "rests", {2, 2}, "rad or m", kAnyNumber, "",
+        "Lowest and highest place where the hinge or slide may be when the object has settled: a "
+        "lid that must fall shut, a key that must come back up."),
     Row("skip", Slot::kPlainText, "", "Why it is not driven."),
 };
 
@@ -586,7 +587,8 @@ constexpr FieldInfo kPartCheckFields[] = {
     kIf,
     kFor,
     kLet,
-    Required(Row({"part", Key::kPart}, Slot::kNames, "The part; or several.")),
+    Required(Row({"part", Key::kPart}, Slot::kNames,
+                 "The part; or several. A part `a` of a spec that is used as `in` is `in_a`.")),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "", "In place of `density`."),
     Number("thickness", "m", AtLeast(0), "", "In place of `thickness`."),
     Number("aspect", "", AtLeast(1), "", "In place of `aspect`."),
@@ -596,8 +598,8 @@ constexpr FieldInfo kChecksFields[] = {
     Word("profile", "none simready", "none",
          "A named set of tests besides: those of the SimReady benchmark."),
     Number("self_collision", "m", AtLeast(0), "0.01mm",
-           "How deep two bodies may be in each other at the joints' zero. MuJoCo looks at this "
-           "with every object, not only in physical checks."),
+           "How deep two bodies may be in each other at the joints' zero and in the start pose. "
+           "MuJoCo looks at this with every object, not only in physical checks."),
     Row("stable", Slot::kBoolean, "false",
         "Whether a tilt of more than `tilt` is an error, that is, whether the object must stay as "
         "it was put down, and come back when it is nudged."),
@@ -628,14 +630,17 @@ constexpr FieldInfo kChecksFields[] = {
         "Joints that are driven in another way, or by other thresholds, than the rest."),
     Row("drive", Slot::kBoolean, "true", "Whether joints are driven at all."),
     Number("joint_overshoot", "", AtLeast(0), "0.05",
-           "How far a joint may be driven beyond its range, as a share of the range."),
+           "How far a joint may be beyond its range, driven or at rest, as a share of the range."),
     Number("joint_reach", "", Between(0, 1), "0.9", "Share of its range that a joint must reach."),
     Number("joint_penetration", "m", AtLeast(0), "1mm",
-           "How deep bodies of the object may penetrate each other as a joint is driven."),
+           "How deep bodies of the object may penetrate each other at the start and as a joint is "
+           "driven."),
     Number("joint_return", "", AtLeast(0), "0.05",
            "How far from where it began a joint may end, as a share of its range."),
-    Number("hinge_range", "rad", AtLeast(0), "360deg",
-           "Widest range of a hinge that nothing is coupled to."),
+    Number(
+        "hinge_range", "rad", AtLeast(0), "360deg",
+        "Widest range of a hinge that nothing is coupled to. An equality of bodies, and a tendon "
+        "over sites, couple all joints."),
     Number("slide_range", "", AtLeast(0), "3",
            "Longest range of a slide that nothing is coupled to, as a multiple of the object's "
            "longest side."),
@@ -648,7 +653,10 @@ constexpr FieldInfo kChecksFields[] = {
     Number("overlap", "", AtLeast(0), "0.05",
            "Share of a body's mass that may be counted twice because parts overlap."),
     Number("thickness", "m", AtLeast(0), "1mm", "Thinnest part."),
-    Number("aspect", "", AtLeast(1), "100", "Longest side of a part over its shortest."),
+    Number(
+        "aspect", "", AtLeast(1), "100",
+        "Longest side of a part over its shortest. Shapes that collide as several pieces are not "
+        "looked at."),
     Number("gap", "m", AtLeast(0), "0.5mm",
            "How far apart parts may be and still count as one piece."),
     Number("look", "", AtLeast(0), "0.2",

@@ -91,6 +91,27 @@ TEST_CASE("a drawer behind a door is blocked by it, and is not if the door is op
   CHECK(Examine(world, {}, checks).result->joints.size() == 1);
 }
 
+TEST_CASE("what is asked of a joint that it cannot do is an error") {
+  const std::string door = Child("door", "0.06 0 0", kDoorRange, kBar);
+  const std::string ball =
+      "<body name=\"swivel\" pos=\"0 0 0.06\"><joint name=\"swivel_joint\" "
+      "type=\"ball\"/><geom size=\"0.005\"/></body>";
+  const std::string world = Free(0, kCube + door + ball);
+  const auto message = [&](const model::JointCheck& check) {
+    model::Checks checks;
+    checks.joints = {check};
+    const Examined examined = Examine(world, {}, checks);
+    return examined.findings.empty() ? std::string() : examined.findings[0].message;
+  };
+  CHECK(
+      message({.joints = {"swivel_joint"}, .positions = {{"door_joint", {9}}}})
+          .starts_with("checks.joints: joint 'door_joint' cannot stand at 516 deg: its range is "));
+  CHECK(message({.joints = {"door_joint"}, .positions = {{"swivel_joint", {1}}}}) ==
+        "checks.joints: the position of joint 'swivel_joint' takes 4 numbers, not 1");
+  CHECK(message({.joints = {"swivel_joint"}, .rests = Eigen::Vector2d(0, 1)}) ==
+        "checks.joints: `rests` is for hinges and slides, which 'swivel_joint' is not");
+}
+
 TEST_CASE("a joint of its own has its own thresholds") {
   const std::string soft = kDoorRange + R"( solreflimit="0.1 1")";
   const std::string world = Free(0, kCube + Child("door", "0.06 0 0", soft, kBar));

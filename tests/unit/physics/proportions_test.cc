@@ -149,6 +149,14 @@ TEST_CASE("parts have limits of their own, and others those of all") {
   model::Checks checks;
   checks.parts = {{.parts = {"sheet"}, .thickness = 0.0005}};
   CHECK(Check(Of({sheet}), checks).first.empty());
+  Part named = sheet;
+  named.name = "crate_sheet";
+  model::Object crate = Of({named});
+  crate.name = "crate";
+  for (const char* name : {"sheet", "crate_sheet"}) {
+    checks.parts[0].parts = {name};
+    CHECK(Check(crate, checks).first.empty());
+  }
   checks.parts = {{.parts = {"shet"}, .thickness = 0.0005}};
   CHECK(Check(Of({sheet}), checks).first == Strings{"model/unknown-reference", "physics/thin"});
 }

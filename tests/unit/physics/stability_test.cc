@@ -46,6 +46,17 @@ TEST_CASE("a ball, and what stands on a point, have no stability") {
   }
 }
 
+TEST_CASE("what lies in soft contacts, deeper at one end, is not less stable for it") {
+  const char* bar =
+      R"(<geom type="box" size="0.0891697 0.006 0.003" density="7850"/>)"
+      R"(<geom type="cylinder" size="0.014 0.005" pos="0.1021697 0 0" density="7850"/>)";
+  const Examined object = Examine(Free(0.2, bar));
+  REQUIRE(object.result);
+  REQUIRE(object.result->sink > 1e-4);
+  REQUIRE(object.result->stability);
+  CHECK(object.result->stability->angle > 60 * kDegree);
+}
+
 TEST_CASE("what stands upright only undisturbed is not stable") {
   // A disc on a stick on a ball, a capsule on its end, and a thin pillar; all stay as they are put.
   const std::string top = R"(<geom size="0.002" pos="0 0 0.002"/>)"

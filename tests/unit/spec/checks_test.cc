@@ -39,6 +39,15 @@ TEST_CASE("a threshold that is none, out of bounds or drawn is an error", "[chec
                 "it as a parameter, and use that parameter's name here)"});
 }
 
+TEST_CASE("how a joint is driven is fixed, and why it is not is said", "[checks]") {
+  CHECK(ReportWithBox("checks: {joints: [{joint: a, skip: ' '}]}\n") ==
+        Strings{"4:36 spec/bad-value: no reason is given why it is not driven"});
+  CHECK(
+      ReportWithBox("checks: {joints: [{joint: a, at: {b: 1 .. 2}}]}\n") ==
+      Strings{"4:35 spec/bad-value: 'at' is drawn, but a threshold must be a fixed value (draw it "
+              "as a parameter, and use that parameter's name here)"});
+}
+
 TEST_CASE("only some findings can be silenced, each with a reason", "[checks]") {
   CHECK(ReportWithBox("checks: {silence: {physics/thinn: x}}\n") ==
         Strings{
