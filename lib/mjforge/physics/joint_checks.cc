@@ -24,14 +24,42 @@ std::size_t SizeOf(const mjModel& m, int joint) {
   }
 }
 
+bool IsHingeOrSlide(const mjModel& m, int joint) {
+  return m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE;
+}
+
+// By more than rounding.
+bool IsBeyondRange(const mjModel& m, int joint, double position) {
+  if (!IsHingeOrSlide(m, joint) || m.jnt_limited[joint] == 0) return false;
+  const mjtNum* range = m.jnt_range + 2 * joint;
+  const double rounding = 1e-6 * (range[1] - range[0]);
+  return position < range[0] - rounding || position > range[1] + rounding;
+}
+
+// Why a joint cannot stand there; empty: it can.
+std::string WhyNotAt(const mjModel& m, int joint, const std::string& name,
+                     std::span<const double> position) {
+  const std::size_t size = SizeOf(m, joint);
+  if (position.size() != size) {
+    return fmt::format("the position of joint '{}' takes {} number{}, not {}", name, size,
+                       size == 1 ? "" : "s", position.size());
+  }
+  if (!IsBeyondRange(m, joint, position.front())) return {};
+  const bool is_slide = m.jnt_type[joint] == mjJNT_SLIDE;
+  const mjtNum* range = m.jnt_range + 2 * joint;
+  return fmt::format("joint '{}' cannot stand at {}: its range is {} to {}", name,
+                     DistanceText(is_slide, position.front()), DistanceText(is_slide, range[0]),
+                     DistanceText(is_slide, range[1]));
+}
+
 }  // namespace
 
 bool JointChecks::Verify(Verdict& verdict) const {
   bool is_right = true;
-  const auto wrong = [&](diag::Code code, const model::JointCheck& check, std::string message,
+  const auto wrong = [&](diag::Code code, const model::JointCheck& check, const std::string& what,
                          std::string hint = {}) {
     is_right = false;
-    verdict.Error(code, check.mark, std::move(message), std::move(hint));
+    verdict.Error(code, check.mark, "checks.joints: " + what, std::move(hint));
   };
   const auto exists = [&](const model::JointCheck& check, const std::string& name) {
     if (Find(name) >= 0) return true;
@@ -42,33 +70,19 @@ bool JointChecks::Verify(Verdict& verdict) const {
     }
     const std::vector<std::string_view> known(names.begin(), names.end());
     wrong(diag::Code::kModelUnknownReference, check,
-          fmt::format("checks.joints: the object has no joint '{}'", name),
-          diag::DidYouMean(name, known));
+          fmt::format("the object has no joint '{}'", name), diag::DidYouMean(name, known));
     return false;
   };
   for (const model::JointCheck& check : checks_.joints) {
     for (const std::string& name : check.joints) {
-      if (!exists(check, name) || !check.rests || IsHingeOrSlide(Find(name))) continue;
-      wrong(
-          diag::Code::kModelBadValue, check,
-          fmt::format("checks.joints: `rests` is for hinges and slides, which '{}' is not", name));
+      if (!exists(check, name) || !check.rests || IsHingeOrSlide(m_, Find(name))) continue;
+      wrong(diag::Code::kModelBadValue, check,
+            fmt::format("`rests` is for hinges and slides, which '{}' is not", name));
     }
-    for (const auto& [name, numbers] : check.positions) {
+    for (const auto& [name, position] : check.positions) {
       if (!exists(check, name)) continue;
-      const int joint = Find(name);
-      if (SizeOf(m_, joint) != numbers.size()) {
-        wrong(
-            diag::Code::kModelBadValue, check,
-            fmt::format("checks.joints: the position of joint '{}' takes {} number{}, not {}", name,
-                        SizeOf(m_, joint), SizeOf(m_, joint) == 1 ? "" : "s", numbers.size()));
-      } else if (IsBeyondRange(joint, numbers.front())) {
-        const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
-        const mjtNum* range = m_.jnt_range + 2 * joint;
-        wrong(diag::Code::kModelBadValue, check,
-              fmt::format("checks.joints: joint '{}' cannot stand at {}: its range is {} to {}",
-                          name, DistanceText(is_slide, numbers.front()),
-                          DistanceText(is_slide, range[0]), DistanceText(is_slide, range[1])));
-      }
+      const std::string why_not = WhyNotAt(m_, Find(name), name, position);
+      if (!why_not.empty()) wrong(diag::Code::kModelBadValue, check, why_not);
     }
   }
   return is_right;
@@ -101,18 +115,6 @@ std::vector<mjtNum> JointChecks::StartOf(const model::JointCheck& check) const {
 
 bool JointChecks::CanBeDriven(int joint) const {
   return !PathsOf(m_, joint, compiled::StartOf(m_)).empty();
-}
-
-bool JointChecks::IsHingeOrSlide(int joint) const {
-  return m_.jnt_type[joint] == mjJNT_HINGE || m_.jnt_type[joint] == mjJNT_SLIDE;
-}
-
-// By more than rounding.
-bool JointChecks::IsBeyondRange(int joint, double position) const {
-  if (!IsHingeOrSlide(joint) || m_.jnt_limited[joint] == 0) return false;
-  const mjtNum* range = m_.jnt_range + 2 * joint;
-  const double rounding = 1e-6 * (range[1] - range[0]);
-  return position < range[0] - rounding || position > range[1] + rounding;
 }
 
 int JointChecks::Find(const std::string& joint) const {

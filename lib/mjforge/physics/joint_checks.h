@@ -38,8 +38,6 @@ class JointChecks {
   /// -1: there is none.
   int Find(const std::string& joint) const;
   bool CanBeDriven(int joint) const;
-  bool IsHingeOrSlide(int joint) const;
-  bool IsBeyondRange(int joint, double position) const;
 
   const mjModel& m_;
   std::string prefix_;
