@@ -137,7 +137,22 @@ class Behaviour {
                    "give it a wider foot or a lower centre of mass, or set `nudge`");
   }
 
+  void ReportMoving(const Misplaced& misplaced) {
+    verdict_.Error(
+        Code::kPhysicsJointRests, misplaced.check->mark,
+        fmt::format("joint '{}' is at {} and still moves, by {} in a second: it leaves "
+                    "where `rests` has it, {} to {}",
+                    compiled::NameOf(m_, mjOBJ_JOINT, misplaced.joint),
+                    Distance(misplaced.joint, misplaced.position),
+                    Distance(misplaced.joint, misplaced.speed),
+                    Distance(misplaced.joint, misplaced.low),
+                    Distance(misplaced.joint, misplaced.high)),
+        "hold it by a spring or dry friction, or, if it comes to rest later, set a longer "
+        "`settle_time`");
+  }
+
   void ReportMisplaced(const Misplaced& misplaced) {
+    if (misplaced.speed != 0) return ReportMoving(misplaced);
     const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, misplaced.joint);
     const bool is_asked = misplaced.check != nullptr;
     verdict_.Error(
@@ -150,8 +165,7 @@ class Behaviour {
                     Distance(misplaced.joint, misplaced.high)),
         is_asked
             ? "look at springs, `springref`, dry friction, and weight; a limit of the range gives "
-              "way "
-              "a little, too"
+              "way a little, too; if it comes to rest later, set a longer `settle_time`"
             : "a spring or weight presses it: use a harder limit (a smaller solreflimit), or a "
               "softer spring");
   }
@@ -238,7 +252,7 @@ class Behaviour {
                        fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
                                    RoundedText(result.time), SpeedText(result.speed)),
                        "check gravity and the contact bits (contype, conaffinity)");
-    } else if (!result.at_rest && result.dropped) {
+    } else if (!result.at_rest && (result.dropped || SaysRests(checks))) {
       verdict_.Warning(
           Code::kPhysicsNotAtRest, mark_,
           fmt::format("'{}' still moves after {} s: body '{}' at {}, {} mm from where it began; at "

@@ -306,13 +306,15 @@ class Grasps {
       if (count(outcome) > 0)
         how += fmt::format("{}{} {}", how.empty() ? "" : ", ", count(outcome), word);
     }
-    verdict_.Error(
-        Code::kPhysicsNotGrasped, grasping_.mark,
-        fmt::format("jaws that close with {} N do not hold '{}'{}: of {} {}, {}",
-                    RoundedText(grasping_.force), name_, where, outcomes.size(),
-                    outcomes.size() == 1 ? "way" : "ways", how),
-        "put the site nearer to the centre of mass, where the faces are parallel; or make it "
-        "lighter, or set `force`");
+    verdict_.Error(Code::kPhysicsNotGrasped, grasping_.mark,
+                   fmt::format("jaws that close with {} N do not hold '{}'{}: of {} {}, {}",
+                               RoundedText(grasping_.force), name_, where, outcomes.size(),
+                               outcomes.size() == 1 ? "way" : "ways", how),
+                   "put the site nearer to the centre of mass, where the faces are parallel; if it "
+                   "slips, make "
+                   "it lighter or set more `force`; if the jaws press into something light and "
+                   "round, set less "
+                   "`force` or a shorter `solref`");
   }
 
   mjModel& m_;

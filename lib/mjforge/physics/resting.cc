@@ -13,6 +13,11 @@ constexpr double kSagOfHinge = 0.02;   // rad
 
 }  // namespace
 
+bool SaysRests(const model::Checks& checks) {
+  return std::ranges::any_of(
+      checks.joints, [](const model::JointCheck& check) { return check.rests.has_value(); });
+}
+
 std::vector<Misplaced> MisplacedJoints(const mjModel& m, const mjData& d, std::string_view object,
                                        const model::Checks& checks) {
   const JointChecks entries(m, object, checks);
@@ -21,8 +26,14 @@ std::vector<Misplaced> MisplacedJoints(const mjModel& m, const mjData& d, std::s
     if (m.jnt_type[joint] != mjJNT_HINGE && m.jnt_type[joint] != mjJNT_SLIDE) continue;
     const double position = d.qpos[m.jnt_qposadr[joint]];
     const auto look = [&](double low, double high, double slack, const model::JointCheck* check) {
-      const double beyond = std::max(low - position, position - high);
-      if (beyond > slack) all.push_back({joint, position, low, high, beyond, check});
+      const auto beyond = [&](double where) { return std::max(low - where, where - high); };
+      const double speed = d.qvel[m.jnt_dofadr[joint]];
+      const double soon = beyond(position + kSoon * speed);
+      if (beyond(position) > slack) {
+        all.push_back({joint, position, low, high, beyond(position), check});
+      } else if (check != nullptr && soon > 0) {
+        all.push_back({joint, position, low, high, soon, check, speed});
+      }
     };
     double slack = checks.joint_overshoot;
     for (const model::JointCheck& check : checks.joints) {

@@ -5,6 +5,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/floor.h"
+#include "mjforge/physics/resting.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/physics/stepper.h"
 
@@ -65,7 +66,7 @@ class Drop {
     const double steps_at_rest = kRestTime / m_.opt.timestep;
     int slow = 0;
     int step = 0;
-    while (step < most && slow < steps_at_rest && !HasBlownUp(d_)) {
+    while (step < most && (slow < steps_at_rest || MayStillMove()) && !HasBlownUp(d_)) {
       for (int i = 0; i < look && step < most; ++i, ++step) {
         stepper_.Step();
         CountContacts();
@@ -88,6 +89,23 @@ class Drop {
   };
 
   bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }
+
+  /// Whether it is slow and yet perhaps not at rest: where it leans it may be near its balance, and
+  /// a damped joint creeps.
+  bool MayStillMove() const {
+    if (IsNudged()) return Tilt() > checks_.nudge / 2;
+    return SaysRests(checks_);
+  }
+
+  /// How far what leans most leans.
+  double Tilt() const {
+    double tilt = 0;
+    for (const Root& root : roots_) {
+      const double up = (TurnOf(root.body) * root.up_B).z();
+      tilt = std::max(tilt, std::acos(std::clamp(up, -1.0, 1.0)));
+    }
+    return tilt;
+  }
 
   void Lean() {
     if (!IsNudged()) return;
@@ -180,9 +198,8 @@ class Drop {
     for (const Root& root : roots_) {
       const Eigen::Vector3d way = VectorAt(d_.subtree_com, root.body) - root.start;
       result_.drift = std::max(result_.drift, way.head<2>().norm());
-      const double up = (TurnOf(root.body) * root.up_B).z();
-      result_.tilt = std::max(result_.tilt, std::acos(std::clamp(up, -1.0, 1.0)));
     }
+    result_.tilt = Tilt();
   }
 
   mjModel& m_;

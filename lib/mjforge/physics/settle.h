@@ -27,9 +27,10 @@ struct Nudge {
 
 /// If the model has a level plane, one free body and nothing else to lie on, puts that body
 /// DropHeight() above the floor. Simulates from there with the model's own options until it rests
-/// or checks.settle_time is over. `d` is the model's data at its initial state; afterwards it holds
-/// the end of the drop, and the model is unchanged. Fills in all of `result` that a drop tells; the
-/// tilt is that from before the nudge. May throw std::exception.
+/// or checks.settle_time is over; for all of that time if an entry of checks.joints says `rests`.
+/// `d` is the model's data at its initial state; afterwards it holds the end of the drop, and the
+/// model is unchanged. Fills in all of `result` that a drop tells; the tilt is that from before the
+/// nudge. May throw std::exception.
 Trouble Settle(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
                Result& result);
 

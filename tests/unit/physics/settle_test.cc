@@ -97,6 +97,27 @@ TEST_CASE("an undamped pendulum on a foot does not come to rest") {
   CHECK(Examine(Free(0, pendulum), {}, patient).result->time == 0.5);
 }
 
+TEST_CASE("a lid that creeps shut does not rest where it is at the moment") {
+  const auto codes = [](const std::string& damping, double settle_time) {
+    // It stands at 1 rad; its weight shuts it.
+    const std::string lid =
+        "<body name=\"lid\" pos=\"-0.2 0 0.21\" euler=\"0 -1 0\">"
+        "<joint name=\"hinge\" axis=\"0 -1 0\" limited=\"true\" range=\"0 1.7\" ref=\"1\" "
+        "damping=\"" +
+        damping + "\"/><geom type=\"box\" size=\"0.2 0.18 0.008\" pos=\"0.2 0 0\"/></body>";
+    model::Checks checks;
+    checks.drive = false;
+    checks.settle_time = settle_time;
+    checks.joints = {{.joints = {"hinge"}, .rests = Eigen::Vector2d(0.9, 1.1)}};
+    const std::string base = "<body name=\"base\"><geom type=\"box\" size=\"0.2 0.18 0.2\"/>";
+    return Examine(base + lid + "</body>", {}, checks).Codes();
+  };
+  using Codes = std::vector<std::string>;
+  CHECK(codes("0", 0.2) == Codes{"warning physics/not-at-rest", "error physics/joint-rests"});
+  CHECK(codes("150", 0.5) == Codes{"error physics/joint-rests"});
+  CHECK(codes("1e6", 0.5).empty());
+}
+
 TEST_CASE("a spring that its timestep cannot follow is an error, and the end of it") {
   const Examined spring = Examine(
       Free(0, kCube + "<body name=\"head\" pos=\"0 0 0.2\"><joint name=\"slide\" type=\"slide\" "

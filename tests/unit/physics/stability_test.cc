@@ -77,6 +77,15 @@ TEST_CASE("what comes back when it is nudged is stable, up to what is asked") {
   CHECK(Examine(Pillar(0.01, 0.1), {}, Stable(1 * kDegree)).Codes().empty());
 }
 
+TEST_CASE("what balances where it is let go has not come back") {
+  for (const double degrees : {9.6, 9.8, 9.9}) {
+    INFO(degrees);
+    const double side = 0.5 * std::tan(degrees * kDegree);
+    const std::string post = "<geom type=\"cylinder\" size=\"" + std::to_string(side) + " 0.5\"/>";
+    CHECK(Examine(Free(0.51, post), {}, Stable()).Codes() == Strings{"error physics/topples"});
+  }
+}
+
 TEST_CASE("what is fixed, or lies among others, is not nudged") {
   const std::string fixed = "<body name=\"fixed\"><geom size=\"0.05\"/></body>";
   CHECK_FALSE(Examine(fixed, {}, Stable()).result->stability);
