@@ -311,10 +311,8 @@ class Grasps {
                                RoundedText(grasping_.force), name_, where, outcomes.size(),
                                outcomes.size() == 1 ? "way" : "ways", how),
                    "put the site nearer to the centre of mass, where the faces are parallel; if it "
-                   "slips, make "
-                   "it lighter or set more `force`; if the jaws press into something light and "
-                   "round, set less "
-                   "`force` or a shorter `solref`");
+                   "slips, make it lighter or set more `force`; if the jaws press into something "
+                   "light and round, set less `force` or a shorter `solref`");
   }
 
   mjModel& m_;

@@ -16,6 +16,7 @@ namespace {
 constexpr int kWays = 72;
 constexpr double kStep = 0.5 * std::numbers::pi / 180;
 constexpr double kFlat = 1e-9;  // of the height: the centre of a ball does not rise
+constexpr double kUneven = 10 * std::numbers::pi / 180;  // it lies more evenly than that
 
 /// What the floor can touch, about the centre of mass.
 class Hull {
@@ -78,7 +79,7 @@ Margin MarginOf(const mjModel& m, const mjData& d, int root, double sink) {
       const double now =
           hull.Below({side * std::cos(azimuth), side * std::sin(azimuth), -std::cos(tilt)});
       const bool rises = now > highest + kFlat * height;
-      if (!rises && (highest > height + sink || now < height - sink)) break;
+      if (!rises && (tilt > kUneven || highest > height + sink || now < height - sink)) break;
       if (!rises) continue;
       highest = now;
       angle = tilt;

@@ -52,12 +52,11 @@ void RejectDraws(const std::vector<Field>& fields, Reading& reading) {
 /// A text that says something.
 std::string ReadReason(std::string_view key, const YamlNode& reason, std::string_view what,
                        Reading& reading) {
-  std::string text = reading.values.ReadPlainText(key, reason);
-  if (Trim(text).empty() && reason.kind == YamlNode::Kind::kScalar) {
+  if (reason.kind == YamlNode::Kind::kScalar && Trim(reason.text).empty()) {
     reading.findings.Add(Code::kSpecBadValue, reason.mark,
                          fmt::format("no reason is given {}", what));
   }
-  return text;
+  return reading.values.ReadPlainText(key, reason);
 }
 
 void ReadHolding(const YamlNode& holds, Reading& reading) {
