@@ -159,11 +159,13 @@ void Resume(const batch::Request& request, manifest::Record record, diag::Findin
   bool goes_on = true;
   for (auto chunk = schedule.Next(); chunk && goes_on; chunk = schedule.Next()) {
     batch::Result result;
+    std::string lines;
     result.chunk = *chunk;
     result.done = chunk->count;
     result.statuses.assign(chunk->count, record.status);
     for (record.index = chunk->first; record.index < chunk->end(); ++record.index)
-      manifest::AppendRecord(result.lines, record);
+      manifest::AppendRecord(lines, record);
+    result.lines = lines;
     goes_on = sink->Take(result, findings);
   }
   const bool is_done = goes_on && sink->Finish(findings);

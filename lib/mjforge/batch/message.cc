@@ -1,5 +1,6 @@
 #include "mjforge/batch/message.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <stdexcept>
@@ -29,8 +30,7 @@ class Encoder {
 
  private:
   void Put(const void* bytes, std::size_t size) {
-    std::memcpy(out_, bytes, size);
-    out_ += size;
+    out_ = std::copy_n(static_cast<const char*>(bytes), size, out_);  // of nothing, too
   }
 
   char* out_;
