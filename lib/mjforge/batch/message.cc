@@ -30,7 +30,7 @@ class Encoder {
 
  private:
   void Put(const void* bytes, std::size_t size) {
-    out_ = std::copy_n(static_cast<const char*>(bytes), size, out_);  // of nothing, too
+    out_ = std::copy_n(static_cast<const char*>(bytes), size, out_);  // an empty view may be null
   }
 
   char* out_;

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "mjforge/compiled/compiled.h"
+
 namespace mjforge::compiled {
 namespace {
 
@@ -125,8 +127,7 @@ int RowOf(const mjModel& m, const ArrayField& field, int id) {
   if (field.needs != nullptr && (m.*field.needs)[id] == 0) return -1;
   if (field.rows == Rows::kElement) return id;
   if (field.rows == Rows::kDof) return m.jnt_dofadr[id];
-  const bool scalar = m.jnt_type[id] == mjJNT_SLIDE || m.jnt_type[id] == mjJNT_HINGE;
-  return scalar ? m.jnt_qposadr[id] : -1;
+  return HasOneNumber(m, id) ? m.jnt_qposadr[id] : -1;
 }
 
 double Number(double value) { return value; }

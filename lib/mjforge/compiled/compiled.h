@@ -60,6 +60,9 @@ model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 /// `root` other than the world (0), only of that body of the world and the bodies on it.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 
+/// Whether one number of qpos says where it stands: a hinge or slide.
+bool HasOneNumber(const mjModel& m, int joint);
+
 /// Where a joint can stand, as qpos has it, rad or m: its range, or a full turn about the zero of
 /// an unlimited hinge. Of a ball joint the angle from its zero, from 0 up.
 struct JointRange {

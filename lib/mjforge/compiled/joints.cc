@@ -5,6 +5,10 @@
 
 namespace mjforge::compiled {
 
+bool HasOneNumber(const mjModel& m, int joint) {
+  return m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE;
+}
+
 std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
   const bool limited = m.jnt_limited[joint] != 0;
   const mjtNum* range = m.jnt_range + 2 * static_cast<std::ptrdiff_t>(joint);

@@ -49,8 +49,7 @@ PartFile::PartFile(std::filesystem::path file, std::filesystem::path temporary, 
 
 PartFile::~PartFile() {
   if (descriptor_ < 0) return;
-  diag::Findings unheard;
-  GiveBack(unheard);
+  GiveBack();
   ::close(descriptor_);
 }
 
@@ -111,10 +110,8 @@ void PartFile::Reserve(std::uint64_t end) {
   reserved_ = done ? more : std::numeric_limits<std::uint64_t>::max();
 }
 
-bool PartFile::GiveBack(diag::Findings& findings) {
-  if (reserved_ == 0 || ::ftruncate(descriptor_, static_cast<::off_t>(size_)) == 0) return true;
-  AddCannotWrite(file_, errno, findings);
-  return false;
+bool PartFile::GiveBack() {
+  return reserved_ == 0 || ::ftruncate(descriptor_, static_cast<::off_t>(size_)) == 0;
 }
 
 bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
@@ -160,7 +157,10 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     Drop();
     return true;
   }
-  if (!GiveBack(findings)) return false;
+  if (!GiveBack()) {
+    AddCannotWrite(file_, errno, findings);
+    return false;
+  }
   if (durability == Durability::kBatch && !Sync(findings)) return false;
   if (std::rename(temporary_.c_str(), file_.c_str()) != 0) {
     AddCannotWrite(file_, errno, findings);

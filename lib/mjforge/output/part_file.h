@@ -49,7 +49,7 @@ class PartFile {
   PartFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor,
            std::uint64_t size);
   void Reserve(std::uint64_t end);
-  bool GiveBack(diag::Findings& findings);
+  bool GiveBack();
 
   std::filesystem::path file_;
   std::filesystem::path temporary_;

@@ -12,8 +12,7 @@ constexpr double kFarOff = 0.25;  // of the body's size
 
 bool HangsOnJoint(const mjModel& m, int body) {
   for (int i = 0; i < m.body_jntnum[body]; ++i) {
-    const int type = m.jnt_type[m.body_jntadr[body] + i];
-    if (type == mjJNT_HINGE || type == mjJNT_SLIDE) return m.body_parentid[body] != 0;
+    if (compiled::HasOneNumber(m, m.body_jntadr[body] + i)) return m.body_parentid[body] != 0;
   }
   return false;
 }

@@ -70,7 +70,7 @@ int JointUnder(const mjModel& m, int body) {
   for (; body > 0; body = m.body_parentid[body]) {
     for (int i = 0; i < m.body_jntnum[body]; ++i) {
       const int joint = m.body_jntadr[body] + i;
-      if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE) return joint;
+      if (compiled::HasOneNumber(m, joint)) return joint;
     }
   }
   return -1;

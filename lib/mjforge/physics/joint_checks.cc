@@ -1,12 +1,14 @@
 #include "mjforge/physics/joint_checks.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/named.h"
 #include "mjforge/physics/rounding.h"
 #include "mjforge/physics/travel.h"
 
@@ -24,16 +26,10 @@ std::size_t SizeOf(const mjModel& m, int joint) {
   }
 }
 
-bool IsHingeOrSlide(const mjModel& m, int joint) {
-  return m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE;
-}
-
 // By more than rounding.
-bool IsBeyondRange(const mjModel& m, int joint, double position) {
-  if (!IsHingeOrSlide(m, joint) || m.jnt_limited[joint] == 0) return false;
-  const mjtNum* range = m.jnt_range + 2 * joint;
-  const double rounding = 1e-6 * (range[1] - range[0]);
-  return position < range[0] - rounding || position > range[1] + rounding;
+bool IsBeyond(const compiled::JointRange& range, double position) {
+  const double rounding = 1e-6 * (range.high - range.low);
+  return position < range.low - rounding || position > range.high + rounding;
 }
 
 // Why a joint cannot stand there; empty: it can.
@@ -44,12 +40,13 @@ std::string WhyNotAt(const mjModel& m, int joint, const std::string& name,
     return fmt::format("the position of joint '{}' takes {} number{}, not {}", name, size,
                        size == 1 ? "" : "s", position.size());
   }
-  if (!IsBeyondRange(m, joint, position.front())) return {};
+  const std::optional<compiled::JointRange> range = compiled::RangeOf(m, joint);
+  const bool is_limited = compiled::HasOneNumber(m, joint) && range && range->limited;
+  if (!is_limited || !IsBeyond(*range, position.front())) return {};
   const bool is_slide = m.jnt_type[joint] == mjJNT_SLIDE;
-  const mjtNum* range = m.jnt_range + 2 * joint;
   return fmt::format("joint '{}' cannot stand at {}: its range is {} to {}", name,
-                     DistanceText(is_slide, position.front()), DistanceText(is_slide, range[0]),
-                     DistanceText(is_slide, range[1]));
+                     DistanceText(is_slide, position.front()), DistanceText(is_slide, range->low),
+                     DistanceText(is_slide, range->high));
 }
 
 }  // namespace
@@ -64,10 +61,8 @@ bool JointChecks::Verify(Verdict& verdict) const {
   const auto exists = [&](const model::JointCheck& check, const std::string& name) {
     if (Find(name) >= 0) return true;
     std::vector<std::string> names;
-    for (int joint = 0; joint < m_.njnt; ++joint) {
-      names.push_back(compiled::NameOf(m_, mjOBJ_JOINT, joint));
-      if (names.back().starts_with(prefix_)) names.back().erase(0, prefix_.size());
-    }
+    for (int joint = 0; joint < m_.njnt; ++joint)
+      names.push_back(OwnName(m_, mjOBJ_JOINT, joint, object_));
     const std::vector<std::string_view> known(names.begin(), names.end());
     wrong(diag::Code::kModelUnknownReference, check,
           fmt::format("the object has no joint '{}'", name), diag::DidYouMean(name, known));
@@ -75,7 +70,7 @@ bool JointChecks::Verify(Verdict& verdict) const {
   };
   for (const model::JointCheck& check : checks_.joints) {
     for (const std::string& name : check.joints) {
-      if (!exists(check, name) || !check.rests || IsHingeOrSlide(m_, Find(name))) continue;
+      if (!exists(check, name) || !check.rests || compiled::HasOneNumber(m_, Find(name))) continue;
       wrong(diag::Code::kModelBadValue, check,
             fmt::format("`rests` is for hinges and slides, which '{}' is not", name));
     }
@@ -118,7 +113,7 @@ bool JointChecks::CanBeDriven(int joint) const {
 }
 
 int JointChecks::Find(const std::string& joint) const {
-  const int own = mj_name2id(&m_, mjOBJ_JOINT, (prefix_ + joint).c_str());
+  const int own = mj_name2id(&m_, mjOBJ_JOINT, fmt::format("{}_{}", object_, joint).c_str());
   return own >= 0 ? own : mj_name2id(&m_, mjOBJ_JOINT, joint.c_str());
 }
 

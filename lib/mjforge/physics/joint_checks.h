@@ -16,7 +16,7 @@ namespace mjforge::physics {
 class JointChecks {
  public:
   JointChecks(const mjModel& m, std::string_view object, const model::Checks& checks)
-      : m_(m), prefix_(std::string(object) + "_"), checks_(checks) {}
+      : m_(m), object_(object), checks_(checks) {}
 
   /// Reports joints that the model does not have, and positions that they cannot have. False: there
   /// are some, and no other function may be asked.
@@ -40,7 +40,7 @@ class JointChecks {
   bool CanBeDriven(int joint) const;
 
   const mjModel& m_;
-  std::string prefix_;
+  std::string object_;  // its name
   const model::Checks& checks_;
 };
 

@@ -132,19 +132,22 @@ class Proportions {
     return name == OwnName(part) || name == NameOf(part);
   }
 
+  bool HasPart(std::string_view name) const {
+    return std::ranges::any_of(object_.bodies, [&](const model::Body& body) {
+      return std::ranges::any_of(body.parts,
+                                 [&](const model::Part& part) { return IsNamed(part, name); });
+    });
+  }
+
   /// Entries of checks.parts must be of parts that there are.
   void FindParts() {
     for (const model::PartCheck& check : verdict_.checks().parts) {
       for (const std::string& name : check.parts) {
+        if (HasPart(name)) continue;
         std::vector<std::string_view> known;
-        bool found = false;
         for (const model::Body& body : object_.bodies) {
-          for (const model::Part& part : body.parts) {
-            known.push_back(OwnName(part));
-            found |= IsNamed(part, name);
-          }
+          for (const model::Part& part : body.parts) known.push_back(OwnName(part));
         }
-        if (found) continue;
         verdict_.Error(Code::kModelUnknownReference, check.mark,
                        fmt::format("`parts`: the object has no part '{}'", name),
                        diag::DidYouMean(name, known));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/joint_checks.h"
 
 namespace mjforge::physics {
@@ -10,6 +11,8 @@ namespace {
 // MuJoCo's limits give way to weight alone, by about 0.4 mm with its own `solreflimit`.
 constexpr double kSagOfSlide = 0.001;  // m
 constexpr double kSagOfHinge = 0.02;   // rad
+// What creeps so slowly that it is beyond `rests` only after so long has left it, too.
+constexpr double kSoon = 10;  // s
 
 }  // namespace
 
@@ -23,7 +26,7 @@ std::vector<Misplaced> MisplacedJoints(const mjModel& m, const mjData& d, std::s
   const JointChecks entries(m, object, checks);
   std::vector<Misplaced> all;
   for (int joint = 0; joint < m.njnt; ++joint) {
-    if (m.jnt_type[joint] != mjJNT_HINGE && m.jnt_type[joint] != mjJNT_SLIDE) continue;
+    if (!compiled::HasOneNumber(m, joint)) continue;
     const double position = d.qpos[m.jnt_qposadr[joint]];
     const auto look = [&](double low, double high, double slack, const model::JointCheck* check) {
       const auto beyond = [&](double where) { return std::max(low - where, where - high); };

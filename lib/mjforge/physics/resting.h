@@ -17,18 +17,15 @@ struct Misplaced {
   double high = 0;
   double beyond = 0;                         // how far it is outside of that
   const model::JointCheck* check = nullptr;  // whose `rests` it violates; null: its own range
-  double speed = 0;  // rad/s or m/s, if it is still there, but leaves in kSoon; else 0
+  double speed = 0;  // rad/s or m/s, if it is still there, but leaves within 10 s; else 0
 };
-
-/// What creeps so slowly that it is beyond `rests` only in so many seconds has left it, too.
-inline constexpr double kSoon = 10;
 
 /// Whether an entry of checks.joints says where its joints rest.
 bool SaysRests(const model::Checks& checks);
 
 /// Compares where the joints of `d` stand with their ranges, which they may leave by
 /// checks.joint_overshoot (or an entry's) of the range and 1 mm or 0.02 rad, and with `rests` of
-/// checks.joints, where they must also stay. `object` is its name.
+/// checks.joints, where they must stay for 10 s at their last speed. `object` is its name.
 std::vector<Misplaced> MisplacedJoints(const mjModel& m, const mjData& d, std::string_view object,
                                        const model::Checks& checks);
 

@@ -78,11 +78,12 @@ Margin MarginOf(const mjModel& m, const mjData& d, int root, double sink) {
       const double side = std::sin(tilt);
       const double now =
           hull.Below({side * std::cos(azimuth), side * std::sin(azimuth), -std::cos(tilt)});
-      const bool rises = now > highest + kFlat * height;
-      if (!rises && (tilt > kUneven || highest > height + sink || now < height - sink)) break;
-      if (!rises) continue;
-      highest = now;
-      angle = tilt;
+      if (now > highest + kFlat * height) {
+        highest = now;
+        angle = tilt;
+      } else if (tilt > kUneven || highest > height + sink || now < height - sink) {
+        break;
+      }
     }
     if (angle < margin.least.angle) margin.azimuth = azimuth;
     margin.least.angle = std::min(margin.least.angle, angle);

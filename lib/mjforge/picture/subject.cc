@@ -9,8 +9,6 @@ namespace {
 
 using diag::Code;
 
-bool HasOneNumber(int type) { return type == mjJNT_HINGE || type == mjJNT_SLIDE; }
-
 std::string_view NameOf(const mjModel& m, int joint) { return m.names + m.name_jntadr[joint]; }
 
 // "hammer_hinge" ends in "hinge" and a prefix.
@@ -23,7 +21,7 @@ bool EndsIn(std::string_view full, std::string_view name) {
 std::vector<std::string_view> Candidates(const mjModel& m) {
   std::vector<std::string_view> words;
   for (int i = 0; i < m.njnt; ++i) {
-    if (!HasOneNumber(m.jnt_type[i])) continue;
+    if (!compiled::HasOneNumber(m, i)) continue;
     const std::string_view full = NameOf(m, i);
     words.push_back(full);
     for (std::size_t at = full.find('_'); at != full.npos; at = full.find('_', at + 1)) {
@@ -62,7 +60,7 @@ std::vector<Joint> Subject::joints() const {
     joint.type = static_cast<Joint::Type>(m.jnt_type[i]);
     joint.limited = m.jnt_limited[i] != 0;
     joint.range = {m.jnt_range[2 * i], m.jnt_range[2 * i + 1]};
-    if (HasOneNumber(m.jnt_type[i])) joint.value = state_->data->qpos[m.jnt_qposadr[i]];
+    if (compiled::HasOneNumber(m, i)) joint.value = state_->data->qpos[m.jnt_qposadr[i]];
   }
   return joints;
 }
@@ -93,7 +91,7 @@ std::optional<int> Subject::FindJoint(std::string_view name, diag::Findings& fin
 
 bool Subject::SetJoint(int joint, double value, diag::Findings& findings) {
   const mjModel& m = *state_->model;
-  if (!HasOneNumber(m.jnt_type[joint])) {
+  if (!compiled::HasOneNumber(m, joint)) {
     findings.Add(Code::kPictureBadJointValue, {},
                  fmt::format("joint '{}' is {} and cannot be set by one number", NameOf(m, joint),
                              m.jnt_type[joint] == mjJNT_FREE ? "free" : "a ball"));
