@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <limits>
 #include <thread>
 #include <utility>
 
@@ -22,10 +21,10 @@ namespace {
 // Writing goes on while the next bytes are made: then there is little left to wait for.
 constexpr std::uint64_t kBeginEvery = std::uint64_t{8} << 20;
 
-// Blocks that a long file has in advance take a third off the system's work for each write: as many
-// bytes again as it has, within these bounds.
-constexpr std::uint64_t kLeastReserve = std::uint64_t{1} << 20;
-constexpr std::uint64_t kMostReserve = std::uint64_t{64} << 20;
+// Blocks that a long file has in advance take a third off the system's work for each write. Where
+// the disk is nearly full they would be missing elsewhere: for the manifest beside an archive.
+constexpr std::uint64_t kReserve = std::uint64_t{8} << 20;
+constexpr std::uint64_t kEnoughRoom = std::uint64_t{1} << 30;
 
 // Another process may be dying at the moment, its workers with it.
 constexpr int kLockTries = 20;
@@ -101,13 +100,14 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
   }
 }
 
-// Where there is no room, or the file system has no such thing, writing goes on without.
+// Not every file system can; writing goes on without.
 void PartFile::Reserve(std::uint64_t end) {
-  if (end < kLeastReserve || end <= reserved_) return;
-  const std::uint64_t more = end + std::clamp(size_, kLeastReserve, kMostReserve);
-  const bool done = ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<::off_t>(size_),
-                                static_cast<::off_t>(more - size_)) == 0;
-  reserved_ = done ? more : std::numeric_limits<std::uint64_t>::max();
+  if (end < kReserve || end <= reserved_) return;
+  reserved_ = end + kReserve;
+  struct statvfs disk;
+  if (::fstatvfs(descriptor_, &disk) != 0 || disk.f_bavail * disk.f_frsize < kEnoughRoom) return;
+  ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<::off_t>(size_),
+              static_cast<::off_t>(reserved_ - size_));
 }
 
 bool PartFile::GiveBack() {

@@ -56,7 +56,7 @@ class PartFile {
   int descriptor_ = -1;  // -1: committed or dropped
   std::uint64_t size_ = 0;
   std::uint64_t begun_ = 0;     // bytes that the system was asked to write
-  std::uint64_t reserved_ = 0;  // bytes that have blocks, or all there can be; 0: nothing was asked
+  std::uint64_t reserved_ = 0;  // bytes for which blocks were asked; 0: for none
   bytes::Checksum checksum_;
 };
 

@@ -63,7 +63,7 @@ TEST_CASE("only one process at a time writes a file") {
 TEST_CASE("a long file leaves no part of the disk reserved") {
   const TemporaryFolder folder;
   diag::Findings findings;
-  constexpr std::size_t kPiece = 50'000;
+  constexpr std::size_t kPiece = 200'000;
   constexpr std::size_t kSize = 100 * kPiece;
   const auto room = [&](const std::string& name) {
     struct stat status = {};
