@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -104,8 +103,9 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
 void PartFile::Reserve(std::uint64_t end) {
   if (end < kReserve || end <= reserved_) return;
   reserved_ = end + kReserve;
-  struct statvfs disk;
-  if (::fstatvfs(descriptor_, &disk) != 0 || disk.f_bavail * disk.f_frsize < kEnoughRoom) return;
+  std::error_code error;
+  const std::filesystem::space_info disk = std::filesystem::space(temporary_, error);
+  if (error || disk.available < kEnoughRoom) return;
   ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<::off_t>(size_),
               static_cast<::off_t>(reserved_ - size_));
 }

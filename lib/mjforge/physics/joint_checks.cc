@@ -61,6 +61,7 @@ bool JointChecks::Verify(Verdict& verdict) const {
   const auto exists = [&](const model::JointCheck& check, const std::string& name) {
     if (Find(name) >= 0) return true;
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(m_.njnt));
     for (int joint = 0; joint < m_.njnt; ++joint)
       names.push_back(OwnName(m_, mjOBJ_JOINT, joint, object_));
     const std::vector<std::string_view> known(names.begin(), names.end());
