@@ -1,8 +1,6 @@
 #include "mjforge/diag/json.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 
 namespace mjforge::diag {
 
@@ -30,25 +28,8 @@ constexpr bool NeedsEscape(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\';
 }
 
-constexpr std::uint64_t kOnes = 0x0101'0101'0101'0101;
-
-// Its highest bits tell whether one of eight bytes, all below 128 or not, is less than `limit`, at
-// most 128. Source: S. E. Anderson, "Bit Twiddling Hacks", 2005 (hasless).
-constexpr std::uint64_t HasLess(std::uint64_t bytes, std::uint64_t limit) {
-  return (bytes - kOnes * limit) & ~bytes;
-}
-
-// Eight bytes at a time: every character of every text is asked for.
 bool NeedsEscape(std::string_view text) {
-  std::uint64_t found = 0;
-  for (; text.size() >= sizeof(found); text.remove_prefix(sizeof(found))) {
-    std::uint64_t bytes;
-    std::memcpy(&bytes, text.data(), sizeof(bytes));
-    found |= HasLess(bytes, 0x20) | HasLess(bytes ^ (kOnes * '"'), 1) |
-             HasLess(bytes ^ (kOnes * '\\'), 1);
-  }
-  const bool in_rest = std::ranges::any_of(text, [](char c) { return NeedsEscape(c); });
-  return in_rest || (found & (kOnes << 7)) != 0;
+  return std::ranges::any_of(text, [](char c) { return NeedsEscape(c); });
 }
 
 }  // namespace

@@ -5,29 +5,19 @@
 #include "mjforge/manifest/record_fields.h"
 
 namespace mjforge::manifest {
-namespace {
 
-// `"key":` of each field: these need no look for what to escape.
-std::vector<std::string> MemberStarts() {
-  std::vector<std::string> starts;
-  for (const RecordField& field : RecordFields())
-    starts.push_back(fmt::format("\"{}\":", field.key));
-  return starts;
-}
-
-}  // namespace
-
-void AppendRecord(std::string& out, const Record& record) {
-  static const std::vector<std::string> kStarts = MemberStarts();
-  diag::Json json(expr::AppendExactNumber, std::move(out));
-  json.StartObject();
-  const std::string* start = kStarts.data();
-  for (const RecordField& field : RecordFields()) {
-    const std::string& member = *start++;
+void WriteMembers(diag::Json& json, std::span<const RecordField> fields, const Record& record) {
+  for (const RecordField& field : fields) {
     if (field.is_absent != nullptr && field.is_absent(record)) continue;
-    json.Raw(member);
+    json.Key(field.key);
     field.write(json, record);
   }
+}
+
+void AppendRecord(std::string& out, const Record& record) {
+  diag::Json json(expr::AppendExactNumber, std::move(out));
+  json.StartObject();
+  WriteMembers(json, RecordFields(), record);
   json.EndObject();
   out = json.Take();
   out += '\n';

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -33,7 +34,9 @@ void Form::Fill(std::uint64_t index, MjcfDocument& document) {
     const char* const begin = out;
     if (first_[i] < i) {
       const auto [first, end] = filled_[first_[i]];
-      write(text.data() + first, end - first);
+      // As many bytes as a number may have: that takes less than copying as many as it has.
+      std::memmove(out, text.data() + first, expr::kLongestNumber);
+      out += end - first;
     } else if (slot.number == nullptr) {
       out = std::to_chars(out, out + expr::kLongestNumber, index).ptr;
     } else {

@@ -29,22 +29,19 @@ bool IsRounded(Distribution distribution) {
          distribution != Distribution::kBernoulli;
 }
 
-bool HasNan(const Numbers& numbers) {
+bool HasNan(std::span<const Traced<double>> numbers) {
   return std::ranges::any_of(numbers, [](double number) { return std::isnan(number); });
 }
 
-// The numbers that a draw takes.
+// The numbers that a draw takes. A triangular one has three, and limits are two.
+constexpr std::size_t kMostArguments = 5;
 class Arguments {
  public:
-  Arguments(const Numbers& arguments, const Numbers& limits) : count_(arguments.size()) {
-    std::copy(arguments.begin(), arguments.end(), numbers_.begin());
-    std::copy(limits.begin(), limits.end(), numbers_.begin() + count_);
-    has_limits_ = !limits.empty();
-  }
   // The first `count` are arguments, the others limits.
-  Arguments(std::span<const double* const> places, std::size_t count)
-      : count_(count), has_limits_(places.size() > count) {
-    for (std::size_t i = 0; i < places.size(); ++i) numbers_[i] = *places[i];
+  template <typename List, typename Value>
+  Arguments(const List& all, std::size_t count, Value value)
+      : count_(count), has_limits_(all.size() > count) {
+    std::ranges::transform(all, numbers_.begin(), value);
   }
 
   std::span<const double> numbers() const { return {numbers_.data(), count_}; }
@@ -54,7 +51,7 @@ class Arguments {
   }
 
  private:
-  std::array<double, 5> numbers_;  // a triangular draw has three, and limits are two
+  std::array<double, kMostArguments> numbers_;
   std::size_t count_;
   bool has_limits_;
 };
@@ -75,18 +72,19 @@ void Append(const Traced<std::array<double, n>>& numbers, Numbers& out) {
 }  // namespace
 
 Traced<double> Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId path) {
-  Numbers arguments;
-  for (std::size_t i = 0; i < draw.arguments.size(); ++i) {
-    arguments.push_back(Number(draw.arguments[i], ItemStream(draw.arguments[i], path, i)));
+  const std::size_t count = draw.arguments.size();
+  std::array<Traced<double>, kMostArguments> memory;
+  const std::span all(memory.data(), count + draw.limits.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    all[i] = Number(draw.arguments[i], ItemStream(draw.arguments[i], path, i));
   }
-  Numbers limits;
   const StreamId limits_path =
       draw.limits.empty() ? path : Child(path, Info(draw.distribution).option);
   for (std::size_t i = 0; i < draw.limits.size(); ++i) {
-    limits.push_back(Number(draw.limits[i], Child(limits_path, i)));
+    all[count + i] = Number(draw.limits[i], Child(limits_path, i));
   }
-  if (HasNan(arguments) || HasNan(limits)) return std::numeric_limits<double>::quiet_NaN();
-  const Arguments plain(arguments, limits);
+  if (HasNan(all)) return std::numeric_limits<double>::quiet_NaN();
+  const Arguments plain(all, count, [](const Traced<double>& number) { return number.value(); });
   if (auto wrong = CheckArguments(draw.distribution, plain.numbers(), plain.limits())) {
     const auto stated = StatedInterval(draw.distribution, plain.numbers(), plain.limits());
     const bool empty = stated && stated->lo > stated->hi;
@@ -100,7 +98,7 @@ Traced<double> Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, St
                 fmt::format("'{}' drew a value that is not finite", Info(draw.distribution).key));
   }
   if (!notes_) return value;
-  return NoteDraw(draw.distribution, arguments, limits, path, value);
+  return NoteDraw(draw.distribution, all, count, path, value);
 }
 
 double Evaluator::Drawn(Distribution distribution, std::span<const double> arguments,
@@ -111,21 +109,21 @@ double Evaluator::Drawn(Distribution distribution, std::span<const double> argum
   return RoundDraw(value, support.lo, support.hi);
 }
 
-Traced<double> Evaluator::NoteDraw(Distribution distribution, const Numbers& arguments,
-                                   const Numbers& limits, StreamId path, double value) {
+// The first `count` are arguments, the others limits.
+Traced<double> Evaluator::NoteDraw(Distribution distribution,
+                                   std::span<const Traced<double>> arguments, std::size_t count,
+                                   StreamId path, double value) {
   tape::Tape& tape = notes_->tape;
   double& at = tape.Keep(value);
   std::vector<const double*> places;
-  for (const Numbers* numbers : {&arguments, &limits}) {
-    for (const Traced<double>& number : *numbers) places.push_back(&PlaceOf(tape, number));
-  }
-  tape.Add(
-      [this, distribution, path, &at, places = tape.KeepAll(places), count = arguments.size()] {
-        const Arguments plain(places, count);
-        if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
-        at = Drawn(distribution, plain.numbers(), plain.limits(), path);
-        return std::isfinite(at);
-      });
+  places.reserve(arguments.size());
+  for (const Traced<double>& number : arguments) places.push_back(&PlaceOf(tape, number));
+  tape.Add([this, distribution, path, &at, places = tape.KeepAll(places), count] {
+    const Arguments plain(places, count, [](const double* place) { return *place; });
+    if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
+    at = Drawn(distribution, plain.numbers(), plain.limits(), path);
+    return std::isfinite(at);
+  });
   return {value, tape, at};
 }
 
@@ -196,7 +194,8 @@ std::optional<Numbers> Evaluator::Weights(const spec::Draw& draw, SourceMark mar
                      NumberText(weights.back())));
     return std::nullopt;
   }
-  if (HasNan(weights)) return std::nullopt;  // reported where it was computed
+  if (HasNan({weights.data(), weights.size()}))
+    return std::nullopt;  // reported where it was computed
   const std::string_view wrong = WhatIsWrong(std::vector<double>(weights.begin(), weights.end()));
   if (wrong.empty()) return weights;
   Fail(Code::kSampleBadArgument, mark, std::string(wrong));

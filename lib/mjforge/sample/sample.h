@@ -11,10 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -140,8 +138,9 @@ class Evaluator {
   /// The draw's value, rounded as it is; not finite if the draw fails.
   double Drawn(spec::Distribution distribution, std::span<const double> arguments,
                std::optional<Interval> limits, StreamId path) const;
-  Traced<double> NoteDraw(spec::Distribution distribution, const Numbers& arguments,
-                          const Numbers& limits, StreamId path, double value);
+  Traced<double> NoteDraw(spec::Distribution distribution,
+                          std::span<const Traced<double>> arguments, std::size_t count,
+                          StreamId path, double value);
   const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   /// The value of a record's column in the row of its key.
   const spec::Value& OfRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
