@@ -18,7 +18,8 @@ constexpr std::uint64_t kPrice = 4;
 constexpr char kMark = '\0';
 void AppendMark(std::string& out, double) { out += kMark; }
 
-// Those that differ in numbers only, in most records of a batch, and those before and after them.
+// Those that differ in numbers only, in most records of a batch, and those before and after them:
+// how many geoms there are may be drawn.
 struct Fields {
   std::span<const RecordField> before, alike, after;
 
@@ -28,7 +29,7 @@ struct Fields {
       return [key](const RecordField& field) { return field.key == key; };
     };
     const auto begin = std::ranges::find_if(all, is("spec"));
-    const auto end = std::ranges::find_if(all, is("validate")) + 1;
+    const auto end = std::ranges::find_if(all, is("horizontal_radius")) + 1;
     before = {all.begin(), begin};
     alike = {begin, end};
     after = {end, all.end()};

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <map>
 #include <utility>
 
@@ -34,9 +33,7 @@ void Form::Fill(std::uint64_t index, MjcfDocument& document) {
     const char* const begin = out;
     if (first_[i] < i) {
       const auto [first, end] = filled_[first_[i]];
-      // As many bytes as a number may have: that takes less than copying as many as it has.
-      std::memmove(out, text.data() + first, expr::kLongestNumber);
-      out += end - first;
+      write(text.data() + first, end - first);
     } else if (slot.number == nullptr) {
       out = std::to_chars(out, out + expr::kLongestNumber, index).ptr;
     } else {
