@@ -31,7 +31,4 @@ struct RecordField {
 /// In the order of a line.
 std::span<const RecordField> RecordFields();
 
-/// Writes some of them, which follow each other, as members of the object at hand.
-void WriteMembers(diag::Json& json, std::span<const RecordField> fields, const Record& record);
-
 }  // namespace mjforge::manifest

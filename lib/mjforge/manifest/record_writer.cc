@@ -18,6 +18,14 @@ constexpr std::uint64_t kPrice = 4;
 constexpr char kMark = '\0';
 void AppendMark(std::string& out, double) { out += kMark; }
 
+void WriteMembers(diag::Json& json, std::span<const RecordField> fields, const Record& record) {
+  for (const RecordField& field : fields) {
+    if (field.is_absent != nullptr && field.is_absent(record)) continue;
+    json.Key(field.key);
+    field.write(json, record);
+  }
+}
+
 // Those that differ in numbers only, in most records of a batch, and those before and after them:
 // how many geoms there are may be drawn.
 struct Fields {
@@ -39,6 +47,19 @@ struct Fields {
 const Fields& AllFields() {
   static const Fields kFields;
   return kFields;
+}
+
+// Appends a line; `write_alike` writes the fields that are alike.
+template <typename WriteAlike>
+void AppendLine(std::string& out, const Record& record, WriteAlike write_alike) {
+  diag::Json json(expr::AppendExactNumber, std::move(out));
+  json.StartObject();
+  WriteMembers(json, AllFields().before, record);
+  write_alike(json);
+  WriteMembers(json, AllFields().after, record);
+  json.EndObject();
+  out = json.Take();
+  out += '\n';
 }
 
 bool AreSame(double a, double b) {  // -0 is not 0
@@ -96,7 +117,7 @@ RecordWriter::Form::Form(const Record& record, std::span<const double> numbers) 
     from = mark + 1;
   }
   std::erase(text_, kMark);
-  filled_.resize(text_.size() + expr::kLongestNumber * (slots_.size() + 1));
+  filled_.resize(text_.size() + expr::kLongestNumber * slots_.size());
 }
 
 std::string_view RecordWriter::Form::Fill(std::span<const double> numbers) {
@@ -116,9 +137,7 @@ std::string_view RecordWriter::Form::Fill(std::span<const double> numbers) {
         Spell(slot, numbers[i]);
       }
     }
-    // All of it: that takes less than looking at its size.
-    std::ranges::copy(slot.spelled, out);
-    out += slot.size;
+    out = std::copy_n(slot.spelled.data(), slot.size, out);
   }
   out = std::copy(from, std::as_const(text_).data() + text_.size(), out);
   return {filled_.data(), out};
@@ -150,14 +169,11 @@ RecordWriter::Form* RecordWriter::FormOf(const Record& record) {
 void RecordWriter::Append(std::string& out, const Record& record) {
   Form* const form = FormOf(record);
   if (form == nullptr) return AppendRecord(out, record);
-  diag::Json json(expr::AppendExactNumber, std::move(out));
-  json.StartObject();
-  WriteMembers(json, AllFields().before, record);
-  json.Raw(form->Fill(numbers_));
-  WriteMembers(json, AllFields().after, record);
-  json.EndObject();
-  out = json.Take();
-  out += '\n';
+  AppendLine(out, record, [&](diag::Json& json) { json.Raw(form->Fill(numbers_)); });
+}
+
+void AppendRecord(std::string& out, const Record& record) {
+  AppendLine(out, record, [&](diag::Json& json) { WriteMembers(json, AllFields().alike, record); });
 }
 
 }  // namespace mjforge::manifest
