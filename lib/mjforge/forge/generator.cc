@@ -114,7 +114,10 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   manifest::Record& record = variant.record;
   const spec::ObjectSpec& spec = *recipe_.spec;
   const sample::DrawKey key = {options_.seed, index, attempt};
-  if (!values_) values_.emplace(spec, key, sample::kRootStream, variant.findings, &sampler_);
+  if (!values_) {
+    values_.emplace(spec, key, sample::kRootStream, variant.findings, &sampler_);
+    if (moulds_) values_->NoteParameters();
+  }
   if (!values_->Sample(key, {}, variant.findings)) {
     record.params.clear();
     // Where a thousand draws met no requirement, more of them will not either.

@@ -58,6 +58,7 @@ std::shared_ptr<sample::Evaluator> Assembly::SampleNested(Scope& scope, const sp
                                                     findings_, scope.values.sampler());
   if (!nested->Sample(scope.values.key(), overrides.values(), findings_)) return nullptr;
   if (tape::Tape* tape = scope.values.tape()) {
+    nested->NoteParameters();
     nested->NoteOn(*tape, [&](std::string_view parameter) { return overrides.Varies(parameter); });
     tape->Add([nested, &outer = scope.values, overrides]() mutable {
       diag::Findings findings;  // whatever they say, the variant goes another way

@@ -56,6 +56,28 @@ class Arguments {
   bool has_limits_;
 };
 
+// A draw whose arguments are known.
+class Known {
+ public:
+  Known(Distribution distribution, const Arguments& arguments)
+      : Known(distribution, arguments,
+              Support(distribution, arguments.numbers(), arguments.limits())) {}
+
+  // Rounded as it is; not finite if the draw fails.
+  double At(double u) const {
+    const double value = Quantile(distribution_, arguments_.numbers(), arguments_.limits(), u);
+    return IsRounded(distribution_) ? round_(value) : value;
+  }
+
+ private:
+  Known(Distribution distribution, const Arguments& arguments, Interval support)
+      : distribution_(distribution), arguments_(arguments), round_(support.lo, support.hi) {}
+
+  Distribution distribution_;
+  Arguments arguments_;
+  Rounding round_;
+};
+
 std::string_view WhatIsWrong(std::span<const double> weights) {
   if (weights.empty()) return {};
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -92,7 +114,7 @@ Traced<double> Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, St
         empty ? Code::kSampleEmptyRange : Code::kSampleBadArgument, mark, std::move(*wrong),
         empty ? "write the lower end first, or keep the ends apart with min() and max()" : "");
   }
-  const double value = Drawn(draw.distribution, plain.numbers(), plain.limits(), path);
+  const double value = Known(draw.distribution, plain).At(Uniforms(path)[0]);
   if (!std::isfinite(value)) {
     return Fail(Code::kSampleBadArgument, mark,
                 fmt::format("'{}' drew a value that is not finite", Info(draw.distribution).key));
@@ -101,27 +123,27 @@ Traced<double> Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, St
   return NoteDraw(draw.distribution, all, count, path, value);
 }
 
-double Evaluator::Drawn(Distribution distribution, std::span<const double> arguments,
-                        std::optional<Interval> limits, StreamId path) const {
-  const double value = Quantile(distribution, arguments, limits, Uniforms(path)[0]);
-  if (!std::isfinite(value) || !IsRounded(distribution)) return value;
-  const Interval support = Support(distribution, arguments, limits);
-  return RoundDraw(value, support.lo, support.hi);
-}
-
 // The first `count` are arguments, the others limits.
 Traced<double> Evaluator::NoteDraw(Distribution distribution,
                                    std::span<const Traced<double>> arguments, std::size_t count,
                                    StreamId path, double value) {
   tape::Tape& tape = notes_->tape;
   double& at = tape.Keep(value);
+  if (std::ranges::all_of(arguments, [](const auto& number) { return number.at() == nullptr; })) {
+    const Arguments plain(arguments, count, [](const auto& number) { return number.value(); });
+    tape.Add([this, path, &at, known = Known(distribution, plain)] {
+      at = known.At(Uniforms(path)[0]);
+      return std::isfinite(at);
+    });
+    return {value, tape, at};
+  }
   std::vector<const double*> places;
   places.reserve(arguments.size());
-  for (const Traced<double>& number : arguments) places.push_back(&PlaceOf(tape, number));
+  for (const Traced<double>& number : arguments) places.push_back(&tape::PlaceOf(tape, number));
   tape.Add([this, distribution, path, &at, places = tape.KeepAll(places), count] {
     const Arguments plain(places, count, [](const double* place) { return *place; });
     if (CheckArguments(distribution, plain.numbers(), plain.limits())) return false;
-    at = Drawn(distribution, plain.numbers(), plain.limits(), path);
+    at = Known(distribution, plain).At(Uniforms(path)[0]);
     return std::isfinite(at);
   });
   return {value, tape, at};
@@ -150,7 +172,7 @@ const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, St
     std::vector<const double*> places;
     for (const Traced<double>& weight : *weights) {
       vary |= weight.tape() != nullptr;
-      places.push_back(&PlaceOf(tape, weight));
+      places.push_back(&tape::PlaceOf(tape, weight));
     }
     const auto test = [this, &draw, path, option, places = tape.KeepAll(places)] {
       std::vector<double> numbers;

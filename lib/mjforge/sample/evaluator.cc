@@ -95,7 +95,7 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   std::vector<Input> inputs;
   for (const expr::Expression::Input& input : expression.inputs()) {
     const auto slot = static_cast<std::size_t>(input.slot);
-    const double* place = places[slot];
+    const double* place = PlaceOf(slot);
     varies |= place != nullptr;
     of_parameters &= place == &variables_[slot];
     inputs.emplace_back(place, place ? 0 : std::bit_cast<std::uint64_t>(variables_[slot]));
@@ -105,8 +105,15 @@ Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, dou
   if (noted != nullptr) return {value, tape, *noted};
   double& at = tape.Keep(value);
   noted = &at;
-  if (of_parameters) early[&at] = &expression;
-  tape.Add([this, &expression, &at, &all = all, inputs = tape.KeepAll(inputs)] {
+  if (of_parameters) {
+    early[&at] = &expression;
+    tape.Add([this, &expression, &at] {
+      at = expression.Evaluate(variables_, lists_);
+      return std::isfinite(at);
+    });
+    return {value, tape, at};
+  }
+  tape.Add([this, &expression, &at, &all = *all, inputs = tape.KeepAll(inputs)] {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const auto& [place, bits] = inputs[i];
       all[static_cast<std::size_t>(expression.inputs()[i].slot)] =
@@ -162,7 +169,7 @@ void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_vi
   std::vector<double>& inputs = tape.Keep(std::vector<double>(variables_.size()));
   notes_ = std::make_unique<Notes>(Notes{.tape = tape,
                                          .is_sampled_first = false,
-                                         .inputs = inputs,
+                                         .inputs = &inputs,
                                          .places = std::vector<const double*>(variables_.size())});
   std::vector<const double*>& places = notes_->places;
   if (!places.empty()) places[0] = &variables_[0];
@@ -179,10 +186,16 @@ void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_vi
   }
 }
 
+const double* Evaluator::PlaceOf(std::size_t slot) const {
+  if (!notes_) return nullptr;
+  return notes_->places.empty() ? &variables_[slot] : notes_->places[slot];
+}
+
 Traced<double> Evaluator::Variable(int slot) const {
   const auto i = static_cast<std::size_t>(slot);
-  if (!notes_ || notes_->places[i] == nullptr) return variables_[i];
-  return {variables_[i], notes_->tape, *notes_->places[i]};
+  const double* place = PlaceOf(i);
+  if (place == nullptr) return variables_[i];
+  return {variables_[i], notes_->tape, *place};
 }
 
 void Evaluator::SetVariable(int slot, const Traced<double>& value) {

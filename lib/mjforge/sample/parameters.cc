@@ -86,24 +86,55 @@ void Evaluator::SetList(const spec::Parameter& parameter, std::vector<double> nu
   list_texts_[list] = std::move(texts);
 }
 
-void Evaluator::DrawParameter(const spec::Parameter& parameter, StreamId path) {
+void Evaluator::DrawParameter(std::size_t i) {
+  const spec::Parameter& parameter = spec_.parameters[i];
   const spec::Value& value = parameter.value;
   if (const auto* shared = std::get_if<spec::SharedParameter>(&value.form)) {
     SetParameter(parameter, shared_[shared->file].Parameter(shared->position));
   } else if (value.is_list) {
-    Items items = List(value, path);
+    Items items = List(value, streams_[i]);
     SetList(parameter, {items.numbers.begin(), items.numbers.end()}, std::move(items.texts));
   } else if (value.type == Type::kText) {
-    texts_[Slot(parameter)] = Text(value, path);
+    texts_[Slot(parameter)] = Text(value, streams_[i]);
     variables_[Slot(parameter)] = expr::TextKey(texts_[Slot(parameter)]);
-  } else if (IsVector(value)) {
-    Numbers components;
-    AppendVector(value, path, components);
-    const boost::container::small_vector<double, 6> plain(components.begin(), components.end());
+  } else if (steps_.empty()) {
+    DrawNumbers(i);
+  } else if (steps_[i] == nullptr) {
+    NoteSteps(i);
+  } else if (!steps_[i]->tape.Run()) {
+    DrawNumbers(i);
+  } else {
+    std::ranges::transform(steps_[i]->results, variables_.begin() + parameter.slot,
+                           [](const double* result) { return *result; });
+  }
+}
+
+Numbers Evaluator::DrawNumbers(std::size_t i) {
+  const spec::Parameter& parameter = spec_.parameters[i];
+  Numbers numbers;
+  AppendVector(parameter.value, streams_[i], numbers);
+  if (IsVector(parameter.value)) {
+    const boost::container::small_vector<double, 6> plain(numbers.begin(), numbers.end());
     SetComponents(parameter, {plain.data(), plain.size()});
   } else {
-    variables_[Slot(parameter)] = Number(value, path);
+    variables_[Slot(parameter)] = numbers.front();
   }
+  return numbers;
+}
+
+void Evaluator::NoteSteps(std::size_t i) {
+  auto steps = std::make_unique<Steps>();
+  notes_ = std::make_unique<Notes>(Notes{.tape = steps->tape, .is_sampled_first = true});
+  for (const Traced<double>& number : DrawNumbers(i))
+    steps->results.push_back(&tape::PlaceOf(steps->tape, number));
+  notes_.reset();
+  steps->tape.Close();
+  if (!failed_) steps_[i] = std::move(steps);
+}
+
+void Evaluator::NoteParameters() {
+  steps_.resize(spec_.parameters.size());
+  for (Evaluator& shared : shared_) shared.NoteParameters();
 }
 
 void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterValue& value) {
@@ -164,7 +195,7 @@ bool Evaluator::SampleParameters(Overrides overrides) {
     if (given != overrides.end()) {
       SetParameter(parameter, given->second);
     } else {
-      DrawParameter(parameter, streams_[i]);
+      DrawParameter(i);
     }
   }
   if (failed_) return false;

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "mjforge/sample/distributions.h"
-#include "mjforge/sample/sample.h"
+#include "mjforge/sample/values.h"
 
 namespace mjforge::sample {
 namespace {
@@ -16,12 +17,9 @@ constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4
 // Bounds such as 0.03 - 0.02 are a hair off a power of ten; that is no reason for one more digit.
 constexpr double kLogTolerance = 1e-9;
 
-// Decimal places that leave six digits of `value`, more if the range is narrow.
-int DecimalPlaces(double exponent, double width) {
-  const double for_value = kSignificantDigits - 1 - exponent;
-  if (!std::isfinite(width)) return static_cast<int>(for_value);
-  const double for_width = std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
-  return static_cast<int>(std::max(for_value, for_width));
+double PlacesFor(double width) {
+  if (!std::isfinite(width)) return -std::numeric_limits<double>::infinity();
+  return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
 }
 
 // Whole multiples of 10^-places. Both operands of the last step are exact, so
@@ -47,17 +45,19 @@ double RoundByText(double value, int digits) {
 
 }  // namespace
 
-double RoundDraw(double value, double lo, double hi) {
+Rounding::Rounding(double lo, double hi) : lo_(lo), hi_(hi), places_(PlacesFor(hi - lo)) {}
+
+double Rounding::operator()(double value) const {
   if (!std::isfinite(value)) return value;
-  if (value <= lo) return lo;
-  if (value >= hi) return hi;
+  if (value <= lo_) return lo_;
+  if (value >= hi_) return hi_;
   if (value == 0) return 0;
   const double exponent = std::floor(std::log10(std::abs(value)));
-  const int places = DecimalPlaces(exponent, hi - lo);
+  const int places = static_cast<int>(std::max(kSignificantDigits - 1 - exponent, places_));
   const double rounded = std::abs(places) <= kMaxExactPower
                              ? RoundByScaling(value, places)
                              : RoundByText(value, places + static_cast<int>(exponent));
-  return std::clamp(rounded, lo, hi) + 0.0;  // + 0.0: no negative zero
+  return std::clamp(rounded, lo_, hi_) + 0.0;  // + 0.0: no negative zero
 }
 
 }  // namespace mjforge::sample

@@ -28,13 +28,6 @@
 
 namespace mjforge::sample {
 
-/// `value` rounded to 6 significant digits, never coarser than a millionth of
-/// hi - lo, never outside [lo, hi]. Infinite bounds mean "no bound".
-double RoundDraw(double value, double lo, double hi);
-
-class Attempts;
-struct Interval;  // distributions.h
-
 /// Evaluates the values of one spec for one variant, in the scope of that spec's names. Errors are
 /// added to the findings and make the result useless; then `failed()` is true. Without a sampler
 /// everything is drawn at random; a sampler must outlive the evaluator.
@@ -56,6 +49,9 @@ class Evaluator {
   /// kMaxAttempts or a draw fails.
   bool Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings);
 
+  /// From now on parameters are interpreted once: later variants take the same steps, as with a
+  /// mould. The evaluator must not move.
+  void NoteParameters();
   /// Until the next Sample(), values are noted on the tape: what is drawn, and what is computed
   /// from it. To run the tape, call Sample first, with another key; the evaluator must not move.
   void NoteOn(tape::Tape& tape);
@@ -112,7 +108,11 @@ class Evaluator {
   /// Draws the parameters of imported files. False after a finding.
   bool SampleShared(Overrides overrides);
   bool Holds(const spec::Requirement& requirement);
-  void DrawParameter(const spec::Parameter& parameter, StreamId path);
+  void DrawParameter(std::size_t i);
+  /// Of one that is a number or a vector.
+  Numbers DrawNumbers(std::size_t i);
+  /// Draws it, and keeps the steps for the variants to come.
+  void NoteSteps(std::size_t i);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
   void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
   void SetList(const spec::Parameter& parameter, std::vector<double> numbers,
@@ -127,6 +127,7 @@ class Evaluator {
   /// The numbers 0 to count - 1 in random order.
   std::vector<std::size_t> Order(std::size_t count, StreamId path) const;
   Traced<double> Variable(int slot) const;
+  const double* PlaceOf(std::size_t slot) const;
   Traced<double> EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
   Traced<double> NoteExpression(const expr::Expression& expression, double value);
   /// Notes a test: other variants must have a number for which it is true.
@@ -135,9 +136,6 @@ class Evaluator {
   bool IsTrue(const Traced<double>& number);
   double Fixed(const Traced<double>& number);
   Traced<double> DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  /// The draw's value, rounded as it is; not finite if the draw fails.
-  double Drawn(spec::Distribution distribution, std::span<const double> arguments,
-               std::optional<Interval> limits, StreamId path) const;
   Traced<double> NoteDraw(spec::Distribution distribution,
                           std::span<const Traced<double>> arguments, std::size_t count,
                           StreamId path, double value);
@@ -180,7 +178,9 @@ class Evaluator {
   std::vector<expr::Sequence> lists_;
   std::vector<std::vector<std::string>> list_texts_;  // of the lists of texts
   std::vector<StreamId> streams_;                     // by parameter
-  std::vector<Evaluator> shared_;                     // of the specs of spec_.shared
+  struct Steps;
+  std::vector<std::unique_ptr<Steps>> steps_;  // by parameter; empty: they are not noted
+  std::vector<Evaluator> shared_;              // of the specs of spec_.shared
   bool failed_ = false;
   int rejected_by_ = -1;
 
