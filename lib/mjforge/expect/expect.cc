@@ -125,25 +125,20 @@ class Checker {
         other = &b;
       }
     }
-    const std::string of = PartsText(*nearest, *other);
     const auto& [kind, a, b, min, max, positions, doc, mark] = *expectation_;
-    const bool too_near = min && gap < *min - kRounding;
-    const int digits = min || max ? DigitsFor(gap, too_near || !max ? *min : *max) : kDigits;
+    const bool too_near = min ? gap < *min - kRounding : kind == Kind::kApart && gap < -kTolerance;
+    const bool too_far = max ? gap > *max + kRounding : kind == Kind::kTouch && gap > kTolerance;
+    if (!too_near && !too_far) return;
+    const auto& bound = too_near ? min : max;
+    const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
+    const std::string must =
+        bound ? fmt::format("be at {} {} apart", too_near ? "least" : "most", Asked(*bound, digits))
+              : (too_near ? "not be in each other" : "touch");
     const bool touch = std::abs(gap) < (kind == Kind::kGap ? kRounding : kTolerance);
     const std::string is =
         touch ? std::string("touching")
               : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
-    if (kind == Kind::kTouch && gap > kTolerance)
-      Report(fmt::format("{} must touch, but are {}{}", Both(), is, of));
-    if (kind == Kind::kApart && gap < -kTolerance)
-      Report(fmt::format("{} must not be in each other, but are {}{}", Both(), is, of));
-    if (kind != Kind::kGap) return;
-    if (too_near)
-      Report(fmt::format("{} must be at least {} apart, but are {}{}", Both(), Asked(*min, digits),
-                         is, of));
-    if (max && gap > *max + kRounding)
-      Report(fmt::format("{} must be at most {} apart, but are {}{}", Both(), Asked(*max, digits),
-                         is, of));
+    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is, PartsText(*nearest, *other)));
   }
 
   // Of the boxes around them: no more than that of the solids, if they do not overlap.
