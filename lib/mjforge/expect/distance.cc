@@ -26,23 +26,37 @@ struct Simplex {
 
 // The point of the hull of some corners that is nearest to the origin, if it is inside of it and
 // not in the hull of fewer.
+template <int kEdges>
 std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d& first = simplex.corners[0];
-  if (simplex.count == 1) return first;
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, simplex.count - 1);
-  for (int i = 1; i < simplex.count; ++i)
-    edges.col(i - 1) = simplex.corners[static_cast<std::size_t>(i)] - first;
-  const Eigen::VectorXd weights = edges.colPivHouseholderQr().solve(-first);
+  Eigen::Matrix<double, 3, kEdges> edges;
+  for (int i = 0; i < kEdges; ++i)
+    edges.col(i) = simplex.corners[static_cast<std::size_t>(i) + 1] - first;
+  const Eigen::Matrix<double, kEdges, 1> weights = edges.colPivHouseholderQr().solve(-first);
   if (!weights.allFinite() || weights.minCoeff() < 0 || weights.sum() > 1) return std::nullopt;
   return first + edges * weights;
 }
 
-// Keeps the corners that the point nearest to the origin depends on.
+std::optional<Vector3d> NearestInside(const Simplex& simplex) {
+  switch (simplex.count) {
+    case 1:
+      return simplex.corners[0];
+    case 2:
+      return NearestInside<1>(simplex);
+    case 3:
+      return NearestInside<2>(simplex);
+    default:
+      return NearestInside<3>(simplex);
+  }
+}
+
+// Keeps the corners that the point nearest to the origin depends on. The last one, which is new, is
+// among them.
 Vector3d Reduce(Simplex& simplex) {
   double least = std::numeric_limits<double>::infinity();
   Vector3d nearest = Vector3d::Zero();
   Simplex best;
-  for (int subset = 1; subset < 1 << simplex.count; ++subset) {
+  for (int subset = 1 << (simplex.count - 1); subset < 1 << simplex.count; ++subset) {
     Simplex some;
     for (int i = 0; i < simplex.count; ++i) {
       if ((subset >> i & 1) != 0)
@@ -85,10 +99,12 @@ Vector3d NearestToOrigin(Farthest farthest, double size) {
 }
 
 double SizeOf(std::span<const Solid> solids) {
-  model::Box3 box;
-  for (const Solid& solid : solids) box.Add(model::BoundsOf(solid.part->shape, solid.X_WG));
-  return (box.max.value() - box.min.value()).norm();
+  Eigen::AlignedBox3d box;
+  for (const Solid& solid : solids) box.extend(solid.box_W);
+  return box.diagonal().norm();
 }
+
+Eigen::AlignedBox3d BoxOf(const model::Box3& box) { return {box.min.value(), box.max.value()}; }
 
 // A sphere is a point and all within its radius, a capsule a segment.
 double RadiusOf(const Solid& solid) {
@@ -186,9 +202,12 @@ class Overlapping {
 
 }  // namespace
 
+Solid::Solid(const model::Part* of, const model::Pose& X)
+    : part(of), X_WG(X), box_W(BoxOf(model::BoundsOf(of->shape, X))) {}
+
 Vector3d FarthestPoint(const Solid& solid, const Vector3d& direction_W) {
-  const auto& [part, X_WG] = solid;
-  return X_WG * model::SupportPoint(part->shape, X_WG.q.value().conjugate() * direction_W);
+  const Eigen::Quaterniond& q_WG = solid.X_WG.q;
+  return solid.X_WG * model::SupportPoint(solid.part->shape, q_WG.conjugate() * direction_W);
 }
 
 Vector3d FarthestPoint(std::span<const Solid> solids, const Vector3d& direction_W) {

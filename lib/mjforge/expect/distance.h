@@ -4,14 +4,19 @@
 
 #include <span>
 
+#include <Eigen/Geometry>
+
 #include "mjforge/model/model.h"
 
 namespace mjforge::expect {
 
 /// A shape somewhere in the world W.
 struct Solid {
-  const model::Part* part = nullptr;
+  Solid(const model::Part* part, const model::Pose& X_WG);
+
+  const model::Part* part;
   model::Pose X_WG;
+  Eigen::AlignedBox3d box_W;  // around it
 };
 
 /// A point of the solid that is farthest in a direction.

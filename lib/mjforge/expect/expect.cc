@@ -93,7 +93,7 @@ class Checker {
       for (const model::Part& part : object_.bodies[i].parts) {
         if (is_part && part.name != name && part.piece_of != name) continue;
         if (!is_part && others.size() == 1 && others.front().part == &part) continue;
-        all.push_back({&part, poses_[i] * part.X_BG});
+        all.emplace_back(&part, poses_[i] * part.X_BG);
         if (part.role != model::Role::kVisual) collide.push_back(all.back());
       }
     }
@@ -112,23 +112,26 @@ class Checker {
   }
 
   void CheckGap(const Solids& first, const Solids& second) {
-    double gap = std::numeric_limits<double>::infinity();
-    const Solid* nearest = nullptr;
-    const Solid* other = nullptr;
-    for (const Solid& a : first) {
-      for (const Solid& b : second) {
-        if (LeastDistance(a, b) >= gap) continue;
-        const double distance = SignedDistance(a, b);
-        if (distance >= gap) continue;
-        gap = distance;
-        nearest = &a;
-        other = &b;
-      }
-    }
     const auto& [kind, a, b, min, max, positions, doc, mark] = *expectation_;
-    const bool too_near = min ? gap < *min - kRounding : kind == Kind::kApart && gap < -kTolerance;
-    const bool too_far = max ? gap > *max + kRounding : kind == Kind::kTouch && gap > kTolerance;
-    if (!too_near && !too_far) return;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double least = min                    ? min->value() - kRounding
+                         : kind == Kind::kApart ? -kTolerance
+                                                : -kInfinity;
+    const double most = max                    ? max->value() + kRounding
+                        : kind == Kind::kTouch ? kTolerance
+                                               : kInfinity;
+    double gap = kInfinity;
+    Pair nearest;
+    for (const Pair& pair : PairsOf(first, second)) {
+      // The others are as far apart, or farther.
+      if (pair.least >= gap || (pair.least >= least && gap <= most)) break;
+      const double distance = SignedDistance(*pair.a, *pair.b);
+      if (distance >= gap) continue;
+      gap = distance;
+      nearest = pair;
+    }
+    const bool too_near = gap < least;
+    if (!too_near && gap <= most) return;
     const auto& bound = too_near ? min : max;
     const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
     const std::string must =
@@ -138,17 +141,28 @@ class Checker {
     const std::string is =
         touch ? std::string("touching")
               : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
-    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is, PartsText(*nearest, *other)));
+    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is,
+                       PartsText(*nearest.a, *nearest.b)));
   }
 
-  // Of the boxes around them: no more than that of the solids, if they do not overlap.
-  static double LeastDistance(const Solid& a, const Solid& b) {
-    const model::Box3 box_a = model::BoundsOf(a.part->shape, a.X_WG);
-    const model::Box3 box_b = model::BoundsOf(b.part->shape, b.X_WG);
-    const Vector3d between =
-        (box_a.min.value() - box_b.max.value()).cwiseMax(box_b.min.value() - box_a.max.value());
-    return between.maxCoeff() > 0 ? between.cwiseMax(0).norm()
-                                  : -std::numeric_limits<double>::infinity();
+  struct Pair {
+    const Solid* a = nullptr;
+    const Solid* b = nullptr;
+    /// Of the boxes around them: no more than that of the solids, if they do not overlap.
+    double least = 0;
+  };
+
+  // The nearest boxes first.
+  static std::vector<Pair> PairsOf(const Solids& first, const Solids& second) {
+    std::vector<Pair> pairs;
+    for (const Solid& a : first) {
+      for (const Solid& b : second) {
+        const double apart = a.box_W.exteriorDistance(b.box_W);
+        pairs.push_back({&a, &b, apart > 0 ? apart : -std::numeric_limits<double>::infinity()});
+      }
+    }
+    std::ranges::stable_sort(pairs, {}, &Pair::least);
+    return pairs;
   }
 
   void CheckInside(const Solids& first, const Solids& second) {
