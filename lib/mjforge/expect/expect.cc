@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <queue>
 #include <string_view>
 #include <vector>
 
@@ -122,7 +123,8 @@ class Checker {
                                                : kInfinity;
     double gap = kInfinity;
     Pair nearest;
-    for (const Pair& pair : PairsOf(first, second)) {
+    for (Pairs pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {
+      const Pair pair = pairs.top();
       // The others are as far apart, or farther.
       if (pair.least >= gap || (pair.least >= least && gap <= most)) break;
       const double distance = SignedDistance(*pair.a, *pair.b);
@@ -146,23 +148,25 @@ class Checker {
   }
 
   struct Pair {
+    // The distance of the boxes around them: no more than that of the solids. Less than all if the
+    // boxes overlap.
+    double least = 0;
     const Solid* a = nullptr;
     const Solid* b = nullptr;
-    /// Of the boxes around them: no more than that of the solids, if they do not overlap.
-    double least = 0;
-  };
 
-  // The nearest boxes first.
-  static std::vector<Pair> PairsOf(const Solids& first, const Solids& second) {
+    auto operator<=>(const Pair&) const = default;
+  };
+  using Pairs = std::priority_queue<Pair, std::vector<Pair>, std::greater<>>;  // the least first
+
+  static Pairs PairsOf(const Solids& first, const Solids& second) {
     std::vector<Pair> pairs;
     for (const Solid& a : first) {
       for (const Solid& b : second) {
         const double apart = a.box_W.exteriorDistance(b.box_W);
-        pairs.push_back({&a, &b, apart > 0 ? apart : -std::numeric_limits<double>::infinity()});
+        pairs.push_back({apart > 0 ? apart : -std::numeric_limits<double>::infinity(), &a, &b});
       }
     }
-    std::ranges::stable_sort(pairs, {}, &Pair::least);
-    return pairs;
+    return Pairs(std::greater<>(), std::move(pairs));
   }
 
   void CheckInside(const Solids& first, const Solids& second) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -27,7 +28,7 @@ struct SolidInput {
   std::vector<Traced<double>> numbers;
   std::vector<std::vector<diag::SourceMark>> marks;  // of the points of each of its outlines
   bool turns_vary = false;  // the turns of its pieces depend on numbers that vary
-  std::function<std::optional<solid::Solid>(std::span<const double>, solid::Fault&)> make;
+  std::function<std::shared_ptr<const solid::Solid>(std::span<const double>, solid::Fault&)> make;
 };
 
 /// The factors of `scale`, that many; 1 without one. Nothing after a finding.
@@ -48,6 +49,7 @@ class Assets {
   /// returns its pieces, with their poses in the part's frame. `texture`: its coordinates.
   std::optional<std::vector<Part>> AddShape(FieldReader& reader, const spec::Field& field,
                                             const SolidInput& input, Part& part);
+  solid::Cache& solids() { return assembler_.solids(); }
   /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);
@@ -80,7 +82,7 @@ class Assets {
 
   void Report(const FieldReader& reader, const spec::Field& field, const SolidInput& input,
               const solid::Fault& fault);
-  std::vector<Part> AddSolid(const SolidInput& input, solid::Solid solid, Part& part);
+  std::vector<Part> AddSolid(const SolidInput& input, const solid::Solid& solid, Part& part);
   /// A mesh that is written as text; one without normals is a convex hull. `made` is the mesh on
   /// its tape, null if it is on none.
   void AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part);

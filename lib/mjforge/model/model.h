@@ -23,11 +23,12 @@
 #include "mjforge/model/meshes.h"
 #include "mjforge/model/object.h"
 #include "mjforge/sample/sample.h"
+#include "mjforge/solid/solid.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::model {
 
-/// Builds objects; keeps what variants share (files read).
+/// Builds objects; keeps what variants share (files read, solids made).
 class Assembler {
  public:
   struct Options {
@@ -64,11 +65,14 @@ class Assembler {
   const CachedTexture& ReadTexture(const std::filesystem::path& file);
 
   AttachmentSource* attachments() const { return attachments_; }
+  /// Tapes use it, too: the assembler must outlive them.
+  solid::Cache& solids() { return solids_; }
 
  private:
   AttachmentSource* attachments_;
   std::map<std::filesystem::path, CachedMesh> files_;
   std::map<std::filesystem::path, CachedTexture> textures_;
+  solid::Cache solids_;
 };
 
 }  // namespace mjforge::model

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "mjforge/model/assets.h"
-#include "mjforge/solid/solid.h"
 
 namespace mjforge::model {
 namespace {
@@ -28,7 +27,7 @@ struct Primitive {
 // A solid as its parts need it; what a tape's step fills again.
 struct Made {
   std::vector<TriangleMesh> meshes;  // what is seen, then each piece; of a primitive an empty one
-  std::vector<double> turns;         // rad, of all pieces
+  std::vector<std::vector<double>> turns;  // rad, of each piece
   std::vector<Primitive> primitives;
   solid::Mass mass;
 };
@@ -49,43 +48,53 @@ GeomType TypeOf(solid::Piece::Type type) {
   return GeomType::kMesh;
 }
 
-Made MadeOf(solid::Solid solid) {
+Made MadeOf(const solid::Solid& solid) {
+  const solid::Surface& look = solid.look;
   Made made;
   made.mass = solid.mass;
-  made.meshes.push_back({.vertices = std::move(solid.look.vertices),
-                         .triangles = std::move(solid.look.triangles),
-                         .normals = std::move(solid.look.normals),
-                         .texcoords = std::move(solid.look.texcoords),
-                         .in_micrometres = solid.look.in_micrometres});
-  for (solid::Piece& piece : solid.pieces) {
-    made.meshes.push_back(
-        {.vertices = std::move(piece.vertices), .triangles = std::move(piece.triangles)});
-    made.turns.insert(made.turns.end(), piece.turns.begin(), piece.turns.end());
+  made.meshes.push_back({.vertices = look.vertices,
+                         .triangles = look.triangles,
+                         .normals = look.normals,
+                         .texcoords = look.texcoords,
+                         .in_micrometres = look.in_micrometres});
+  for (const solid::Piece& piece : solid.pieces) {
+    made.meshes.push_back({.vertices = piece.vertices, .triangles = piece.triangles});
+    made.turns.push_back(piece.turns);
     if (piece.type != solid::Piece::Type::kMesh)
       made.primitives.push_back({TypeOf(piece.type), piece.size, piece.p, piece.q});
   }
   return made;
 }
 
-// Moves the numbers of `from` to the places of `to`; false if there are others.
-bool Refill(Made& from, Made& to) {
-  const auto is_same = [](const TriangleMesh& a, const TriangleMesh& b) {
-    return a.vertices.size() == b.vertices.size() && a.triangles == b.triangles &&
-           a.in_micrometres == b.in_micrometres;
-  };
-  if (from.turns.size() != to.turns.size()) return false;
-  if (!std::ranges::equal(from.primitives, to.primitives, {}, &Primitive::type, &Primitive::type))
-    return false;
-  if (!std::ranges::equal(from.meshes, to.meshes, is_same)) return false;
-  for (std::size_t i = 0; i < to.meshes.size(); ++i) {
-    to.meshes[i].vertices.swap(from.meshes[i].vertices);
-    to.meshes[i].normals.swap(from.meshes[i].normals);
-    to.meshes[i].texcoords.swap(from.meshes[i].texcoords);
-  }
-  std::ranges::copy(from.turns, to.turns.begin());
-  std::ranges::copy(from.primitives, to.primitives.begin());
-  to.mass = from.mass;
+// Into the same memory, whose places are known; false if there are more or fewer.
+template <typename T>
+bool Copy(const std::vector<T>& from, std::vector<T>& to) {
+  if (from.size() != to.size()) return false;
+  std::ranges::copy(from, to.begin());
   return true;
+}
+
+// Gives `to` the numbers of another solid; false if that has others.
+bool Refill(const solid::Solid& from, Made& to) {
+  const solid::Surface& look = from.look;
+  TriangleMesh& seen = to.meshes.front();
+  if (look.triangles != seen.triangles || look.in_micrometres != seen.in_micrometres ||
+      from.pieces.size() != to.turns.size() || !Copy(look.vertices, seen.vertices) ||
+      !Copy(look.normals, seen.normals) || !Copy(look.texcoords, seen.texcoords))
+    return false;
+  auto primitive = to.primitives.begin();
+  for (std::size_t i = 0; i < from.pieces.size(); ++i) {
+    const solid::Piece& piece = from.pieces[i];
+    TriangleMesh& mesh = to.meshes[i + 1];
+    if (piece.triangles != mesh.triangles || !Copy(piece.vertices, mesh.vertices) ||
+        !Copy(piece.turns, to.turns[i]))
+      return false;
+    if (piece.type == solid::Piece::Type::kMesh) continue;
+    if (primitive == to.primitives.end() || primitive->type != TypeOf(piece.type)) return false;
+    *primitive++ = {TypeOf(piece.type), piece.size, piece.p, piece.q};
+  }
+  to.mass = from.mass;
+  return primitive == to.primitives.end();
 }
 
 Pose TurnAboutZ(const Traced<double>& turn) {
@@ -111,10 +120,8 @@ Made& OnTape(tape::Tape& tape, const SolidInput& input, Made& made) {
     std::vector<double> numbers;
     for (const double* place : places) numbers.push_back(*place);
     solid::Fault fault;
-    std::optional<solid::Solid> again = make(numbers, fault);
-    if (!again) return false;
-    Made other = MadeOf(*std::move(again));
-    return Refill(other, at);
+    const std::shared_ptr<const solid::Solid> again = make(numbers, fault);
+    return again != nullptr && Refill(*again, at);
   });
   return at;
 }
@@ -139,18 +146,16 @@ void Place(const Primitive& made, const Primitive& at, tape::Tape* tape, Part& p
 
 }  // namespace
 
-std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, Part& part) {
-  std::vector<std::size_t> counts;
-  for (const solid::Piece& piece : solid.pieces) counts.push_back(piece.turns.size());
-  Made made = MadeOf(std::move(solid));
+std::vector<Part> Assets::AddSolid(const SolidInput& input, const solid::Solid& solid, Part& part) {
+  Made made = MadeOf(solid);
   tape::Tape* const tape = TapeOf(input);
   const Made& at = tape != nullptr ? OnTape(*tape, input, made) : made;
   const auto add_mesh = [&](std::size_t mesh, Part& to) {
     AddInline(made.meshes[mesh], tape != nullptr ? &at.meshes[mesh] : nullptr, to);
   };
   // A convex solid of one mesh is one geom, as MuJoCo's own are.
-  if (counts.empty() || made.meshes[0].vertices.empty()) {
-    add_mesh(counts.size(), part);
+  if (solid.pieces.empty() || made.meshes[0].vertices.empty()) {
+    add_mesh(solid.pieces.size(), part);
     return {};
   }
   part.solid = PropertiesOf(On(tape, made.mass, at.mass));
@@ -158,18 +163,17 @@ std::vector<Part> Assets::AddSolid(const SolidInput& input, solid::Solid solid, 
   if (part.role == Role::kVisual) return {};
   std::vector<Part> pieces;
   tape::Tape* const turns_tape = input.turns_vary ? tape : nullptr;
-  std::size_t turn = 0;
   std::size_t primitive = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
+  for (std::size_t i = 0; i < made.turns.size(); ++i) {
     Part piece;
     piece.piece_of = part.name;
     piece.mark = part.mark;
     const bool is_mesh = !made.meshes[i + 1].vertices.empty();
-    for (std::size_t k = 0; k < counts[i]; ++k, ++turn) {
+    for (std::size_t k = 0; k < made.turns[i].size(); ++k) {
       piece.name = fmt::format("{}_{}", part.name, pieces.size());
       if (is_mesh && k == 0) add_mesh(i + 1, piece);
       if (is_mesh) {
-        piece.X_BG = TurnAboutZ(On(turns_tape, made.turns[turn], at.turns[turn]));
+        piece.X_BG = TurnAboutZ(On(turns_tape, made.turns[i][k], at.turns[i][k]));
       } else {
         Place(made.primitives[primitive], at.primitives[primitive], tape, piece);
         ++primitive;
@@ -202,12 +206,12 @@ std::optional<std::vector<Part>> Assets::AddShape(FieldReader& reader, const spe
                                                   const SolidInput& input, Part& part) {
   const std::vector<double> numbers(input.numbers.begin(), input.numbers.end());
   solid::Fault fault;
-  std::optional<solid::Solid> solid = input.make(numbers, fault);
-  if (!solid) {
+  const std::shared_ptr<const solid::Solid> solid = input.make(numbers, fault);
+  if (solid == nullptr) {
     Report(reader, field, input, fault);
     return std::nullopt;
   }
-  std::vector<Part> pieces = AddSolid(input, *std::move(solid), part);
+  std::vector<Part> pieces = AddSolid(input, *solid, part);
   if (pieces.size() > kManyPieces) {
     findings_.Warn(Code::kModelBadShape, field.value.mark,
                    fmt::format("{} collides as {} pieces, more than {}", reader.Owner(),

@@ -9,13 +9,17 @@ namespace mjforge::model {
 namespace {
 
 using spec::Key;
-using Maker = std::function<std::optional<solid::Solid>(std::span<const double>, solid::Fault&)>;
+using SharedSolid = std::shared_ptr<const solid::Solid>;
+using Maker = std::function<SharedSolid(std::span<const double>, solid::Fault&)>;
 
 /// Collects the numbers of a shape, in the order in which its maker takes them.
 class SolidReader {
  public:
-  SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark)
-      : reader_(reader), entry_(entry), mark_(mark) {}
+  SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark, Assets& assets)
+      : reader_(reader), entry_(entry), mark_(mark), assets_(assets) {}
+
+  /// That makes it; outlives the tape.
+  solid::Cache& solids() const { return assets_.solids(); }
 
   const spec::Field* Find(Key key) const { return entry_.Find(key); }
 
@@ -92,10 +96,10 @@ class SolidReader {
     input_.turns_vary = input_.numbers[number].tape() != nullptr;
   }
 
-  std::optional<std::vector<Part>> Make(Maker make, Assets& assets, Part& part) {
+  std::optional<std::vector<Part>> Make(Maker make, Part& part) {
     if (!good_) return std::nullopt;
     input_.make = std::move(make);
-    return assets.AddShape(reader_, *field_, input_, part);
+    return assets_.AddShape(reader_, *field_, input_, part);
   }
 
  private:
@@ -115,6 +119,7 @@ class SolidReader {
   FieldReader& reader_;
   const spec::Entry& entry_;
   diag::SourceMark mark_;
+  Assets& assets_;
   SolidInput input_;
   const spec::Field* field_ = nullptr;  // what faults are told of
   bool good_ = true;
@@ -137,27 +142,28 @@ Maker LatheOf(SolidReader& read, const solid::Texture& texture) {
   lathe.facets = read.Integer(Key::kFacets, lathe.facets);
   lathe.texture = texture;
   read.AddPoints(Key::kProfile, "profile");
-  return [lathe, has_wall](std::span<const double> numbers, solid::Fault& fault) mutable {
+  return [lathe, has_wall, &solids = read.solids()](std::span<const double> numbers,
+                                                    solid::Fault& fault) mutable {
     if (has_wall) lathe.wall = numbers[0];
     lathe.angle = numbers[1];
     lathe.crease = numbers[2];
     lathe.profile = PointsIn(numbers.subspan(3));
-    return solid::Make(lathe, fault);
+    return solids.Make(lathe, fault);
   };
 }
 
 /// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
-std::optional<solid::Solid> PlainPrism(const solid::Prism& prism) {
-  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return std::nullopt;
+SharedSolid PlainPrism(const solid::Prism& prism) {
+  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return nullptr;
   std::vector<double> corners;
   for (const Eigen::Vector2d& p : prism.polygon) corners.insert(corners.end(), {p.x(), p.y()});
   std::string why_not;
   std::optional<TriangleMesh> mesh = MakePrism(corners, prism.height, why_not);
-  if (!mesh) return std::nullopt;
+  if (!mesh) return nullptr;
   solid::Solid plain;
   plain.pieces.push_back(
       {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
-  return plain;
+  return std::make_shared<const solid::Solid>(std::move(plain));
 }
 
 Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
@@ -171,7 +177,8 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
   prism.texture = texture;
   const std::vector<std::size_t> holes = read.AddOutlines(Key::kHoles);
   read.AddPoints(Key::kPolygon, "polygon");
-  return [prism, holes](std::span<const double> numbers, solid::Fault& fault) mutable {
+  return [prism, holes, &solids = read.solids()](std::span<const double> numbers,
+                                                 solid::Fault& fault) mutable {
     prism.height = numbers[0];
     prism.round = numbers[1];
     prism.bevel = numbers[2];
@@ -187,9 +194,9 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
     prism.holes.clear();
     for (const std::size_t count : holes) prism.holes.push_back(take(count));
     prism.polygon = take(left.size() / 2);
-    std::optional<solid::Solid> plain = PlainPrism(prism);
+    SharedSolid plain = PlainPrism(prism);
     if (plain && prism.texture.unit == solid::Texture::Unit::kNone) return plain;
-    std::optional<solid::Solid> whole = solid::Make(prism, fault);
+    SharedSolid whole = solids.Make(prism, fault);
     return whole ? whole : plain;
   };
 }
@@ -197,11 +204,11 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
 Maker HullOf(SolidReader& read, const solid::Texture& texture) {
   read.Add(Key::kRound, 0);
   read.AddPoints(Key::kPoints, "points");
-  return [texture](std::span<const double> numbers, solid::Fault& fault) {
+  return [texture, &solids = read.solids()](std::span<const double> numbers, solid::Fault& fault) {
     solid::Hull hull{.points = {}, .round = numbers[0], .texture = texture};
     for (std::size_t i = 1; i + 2 < numbers.size(); i += 3)
       hull.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    return solid::Make(hull, fault);
+    return solids.Make(hull, fault);
   };
 }
 
@@ -219,7 +226,8 @@ Maker TubeOf(SolidReader& read, const solid::Texture& texture) {
   const std::size_t per_point = read.AddPoints(Key::kPath, "path");
   if (per_point == 3) read.Require(Key::kRadius, "radius");
   if (per_point == 4) read.Refuse(Key::kRadius, "is what each point's fourth number is, too");
-  return [=](std::span<const double> numbers, solid::Fault& fault) mutable {
+  return [tube, has_wall, per_point, &solids = read.solids()](std::span<const double> numbers,
+                                                              solid::Fault& fault) mutable {
     if (has_wall) tube.wall = numbers[0];
     tube.bend = numbers[1];
     tube.crease = numbers[2];
@@ -229,7 +237,7 @@ Maker TubeOf(SolidReader& read, const solid::Texture& texture) {
       tube.path.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
       tube.radii.push_back(per_point == 4 ? numbers[i + 3] : numbers[3]);
     }
-    return solid::Make(tube, fault);
+    return solids.Make(tube, fault);
   };
 }
 
@@ -240,11 +248,12 @@ Maker BoxOf(SolidReader& read, const solid::Texture& texture,
   box.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
   read.Add(Key::kRound, 0);
   read.AddNumbers(Key::kSize, "size", 3, half_length);
-  return [box](std::span<const double> numbers, solid::Fault& fault) mutable {
-    box.round = numbers[0];
-    box.half = Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
-    return solid::Make(box, fault);
-  };
+  return
+      [box, &solids = read.solids()](std::span<const double> numbers, solid::Fault& fault) mutable {
+        box.round = numbers[0];
+        box.half = Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
+        return solids.Make(box, fault);
+      };
 }
 
 Maker CylinderOf(SolidReader& read, const solid::Texture& texture,
@@ -256,12 +265,13 @@ Maker CylinderOf(SolidReader& read, const solid::Texture& texture,
   read.Add(Key::kRound, 0);
   read.Add(Key::kCrease, cylinder.crease);
   read.AddNumbers(Key::kSize, "size", 2, half_length);
-  return [cylinder](std::span<const double> numbers, solid::Fault& fault) mutable {
+  return [cylinder, &solids = read.solids()](std::span<const double> numbers,
+                                             solid::Fault& fault) mutable {
     cylinder.round = numbers[0];
     cylinder.crease = numbers[1];
     cylinder.radius = numbers[2];
     cylinder.half = numbers[3];
-    return solid::Make(cylinder, fault);
+    return solids.Make(cylinder, fault);
   };
 }
 
@@ -277,14 +287,14 @@ std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entr
                                            const std::optional<Traced<double>>& half_length,
                                            const solid::Texture& texture, Assets& assets,
                                            Part& part) {
-  SolidReader read(reader, entry, part.mark);
+  SolidReader read(reader, entry, part.mark, assets);
   Maker maker = type == "lathe"   ? LatheOf(read, texture)
                 : type == "prism" ? PrismOf(read, texture)
                 : type == "tube"  ? TubeOf(read, texture)
                 : type == "hull"  ? HullOf(read, texture)
                 : type == "box"   ? BoxOf(read, texture, half_length)
                                   : CylinderOf(read, texture, half_length);
-  return read.Make(std::move(maker), assets, part);
+  return read.Make(std::move(maker), part);
 }
 
 }  // namespace mjforge::model

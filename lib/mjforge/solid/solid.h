@@ -5,9 +5,12 @@
 
 #include <array>
 #include <cstddef>
+#include <list>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -71,6 +74,8 @@ struct Texture {
   /// What the picture is repeated over: nothing, the surface once around and along it, or a length.
   Unit unit = Unit::kWhole;
   Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // around, along
+
+  bool operator==(const Texture&) const = default;
 };
 
 inline constexpr double kCrease = 40 * std::numbers::pi / 180;
@@ -86,6 +91,8 @@ struct Lathe {
   int facets = 16;
   double crease = kCrease;  // edges with a larger turn are sharp
   Texture texture = {};
+
+  bool operator==(const Lathe&) const = default;
 };
 std::optional<Solid> Make(const Lathe& lathe, Fault& fault);
 
@@ -99,6 +106,8 @@ struct Prism {
   int facets = 16;   // of rounded corners of the pieces, a whole turn
   double crease = kCrease;
   Texture texture = {};
+
+  bool operator==(const Prism&) const = default;
 };
 /// The pieces reach nowhere out of the solid. Those of bevelled prisms that are not convex leave
 /// the bevelled edges out.
@@ -116,6 +125,8 @@ struct Tube {
   int facets = 16;  // steps of what collides in a whole turn of an arc
   double crease = kCrease;
   Texture texture = {};
+
+  bool operator==(const Tube&) const = default;
 };
 /// In an arc of radius R the pieces reach out of the solid by at most R (1 - cos(pi / facets)).
 std::optional<Solid> Make(const Tube& tube, Fault& fault);
@@ -126,6 +137,8 @@ struct Hull {
   std::vector<Eigen::Vector3d> points;
   double round = 0;
   Texture texture = {};  // laid on from above, as MuJoCo lays one on a box
+
+  bool operator==(const Hull&) const = default;
 };
 std::optional<Solid> Make(const Hull& hull, Fault& fault);
 
@@ -135,6 +148,8 @@ struct RoundedBox {
   double round = 0;                                // less than half the smallest size
   bool piece_is_plain = false;
   Texture texture = {};  // laid on from above, as MuJoCo lays one on a box
+
+  bool operator==(const RoundedBox&) const = default;
 };
 std::optional<Solid> Make(const RoundedBox& box, Fault& fault);
 
@@ -146,7 +161,29 @@ struct RoundedCylinder {
   int facets = 16;
   double crease = kCrease;
   Texture texture = {};
+
+  bool operator==(const RoundedCylinder&) const = default;
 };
 std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault);
+
+using Shape = std::variant<Lathe, Prism, Tube, Hull, RoundedBox, RoundedCylinder>;
+
+/// Makes solids and keeps the last ones: parts that are alike ask for the same one, and so does
+/// each mould that is tried for a variant.
+class Cache {
+ public:
+  /// Null after a fault.
+  std::shared_ptr<const Solid> Make(const Shape& shape, Fault& fault);
+
+ private:
+  struct Entry {
+    Shape shape;
+    std::shared_ptr<const Solid> solid;
+    std::size_t bytes;
+  };
+
+  std::list<Entry> entries_;  // the one used last first
+  std::size_t bytes_ = 0;
+};
 
 }  // namespace mjforge::solid
