@@ -23,7 +23,7 @@ import seeds
 # what happened in MuJoCo is counted apart.
 WITH_MUJOCO = {"mjcf"}
 
-SMOKE_SECONDS = 10
+SMOKE_SECONDS = 6
 # A run that takes longer is a bug: no input is longer than this, and sanitizers cost tenfold.
 TIMEOUT_SECONDS = 20
 SLOW_MS = 300  # to begin with
