@@ -10,16 +10,38 @@ namespace {
 
 using spec::Key;
 using SharedSolid = std::shared_ptr<const solid::Solid>;
-using Maker = std::function<SharedSolid(std::span<const double>, solid::Fault&)>;
+using ShapeOf = std::function<solid::Shape(std::span<const double>)>;
 
-/// Collects the numbers of a shape, in the order in which its maker takes them.
+// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
+SharedSolid PlainPrism(const solid::Prism& prism) {
+  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return nullptr;
+  std::vector<double> corners;
+  for (const Eigen::Vector2d& p : prism.polygon) corners.insert(corners.end(), {p.x(), p.y()});
+  std::string why_not;
+  std::optional<TriangleMesh> mesh = MakePrism(corners, prism.height, why_not);
+  if (!mesh) return nullptr;
+  solid::Solid plain;
+  plain.pieces.push_back(
+      {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
+  return std::make_shared<const solid::Solid>(std::move(plain));
+}
+
+SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Fault& fault) {
+  if (const auto* prism = std::get_if<solid::Prism>(&shape)) {
+    if (SharedSolid plain = PlainPrism(*prism)) {
+      const bool has_texture = prism->texture.unit != solid::Texture::Unit::kNone;
+      SharedSolid whole = has_texture ? solids.Make(shape, fault) : nullptr;
+      return whole ? whole : plain;
+    }
+  }
+  return solids.Make(shape, fault);
+}
+
+/// Collects the numbers of a shape, in the order in which its function takes them.
 class SolidReader {
  public:
   SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark, Assets& assets)
       : reader_(reader), entry_(entry), mark_(mark), assets_(assets) {}
-
-  /// That makes it; outlives the tape.
-  solid::Cache& solids() const { return assets_.solids(); }
 
   const spec::Field* Find(Key key) const { return entry_.Find(key); }
 
@@ -96,9 +118,12 @@ class SolidReader {
     input_.turns_vary = input_.numbers[number].tape() != nullptr;
   }
 
-  std::optional<std::vector<Part>> Make(Maker make, Part& part) {
+  std::optional<std::vector<Part>> Make(ShapeOf shape_of, Part& part) {
     if (!good_) return std::nullopt;
-    input_.make = std::move(make);
+    input_.make = [shape_of = std::move(shape_of), &solids = assets_.solids()](
+                      std::span<const double> numbers, solid::Fault& fault) {
+      return SolidOf(shape_of(numbers), solids, fault);
+    };
     return assets_.AddShape(reader_, *field_, input_, part);
   }
 
@@ -132,7 +157,7 @@ std::vector<Eigen::Vector2d> PointsIn(std::span<const double> numbers) {
   return points;
 }
 
-Maker LatheOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf LatheOf(SolidReader& read, const solid::Texture& texture) {
   solid::Lathe lathe;
   const bool has_wall = read.Find(Key::kWall) != nullptr;
   read.Add(Key::kWall, 0);
@@ -142,31 +167,16 @@ Maker LatheOf(SolidReader& read, const solid::Texture& texture) {
   lathe.facets = read.Integer(Key::kFacets, lathe.facets);
   lathe.texture = texture;
   read.AddPoints(Key::kProfile, "profile");
-  return [lathe, has_wall, &solids = read.solids()](std::span<const double> numbers,
-                                                    solid::Fault& fault) mutable {
+  return [lathe, has_wall](std::span<const double> numbers) mutable {
     if (has_wall) lathe.wall = numbers[0];
     lathe.angle = numbers[1];
     lathe.crease = numbers[2];
     lathe.profile = PointsIn(numbers.subspan(3));
-    return solids.Make(lathe, fault);
+    return lathe;
   };
 }
 
-/// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
-SharedSolid PlainPrism(const solid::Prism& prism) {
-  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return nullptr;
-  std::vector<double> corners;
-  for (const Eigen::Vector2d& p : prism.polygon) corners.insert(corners.end(), {p.x(), p.y()});
-  std::string why_not;
-  std::optional<TriangleMesh> mesh = MakePrism(corners, prism.height, why_not);
-  if (!mesh) return nullptr;
-  solid::Solid plain;
-  plain.pieces.push_back(
-      {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
-  return std::make_shared<const solid::Solid>(std::move(plain));
-}
-
-Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf PrismOf(SolidReader& read, const solid::Texture& texture) {
   solid::Prism prism;
   read.AddNumbers(Key::kHeight, "height", 1);
   read.Add(Key::kRound, 0);
@@ -177,8 +187,7 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
   prism.texture = texture;
   const std::vector<std::size_t> holes = read.AddOutlines(Key::kHoles);
   read.AddPoints(Key::kPolygon, "polygon");
-  return [prism, holes, &solids = read.solids()](std::span<const double> numbers,
-                                                 solid::Fault& fault) mutable {
+  return [prism, holes](std::span<const double> numbers) mutable {
     prism.height = numbers[0];
     prism.round = numbers[1];
     prism.bevel = numbers[2];
@@ -194,25 +203,22 @@ Maker PrismOf(SolidReader& read, const solid::Texture& texture) {
     prism.holes.clear();
     for (const std::size_t count : holes) prism.holes.push_back(take(count));
     prism.polygon = take(left.size() / 2);
-    SharedSolid plain = PlainPrism(prism);
-    if (plain && prism.texture.unit == solid::Texture::Unit::kNone) return plain;
-    SharedSolid whole = solids.Make(prism, fault);
-    return whole ? whole : plain;
+    return prism;
   };
 }
 
-Maker HullOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf HullOf(SolidReader& read, const solid::Texture& texture) {
   read.Add(Key::kRound, 0);
   read.AddPoints(Key::kPoints, "points");
-  return [texture, &solids = read.solids()](std::span<const double> numbers, solid::Fault& fault) {
+  return [texture](std::span<const double> numbers) {
     solid::Hull hull{.points = {}, .round = numbers[0], .texture = texture};
     for (std::size_t i = 1; i + 2 < numbers.size(); i += 3)
       hull.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    return solids.Make(hull, fault);
+    return hull;
   };
 }
 
-Maker TubeOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf TubeOf(SolidReader& read, const solid::Texture& texture) {
   solid::Tube tube;
   const bool has_wall = read.Find(Key::kWall) != nullptr;
   tube.smooth = read.Flag(Key::kSmooth, false);
@@ -226,8 +232,7 @@ Maker TubeOf(SolidReader& read, const solid::Texture& texture) {
   const std::size_t per_point = read.AddPoints(Key::kPath, "path");
   if (per_point == 3) read.Require(Key::kRadius, "radius");
   if (per_point == 4) read.Refuse(Key::kRadius, "is what each point's fourth number is, too");
-  return [tube, has_wall, per_point, &solids = read.solids()](std::span<const double> numbers,
-                                                              solid::Fault& fault) mutable {
+  return [tube, has_wall, per_point](std::span<const double> numbers) mutable {
     if (has_wall) tube.wall = numbers[0];
     tube.bend = numbers[1];
     tube.crease = numbers[2];
@@ -237,27 +242,26 @@ Maker TubeOf(SolidReader& read, const solid::Texture& texture) {
       tube.path.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
       tube.radii.push_back(per_point == 4 ? numbers[i + 3] : numbers[3]);
     }
-    return solids.Make(tube, fault);
+    return tube;
   };
 }
 
-Maker BoxOf(SolidReader& read, const solid::Texture& texture,
-            const std::optional<Traced<double>>& half_length) {
+ShapeOf BoxOf(SolidReader& read, const solid::Texture& texture,
+              const std::optional<Traced<double>>& half_length) {
   solid::RoundedBox box;
   box.texture = texture;
   box.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
   read.Add(Key::kRound, 0);
   read.AddNumbers(Key::kSize, "size", 3, half_length);
-  return
-      [box, &solids = read.solids()](std::span<const double> numbers, solid::Fault& fault) mutable {
-        box.round = numbers[0];
-        box.half = Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
-        return solids.Make(box, fault);
-      };
+  return [box](std::span<const double> numbers) mutable {
+    box.round = numbers[0];
+    box.half = Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
+    return box;
+  };
 }
 
-Maker CylinderOf(SolidReader& read, const solid::Texture& texture,
-                 const std::optional<Traced<double>>& half_length) {
+ShapeOf CylinderOf(SolidReader& read, const solid::Texture& texture,
+                   const std::optional<Traced<double>>& half_length) {
   solid::RoundedCylinder cylinder;
   cylinder.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
   cylinder.facets = read.Integer(Key::kFacets, cylinder.facets);
@@ -265,13 +269,12 @@ Maker CylinderOf(SolidReader& read, const solid::Texture& texture,
   read.Add(Key::kRound, 0);
   read.Add(Key::kCrease, cylinder.crease);
   read.AddNumbers(Key::kSize, "size", 2, half_length);
-  return [cylinder, &solids = read.solids()](std::span<const double> numbers,
-                                             solid::Fault& fault) mutable {
+  return [cylinder](std::span<const double> numbers) mutable {
     cylinder.round = numbers[0];
     cylinder.crease = numbers[1];
     cylinder.radius = numbers[2];
     cylinder.half = numbers[3];
-    return solids.Make(cylinder, fault);
+    return cylinder;
   };
 }
 
@@ -288,13 +291,13 @@ std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entr
                                            const solid::Texture& texture, Assets& assets,
                                            Part& part) {
   SolidReader read(reader, entry, part.mark, assets);
-  Maker maker = type == "lathe"   ? LatheOf(read, texture)
-                : type == "prism" ? PrismOf(read, texture)
-                : type == "tube"  ? TubeOf(read, texture)
-                : type == "hull"  ? HullOf(read, texture)
-                : type == "box"   ? BoxOf(read, texture, half_length)
-                                  : CylinderOf(read, texture, half_length);
-  return read.Make(std::move(maker), part);
+  ShapeOf shape_of = type == "lathe"   ? LatheOf(read, texture)
+                     : type == "prism" ? PrismOf(read, texture)
+                     : type == "tube"  ? TubeOf(read, texture)
+                     : type == "hull"  ? HullOf(read, texture)
+                     : type == "box"   ? BoxOf(read, texture, half_length)
+                                       : CylinderOf(read, texture, half_length);
+  return read.Make(std::move(shape_of), part);
 }
 
 }  // namespace mjforge::model
