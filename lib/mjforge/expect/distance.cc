@@ -202,8 +202,8 @@ class Overlapping {
 
 }  // namespace
 
-Solid::Solid(const model::Part* of, const model::Pose& X)
-    : part(of), X_WG(X), box_W(BoxOf(model::BoundsOf(of->shape, X))) {}
+Solid::Solid(const model::Part* of, const model::Pose& at)
+    : part(of), X_WG(at), box_W(BoxOf(model::BoundsOf(of->shape, at))) {}
 
 Vector3d FarthestPoint(const Solid& solid, const Vector3d& direction_W) {
   const Eigen::Quaterniond& q_WG = solid.X_WG.q;

@@ -12,7 +12,7 @@ namespace mjforge::expect {
 
 /// A shape somewhere in the world W.
 struct Solid {
-  Solid(const model::Part* part, const model::Pose& X_WG);
+  Solid(const model::Part* of, const model::Pose& at);
 
   const model::Part* part;
   model::Pose X_WG;

@@ -115,12 +115,13 @@ class Checker {
   void CheckGap(const Solids& first, const Solids& second) {
     const auto& [kind, a, b, min, max, positions, doc, mark] = *expectation_;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const double least = min                    ? min->value() - kRounding
-                         : kind == Kind::kApart ? -kTolerance
-                                                : -kInfinity;
-    const double most = max                    ? max->value() + kRounding
-                        : kind == Kind::kTouch ? kTolerance
-                                               : kInfinity;
+    // From `least` to `most` it is as expected.
+    double least = -kInfinity;
+    double most = kInfinity;
+    if (kind == Kind::kApart) least = -kTolerance;
+    if (kind == Kind::kTouch) most = kTolerance;
+    if (min) least = min->value() - kRounding;
+    if (max) most = max->value() + kRounding;
     double gap = kInfinity;
     Pair nearest;
     for (Pairs pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {

@@ -97,11 +97,9 @@ void Evaluator::DrawParameter(std::size_t i) {
   } else if (value.type == Type::kText) {
     texts_[Slot(parameter)] = Text(value, streams_[i]);
     variables_[Slot(parameter)] = expr::TextKey(texts_[Slot(parameter)]);
-  } else if (steps_.empty()) {
-    DrawNumbers(i);
-  } else if (steps_[i] == nullptr) {
+  } else if (!steps_.empty() && steps_[i] == nullptr) {
     NoteSteps(i);
-  } else if (!steps_[i]->tape.Run()) {
+  } else if (steps_.empty() || !steps_[i]->tape.Run()) {
     DrawNumbers(i);
   } else {
     std::ranges::transform(steps_[i]->results, variables_.begin() + parameter.slot,
