@@ -133,19 +133,8 @@ class Checker {
       gap = distance;
       nearest = pair;
     }
-    const bool too_near = gap < least;
-    if (!too_near && gap <= most) return;
-    const auto& bound = too_near ? min : max;
-    const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
-    const std::string must =
-        bound ? fmt::format("be at {} {} apart", too_near ? "least" : "most", Asked(*bound, digits))
-              : (too_near ? "not be in each other" : "touch");
-    const bool touch = std::abs(gap) < (kind == Kind::kGap ? kRounding : kTolerance);
-    const std::string is =
-        touch ? std::string("touching")
-              : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
-    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is,
-                       PartsText(*nearest.a, *nearest.b)));
+    if (gap < least) ReportGap(gap, nearest, min, "least", "not be in each other");
+    if (gap > most) ReportGap(gap, nearest, max, "most", "touch");
   }
 
   struct Pair {
@@ -168,6 +157,20 @@ class Checker {
       }
     }
     return Pairs(std::greater<>(), std::move(pairs));
+  }
+
+  // `side`: of the bound; `otherwise`: what they must where there is none.
+  void ReportGap(double gap, const Pair& nearest, std::optional<double> bound,
+                 std::string_view side, std::string_view otherwise) {
+    const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
+    const std::string must = bound ? fmt::format("be at {} {} apart", side, Asked(*bound, digits))
+                                   : std::string(otherwise);
+    const bool touch = std::abs(gap) < (expectation_->kind == Kind::kGap ? kRounding : kTolerance);
+    const std::string is =
+        touch ? std::string("touching")
+              : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
+    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is,
+                       PartsText(*nearest.a, *nearest.b)));
   }
 
   void CheckInside(const Solids& first, const Solids& second) {

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -28,7 +27,7 @@ struct SolidInput {
   std::vector<Traced<double>> numbers;
   std::vector<std::vector<diag::SourceMark>> marks;  // of the points of each of its outlines
   bool turns_vary = false;  // the turns of its pieces depend on numbers that vary
-  std::function<std::shared_ptr<const solid::Solid>(std::span<const double>, solid::Fault&)> make;
+  std::function<solid::Shape(std::span<const double>)> shape_of;
 };
 
 /// The factors of `scale`, that many; 1 without one. Nothing after a finding.
@@ -49,7 +48,6 @@ class Assets {
   /// returns its pieces, with their poses in the part's frame. `texture`: its coordinates.
   std::optional<std::vector<Part>> AddShape(FieldReader& reader, const spec::Field& field,
                                             const SolidInput& input, Part& part);
-  solid::Cache& solids() { return assembler_.solids(); }
   /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);

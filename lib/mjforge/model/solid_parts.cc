@@ -1,7 +1,7 @@
 // Parts of shapes that MuJoCo does not have: what is seen, the pieces that collide, the mass.
 
 #include <algorithm>
-#include <functional>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +15,33 @@ using diag::Code;
 using spec::Key;
 
 constexpr std::size_t kManyPieces = 100;
+
+using SharedSolid = std::shared_ptr<const solid::Solid>;
+
+// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
+SharedSolid PlainPrism(const solid::Prism& prism) {
+  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return nullptr;
+  std::vector<double> corners;
+  for (const Eigen::Vector2d& p : prism.polygon) corners.insert(corners.end(), {p.x(), p.y()});
+  std::string why_not;
+  std::optional<TriangleMesh> mesh = MakePrism(corners, prism.height, why_not);
+  if (!mesh) return nullptr;
+  solid::Solid plain;
+  plain.pieces.push_back(
+      {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
+  return std::make_shared<const solid::Solid>(std::move(plain));
+}
+
+SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Fault& fault) {
+  if (const auto* prism = std::get_if<solid::Prism>(&shape)) {
+    if (SharedSolid plain = PlainPrism(*prism)) {
+      const bool has_texture = prism->texture.unit != solid::Texture::Unit::kNone;
+      SharedSolid whole = has_texture ? solids.Make(shape, fault) : nullptr;
+      return whole ? whole : plain;
+    }
+  }
+  return solids.Make(shape, fault);
+}
 
 // A piece that is not a mesh.
 struct Primitive {
@@ -111,16 +138,16 @@ MassProperties PropertiesOf(const Traced<solid::Mass>& mass) {
 }
 
 // Notes a step that makes the solid again. Returns where it leaves it.
-Made& OnTape(tape::Tape& tape, const SolidInput& input, Made& made) {
+Made& OnTape(tape::Tape& tape, const SolidInput& input, solid::Cache& solids, Made& made) {
   for (TriangleMesh& mesh : made.meshes) mesh.tape = &tape;
   Made& at = tape.Keep(made);
   std::vector<const double*> places;
   for (const Traced<double>& number : input.numbers) places.push_back(&PlaceOf(tape, number));
-  tape.Add([&at, make = input.make, places = tape.KeepAll(places)] {
+  tape.Add([&at, &solids, shape_of = input.shape_of, places = tape.KeepAll(places)] {
     std::vector<double> numbers;
     for (const double* place : places) numbers.push_back(*place);
     solid::Fault fault;
-    const std::shared_ptr<const solid::Solid> again = make(numbers, fault);
+    const SharedSolid again = SolidOf(shape_of(numbers), solids, fault);
     return again != nullptr && Refill(*again, at);
   });
   return at;
@@ -149,7 +176,7 @@ void Place(const Primitive& made, const Primitive& at, tape::Tape* tape, Part& p
 std::vector<Part> Assets::AddSolid(const SolidInput& input, const solid::Solid& solid, Part& part) {
   Made made = MadeOf(solid);
   tape::Tape* const tape = TapeOf(input);
-  const Made& at = tape != nullptr ? OnTape(*tape, input, made) : made;
+  const Made& at = tape != nullptr ? OnTape(*tape, input, assembler_.solids(), made) : made;
   const auto add_mesh = [&](std::size_t mesh, Part& to) {
     AddInline(made.meshes[mesh], tape != nullptr ? &at.meshes[mesh] : nullptr, to);
   };
@@ -206,7 +233,7 @@ std::optional<std::vector<Part>> Assets::AddShape(FieldReader& reader, const spe
                                                   const SolidInput& input, Part& part) {
   const std::vector<double> numbers(input.numbers.begin(), input.numbers.end());
   solid::Fault fault;
-  const std::shared_ptr<const solid::Solid> solid = input.make(numbers, fault);
+  const SharedSolid solid = SolidOf(input.shape_of(numbers), assembler_.solids(), fault);
   if (solid == nullptr) {
     Report(reader, field, input, fault);
     return std::nullopt;

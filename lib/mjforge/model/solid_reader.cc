@@ -3,45 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "mjforge/model/meshes.h"
-
 namespace mjforge::model {
 namespace {
 
 using spec::Key;
-using SharedSolid = std::shared_ptr<const solid::Solid>;
 using ShapeOf = std::function<solid::Shape(std::span<const double>)>;
-
-// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
-SharedSolid PlainPrism(const solid::Prism& prism) {
-  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return nullptr;
-  std::vector<double> corners;
-  for (const Eigen::Vector2d& p : prism.polygon) corners.insert(corners.end(), {p.x(), p.y()});
-  std::string why_not;
-  std::optional<TriangleMesh> mesh = MakePrism(corners, prism.height, why_not);
-  if (!mesh) return nullptr;
-  solid::Solid plain;
-  plain.pieces.push_back(
-      {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
-  return std::make_shared<const solid::Solid>(std::move(plain));
-}
-
-SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Fault& fault) {
-  if (const auto* prism = std::get_if<solid::Prism>(&shape)) {
-    if (SharedSolid plain = PlainPrism(*prism)) {
-      const bool has_texture = prism->texture.unit != solid::Texture::Unit::kNone;
-      SharedSolid whole = has_texture ? solids.Make(shape, fault) : nullptr;
-      return whole ? whole : plain;
-    }
-  }
-  return solids.Make(shape, fault);
-}
 
 /// Collects the numbers of a shape, in the order in which its function takes them.
 class SolidReader {
  public:
-  SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark, Assets& assets)
-      : reader_(reader), entry_(entry), mark_(mark), assets_(assets) {}
+  SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark)
+      : reader_(reader), entry_(entry), mark_(mark) {}
 
   const spec::Field* Find(Key key) const { return entry_.Find(key); }
 
@@ -118,13 +90,10 @@ class SolidReader {
     input_.turns_vary = input_.numbers[number].tape() != nullptr;
   }
 
-  std::optional<std::vector<Part>> Make(ShapeOf shape_of, Part& part) {
+  std::optional<std::vector<Part>> Make(ShapeOf shape_of, Assets& assets, Part& part) {
     if (!good_) return std::nullopt;
-    input_.make = [shape_of = std::move(shape_of), &solids = assets_.solids()](
-                      std::span<const double> numbers, solid::Fault& fault) {
-      return SolidOf(shape_of(numbers), solids, fault);
-    };
-    return assets_.AddShape(reader_, *field_, input_, part);
+    input_.shape_of = std::move(shape_of);
+    return assets.AddShape(reader_, *field_, input_, part);
   }
 
  private:
@@ -144,7 +113,6 @@ class SolidReader {
   FieldReader& reader_;
   const spec::Entry& entry_;
   diag::SourceMark mark_;
-  Assets& assets_;
   SolidInput input_;
   const spec::Field* field_ = nullptr;  // what faults are told of
   bool good_ = true;
@@ -290,14 +258,14 @@ std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entr
                                            const std::optional<Traced<double>>& half_length,
                                            const solid::Texture& texture, Assets& assets,
                                            Part& part) {
-  SolidReader read(reader, entry, part.mark, assets);
+  SolidReader read(reader, entry, part.mark);
   ShapeOf shape_of = type == "lathe"   ? LatheOf(read, texture)
                      : type == "prism" ? PrismOf(read, texture)
                      : type == "tube"  ? TubeOf(read, texture)
                      : type == "hull"  ? HullOf(read, texture)
                      : type == "box"   ? BoxOf(read, texture, half_length)
                                        : CylinderOf(read, texture, half_length);
-  return read.Make(std::move(shape_of), part);
+  return read.Make(std::move(shape_of), assets, part);
 }
 
 }  // namespace mjforge::model

@@ -60,22 +60,22 @@ class Arguments {
 class Known {
  public:
   Known(Distribution distribution, const Arguments& arguments)
-      : Known(distribution, arguments,
-              Support(distribution, arguments.numbers(), arguments.limits())) {}
+      : distribution_(distribution), arguments_(arguments) {
+    if (!IsRounded(distribution)) return;
+    const Interval support = Support(distribution, arguments.numbers(), arguments.limits());
+    round_.emplace(support.lo, support.hi);
+  }
 
   // Rounded as it is; not finite if the draw fails.
   double At(double u) const {
     const double value = Quantile(distribution_, arguments_.numbers(), arguments_.limits(), u);
-    return IsRounded(distribution_) ? round_(value) : value;
+    return round_ ? (*round_)(value) : value;
   }
 
  private:
-  Known(Distribution distribution, const Arguments& arguments, Interval support)
-      : distribution_(distribution), arguments_(arguments), round_(support.lo, support.hi) {}
-
   Distribution distribution_;
   Arguments arguments_;
-  Rounding round_;
+  std::optional<Rounding> round_;
 };
 
 std::string_view WhatIsWrong(std::span<const double> weights) {

@@ -17,6 +17,7 @@ constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4
 // Bounds such as 0.03 - 0.02 are a hair off a power of ten; that is no reason for one more digit.
 constexpr double kLogTolerance = 1e-9;
 
+// Decimal places that a millionth of a range has; infinitely few if it has no width.
 double PlacesFor(double width) {
   if (!std::isfinite(width)) return -std::numeric_limits<double>::infinity();
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);

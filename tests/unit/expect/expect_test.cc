@@ -86,6 +86,9 @@ TEST_CASE("what is not as expected is told with the numbers found and asked") {
   // All at once.
   CHECK(OfBox("- mass < 2kg\n- {touch: [lid, thing]}\n- bounds.x > 1\n").find("\n11 ") !=
         std::string::npos);
+  CHECK(OfBox("- {gap: [plate, crate], min: bounds.x, max: 1mm}\n") ==
+        "10 'plate' and 'crate' must be at least 200 mm apart, but are 2 mm apart\n"
+        "10 'plate' and 'crate' must be at most 1 mm apart, but are 2 mm apart\n");
   // Of a repeated condition the first that fails is enough.
   CHECK(OfBox("- {for: {i: 5}, that: i < 2}\n") == "10 'i < 2' does not hold: i = 2\n");
 }
