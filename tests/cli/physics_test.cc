@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "harness/command.h"
+#include "harness/effort.h"
 
 namespace mjforge {
 namespace {
@@ -98,7 +99,8 @@ TEST_CASE_METHOD(PhysicsTest, "a variant that fails costs only itself, and repla
 TEST_CASE_METHOD(PhysicsTest,
                  "resampling draws until a variant behaves, and such a file replays alone") {
   folder().Write("post.yaml", kLeaning);
-  REQUIRE(Run({"generate", "post.yaml", "-n", "10", "--validate", "physics", "--on-invalid",
+  const std::string count = std::to_string(harness::Effort(10, 4));
+  REQUIRE(Run({"generate", "post.yaml", "-n", count, "--validate", "physics", "--on-invalid",
                "resample", "-o", "out"})
               .status == 0);
   bool drawn_again = false;

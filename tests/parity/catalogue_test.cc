@@ -122,7 +122,7 @@ TEST_CASE("every bundled spec is documented and makes a hundred different, valid
         CHECK(parameter.doc != "");
         CHECK((parameter.unit != "") == (parameter.value.type == expr::Type::kNumber));
       }
-      const auto count = static_cast<std::uint64_t>(harness::Effort(100));
+      const auto count = static_cast<std::uint64_t>(harness::Effort(100, 3));
       CHECK(Texts(*spec, count, findings).size() == count);
       CHECK(Rendered(findings, sources) == "");
     }

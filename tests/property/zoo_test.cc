@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "attached_file.h"
+#include "harness/effort.h"
 #include "harness/source_folder.h"
 
 namespace mjforge::attach {
@@ -57,18 +58,19 @@ constexpr bool kLater = mjVERSION_HEADER >= 300;
 
 TEST_CASE("bodies of MuJoCo's model zoo keep every number when they are attached") {
   const std::vector<fs::path> files = FilesBelow(kZoo);
+  const auto step = static_cast<std::size_t>(harness::Effort(1, 3));
   Tally tally;
-  for (const fs::path& path : files) {
-    INFO(path.string());
-    AttachedFile file(path);
+  for (std::size_t i = 0; i < files.size(); i += step) {
+    INFO(files[i].string());
+    AttachedFile file(files[i]);
     // 2.2.2 takes them all, the parts that others include, too; later ones lack its grids.
     if (kLater && !file.Loads()) continue;
     REQUIRE(file.Loads());
     AttachAll(file, tally);
   }
   CHECK(tally.refused == 0);
-  CHECK(tally.attached > (kLater ? 400 : 1000));
-  CHECK(tally.numbers > (kLater ? 150'000 : 500'000));
+  CHECK(tally.attached > harness::Effort(kLater ? 400 : 1000));
+  CHECK(tally.numbers > harness::Effort(kLater ? 150'000 : 500'000));
 }
 
 TEST_CASE("bodies of our models of every setting keep every number when they are attached") {

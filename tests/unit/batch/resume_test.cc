@@ -36,22 +36,23 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   }));
   INFO(output);
   CrateBatch test(spec);
-  constexpr std::uint64_t kCount = 3000;
-  test.Make(test.Of(kCount, std::string("whole") + output, 700));
-  const Request request = test.Of(kCount, std::string("broken") + output, 700);
-  const Summary first = MakeUpTo(test, request, 1000);
+  const auto third = static_cast<std::uint64_t>(harness::Effort(1000, 300));
+  const std::uint64_t count = 3 * third;
+  test.Make(test.Of(count, std::string("whole") + output, count / 4));
+  const Request request = test.Of(count, std::string("broken") + output, count / 4);
+  const Summary first = MakeUpTo(test, request, third);
   REQUIRE(first.interrupted);
-  REQUIRE(first.done() < kCount);
+  REQUIRE(first.done() < count);
   CHECK(test.Bytes("broken") != test.Bytes("whole"));
-  const Summary second = MakeUpTo(test, Resuming(request), 2000);
+  const Summary second = MakeUpTo(test, Resuming(request), 2 * third);
   CHECK(second.kept > 0);
   const Summary last = test.Make(Resuming(request));
   CHECK(last.kept >= second.kept);
-  CHECK(last.done() == kCount);
+  CHECK(last.done() == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
   // And once more, with nothing left to do.
   const Summary again = test.Make(Resuming(request));
-  CHECK(again.kept == kCount);
+  CHECK(again.kept == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
 }
 

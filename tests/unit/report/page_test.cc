@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "harness/effort.h"
 #include "harness/temporary_folder.h"
 #include "mjforge/report/report.h"
 #include "report_records.h"
@@ -83,15 +84,16 @@ TEST_CASE_METHOD(PageTest, "no page is larger than it may be") {
 }
 
 TEST_CASE_METHOD(PageTest, "a record of enormous texts and many parameters does no harm") {
+  const auto enormous = static_cast<std::size_t>(harness::Effort(20'000));
   manifest::Record record = RecordOf(0);
   record.params.clear();
   for (int i = 0; i < 2000; ++i)
-    record.params.emplace_back("p" + std::to_string(i), std::string(20'000, 'x'));
+    record.params.emplace_back("p" + std::to_string(i), std::string(enormous, 'x'));
   record.spec = std::string(100'000, 's');
   std::string text;
   manifest::AppendRecord(text, record);
   record.index = 1;
-  for (auto& [name, value] : record.params) value = std::string(20'000, 'y');
+  for (auto& [name, value] : record.params) value = std::string(enormous, 'y');
   manifest::AppendRecord(text, record);
   const auto page = Make(text);
   REQUIRE(page);
