@@ -75,11 +75,11 @@ Vector3d Reduce(Simplex& simplex) {
 
 // The point nearest to the origin of a convex set, known by its farthest point in each direction:
 // Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex
-// objects in three-dimensional space", 1988. `size`: of the set, m.
+// objects in three-dimensional space", 1988. `middle`: of the set, about; `size`: of the set, m.
 template <typename Farthest>
-Vector3d NearestToOrigin(Farthest farthest, double size) {
+Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size) {
   Simplex simplex;
-  Vector3d nearest = farthest(Vector3d::UnitX());
+  Vector3d nearest = farthest(middle.isZero() ? Vector3d(Vector3d::UnitX()) : Vector3d(-middle));
   simplex.corners[0] = nearest;
   simplex.count = 1;
   for (int i = 0; i < kMostIterations; ++i) {
@@ -96,12 +96,6 @@ Vector3d NearestToOrigin(Farthest farthest, double size) {
     nearest = reduced;
   }
   return nearest;
-}
-
-double SizeOf(std::span<const Solid> solids) {
-  Eigen::AlignedBox3d box;
-  for (const Solid& solid : solids) box.extend(solid.box_W);
-  return box.diagonal().norm();
 }
 
 Eigen::AlignedBox3d BoxOf(const model::Box3& box) { return {box.min.value(), box.max.value()}; }
@@ -223,11 +217,12 @@ Vector3d FarthestPoint(std::span<const Solid> solids, const Vector3d& direction_
 }
 
 double SignedDistance(const Solid& a, const Solid& b) {
-  const double size = SizeOf(std::array{a, b});
+  const double size = a.box_W.merged(b.box_W).diagonal().norm();
   const auto difference = [&](const Vector3d& direction) {
     return Vector3d(FarthestOfCore(a, direction) - FarthestOfCore(b, -direction));
   };
-  const double distance = NearestToOrigin(difference, size).norm();
+  const double distance =
+      NearestToOrigin(difference, a.box_W.center() - b.box_W.center(), size).norm();
   const double apart = distance > 0 ? distance : -Overlapping(a, b, size).Depth();
   return apart - RadiusOf(a) - RadiusOf(b);
 }
@@ -236,7 +231,9 @@ Vector3d FromHull(std::span<const Solid> solids, const Vector3d& p_W) {
   const auto difference = [&](const Vector3d& direction) {
     return Vector3d(p_W - FarthestPoint(solids, -direction));
   };
-  return NearestToOrigin(difference, SizeOf(solids));
+  Eigen::AlignedBox3d box_W;
+  for (const Solid& solid : solids) box_W.extend(solid.box_W);
+  return NearestToOrigin(difference, p_W - box_W.center(), box_W.diagonal().norm());
 }
 
 }  // namespace mjforge::expect

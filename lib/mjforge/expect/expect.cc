@@ -67,38 +67,47 @@ class Checker {
   void Check(const Expectation& expectation) {
     expectation_ = &expectation;
     poses_ = PosesAt(object_, expectation.positions);
-    const Solids second = SolidsOf(expectation.second, {});
-    const Solids first = SolidsOf(expectation.first, second);
-    const Solids others = SolidsOf(expectation.second, first);
-    if (first.empty() || others.empty()) {
+    Solids second = SolidsOf(expectation.second, nullptr);
+    const Solids first = SolidsOf(expectation.first, OnlyPart(second));
+    if (const model::Part* const part = OnlyPart(first))
+      second = SolidsOf(expectation.second, part);
+    if (first.empty() || second.empty()) {
       Report(fmt::format("'{}' has no parts",
                          Shown(first.empty() ? expectation.first : expectation.second)));
     } else if (expectation.kind == Kind::kInside) {
-      CheckInside(first, others);
+      CheckInside(first, second);
     } else {
-      CheckGap(first, others);
+      CheckGap(first, second);
     }
   }
 
  private:
-  // The parts that a name stands for and that are not among `others`: a body's own, and those of
-  // bodies that are fixed to it. Of a part that is a body's, the rest of the body.
-  Solids SolidsOf(const std::string& name, const Solids& others) const {
+  static const model::Part* OnlyPart(const Solids& solids) {
+    return solids.size() == 1 ? solids.front().part : nullptr;
+  }
+
+  // The parts that a name stands for: a body's own, and those of bodies that are fixed to it,
+  // without the `other` that the expectation names. What is only visual counts where nothing
+  // collides.
+  Solids SolidsOf(const std::string& name, const model::Part* other) const {
     const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
-    Solids collide;
-    Solids all;
+    Solids solids;
+    bool collides = false;
     for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
       const bool is_part = body == object_.bodies.end();
       if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
         continue;
       for (const model::Part& part : object_.bodies[i].parts) {
         if (is_part && part.name != name && part.piece_of != name) continue;
-        if (!is_part && others.size() == 1 && others.front().part == &part) continue;
-        all.emplace_back(&part, poses_[i] * part.X_BG);
-        if (part.role != model::Role::kVisual) collide.push_back(all.back());
+        if (!is_part && &part == other) continue;
+        const bool is_visual = part.role == model::Role::kVisual;
+        if (is_visual && collides) continue;
+        if (!is_visual && !collides) solids.clear();
+        collides |= !is_visual;
+        solids.emplace_back(&part, poses_[i] * part.X_BG);
       }
     }
-    return collide.empty() ? all : collide;
+    return solids;
   }
 
   // The body that a body is fixed to and moves with, as far up as that of a name.

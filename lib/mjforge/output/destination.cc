@@ -1,6 +1,6 @@
 #include "mjforge/output/destination.h"
 
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
 #include <algorithm>
 #include <charconv>
@@ -98,7 +98,7 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
 }
 
 std::string VariantStem(std::string_view name, std::uint64_t index) {
-  return fmt::format("{}_{:06}", name, index);
+  return fmt::format(FMT_COMPILE("{}_{:06}"), name, index);
 }
 
 std::optional<std::uint64_t> ReadIndex(std::string_view digits) {
