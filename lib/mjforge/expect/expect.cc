@@ -91,8 +91,7 @@ class Checker {
   // collides.
   Solids SolidsOf(const std::string& name, const model::Part* other) const {
     const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
-    Solids solids;
-    bool collides = false;
+    std::vector<std::pair<const model::Part*, std::size_t>> parts;  // with their bodies
     for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
       const bool is_part = body == object_.bodies.end();
       if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
@@ -100,13 +99,14 @@ class Checker {
       for (const model::Part& part : object_.bodies[i].parts) {
         if (is_part && part.name != name && part.piece_of != name) continue;
         if (!is_part && &part == other) continue;
-        const bool is_visual = part.role == model::Role::kVisual;
-        if (is_visual && collides) continue;
-        if (!is_visual && !collides) solids.clear();
-        collides |= !is_visual;
-        solids.emplace_back(&part, poses_[i] * part.X_BG);
+        parts.emplace_back(&part, i);
       }
     }
+    const auto is_visual = [](const auto& of) { return of.first->role == model::Role::kVisual; };
+    if (!std::ranges::all_of(parts, is_visual)) std::erase_if(parts, is_visual);
+    Solids solids;
+    solids.reserve(parts.size());
+    for (const auto& [part, i] : parts) solids.emplace_back(part, poses_[i] * part->X_BG);
     return solids;
   }
 

@@ -38,8 +38,9 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   CrateBatch test(spec);
   const auto third = static_cast<std::uint64_t>(harness::Effort(1000, 300));
   const std::uint64_t count = 3 * third;
-  test.Make(test.Of(count, std::string("whole") + output, count / 4));
-  const Request request = test.Of(count, std::string("broken") + output, count / 4);
+  const std::uint64_t per_archive = 7 * third / 10;  // the last one has fewer
+  test.Make(test.Of(count, std::string("whole") + output, per_archive));
+  const Request request = test.Of(count, std::string("broken") + output, per_archive);
   const Summary first = MakeUpTo(test, request, third);
   REQUIRE(first.interrupted);
   REQUIRE(first.done() < count);
