@@ -88,7 +88,6 @@ class Preview {
     forge::Options options;
     options.seed = options_.spec.seed;
     options.validation = forge::Validation::kNone;
-    options.moulds = options_.count > 1;
     forge::Generator generator(*recipe_, console_.sources, options);
     picture::Loader loader;
     forge::Variant variant;

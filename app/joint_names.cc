@@ -26,7 +26,6 @@ Loaded LoadVariant(const std::string& what, const std::vector<std::string>& sett
   if (!recipe || findings.HasErrors()) return {};
   forge::Options how;
   how.validation = forge::Validation::kNone;
-  how.moulds = false;
   forge::Variant variant;
   forge::Generator(*recipe, sources, how).Make(0, variant);
   if (!variant.ok()) return {};

@@ -9,7 +9,7 @@
 namespace mjforge::bench {
 namespace {
 
-// Text and record of variants that come from a mould, as nearly all of a batch do.
+// Text and record of variants.
 void Make(benchmark::State& state, const std::string& part) {
   LoadedRecipe shape = FromText(
       "mjforge: 1\nname: thing\nparams: {w: 10cm .. 12cm, h: 30cm .. 40cm}\n"

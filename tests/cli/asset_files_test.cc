@@ -68,7 +68,7 @@ TEST_CASE_METHOD(VaseTest, "objects without meshes and patterns have no folder o
   CHECK(folder().Files() == Files{"box.yaml", "vase.yaml", "x.xml"});
 }
 
-TEST_CASE_METHOD(VaseTest, "the bytes do not depend on workers, moulds and order") {
+TEST_CASE_METHOD(VaseTest, "the bytes do not depend on workers and order") {
   REQUIRE(Generate({"-n", "20", "-j", "1", "-o", "one/"}).status == 0);
   REQUIRE(Generate({"-n", "20", "-j", "3", "-o", "other/"}).status == 0);
   for (const std::string& file : Named("one/", "")) {

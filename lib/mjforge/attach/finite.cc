@@ -82,7 +82,7 @@ class FiniteCheck {
     };
     CheckThing("body", body, {pos(body.X_PB), quat(body.X_PB)});
     const model::MassProperties& mass = body.mass_properties;
-    CheckNumbers("body", body, "mass", {&mass.mass.value(), 1});
+    CheckNumbers("body", body, "mass", {&mass.mass, 1});
     CheckNumbers("body", body, "centre of mass", SpanOf(mass.p_FCm));
     CheckNumbers("body", body, "inertia", SpanOf(mass.I_Cm_F));
     for (const model::Joint& joint : body.joints) {

@@ -206,7 +206,6 @@ class Worker {
 
 forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
-  options.moulds &= request.count > 1;
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
   return options;

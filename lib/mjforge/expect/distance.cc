@@ -98,23 +98,23 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size)
   return nearest;
 }
 
-Eigen::AlignedBox3d BoxOf(const model::Box3& box) { return {box.min.value(), box.max.value()}; }
+Eigen::AlignedBox3d BoxOf(const model::Box3& box) { return {box.min, box.max}; }
 
 // A sphere is a point and all within its radius, a capsule a segment.
 double RadiusOf(const Solid& solid) {
   const model::Shape& shape = solid.part->shape;
   const bool is_round =
       shape.type == model::GeomType::kSphere || shape.type == model::GeomType::kCapsule;
-  return is_round ? shape.size.value().x() : 0;
+  return is_round ? shape.size.x() : 0;
 }
 
 // The farthest point of what is left of a solid without its radius.
 Vector3d FarthestOfCore(const Solid& solid, const Vector3d& direction_W) {
   const model::Shape& shape = solid.part->shape;
-  const Vector3d& center = solid.X_WG.p.value();
+  const Vector3d& center = solid.X_WG.p;
   if (shape.type == model::GeomType::kSphere) return center;
   if (shape.type != model::GeomType::kCapsule) return FarthestPoint(solid, direction_W);
-  const Vector3d half = solid.X_WG.q.value() * Vector3d(0, 0, shape.size.value().y());
+  const Vector3d half = solid.X_WG.q * Vector3d(0, 0, shape.size.y());
   return center + (half.dot(direction_W) > 0 ? 1 : -1) * half;
 }
 
@@ -157,7 +157,7 @@ class Overlapping {
     const Vector3d p =
         enough ? Vector3d(Vector3d::Zero())
                : Vector3d((FarthestOfCore(first ? self.a_ : self.b_, Vector3d(direction->v)) -
-                           self.b_.X_WG.p.value()) /
+                           self.b_.X_WG.p) /
                           self.size_);
     ccdVec3Set(point, p.x(), p.y(), p.z());
   }

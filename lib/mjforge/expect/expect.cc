@@ -129,8 +129,8 @@ class Checker {
     double most = kInfinity;
     if (kind == Kind::kApart) least = -kTolerance;
     if (kind == Kind::kTouch) most = kTolerance;
-    if (min) least = min->value() - kRounding;
-    if (max) most = max->value() + kRounding;
+    if (min) least = *min - kRounding;
+    if (max) most = *max + kRounding;
     double gap = kInfinity;
     Pair nearest;
     for (Pairs pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {
@@ -206,7 +206,7 @@ class Checker {
         points.push_back(solid.X_WG * vertex);
     } else {
       for (const Vector3d& direction : DirectionsOf(solid.part->shape))
-        points.push_back(FarthestPoint(solid, solid.X_WG.q.value() * direction));
+        points.push_back(FarthestPoint(solid, solid.X_WG.q * direction));
     }
     Vector3d way = Vector3d::Zero();
     for (const Vector3d& point : points) {

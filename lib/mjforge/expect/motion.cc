@@ -11,23 +11,23 @@ using model::Pose;
 // Where the joint is when the body is where the spec has it: a hinge or slide counts from there.
 double ReferenceOf(const Joint& joint) {
   const auto ref = std::ranges::find(joint.attributes, "ref", &model::Attribute::name);
-  return ref == joint.attributes.end() ? 0 : ref->numbers.front().value();
+  return ref == joint.attributes.end() ? 0 : ref->numbers.front();
 }
 
 // As mj_kinematics of MuJoCo 2.2 (src/engine/engine_core_smooth.c).
 Pose Moved(const Pose& X_PB, const Joint& joint, const sample::Numbers& position) {
   if (position.empty() || joint.type == "free") return X_PB;
-  const Eigen::Vector3d axis = joint.axis.value().stableNormalized();
+  const Eigen::Vector3d axis = joint.axis.stableNormalized();
   if (joint.type == "slide") {
     const double way = position[0] - ReferenceOf(joint);
-    return {Eigen::Vector3d(X_PB * Eigen::Vector3d(axis * way)), X_PB.q.value()};
+    return {Eigen::Vector3d(X_PB * Eigen::Vector3d(axis * way)), X_PB.q};
   }
   const Eigen::Quaterniond turn =
       joint.type == "ball" ? Eigen::Quaterniond(position[0], position[1], position[2], position[3])
                            : model::FromAxisAngle(axis, position[0] - ReferenceOf(joint));
-  const Eigen::Vector3d anchor = X_PB * joint.pos.value();
-  const Eigen::Quaterniond q = (X_PB.q.value() * turn).normalized();
-  return {Eigen::Vector3d(anchor - q * joint.pos.value()), q};
+  const Eigen::Vector3d anchor = X_PB * joint.pos;
+  const Eigen::Quaterniond q = (X_PB.q * turn).normalized();
+  return {Eigen::Vector3d(anchor - q * joint.pos), q};
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ const model::Attribute* Find(const model::Texture& texture, std::string_view nam
 void AddRandomMarks(const model::Texture& texture, Picture& picture) {
   const model::Attribute* share = Find(texture, "random");
   const model::Attribute* color = Find(texture, "markrgb");
-  const double probability = share != nullptr ? share->numbers[0].value() : 0.01;
+  const double probability = share != nullptr ? share->numbers[0] : 0.01;
   std::array<std::uint8_t, 3> mark = {};
   for (std::size_t i = 0; color != nullptr && i < mark.size(); ++i)
-    mark[i] = static_cast<std::uint8_t>(255 * color->numbers[i].value());
+    mark[i] = static_cast<std::uint8_t>(255 * color->numbers[i]);
   std::mt19937_64 random;  // the same numbers everywhere, says the standard
   constexpr double kUnit = 0x1p-64;
   for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {

@@ -12,13 +12,11 @@ namespace mjforge::manifest {
 // The numbers in what Put writes, in its order; counts do not belong to them.
 template <typename T>
 void AppendNumbers(const T&, std::vector<double>&) {}
-inline void AppendNumbers(const tape::Traced<double>& number, std::vector<double>& out) {
-  out.push_back(number);
-}
-inline void AppendNumbers(const tape::Traced<Eigen::Vector3d>& point, std::vector<double>& out) {
+inline void AppendNumbers(const double& number, std::vector<double>& out) { out.push_back(number); }
+inline void AppendNumbers(const Eigen::Vector3d& point, std::vector<double>& out) {
   out.insert(out.end(), point.data(), point.data() + point.size());
 }
-inline void AppendNumbers(const tape::Traced<Eigen::Matrix3d>& inertia, std::vector<double>& out) {
+inline void AppendNumbers(const Eigen::Matrix3d& inertia, std::vector<double>& out) {
   for (const auto& [row, column] : kInertia) out.push_back(inertia(row, column));
 }
 inline void AppendNumbers(const model::Box3& box, std::vector<double>& out) {
@@ -41,10 +39,9 @@ template <typename T>
 bool IsAlike(const T& a, const T& b) {
   return a == b;
 }
-template <typename T>
-bool IsAlike(const tape::Traced<T>&, const tape::Traced<T>&) {
-  return true;
-}
+inline bool IsAlike(const double&, const double&) { return true; }
+inline bool IsAlike(const Eigen::Vector3d&, const Eigen::Vector3d&) { return true; }
+inline bool IsAlike(const Eigen::Matrix3d&, const Eigen::Matrix3d&) { return true; }
 inline bool IsAlike(const model::Box3&, const model::Box3&) { return true; }
 inline bool IsAlike(const sample::ParameterValue& a, const sample::ParameterValue& b) {
   if (a.index() != b.index()) return false;

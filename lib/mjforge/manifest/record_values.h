@@ -53,11 +53,6 @@ inline void Put(Json& json, const model::Box3& box) {
   json.EndObject();
 }
 
-template <typename T>
-void Put(Json& json, const tape::Traced<T>& traced) {
-  Put(json, traced.value());
-}
-
 inline Kind Get(const rapidjson::Value& value, std::string& text) {
   if (!value.IsString()) return "a text";
   text.assign(value.GetString(), value.GetStringLength());
@@ -130,14 +125,6 @@ inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
     inertia(row, column) = inertia(column, row) = numbers[i];
   }
   return {};
-}
-
-template <typename T>
-Kind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
-  T read;
-  const Kind kind = Get(value, read);
-  if (kind.empty()) traced = read;
-  return kind;
 }
 
 inline Kind Get(const rapidjson::Value& value, model::Box3& box) {

@@ -28,7 +28,7 @@ bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 }  // namespace
 
 ElementWriter::ElementWriter(MjcfDocument& document)
-    : text_(document.text), slots_(document.slots), origins_(document.origins) {}
+    : text_(document.text), origins_(document.origins) {}
 
 void ElementWriter::Line(std::string_view text) {
   Indent();
@@ -106,44 +106,29 @@ void ElementWriter::Escaped(std::string_view value) {
   }
 }
 
-void ElementWriter::Number(std::string_view name, const Traced<double>& value) {
-  Numbers(name, {&value, 1});
-}
+void ElementWriter::Number(std::string_view name, double value) { Numbers(name, {&value, 1}); }
 
-void ElementWriter::Numbers(std::string_view name, std::span<const Traced<double>> values,
+void ElementWriter::Numbers(std::string_view name, std::span<const double> values,
                             Spelling spelling) {
   Begin(name);
-  for (const Traced<double>& value : values) Append(value, spelling);
+  for (double value : values) Append(value, spelling);
   text_ += '"';
 }
 
-void ElementWriter::Append(const Traced<double>& number, Spelling spelling) {
+void ElementWriter::Append(double number, Spelling spelling) {
   if (text_.back() != '"') text_ += ' ';
-  const std::size_t begin = text_.size();
-  std::array<char, expr::kLongestNumber> spelled;
-  text_.append(spelled.data(), WriteSpelled(number, spelling, spelled.data()));
-  if (number.at() != nullptr) slots_.push_back({begin, text_.size(), spelling, number.at()});
-}
-
-char* WriteSpelled(double number, Slot::Spelling spelling, char* out) {
-  if (spelling == Slot::Spelling::kMicrometres)
+  if (spelling == Spelling::kMicrometres)
     number = std::round(number * 1e6);
-  else if (spelling == Slot::Spelling::kWithoutNoise)
+  else if (spelling == Spelling::kWithoutNoise)
     number = WithoutNoise(number);
-  return expr::WriteNumber(out, number);
+  expr::AppendNumber(text_, number);
 }
 
 void ElementWriter::Pose(const model::Pose& pose) {
   Point("pos", pose.p);
-  const auto turns = [](const Eigen::Quaterniond& q) {
-    return WithoutNoise(q.x()) != 0 || WithoutNoise(q.y()) != 0 || WithoutNoise(q.z()) != 0;
-  };
-  if (!tape::Test(turns, pose.q)) return;
-  Begin("quat");
-  for (const std::size_t wxyz : {3, 0, 1, 2}) {
-    Append(tape::Element(pose.q, wxyz), Spelling::kWithoutNoise);
-  }
-  text_ += '"';
+  const Eigen::Quaterniond& q = pose.q;
+  if (WithoutNoise(q.x()) == 0 && WithoutNoise(q.y()) == 0 && WithoutNoise(q.z()) == 0) return;
+  Vector("quat", model::Wxyz(q), 4, Spelling::kWithoutNoise);
 }
 
 void ElementWriter::Attribute(const model::Attribute& attribute) {

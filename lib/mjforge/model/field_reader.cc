@@ -18,11 +18,6 @@ const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
 }
 
-bool Holds(const spec::Field& field, const Traced<double>& number) {
-  return tape::Test([info = field.info](double value) { return spec::Holds(*info, value); },
-                    number);
-}
-
 }  // namespace
 
 std::string FieldReader::Owner() const {
@@ -57,9 +52,9 @@ void FieldReader::ReportNumber(const spec::Field& field, double number, std::siz
                 std::move(hint));
 }
 
-std::optional<Traced<double>> FieldReader::Number(const spec::Field& field) {
-  const Traced<double> number = values_.Number(field.value, PathOf(field));
-  if (Holds(field, number)) return number;
+std::optional<double> FieldReader::Number(const spec::Field& field) {
+  const double number = values_.Number(field.value, PathOf(field));
+  if (spec::Holds(*field.info, number)) return number;
   ReportNumber(field, number, 0, 1);
   return std::nullopt;
 }
@@ -68,7 +63,7 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   values_.Vector(field.value, PathOf(field), out);
   bool good = true;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (Holds(field, out[i])) continue;
+    if (spec::Holds(*field.info, out[i])) continue;
     ReportNumber(field, out[i], i, out.size());
     good = false;
   }
@@ -145,7 +140,7 @@ bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
   switch (field.info->slot) {
     case spec::Slot::kNumber:
     case spec::Slot::kInteger: {
-      const std::optional<Traced<double>> number = Number(field);
+      const std::optional<double> number = Number(field);
       if (number) out.numbers.push_back(*number);
       return number.has_value();
     }

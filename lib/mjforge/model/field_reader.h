@@ -25,14 +25,14 @@ class FieldReader {
     return child;
   }
 
-  std::optional<Traced<double>> Number(const spec::Field& field);
+  std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
   /// As Numbers, for a field that must have exactly N numbers.
   template <int N>
-  std::optional<Traced<Eigen::Matrix<double, N, 1>>> Vector(const spec::Field& field) {
+  std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
     sample::Numbers numbers;
     if (!Numbers(field, numbers) || !HasCount(field, numbers, N)) return std::nullopt;
-    return tape::Gather<Eigen::Matrix<double, N, 1>>({numbers.data(), N});
+    return Eigen::Matrix<double, N, 1>(numbers.data());
   }
   bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
   std::optional<sample::PointList> Points(const spec::Field& field);

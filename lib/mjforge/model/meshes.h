@@ -11,8 +11,6 @@
 
 #include <Eigen/Dense>
 
-#include "mjforge/tape/tape.h"
-
 namespace mjforge::model {
 
 /// A surface of triangles, counter-clockwise seen from outside. m.
@@ -22,8 +20,6 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> normals = {};    // none, or for each vertex, of length 1
   std::vector<Eigen::Vector2d> texcoords = {};  // none, or for each vertex
   bool in_micrometres = false;                  // all vertices are at whole ones
-  /// The tape that moves them; null if they are the same in all variants.
-  tape::Tape* tape = nullptr;
 };
 
 /// The prism over a convex polygon (x, y pairs, in either direction; neighbouring corners may lie

@@ -28,7 +28,7 @@ bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_vie
 }
 
 bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view type,
-              const std::optional<Traced<double>>& half_length, Part& part) {
+              const std::optional<double>& half_length, Part& part) {
   const spec::Field* field = entry.Find(Key::kSize);
   if (field == nullptr) {
     reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
@@ -47,7 +47,7 @@ bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view ty
   }
   if (half_length) numbers.push_back(*half_length);
   numbers.resize(3);
-  part.shape.size = tape::Gather<Eigen::Vector3d>({numbers.data(), 3});
+  part.shape.size = Eigen::Vector3d(numbers.data());
   return true;
 }
 
@@ -71,7 +71,7 @@ std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& ent
   if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
   part.shape.type = TypeOf(*word);
   PlacedShape placed;
-  std::optional<Traced<double>> half_length;
+  std::optional<double> half_length;
   if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
     const std::optional<Span> span = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
     if (!span) return std::nullopt;

@@ -25,7 +25,7 @@ std::vector<Adrift> AdriftBodies(const mjModel& m, mjData& d) {
   std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(m.ngeom));
   for (int geom = 0; geom < m.ngeom; ++geom) {
     const model::Box3 box = compiled::GeomBox(m, geom, compiled::GeomPose(d, geom));
-    if (!box.empty()) boxes[static_cast<std::size_t>(geom)] = {box.min.value(), box.max.value()};
+    if (!box.empty()) boxes[static_cast<std::size_t>(geom)] = {box.min, box.max};
   }
   std::vector<Adrift> adrift;
   for (int body = 1; body < m.nbody; ++body) {

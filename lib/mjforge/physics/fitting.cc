@@ -61,7 +61,7 @@ class Trial {
   std::optional<Entry> Run(const Peg& peg, int hole, double depth) {
     const model::Pose X_WH = SitePose(d_, hole);
     Lay(peg, X_WH);
-    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const Vector3d way = X_WH.q * Vector3d::UnitZ();
     Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * way;
     double deepest = -kBefore;
     for (double time = 0; time < kMostTime && deepest < depth; time += m_.opt.timestep) {
@@ -82,19 +82,19 @@ class Trial {
  private:
   /// In front of the hole, and holds all else.
   void Lay(const Peg& peg, const model::Pose& X_WH) {
-    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const Vector3d way = X_WH.q * Vector3d::UnitZ();
     const model::Pose X_WT = {X_WH.p - kBefore * way, X_WH.q};
     const model::Pose X_WB = X_WT * peg.X_BT.Inverse();
     const Eigen::Quaterniond q = X_WB.q;
     const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
     const int joint = m_.body_jntadr[peg.body];
-    mju_copy3(d_.qpos + m_.jnt_qposadr[joint], X_WB.p.value().data());
+    mju_copy3(d_.qpos + m_.jnt_qposadr[joint], X_WB.p.data());
     mju_copy4(d_.qpos + m_.jnt_qposadr[joint] + 3, quat);
     HoldOthers(m_, m_.jnt_dofadr[joint], 6);
   }
 
   Vector3d TipOf(const Peg& peg) const {
-    return compiled::PoseAt(d_.xpos, d_.xquat, peg.body) * peg.X_BT.p.value();
+    return compiled::PoseAt(d_.xpos, d_.xquat, peg.body) * peg.X_BT.p;
   }
 
   /// Whether what is behind the hole's mouth stops it to both sides, along the hole's x axis or
@@ -105,7 +105,7 @@ class Trial {
     const Vector3d sides = SidesOf(peg, X_WH);
     const auto stops = [&](int axis, double sign) {
       std::ranges::copy(qpos, d_.qpos);
-      return Stops(peg, X_WH, X_WH.q.value() * (sign * Vector3d::Unit(axis)), sides[axis]);
+      return Stops(peg, X_WH, X_WH.q * (sign * Vector3d::Unit(axis)), sides[axis]);
     };
     return (stops(0, 1) && stops(0, -1)) || (stops(1, 1) && stops(1, -1));
   }
@@ -140,7 +140,7 @@ class Trial {
   }
 
   bool IsPressed(const Peg& peg, const model::Pose& X_WH, const Vector3d& push) const {
-    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const Vector3d way = X_WH.q * Vector3d::UnitZ();
     return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
       const bool touches = IsOf(peg.body, contact.geom1) || IsOf(peg.body, contact.geom2);
       const Vector3d p = Eigen::Map<const Vector3d>(contact.pos);

@@ -73,7 +73,7 @@ void Jaws::Place(mjData& d, std::span<const mjtNum> start, const model::Pose& X_
   const Eigen::Quaterniond q = X_WJ.q;
   const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
   const int mocap = m_.body_mocapid[base_];
-  mju_copy3(d.mocap_pos + 3 * mocap, X_WJ.p.value().data());
+  mju_copy3(d.mocap_pos + 3 * mocap, X_WJ.p.data());
   mju_copy4(d.mocap_quat + 4 * mocap, quat);
   // The fingers' own frames are where their faces meet in the middle.
   for (int side = 0; side < 2; ++side)

@@ -61,8 +61,8 @@ class Region {
   const model::Box3& box() const { return box_; }
 
   bool Contains(const Eigen::Vector3d& p_B) const {
-    if ((p_B.array() < box_.min.value().array()).any() ||
-        (p_B.array() > box_.max.value().array()).any()) {
+    if ((p_B.array() < box_.min.array()).any() ||
+        (p_B.array() > box_.max.array()).any()) {
       return false;
     }
     if (faces_.empty()) return model::Contains(part_->shape, part_->X_BG, p_B);

@@ -28,7 +28,7 @@ class Hull {
       const std::optional<model::GeomType> type = compiled::GeomTypeOf(m.geom_type[geom]);
       if (!type) continue;
       model::Pose pose = compiled::GeomPose(d, geom);
-      pose.p = pose.p.value() - center;
+      pose.p = pose.p - center;
       if (*type == model::GeomType::kMesh) {
         const int mesh = m.geom_dataid[geom];
         const float* vertices = m.mesh_vert + 3 * m.mesh_vertadr[mesh];
@@ -50,8 +50,8 @@ class Hull {
     double lowest = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : points_) lowest = std::max(lowest, p.dot(down));
     for (const auto& [shape, pose] : shapes_) {
-      const double own = model::Support(shape, pose.q.value().conjugate() * down);
-      lowest = std::max(lowest, pose.p.value().dot(down) + own);
+      const double own = model::Support(shape, pose.q.conjugate() * down);
+      lowest = std::max(lowest, pose.p.dot(down) + own);
     }
     return lowest;
   }

@@ -64,7 +64,7 @@ void NearPairs::ListBodies() {
     double& reach = reaches_[Nth(body)];
     reach = std::max(reach, VectorAt(m_.geom_pos, geom).norm() + m_.geom_rbound[geom]);
     const model::Box3 box = compiled::GeomBox(m_, geom, {});
-    if (!box.empty()) local_[Nth(geom)] = Box(box.min.value(), box.max.value());
+    if (!box.empty()) local_[Nth(geom)] = Box(box.min, box.max);
   }
   for (int body = 0; body < m_.nbody; ++body) {
     if (!geoms_[Nth(body)].empty()) bodies_.push_back(body);

@@ -107,7 +107,7 @@ void Comparison::CompareStart(double lift) {
   }
   for (std::size_t i = 0; i < meant.size(); ++i) {
     Number(subject, "qpos", static_cast<int>(i), m_.key_qpos[i], meant[i],
-           kRelative * std::max(1.0, std::abs(meant[i].value())) + length_tolerance_);
+           kRelative * std::max(1.0, std::abs(meant[i])) + length_tolerance_);
   }
 }
 

@@ -1,3 +1,5 @@
+// Comparison of variants that are made in several orders and by several generators.
+
 #pragma once
 
 #include <cstdint>
@@ -20,9 +22,10 @@ struct Loaded {
 /// Variants that MuJoCo does not look at.
 Options Seeded(std::uint64_t seed);
 
-/// Makes variants with moulds and without, and fails the test if a byte differs: of the file, the
-/// record, or what is written again of the object. Returns how many came from a mould.
-int Compare(Loaded& loaded, Options options, std::uint64_t first, std::uint64_t count);
+/// Makes the variants `first` to `first + count - 1` in order, each into the memory of the one
+/// before; then in reverse order, while all results are kept; and some of them alone, by generators
+/// of their own. Fails the test if a byte of a file or a record differs. Returns how many are valid.
+int ComparePure(Loaded& loaded, const Options& options, std::uint64_t first, std::uint64_t count);
 
 /// Specs in a folder of their own, with one, inner.yaml, that they may bring.
 class Written {
