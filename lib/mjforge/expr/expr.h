@@ -43,6 +43,8 @@ bool IsNameCharacter(char c);
 /// 0 to 9, in every locale.
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
+/// Returns true if `words`, one space apart, contains `word`.
+bool HasWord(std::string_view words, std::string_view word);
 /// The words of a text, separated by spaces or line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 

@@ -118,8 +118,8 @@ std::optional<std::string> FieldReader::Text(const spec::Field& field) {
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
   std::optional<std::string> word = Text(field);
   if (!word) return std::nullopt;
+  if (expr::HasWord(field.info->words, *word)) return word;
   const std::vector<std::string_view> known = expr::WordsOf(field.info->words);
-  if (std::ranges::find(known, *word) != known.end()) return word;
   Report(Code::kModelBadValue, field,
          fmt::format("is {}; it must be one of {}", Quoted(*word), fmt::join(known, ", ")),
          diag::DidYouMean(*word, known));

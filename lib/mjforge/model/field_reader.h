@@ -54,9 +54,8 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
-  /// What draws nothing needs no stream.
   sample::StreamId PathOf(const spec::Field& field) const {
-    return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
+    return sample::Child(path_, field.info->key);
   }
   /// Says what is wrong with one of the `count` numbers of a field.
   void ReportNumber(const spec::Field& field, double number, std::size_t position,
