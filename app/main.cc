@@ -10,7 +10,6 @@
 #include "commands.h"
 #include "completion.h"
 #include "make_options.h"
-#include "manual_page.h"
 #include "usage.h"
 
 namespace mjforge::app {
@@ -25,7 +24,6 @@ ExitStatus Run(int argc, char** argv) {
   const auto commands = AddCommands(app, report);
   std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
   if (argc > 1 && argv[1] == kComplete) return Complete(app, {argv + 2, argv + argc});
-  if (argc == 3 && argv[1] == kWriteManual) return WriteManualPages(app, argv[2]);
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
     const auto is_meant = [&](const auto& row) { return row.first->get_name() == words[0]; };
