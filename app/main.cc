@@ -1,5 +1,4 @@
-// The program: words in, words out, exit status.
-
+// The main function: parses the command line and runs a command.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -20,7 +19,7 @@ ExitStatus Run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", VersionText, "Print versions and exit");
   app.footer("'mjforge help COMMAND' explains a command and has examples.");
-  ReportOptions report;
+  MessageOptions report;
   const auto commands = AddCommands(app, report);
   std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
   if (argc > 1 && argv[1] == kComplete) return Complete(app, {argv + 2, argv + argc});
@@ -31,7 +30,8 @@ ExitStatus Run(int argc, char** argv) {
       words.emplace_back("--help");
   }
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them
+    app.parse(std::vector<std::string>(words.rbegin(),
+                                       words.rend()));  // CLI11 takes the words in reverse order
   } catch (const CLI::ParseError& error) {
     return ExplainParseError(app, error, words.empty() ? "" : words[0]);
   }

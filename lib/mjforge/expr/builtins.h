@@ -23,7 +23,7 @@ struct Builtin {
   std::variant<Unary, Binary, Ternary> function;
   ArgumentRule argument_rule = ArgumentRule::kAnything;
   ResultRule result_rule = ResultRule::kCount;
-  bool is_variadic = false;  // one or more arguments: f(f(a, b), c)
+  bool is_variadic = false;  // takes one or more arguments: f(f(a, b), c)
 
   /// Number of arguments; 0 if variadic.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }

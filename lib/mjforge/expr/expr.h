@@ -17,8 +17,8 @@
 
 namespace mjforge::expr {
 
-/// Appends `value` (finite) with at most 10 significant digits, correctly
-/// rounded, as short as possible: "0.015", "1e-08", "-3". Never "-0".
+/// Appends `value` (finite) with at most 10 significant digits, correctly rounded, as short as
+/// possible: "0.015", "1e-08", "-3". Never "-0".
 void AppendNumber(std::string& out, double value);
 std::string NumberText(double value);
 /// Size in bytes of a buffer for WriteNumber and WriteExactNumber: sign, 16 digits, point, zeros.

@@ -48,7 +48,7 @@ class Program {
  private:
   struct Step {
     const Builtin* builtin = nullptr;
-    const ListBuiltin* list_builtin = nullptr;  // both null: read the variable
+    const ListBuiltin* list_builtin = nullptr;  // null together with builtin: read the variable
     int slot = -1;
     ListSource list = {};
     std::array<Operand, 3> operands = {};

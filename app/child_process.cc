@@ -1,4 +1,5 @@
-#include "child.h"
+// Running untrusted work in a child process, with limits of time and memory.
+#include "child_process.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -25,9 +26,9 @@
 namespace mjforge::app {
 namespace {
 
-// What both processes see.
+// Progress of the child, in memory shared by both processes.
 struct Progress {
-  std::size_t step = 0;  // being taken
+  std::size_t step = 0;  // the current step
   ExitStatus status = ExitStatus::kDone;
   bool done = false;
 };
@@ -50,7 +51,7 @@ class SharedProgress {
   Progress* progress_;
 };
 
-// More than any object takes. AddressSanitizer reserves terabytes.
+// Limits memory to more than any object needs; not with AddressSanitizer, which reserves terabytes.
 void LimitMemory() {
 #ifndef __SANITIZE_ADDRESS__
   constexpr ::rlim_t kMost = ::rlim_t{8} << 30;
@@ -59,7 +60,7 @@ void LimitMemory() {
 #endif
 }
 
-// The step that begins may take so much CPU time; then SIGXCPU ends the process.
+// Limits the CPU time of the next step; SIGXCPU ends the process when the time is over.
 void LimitTime(Seconds time) {
   struct rusage used;
   ::getrusage(RUSAGE_SELF, &used);
@@ -69,12 +70,12 @@ void LimitTime(Seconds time) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-// Ends with the process that waits for it. Never returns.
-[[noreturn]] void BeChild(std::size_t count, Seconds time_limit,
-                          const std::function<ExitStatus(std::size_t)>& take,
-                          const SharedProgress& progress, ::pid_t parent) {
+// Runs the remaining steps in the child. The child ends when its parent ends.
+[[noreturn]] void RunSteps(std::size_t count, Seconds time_limit,
+                           const std::function<ExitStatus(std::size_t)>& take,
+                           const SharedProgress& progress, ::pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) std::_Exit(0);  // it ended before that
+  if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
   LimitMemory();
   try {
     for (; progress->step < count; ++progress->step) {
@@ -91,14 +92,15 @@ void LimitTime(Seconds time) {
   std::exit(0);
 }
 
-// Waits until the child has ended; false if it has not after so long. True as well where the system
-// cannot tell: then waitpid waits, and only CPU time is limited.
+// Waits until the child has ended; returns false if it is still running after `time`. Returns true
+// at once if the system has no pidfd_open: then waitpid waits, and only CPU time is limited.
 bool HasEnded(::pid_t child, Seconds time) {
   const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
   if (descriptor < 0) return true;
   ::pollfd polled = {descriptor, POLLIN, 0};
   int ready = 0;
-  // In short turns: time in which both processes were stopped (Ctrl-Z) does not count.
+  // Polls in short intervals, so that time in which both processes were stopped (Ctrl-Z) is not
+  // counted.
   constexpr int kTurnMilliseconds = 1000;
   for (double left = time.count() * 1000; left > 0 && ready <= 0; left -= kTurnMilliseconds)
     ready =
@@ -107,8 +109,9 @@ bool HasEnded(::pid_t child, Seconds time) {
   return ready > 0;
 }
 
-// How a child ended, once it has. Whoever is asked to end by a signal of the terminal or of a
-// batch system passes that on. A child whose step does not go on is killed.
+// Waits for the child and returns the reason of its end. Kills the child if a step exceeds its wall
+// time. If the child was ended by a signal of the terminal or of a batch system, ends this process
+// by the same signal.
 std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& progress) {
   const Seconds patience = batch::WallLimit(time_limit);
   std::size_t step = progress->step;
@@ -140,40 +143,40 @@ std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& pro
 
 }  // namespace
 
-ExitStatus InChild(std::size_t count, Seconds time_limit,
-                   const std::function<ExitStatus(std::size_t)>& take,
-                   const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
+ExitStatus RunInChild(std::size_t count, Seconds time_limit,
+                      const std::function<ExitStatus(std::size_t)>& take,
+                      const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
   const SharedProgress progress;
   while (progress->step < count && !progress->done) {
-    std::fflush(nullptr);  // else both write what is waiting
+    std::fflush(nullptr);  // otherwise both processes write the buffered output
     const ::pid_t parent = ::getpid();
     const ::pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
-    if (child == 0) BeChild(count, time_limit, take, progress, parent);
-    const std::string end = WaitFor(child, time_limit, progress);
+    if (child == 0) RunSteps(count, time_limit, take, progress, parent);
+    const std::string reason = WaitFor(child, time_limit, progress);
     if (progress->done) break;
-    progress->status = Worse(progress->status, crashed(progress->step, end));
+    progress->status = Worse(progress->status, crashed(progress->step, reason));
     ++progress->step;
   }
   return progress->status;
 }
 
-void AddCrash(const std::string& what, const std::string& end, diag::Findings& findings) {
+void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings) {
   findings.Add(
-      diag::Code::kMujocoError, {}, fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, end),
-      end.starts_with("took")    ? "raise --time-limit"
-      : end.starts_with("needs") ? "8 GiB are the most; `ulimit -v` may set a lower limit"
-                                 : "see whether indices of meshes (`face`) are in range and "
-                                   "sizes are sensible; a newer MuJoCo may say more");
+      diag::Code::kMujocoError, {}, fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, reason),
+      reason.starts_with("took")    ? "raise --time-limit"
+      : reason.starts_with("needs") ? "8 GiB are the most; `ulimit -v` may set a lower limit"
+                                    : "see whether indices of meshes (`face`) are in range and "
+                                      "sizes are sensible; a newer MuJoCo may say more");
 }
 
-ExitStatus InChild(const std::string& what, Seconds time_limit, Console& console,
-                   const std::function<ExitStatus()>& take) {
-  return InChild(
+ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,
+                      const std::function<ExitStatus()>& take) {
+  return RunInChild(
       1, time_limit, [&](std::size_t) { return take(); },
-      [&](std::size_t, const std::string& end) {
-        AddCrash(what, end, console.findings);
-        return console.Tell();
+      [&](std::size_t, const std::string& reason) {
+        AddCrashFinding(what, reason, console.findings);
+        return console.Report();
       });
 }
 
