@@ -1,7 +1,6 @@
 // Running untrusted work in a child process, with limits of time and memory.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -9,8 +8,6 @@
 #include "console.h"
 
 namespace mjforge::app {
-
-using Seconds = std::chrono::duration<double>;
 
 /// Runs `take` for the steps 0 to count - 1 in a child process, because some files make MuJoCo 2.2
 /// crash or hang, and files from others may be made for that purpose. The limits of a step are

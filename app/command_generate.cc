@@ -172,7 +172,7 @@ std::string CountsText(const batch::Summary& summary, Clock::time_point start) {
   if (summary.kept > 0) text += fmt::format(", {} of them kept", summary.kept);
   if (summary.interrupted) text += ", interrupted";
   if (summary.files_failed) text += ", stopped";
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = Seconds(Clock::now() - start).count();
   text += fmt::format(" ({:.1f} s", seconds);
   const auto made = static_cast<double>(summary.done() - summary.kept);
   if (seconds >= 1 && made >= 100) text += fmt::format(", {:.0f}/s", made / seconds);

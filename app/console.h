@@ -1,6 +1,7 @@
 // Standard output, standard error and exit status of the program.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,6 +9,8 @@
 #include "mjforge/diag/diag.h"
 
 namespace mjforge::app {
+
+using Seconds = std::chrono::duration<double>;
 
 /// Exit status of the program. If several apply, the largest is used.
 enum class ExitStatus {

@@ -32,8 +32,7 @@ void SetTimer(double seconds) {
 
 }  // namespace
 
-LoadLimit::LoadLimit(const std::string& what, std::chrono::duration<double> limit,
-                     const Console& console) {
+LoadLimit::LoadLimit(const std::string& what, Seconds limit, const Console& console) {
   diag::Findings findings;
   findings.Add(diag::Code::kBatchTooSlow, {},
                fmt::format("loading '{}' took more than {:g} s of CPU time", what, limit.count()),

@@ -1,7 +1,6 @@
 // Limit of the CPU time for loading a spec.
 #pragma once
 
-#include <chrono>
 #include <string>
 
 #include "console.h"
@@ -13,7 +12,7 @@ namespace mjforge::app {
 /// time.
 class LoadLimit {
  public:
-  LoadLimit(const std::string& what, std::chrono::duration<double> limit, const Console& console);
+  LoadLimit(const std::string& what, Seconds limit, const Console& console);
   LoadLimit(const LoadLimit&) = delete;
   LoadLimit& operator=(const LoadLimit&) = delete;
   ~LoadLimit();

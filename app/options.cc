@@ -112,8 +112,8 @@ void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::stri
   AddSpecOptions(command, options.spec);
 }
 
-void AddTimeLimit(CLI::App& command, std::chrono::duration<double>& limit, const std::string& doc) {
-  const auto set_limit = [&limit](double s) { limit = std::chrono::duration<double>(s); };
+void AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {
+  const auto set_limit = [&limit](double s) { limit = Seconds(s); };
   AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0", doc)
       ->option_text(fmt::format("S [{:g}]", limit.count()));
 }

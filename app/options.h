@@ -1,7 +1,6 @@
 // Options that several commands share.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -72,7 +71,7 @@ void AddProfile(CLI::App& command, std::vector<std::string>& settings,
                 const std::function<void()>& simulate);
 
 /// Adds --time-limit.
-void AddTimeLimit(CLI::App& command, std::chrono::duration<double>& limit,
+void AddTimeLimit(CLI::App& command, Seconds& limit,
                   const std::string& doc = "CPU time for each, s; wall time 10 S + 5");
 
 /// Adds --quiet, --findings and --color.

@@ -1,7 +1,6 @@
 // Options of `mjforge preview`.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -22,7 +21,7 @@ struct PreviewOptions {
   std::string background = "studio";
   std::vector<std::string> joints;  // NAME=EXPRESSION
   bool sweep = false;
-  std::chrono::duration<double> time_limit{600};
+  Seconds time_limit{600};
   bool force = false;
   SpecOptions spec;
 

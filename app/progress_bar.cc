@@ -59,7 +59,7 @@ ProgressBar::ProgressBar(bool enabled) : enabled_(enabled && IsTerminal()) {}
 void ProgressBar::Show(const batch::Summary& summary) {
   const auto elapsed = std::chrono::steady_clock::now() - start_;
   if (!enabled_ || elapsed < kDelay) return;
-  const double seconds = std::chrono::duration<double>(elapsed).count();
+  const double seconds = Seconds(elapsed).count();
   // Uses one column less than the terminal, because a full line would wrap.
   fmt::print(stderr, "{}{}", kClearLine, ProgressLine(summary, seconds, TerminalWidth() - 1));
   std::fflush(stderr);

@@ -19,6 +19,7 @@ class Dimension {
       : m_(Small(m)), kg_(Small(kg)), s_(Small(s)), rad_(Small(rad)), is_known_(true) {}
   /// The dimension of a count or a ratio.
   static constexpr Dimension Count() { return {0, 0, 0}; }
+  static constexpr Dimension Angle() { return {0, 0, 0, 1}; }
 
   bool is_known() const { return is_known_; }
   bool is_plain() const { return !is_known_ || *this == Count(); }

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kMaxCount = 12;        // larger numbers without a unit are not taken for counts
 constexpr std::size_t kMaxQuoted = 40;  // longer operands are not quoted in messages
-constexpr Dimension kAngle = {0, 0, 0, 1};
 
 bool IsOperator(const Builtin& builtin) { return !IsNameCharacter(builtin.name.front()); }
 
@@ -84,7 +83,7 @@ class DimensionChecker {
   }
 
   bool IsAngle(const Argument& argument) {
-    if (argument.dimension().is_plain() || argument.dimension() == kAngle) return true;
+    if (argument.dimension().is_plain() || argument.dimension() == Dimension::Angle()) return true;
     error_ = {diag::Code::kExprUnits,
               offset_,
               fmt::format("{}, but '{}' takes an angle in rad",
@@ -118,7 +117,7 @@ std::optional<Dimension> DeriveDimension(const Builtin& builtin,
     case ResultRule::kCount:
       return Dimension::Count();
     case ResultRule::kAngle:
-      return kAngle;
+      return Dimension::Angle();
     case ResultRule::kProduct:
       return arguments[0].dimension() * arguments[1].dimension();
     case ResultRule::kQuotient:

@@ -11,7 +11,6 @@ namespace {
 constexpr Dimension kLength = {1, 0, 0};
 constexpr Dimension kMass = {0, 1, 0};
 constexpr Dimension kTime = {0, 0, 1};
-constexpr Dimension kAngle = {0, 0, 0, 1};
 
 // Lengths come first: if two names are equally similar to a misspelled one, the first is suggested.
 constexpr std::array kUnits = {
@@ -20,8 +19,8 @@ constexpr std::array kUnits = {
     Unit{"m", "metre", kLength},
     Unit{"km", "kilometre, 1000 m", kLength, 1000},
     Unit{"um", "micrometre, 0.000001 m", kLength, 1, 1e6},
-    Unit{"deg", "degree, pi/180 rad", kAngle, std::numbers::pi, 180},
-    Unit{"rad", "radian", kAngle},
+    Unit{"deg", "degree, pi/180 rad", Dimension::Angle(), std::numbers::pi, 180},
+    Unit{"rad", "radian", Dimension::Angle()},
     Unit{"g", "gram, 0.001 kg", kMass, 1, 1000},
     Unit{"kg", "kilogram", kMass},
     Unit{"s", "second", kTime},
