@@ -89,14 +89,14 @@ class Expression {
   std::span<const Input> inputs() const { return inputs_; }
   /// Quoted texts of the expression.
   const std::vector<std::string>& texts() const { return texts_; }
-  /// Names of the spec's functions that the expression calls, directly or through others.
+  /// The names of the spec's functions that the expression calls, directly or through others.
   const std::set<std::string>& formulas() const { return formulas_; }
   /// The value, if the expression has no inputs.
   std::optional<double> constant() const { return constant_; }
 
-  /// Computes the value from the variables, in the slots of the Names passed to Compile, and from
+  /// Computes the value from the variables, in the slots given by the Names of Compile, and from
   /// the lists. The result may be NaN or infinite; the caller reports that with the values of the
-  /// inputs. An operation with a NaN operand gives NaN.
+  /// inputs. NaN operands give NaN, unless `and`, `or` or `?:` do not use them.
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }

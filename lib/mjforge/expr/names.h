@@ -73,7 +73,7 @@ class Names {
   std::map<std::string, Variable, std::less<>> variables_;
   std::map<std::string, Formula, std::less<>> formulas_;
   std::set<std::string, std::less<>> unknown_;
-  Variable member_;  // stands for every member of an unknown name
+  Variable member_;  // returned for every member of an unknown name
   int slot_count_ = 0;
   int list_count_ = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace mjforge::expr {
 
-/// Names of the components of a vector: v.x, v.y, v.z, v.w.
+/// The names of the components of a vector: v.x, v.y, v.z, v.w.
 inline constexpr std::string_view kComponents = "xyzw";
 
 struct Token {
