@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <system_error>
 
@@ -33,23 +34,12 @@ struct Progress {
   bool done = false;
 };
 
-class SharedProgress {
- public:
-  SharedProgress() {
-    void* memory = ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE,
-                          MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::bad_alloc();
-    progress_ = new (memory) Progress;
-  }
-  ~SharedProgress() { ::munmap(progress_, sizeof(Progress)); }
-  SharedProgress(const SharedProgress&) = delete;
-  SharedProgress& operator=(const SharedProgress&) = delete;
-
-  Progress* operator->() const { return progress_; }
-
- private:
-  Progress* progress_;
-};
+std::shared_ptr<Progress> ShareProgress() {
+  void* memory =
+      ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return {new (memory) Progress, [](Progress* progress) { ::munmap(progress, sizeof(Progress)); }};
+}
 
 // Limits memory to more than any object needs; not with AddressSanitizer, which reserves terabytes.
 void LimitMemory() {
@@ -72,23 +62,23 @@ void LimitTime(Seconds time) {
 
 // Runs the remaining steps in the child. The child ends when its parent ends.
 [[noreturn]] void RunSteps(std::size_t count, Seconds time_limit,
-                           const std::function<ExitStatus(std::size_t)>& take,
-                           const SharedProgress& progress, ::pid_t parent) {
+                           const std::function<ExitStatus(std::size_t)>& take, Progress& progress,
+                           ::pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
   LimitMemory();
   try {
-    for (; progress->step < count; ++progress->step) {
+    for (; progress.step < count; ++progress.step) {
       LimitTime(time_limit);
-      progress->status = Worse(progress->status, take(progress->step));
+      progress.status = Worse(progress.status, take(progress.step));
     }
   } catch (const std::bad_alloc&) {
     std::_Exit(batch::kNoMemoryStatus);
   } catch (const std::exception& error) {
     fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
-    progress->status = ExitStatus::kBug;
+    progress.status = ExitStatus::kBug;
   }
-  progress->done = true;
+  progress.done = true;
   std::exit(0);
 }
 
@@ -112,11 +102,11 @@ bool HasEnded(::pid_t child, Seconds time) {
 // Waits for the child and returns the reason of its end. Kills the child if a step exceeds its wall
 // time. If the child was ended by a signal of the terminal or of a batch system, ends this process
 // by the same signal.
-std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& progress) {
+std::string WaitFor(::pid_t child, Seconds time_limit, const Progress& progress) {
   const Seconds patience = batch::WallLimit(time_limit);
-  std::size_t step = progress->step;
+  std::size_t step = progress.step;
   while (!HasEnded(child, patience)) {
-    const std::size_t now = progress->step;
+    const std::size_t now = progress.step;
     if (now == step) {
       ::kill(child, SIGKILL);
       while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
@@ -146,14 +136,14 @@ std::string WaitFor(::pid_t child, Seconds time_limit, const SharedProgress& pro
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& take,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
-  const SharedProgress progress;
+  const std::shared_ptr<Progress> progress = ShareProgress();
   while (progress->step < count && !progress->done) {
     std::fflush(nullptr);  // otherwise both processes write the buffered output
     const ::pid_t parent = ::getpid();
     const ::pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
-    if (child == 0) RunSteps(count, time_limit, take, progress, parent);
-    const std::string reason = WaitFor(child, time_limit, progress);
+    if (child == 0) RunSteps(count, time_limit, take, *progress, parent);
+    const std::string reason = WaitFor(child, time_limit, *progress);
     if (progress->done) break;
     progress->status = Worse(progress->status, crashed(progress->step, reason));
     ++progress->step;

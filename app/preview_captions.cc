@@ -93,8 +93,9 @@ bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   return draw != nullptr && draw->rows == nullptr;
 }
 
-std::vector<std::size_t> MostDifferent(std::span<const Record> records,
-                                       const spec::ObjectSpec& spec) {
+// Returns the parameters with the most visible differences, as (rank, -spread, index).
+std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const Record> records,
+                                                                const spec::ObjectSpec& spec) {
   const auto& params = records.front().params;
   const bool any_drawn = std::any_of(params.begin(), params.end(),
                                      [&](const auto& param) { return IsDrawn(spec, param.first); });
@@ -107,10 +108,7 @@ std::vector<std::size_t> MostDifferent(std::span<const Record> records,
   }
   std::sort(found.begin(), found.end());
   found.resize(std::min(found.size(), kMaxParameters));
-  std::vector<std::size_t> parameters;
-  parameters.reserve(found.size());
-  for (const auto& [rank, spread, parameter] : found) parameters.push_back(parameter);
-  return parameters;
+  return found;
 }
 
 }  // namespace
@@ -119,11 +117,11 @@ std::vector<std::vector<std::string>> MakeCaptions(std::span<const Record> recor
                                                    const spec::ObjectSpec& spec) {
   std::vector<std::vector<std::string>> captions;
   if (records.empty()) return captions;
-  const std::vector<std::size_t> parameters = MostDifferent(records, spec);
+  const auto parameters = MostDifferent(records, spec);
   for (const Record& record : records) {
     std::vector<std::string>& lines = captions.emplace_back();
     lines.push_back(fmt::format("#{}", record.index));
-    for (const std::size_t parameter : parameters) {
+    for (const auto& [rank, spread, parameter] : parameters) {
       const auto& [name, value] = record.params[parameter];
       lines.push_back(fmt::format("{} {}", name, TextOf(value, UnitOf(spec.FindParameter(name)))));
     }

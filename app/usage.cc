@@ -50,8 +50,7 @@ std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
 }  // namespace
 
 ExitStatus WrongUsage(std::string_view message, std::string_view command) {
-  MessageOptions report;
-  Console console(report);
+  const Console console{MessageOptions()};
   console.PrintLine(fmt::format("mjforge: error: {}", message));
   console.PrintLine(
       fmt::format("  hint: see 'mjforge{}{} --help'", command.empty() ? "" : " ", command));
