@@ -1,4 +1,4 @@
-# csv::csv
+# Defines the target csv::csv.
 find_path(csv_INCLUDE_DIR csv.h)
 find_library(csv_LIBRARY csv)
 mark_as_advanced(csv_INCLUDE_DIR csv_LIBRARY)

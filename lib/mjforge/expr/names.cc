@@ -1,3 +1,4 @@
+// Symbol table of an expression, and the characters of names.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ bool IsName(std::string_view text) {
   return !text.empty() && IsAsciiLetter(text.front()) && std::ranges::all_of(text, IsNameCharacter);
 }
 
-bool IsNameCharacter(char c) { return IsAsciiLetter(c) || (c >= '0' && c <= '9') || c == '_'; }
+bool IsNameCharacter(char c) { return IsAsciiLetter(c) || IsDigit(c) || c == '_'; }
 
 bool HasWord(std::string_view words, std::string_view word) {
   if (word.empty() || word.find(' ') != word.npos) return false;
@@ -51,27 +52,25 @@ std::string_view TypeName(Type type) {
   return {};
 }
 
-const Names::Variable& Names::Declare(std::string name, Type type, int components,
+const Names::Variable& Names::Declare(const std::string& name, Type type, int components,
                                       Dimensions dimensions) {
   const int slot = std::exchange(slot_count_, slot_count_ + components);
-  std::string key = name;
-  const auto [at, is_new] =
-      variables_.insert_or_assign(std::move(key), Variable{.name = std::move(name),
-                                                           .type = type,
-                                                           .slot = slot,
-                                                           .components = components,
-                                                           .dimensions = std::move(dimensions)});
-  return at->second;
+  const Variable variable{.name = name,
+                          .type = type,
+                          .slot = slot,
+                          .components = components,
+                          .dimensions = std::move(dimensions)};
+  return variables_.insert_or_assign(name, variable).first->second;
 }
 
-const Names::Variable& Names::DeclareList(std::string name, Type type, Dimensions dimensions) {
-  std::string key = name;
-  const Variable list{.name = std::move(name),
+const Names::Variable& Names::DeclareList(const std::string& name, Type type,
+                                          Dimensions dimensions) {
+  const Variable list{.name = name,
                       .type = type,
                       .slot = slot_count_++,
                       .list = list_count_++,
                       .dimensions = std::move(dimensions)};
-  return variables_.insert_or_assign(std::move(key), list).first->second;
+  return variables_.insert_or_assign(name, list).first->second;
 }
 
 void Names::Forget(std::string_view name) {
@@ -90,10 +89,7 @@ std::string Formula::Usage() const {
   return fmt::format("{}({})", name, fmt::join(arguments, ", "));
 }
 
-void Names::Define(Formula formula) {
-  std::string name = formula.name;
-  formulas_.insert_or_assign(std::move(name), std::move(formula));
-}
+void Names::Define(const Formula& formula) { formulas_.insert_or_assign(formula.name, formula); }
 
 const Formula* Names::FindFormula(std::string_view name) const {
   const auto found = formulas_.find(name);

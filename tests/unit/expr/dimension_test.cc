@@ -1,3 +1,4 @@
+// Tests of dimensional analysis and of the names of units.
 #include <catch2/catch.hpp>
 #include <string>
 #include <utility>

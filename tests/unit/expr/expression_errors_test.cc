@@ -1,3 +1,4 @@
+// Tests of the messages and hints for wrong expressions.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// Tests of the values of expressions.
 #include <catch2/catch.hpp>
 #include <clocale>
 #include <cmath>

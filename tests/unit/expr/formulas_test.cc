@@ -1,3 +1,4 @@
+// Tests of functions that a spec defines.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// Tests of lists and vectors in expressions.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>

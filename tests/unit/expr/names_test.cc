@@ -1,3 +1,4 @@
+// Tests of the symbol table of expressions.
 #include <catch2/catch.hpp>
 
 #include "mjforge/expr/expr.h"

@@ -1,3 +1,4 @@
+// Tests of units after numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>

@@ -1,3 +1,4 @@
+// Conversion of numbers to text (ten digits, or shortest round trip) and of text to numbers.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,24 +14,23 @@
 namespace mjforge::expr {
 namespace {
 
-// What MJCF files carry: a tenth of a nanometre in a metre.
-constexpr int kDigits = 10;
+constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm of 1 m
 
-// Powers of ten that a double holds exactly; the last is 10^22.
+// Powers of ten that are exact as doubles, up to 10^22.
 constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                             1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr int kLargestPower = static_cast<int>(kPowers.size()) - 1;
 
-// A value as d.ddddddddd * 10^exponent; `digits` holds ten decimal digits.
+// A number d.ddddddddd * 10^exponent; `digits` contains the ten decimal digits.
 struct Decimal {
   std::uint64_t digits = 0;
   int exponent = 0;
 };
 
-// The value times 10^(9 - exponent): ten digits before the point. Both factors
-// are exact, so the product is wrong by at most half a unit in its last place,
-// about 1e-6 for a number below 1e10.
+// Returns the value times 10^(9 - exponent), which has ten digits before the point. Both factors
+// are exact, so the error of the product is at most half a unit in the last place, about 1e-6 for a
+// product below 1e10.
 std::optional<double> Scaled(double magnitude, int exponent) {
   const int shift = kDigits - 1 - exponent;
   if (shift >= 0 && shift <= kLargestPower) return magnitude * kPowers[static_cast<size_t>(shift)];
@@ -38,12 +38,12 @@ std::optional<double> Scaled(double magnitude, int exponent) {
   return std::nullopt;
 }
 
-// Correctly rounded, or nothing if that is not certain: the value is outside
-// the exact powers or its rest is too near to one half.
+// Returns the correctly rounded decimal, or nothing if the rounding is uncertain: the power of ten
+// is not exact, or the fraction is too near to one half.
 std::optional<Decimal> Rounded(double magnitude) {
   const int binary =
       static_cast<int>((std::bit_cast<std::uint64_t>(magnitude) >> 52) & 0x7ff) - 1023;
-  // floor(binary * log10(2)), which is the decimal exponent or one below it.
+  // floor(binary * log10(2)) is the decimal exponent or one less.
   int exponent = (binary * 78913) >> 18;
   std::optional<double> scaled = Scaled(magnitude, exponent);
   if (scaled && *scaled >= kPowers[kDigits]) scaled = Scaled(magnitude, ++exponent);
@@ -57,8 +57,8 @@ std::optional<Decimal> Rounded(double magnitude) {
   return decimal;
 }
 
-// The eight digits of a number below 10^8 as the bytes of a word, the first one
-// lowest. Each step splits every part in two: 4 + 4 digits, 2 + 2, 1 + 1.
+// Returns the eight digits of a number below 10^8 as the bytes of a word, the first digit in the
+// lowest byte. Each step splits every part in two: 4 + 4 digits, 2 + 2, 1 + 1.
 // Source: P. Khuong, "How to print integers really fast", 2017.
 std::uint64_t EightDigits(std::uint64_t number) {
   const std::uint64_t fours = number / 10'000 | (number % 10'000) << 32;
@@ -68,8 +68,8 @@ std::uint64_t EightDigits(std::uint64_t number) {
   return tens | (twos - 10 * tens) << 8;
 }
 
-// A number's 16 digits, the first ones in the low bytes of `high`, so that
-// storing a word writes them in order.
+// The 16 digits of a number. The first digit is in the lowest byte of `high`, so that storing both
+// words writes the digits in order.
 static_assert(std::endian::native == std::endian::little);
 struct Digits {
   std::uint64_t high;
@@ -78,12 +78,12 @@ struct Digits {
   explicit Digits(std::uint64_t number)
       : high(EightDigits(number / 100'000'000)), low(EightDigits(number % 100'000'000)) {}
 
-  /// Up to the last one that is not zero.
+  /// Number of digits without trailing zeros.
   std::size_t count() const {
     const int zeros = low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high);
     return static_cast<std::size_t>(16 - zeros / 8);
   }
-  /// Writes all 16.
+  /// Writes all 16 digits.
   void Write(char* out) const {
     constexpr std::uint64_t kZeros = 0x3030'3030'3030'3030;  // '0' eight times
     const std::uint64_t words[] = {high | kZeros, low | kZeros};
@@ -92,8 +92,8 @@ struct Digits {
   }
 };
 
-// The digits with the point where the exponent of the first one, -4 or more,
-// says. Returns the end; bytes behind it are overwritten, too.
+// Writes a number without exponent; `exponent` (at least -4) belongs to the first digit. Returns
+// the end of the text; bytes after it are overwritten.
 char* WritePositional(char* out, const Digits& digits, int exponent) {
   if (exponent < 0) {
     constexpr std::array kStart = {'0', '.', '0', '0', '0', '0'};
@@ -133,15 +133,14 @@ char* WriteChars(char* out, Args... args) {
   return std::to_chars(out, out + kLongestNumber, args...).ptr;
 }
 
-// Writes a value that has at most 15 digits and stands without an exponent
-// whatever its digits are; null for any other.
+// Writes a value of at most 15 digits with 1e-3 <= |value| < 1e4. Returns null for other values.
 char* WriteShortDecimal(char* out, double value) {
-  constexpr int kCertain = 15;  // digits that survive being a double
+  constexpr int kCertain = 15;  // decimals of 15 digits survive a conversion to double and back
   const double magnitude = std::abs(value);
   if (!(magnitude >= 1e-3 && magnitude < 1e4)) return nullptr;
   int exponent = -3;
   for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
-  // Dividing two exact numbers rounds as reading the decimal does.
+  // The quotient of two exact numbers is rounded like the decimal when it is read.
   const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
   const double scaled = magnitude * power;
   auto whole = static_cast<std::uint64_t>(scaled);
@@ -151,7 +150,7 @@ char* WriteShortDecimal(char* out, double value) {
   return WritePositional(out, Digits(whole * 10), exponent);
 }
 
-// Writes 0 to 9, which many numbers are; null for any other.
+// Writes a whole number from 0 to 9, the most frequent case. Returns null for other values.
 char* WriteDigit(char* out, double value) {
   if (!(value >= 0 && value <= 9)) return nullptr;
   const int digit = static_cast<int>(value);
@@ -166,29 +165,6 @@ void Append(std::string& out, double value) {
   out.append(text.data(), write(text.data(), value));
 }
 
-// The length of the decimal number without sign at the start of `text`, 0 if none.
-std::size_t DecimalLength(std::string_view text) {
-  const auto digits = [text](std::size_t i) {
-    while (i < text.size() && IsDigit(text[i])) ++i;
-    return i;
-  };
-  std::size_t end = digits(0);
-  std::size_t count = end;
-  if (end < text.size() && text[end] == '.') {
-    const std::size_t after = digits(end + 1);
-    count += after - end - 1;
-    end = after;
-  }
-  if (count == 0) return 0;
-  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
-    std::size_t first = end + 1;
-    if (first < text.size() && (text[first] == '+' || text[first] == '-')) ++first;
-    const std::size_t last = digits(first);
-    if (last > first) end = last;
-  }
-  return end;
-}
-
 std::optional<double> ParseInteger(std::string_view digits, int base) {
   std::uint64_t value = 0;
   const char* end = digits.data() + digits.size();
@@ -199,10 +175,9 @@ std::optional<double> ParseInteger(std::string_view digits, int base) {
 
 }  // namespace
 
-// Written as printf("%.10g") would in the C locale: positional for
-// 1e-4 <= |value| < 1e10, else with an exponent of at least two digits. That is
-// what MuJoCo's own files look like, and every reader of C numbers takes it.
-// Most values of a model need no rounding in doubt, which saves to_chars' search.
+// The text equals that of printf("%.10g") in the C locale: without exponent for 1e-4 <= |value| <
+// 1e10, otherwise with an exponent of at least two digits. MuJoCo writes its files in this format.
+// The slower std::to_chars is only used if the rounding is uncertain.
 char* WriteNumber(char* out, double value) {
   const double magnitude = std::abs(value);
   if (char* const end = WriteDigit(out, value)) return end;
@@ -227,8 +202,8 @@ std::string NumberText(double value) {
   return text;
 }
 
-// Drawn values have few digits. A decimal of at most 15 is the only one of that
-// length that reads back as the value, hence the shortest.
+// Drawn values have few digits. If a decimal of at most 15 digits reads back as the value, no other
+// decimal of at most 15 digits does, so it is the shortest.
 char* WriteExactNumber(char* out, double value) {
   const bool minus_zero = value == 0 && std::signbit(value);
   char* end = minus_zero ? nullptr : WriteDigit(out, value);
@@ -244,14 +219,14 @@ std::string ExactNumberText(double value) {
   return text;
 }
 
-// Numbers that no double holds (1e999, and 1e-999, which would silently be 0)
-// are not numbers here.
+// Numbers outside the range of a double (1e999, and 1e-999, which would become 0) are rejected.
 std::optional<double> ParseNumber(std::string_view text) {
   if (text.starts_with("0x")) return ParseInteger(text.substr(2), 16);
   if (text.starts_with("0o")) return ParseInteger(text.substr(2), 8);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || DecimalLength(text) != text.size()) return std::nullopt;
+  // std::from_chars also reads "inf", "nan" and a second sign.
+  if (text.empty() || (!IsDigit(text.front()) && text.front() != '.')) return std::nullopt;
   double value = 0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);

@@ -1,3 +1,4 @@
+// Tests of the list of built-in functions and constants.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>

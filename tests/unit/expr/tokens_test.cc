@@ -1,3 +1,4 @@
+// Tests of the names used in an expression.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

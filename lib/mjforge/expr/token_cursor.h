@@ -1,6 +1,5 @@
+// Current position in the tokens of an expression. Private to the room.
 #pragma once
-
-// Private to the room: where one is in the words of an expression.
 
 #include <algorithm>
 #include <array>
@@ -9,15 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "mjforge/expr/words.h"
+#include "mjforge/expr/tokens.h"
 
 namespace mjforge::expr {
 
-class Cursor {
+class TokenCursor {
  protected:
-  Cursor(std::string_view text, std::vector<Word> words) : words_(std::move(words)), text_(text) {}
+  TokenCursor(std::string_view text, std::vector<Token> tokens)
+      : tokens_(std::move(tokens)), text_(text) {}
 
-  const Word& Now() const { return words_[at_]; }
+  const Token& Now() const { return tokens_[at_]; }
 
   bool Take(std::string_view sign) {
     if (!Now().IsSign(sign)) return false;
@@ -27,19 +27,19 @@ class Cursor {
 
   bool AtComparison() const {
     static constexpr std::array<std::string_view, 6> kSigns = {"<", "<=", ">", ">=", "==", "!="};
-    return Now().kind == Word::Kind::kSign &&
+    return Now().kind == Token::Kind::kSign &&
            std::find(kSigns.begin(), kSigns.end(), Now().text) != kSigns.end();
   }
 
-  // What is written from one word up to another.
+  // Returns the source text from one token up to the start of another, without blanks at its end.
   std::string_view Source(std::size_t begin, std::size_t end) const {
-    const std::size_t from = words_[begin].offset;
-    std::string_view source = text_.substr(from, words_[end].offset - from);
+    const std::size_t from = tokens_[begin].offset;
+    std::string_view source = text_.substr(from, tokens_[end].offset - from);
     while (source.ends_with(' ') || source.ends_with('\n')) source.remove_suffix(1);
     return source;
   }
 
-  std::vector<Word> words_;
+  std::vector<Token> tokens_;
   std::size_t at_ = 0;
 
  private:

@@ -1,11 +1,12 @@
-#include "table.h"
+// Tables for terminals.
+#include "text_table.h"
 
 #include <algorithm>
 
 namespace mjforge::app {
 namespace {
 
-// Characters, not bytes: those that continue a UTF-8 character do not count.
+// Counts characters: all bytes except UTF-8 continuation bytes.
 std::size_t Width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -14,9 +15,8 @@ std::size_t Width(const std::string& text) {
 
 }  // namespace
 
-std::string Table::Render() const {
-  // The width of each column; 0: left out.
-  std::vector<std::size_t> widths(rows_.front().size(), 0);
+std::string TextTable::Render() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);  // 0: the column is left out
   for (std::size_t column = 0; column < widths.size(); ++column) {
     const bool used = std::any_of(rows_.begin() + 1, rows_.end(),
                                   [&](const auto& row) { return !row[column].empty(); });

@@ -1,3 +1,4 @@
+// Tests of the conversion of numbers to text and back.
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>

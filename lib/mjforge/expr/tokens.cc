@@ -1,17 +1,18 @@
-#include "mjforge/expr/words.h"
+// Tokenizer of expressions.
+#include "mjforge/expr/tokens.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "mjforge/expr/functions.h"
+#include "mjforge/expr/builtins.h"
 
 namespace mjforge::expr {
 namespace {
 
-// Longer ones first. `=`, `&`, `|` and `..` mean nothing in an expression, but
-// the grammar has something to say about them.
+// Longer signs come first. `=`, `&`, `|` and `..` are not valid in expressions, but the parser has
+// messages for them.
 constexpr std::array<std::string_view, 26> kSigns = {
     "..", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^", "%",
     "(",  ")",  "[",  "]",  ",",  "?",  ":",  "<", ">", "!", "=", "&", "|"};
@@ -20,23 +21,23 @@ bool IsHexDigit(char c) { return IsDigit(c) || (c >= 'a' && c <= 'f') || (c >= '
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-class Splitter {
+class Tokenizer {
  public:
-  Splitter(std::string_view text, std::vector<Word>& words, Error& error)
-      : text_(text), words_(words), error_(error) {}
+  Tokenizer(std::string_view text, std::vector<Token>& tokens, Error& error)
+      : text_(text), tokens_(tokens), error_(error) {}
 
   bool Run() {
     for (;;) {
       while (IsBlank(Peek())) ++at_;
       if (at_ == text_.size()) break;
-      if (!One()) return false;
+      if (!ReadToken()) return false;
     }
-    words_.push_back({.kind = Word::Kind::kEnd, .offset = at_});
+    tokens_.push_back({.kind = Token::Kind::kEnd, .offset = at_});
     return true;
   }
 
  private:
-  // '\0' past the end; it is no part of any word.
+  // Returns '\0', which belongs to no token, past the end.
   char Peek(std::size_t ahead = 0) const {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
@@ -53,21 +54,21 @@ class Splitter {
     return false;
   }
 
-  bool One() {
+  bool ReadToken() {
     if (IsDigit(Peek()) || (Peek() == '.' && IsDigit(Peek(1)))) return Number();
     if (IsLetter(Peek())) return Name();
     if (Peek() == '\'' || Peek() == '"') return Text();
     for (const std::string_view sign : kSigns) {
       if (text_.substr(at_).starts_with(sign)) {
-        words_.push_back({.kind = Word::Kind::kSign, .offset = at_, .text = sign});
+        tokens_.push_back({.kind = Token::Kind::kSign, .offset = at_, .text = sign});
         at_ += sign.size();
         return true;
       }
     }
-    return Stranger();
+    return FailCharacter();
   }
 
-  // A dot belongs to the number unless another follows: `1..2` is a range.
+  // A point belongs to the number unless another point follows (`1..2` is a range).
   void SkipDecimal() {
     Skip(IsDigit);
     if (Peek() == '.' && Peek(1) != '.') {
@@ -106,7 +107,7 @@ class Splitter {
                                      octal ? "not an octal number"
                                            : "too large or too small for a number"));
     }
-    words_.push_back({Word::Kind::kNumber, begin, Since(begin), *number, Since(unit)});
+    tokens_.push_back({Token::Kind::kNumber, begin, Since(begin), *number, Since(unit)});
     return true;
   }
 
@@ -117,7 +118,7 @@ class Splitter {
       ++at_;
       Skip(IsNameCharacter);
     }
-    words_.push_back({.kind = Word::Kind::kName, .offset = begin, .text = Since(begin)});
+    tokens_.push_back({.kind = Token::Kind::kName, .offset = begin, .text = Since(begin)});
     return true;
   }
 
@@ -125,14 +126,14 @@ class Splitter {
     const std::size_t begin = at_;
     const std::size_t end = text_.find(Peek(), begin + 1);
     if (end == std::string_view::npos) return Fail(begin, "the quote is not closed");
-    words_.push_back({.kind = Word::Kind::kText,
-                      .offset = begin,
-                      .text = text_.substr(begin + 1, end - begin - 1)});
+    tokens_.push_back({.kind = Token::Kind::kText,
+                       .offset = begin,
+                       .text = text_.substr(begin + 1, end - begin - 1)});
     at_ = end + 1;
     return true;
   }
 
-  bool Stranger() {
+  bool FailCharacter() {
     const std::size_t begin = at_++;
     Skip([](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
     const std::string_view character = Since(begin);
@@ -148,36 +149,33 @@ class Splitter {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  std::vector<Word>& words_;
+  std::vector<Token>& tokens_;
   Error& error_;
 };
 
-bool IsComponent(std::string_view part) {
-  return part == "x" || part == "y" || part == "z" || part == "w";
-}
-
 }  // namespace
 
-bool SplitWords(std::string_view text, std::vector<Word>& words, Error& error) {
-  return Splitter(text, words, error).Run();
+bool Tokenize(std::string_view text, std::vector<Token>& tokens, Error& error) {
+  return Tokenizer(text, tokens, error).Run();
 }
 
 bool IsReserved(std::string_view name) {
-  return name == "and" || name == "or" || name == "not" || FindCallee(name) != nullptr ||
+  return name == "and" || name == "or" || name == "not" || FindBuiltin(name) != nullptr ||
          FindConstant(name) != nullptr;
 }
 
 std::vector<std::string> NamesUsedIn(std::string_view text) {
-  std::vector<Word> words;
+  std::vector<Token> tokens;
   Error error;
   std::vector<std::string> names;
-  if (!SplitWords(text, words, error)) return names;
-  for (const Word& word : words) {
-    if (word.kind != Word::Kind::kName) continue;
-    if (IsReserved(word.text)) continue;
-    const std::size_t dot = word.text.rfind('.');
-    const bool component = dot != std::string_view::npos && IsComponent(word.text.substr(dot + 1));
-    std::string name(component ? word.text.substr(0, dot) : word.text);
+  if (!Tokenize(text, tokens, error)) return names;
+  for (const Token& token : tokens) {
+    if (token.kind != Token::Kind::kName) continue;
+    if (IsReserved(token.text)) continue;
+    const std::size_t dot = token.text.rfind('.');
+    const bool has_component = dot != std::string_view::npos && dot + 2 == token.text.size() &&
+                               kComponents.find(token.text.back()) != std::string_view::npos;
+    std::string name(has_component ? token.text.substr(0, dot) : token.text);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;

@@ -1,3 +1,4 @@
+// Tables for terminals.
 #pragma once
 
 #include <string>
@@ -5,15 +6,15 @@
 
 namespace mjforge::app {
 
-/// Text in aligned columns, two spaces apart.
-class Table {
+/// A table whose columns are aligned and two spaces apart.
+class TextTable {
  public:
-  explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
+  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
 
-  /// As many cells as the header has.
+  /// Adds a row with one cell per column.
   void Add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   bool empty() const { return rows_.size() == 1; }
-  /// Columns that are empty in every row are left out.
+  /// Returns the table without columns that are empty in every row.
   std::string Render() const;
 
  private:
