@@ -21,16 +21,13 @@ namespace {
 class Maker {
  public:
   Maker(LoadedRecipe& loaded, bool moulds)
-      : moulds_(moulds), generator_(loaded.recipe, loaded.sources, Of(moulds)) {}
+      : generator_(loaded.recipe, loaded.sources, Of(moulds)) {}
 
   void Make(std::uint64_t index) {
     const auto start = std::chrono::steady_clock::now();
     generator_.Make(index, variant_);
     record_.clear();
-    if (moulds_)
-      writer_.Append(record_, variant_.record);
-    else
-      manifest::AppendRecord(record_, variant_.record);
+    manifest::AppendRecord(record_, variant_.record);
     time_ += std::chrono::steady_clock::now() - start;
     from_moulds_ += variant_.mould > 0;
   }
@@ -51,10 +48,8 @@ class Maker {
     return options;
   }
 
-  bool moulds_;
   forge::Generator generator_;
   forge::Variant variant_;
-  manifest::RecordWriter writer_;
   std::string record_;
   std::chrono::duration<double, std::micro> time_{};
   std::uint64_t from_moulds_ = 0;

@@ -22,7 +22,6 @@ struct MjforgeMaker {
   std::optional<forge::Recipe> recipe;
   std::unique_ptr<forge::Generator> generator;
   forge::Variant variant;
-  manifest::RecordWriter writer;
   // What was said last.
   std::string record;
   std::string said_findings;
@@ -121,7 +120,7 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   forge::Variant& variant = maker.variant;
   maker.generator->Make(index, variant);
   maker.record.clear();
-  maker.writer.Append(maker.record, variant.record);
+  manifest::AppendRecord(maker.record, variant.record);
   maker.record.pop_back();  // the line end
   made.record = View(maker.record);
   if (!variant.findings.empty()) {

@@ -39,7 +39,6 @@ int Compare(Loaded& loaded, Options options, std::uint64_t first, std::uint64_t 
   Generator plain(loaded.recipe, loaded.sources, options);
   Variant variant;
   Variant expected;
-  manifest::RecordWriter writer;
   int moulded = 0;
   for (std::uint64_t index = first; index < first + count; ++index) {
     INFO(loaded.recipe.reference << ", target " << mjcf::RulesOf(options.target).name << ", index "
@@ -49,7 +48,7 @@ int Compare(Loaded& loaded, Options options, std::uint64_t first, std::uint64_t 
     moulded += variant.mould > 0;
     std::string line;
     std::string expected_line;
-    writer.Append(line, variant.record);
+    manifest::AppendRecord(line, variant.record);
     manifest::AppendRecord(expected_line, expected.record);
     REQUIRE(line == expected_line);
     if (!expected.ok()) continue;

@@ -102,7 +102,7 @@ class Worker {
       return false;
     }
     if (line_.empty()) {
-      writer_.Append(lines_, record);
+      manifest::AppendRecord(lines_, record);
     } else {
       manifest::AppendWithPlaces(lines_, line_, archive_, record.spec_file);
     }
@@ -151,7 +151,7 @@ class Worker {
     record.file = stem + ".xml";
     // The record there says nothing of places: two archives of the same variants are the same.
     std::string spec_file = std::exchange(record.spec_file, {});
-    writer_.Append(line_, record);
+    manifest::AppendRecord(line_, record);
     record.spec_file = std::move(spec_file);
     return AddMadeFiles(findings) && segment_.Add(record.file, variant_.document.text, findings) &&
            segment_.Add(stem + ".json", line_, findings);
@@ -197,7 +197,6 @@ class Worker {
   std::set<std::string> made_members_;  // of that
   forge::Variant variant_;
   std::string archive_;  // the name of the one that the chunk goes to
-  manifest::RecordWriter writer_;
   std::string lines_;  // the chunk's records
   std::string line_;   // the record in the archive; empty: it is not there
 };

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -100,26 +99,6 @@ struct Record : mjcf::Provenance {
 
 /// Appends one JSON object and a line end.
 void AppendRecord(std::string& out, const Record& record);
-
-/// Writes the same lines faster where records follow each other that differ in numbers only, as
-/// those of a batch do.
-class RecordWriter {
- public:
-  RecordWriter();
-  ~RecordWriter();
-
-  void Append(std::string& out, const Record& record);
-
- private:
-  class Form;
-  /// For the record; null if it is to be written field by field.
-  Form* FormOf(const Record& record);
-
-  std::vector<std::unique_ptr<Form>> forms_;  // the one used last first
-  std::vector<double> numbers_;               // of the record at hand
-  std::uint64_t made_ = 0;                    // forms
-  std::uint64_t hits_ = 0;                    // records from them
-};
 
 /// Appends `line`, a record as AppendRecord writes it, with the two members that it lacks:
 /// `archive` and, unless that is empty, `spec_file`.

@@ -6,6 +6,19 @@
 
 namespace mjforge::manifest {
 
+void AppendRecord(std::string& out, const Record& record) {
+  diag::Json json(expr::AppendExactNumber, std::move(out));
+  json.StartObject();
+  for (const RecordField& field : RecordFields()) {
+    if (field.is_absent != nullptr && field.is_absent(record)) continue;
+    json.Key(field.key);
+    field.write(json, record);
+  }
+  json.EndObject();
+  out = json.Take();
+  out += '\n';
+}
+
 void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
                       const std::string& spec_file) {
   // A quote within a value has a backslash before it, so that only a key is found.

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "mjforge/expr/expr.h"
-#include "mjforge/manifest/record_alike.h"
+#include "mjforge/manifest/record_values.h"
 
 namespace mjforge::manifest {
 namespace {
@@ -169,10 +169,6 @@ RecordField Field(const char* key, std::string schema, std::string_view doc) {
   RecordField field{key, std::move(schema), doc,
                     [](Json& json, const Record& record) { Put(json, record.*member); },
                     [](const Value& value, Record& record) { return Get(value, record.*member); }};
-  field.is_alike = [](const Record& a, const Record& b) { return IsAlike(a.*member, b.*member); };
-  field.numbers = [](const Record& record, std::vector<double>& out) {
-    AppendNumbers(record.*member, out);
-  };
   if constexpr (scope == Scope::kBatch)
     field.same = [](const Record& a, const Record& b) { return a.*member == b.*member; };
   return field;
@@ -191,20 +187,13 @@ RecordField Optional(const char* key, std::string schema, std::string_view doc) 
 // What there is only where an object was made, else null.
 template <auto... way>
 RecordField OfObject(const char* key, std::string schema, std::string_view doc) {
-  RecordField field{key, std::move(schema), doc,
-                    [](Json& json, const Record& record) {
-                      record.nbody > 0 ? Put(json, (record.*....*way)) : json.Value(nullptr);
-                    },
-                    [](const Value& value, Record& record) {
-                      return value.IsNull() ? Kind() : Get(value, (record.*....*way));
-                    }};
-  field.is_alike = [](const Record& a, const Record& b) {
-    return (a.nbody > 0) == (b.nbody > 0) && IsAlike((a.*....*way), (b.*....*way));
-  };
-  field.numbers = [](const Record& record, std::vector<double>& out) {
-    if (record.nbody > 0) AppendNumbers((record.*....*way), out);
-  };
-  return field;
+  return {key, std::move(schema), doc,
+          [](Json& json, const Record& record) {
+            record.nbody > 0 ? Put(json, (record.*....*way)) : json.Value(nullptr);
+          },
+          [](const Value& value, Record& record) {
+            return value.IsNull() ? Kind() : Get(value, (record.*....*way));
+          }};
 }
 
 // A text that is null where there is none.

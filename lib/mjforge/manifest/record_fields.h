@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <rapidjson/document.h>
 
@@ -22,10 +21,6 @@ struct RecordField {
   std::string_view (*read)(const rapidjson::Value&, Record&);
   bool (*is_absent)(const Record&) = nullptr;            // left out where this says so
   bool (*same)(const Record&, const Record&) = nullptr;  // null: may differ within a batch
-  /// Whether the values of two records are written alike, apart from the numbers that `numbers`
-  /// appends, in the order in which they are written.
-  bool (*is_alike)(const Record&, const Record&) = nullptr;
-  void (*numbers)(const Record&, std::vector<double>&) = nullptr;
 };
 
 /// In the order of a line.
