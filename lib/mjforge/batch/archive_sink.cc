@@ -27,10 +27,10 @@ class ArchiveSink : public Sink {
     output::RemoveHalfWritten(destination_.Folder(), false,
                               [&](const std::string& file) { return file == seal; });
     position_.next = options_.range.first;
-    position_.archive = FirstArchive();
+    position_.archive = ArchiveOf(options_.range.first);
     const std::optional<Kept> kept = KeptOf(findings);
     if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
-    if (!kept || (kept->done() == 0 && !Start(findings))) return std::nullopt;
+    if (!kept || (kept->done() == 0 && !ledger_.Start(position_, findings))) return std::nullopt;
     return kept;
   }
 
@@ -42,8 +42,7 @@ class ArchiveSink : public Sink {
       result.findings.clear();
       return true;
     }
-    if (result.chunk.archive != position_.archive && !NextArchive(result.chunk.archive, findings))
-      return false;
+    if (result.chunk.archive != position_.archive && !CloseArchive(findings)) return false;
     if (!archive_ && !OpenArchive(0, findings)) return false;
     if (!AppendAssets(result, findings) || !archive_->Append(result.segment, findings) ||
         !ledger_.Append(result.lines, findings)) {
@@ -59,7 +58,7 @@ class ArchiveSink : public Sink {
       Drop();
       return true;
     }
-    const bool is_open = options_.range.count > 0 && !has_closed_last_;
+    const bool is_open = options_.range.count > 0 && position_.archive <= ArchiveOf(end() - 1);
     return (!is_open || CloseArchive(findings)) && ledger_.Finish(findings);
   }
 
@@ -69,13 +68,13 @@ class ArchiveSink : public Sink {
   }
 
  private:
-  std::uint64_t FirstArchive() const {
-    const std::uint64_t before = options_.range.first - options_.all.first;
-    return destination_.per_archive == 0 ? 0 : before / destination_.per_archive;
-  }
+  // After the last index.
+  std::uint64_t end() const { return options_.range.first + options_.range.count; }
 
-  bool Start(diag::Findings& findings) {
-    return ledger_.Start(findings) && ledger_.Note(position_, findings);
+  // The number of the archive that the variant goes to.
+  std::uint64_t ArchiveOf(std::uint64_t index) const {
+    return destination_.per_archive == 0 ? 0
+                                         : (index - options_.all.first) / destination_.per_archive;
   }
 
   std::optional<Kept> KeptOf(diag::Findings& findings) {
@@ -118,33 +117,28 @@ class ArchiveSink : public Sink {
         whole->bytes == position->manifest.size
             ? whole
             : ReadKept(ledger_.part(), options_, is_good, findings, position->manifest.size);
-    const manifest::SealedFile last =
-        has_closed_last_ ? ledger_.closed().back() : manifest::SealedFile();
     if (!ledger_.GoBackTo(*position, findings)) return std::nullopt;
     position_ = *position;
-    if (has_closed_last_) return ledger_.NoteClosed(last, findings) ? kept : std::nullopt;
     const bool is_open = position_.part.size == 0 || OpenArchive(position_.part.size, findings);
     return is_open ? kept : std::nullopt;
   }
 
-  // Also says whether the last archive has its name already.
-  std::optional<Position> LastSound(std::uint64_t most) {
+  std::optional<Position> LastSound(std::uint64_t most) const {
     const std::vector<manifest::SealedFile>& closed = ledger_.closed();
-    const auto there = static_cast<std::size_t>(std::distance(
-        closed.begin(),
-        std::ranges::find_if_not(closed, [&](const auto& file) { return IsThere(file); })));
+    // An archive that is still called a part has not got its name, but an older one may have it.
+    const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
+      return !IsThere(file) || output::PartFile::Exists(destination_.Folder() / file.file);
+    });
+    const std::uint64_t archive =
+        ArchiveOf(options_.range.first) + static_cast<std::uint64_t>(lost - closed.begin());
     std::vector<Position> candidates;  // of one archive, the last that can be gone on with
     for (const Position& position : ledger_.positions()) {
-      if (position.next > most || !IsEndOfSegment(position)) continue;
-      if (position.closed > there || position.closed != position.archive - FirstArchive()) break;
+      if (position.next > most || !CanContinueAt(position)) continue;
+      if (position.archive > archive) break;
       if (!candidates.empty() && candidates.back().archive != position.archive) candidates.clear();
       candidates.push_back(position);
     }
     if (candidates.empty()) return std::nullopt;
-    const Position& last = candidates.back();
-    has_closed_last_ = last.next == options_.range.first + options_.range.count &&
-                       there == closed.size() && there == last.closed + 1;
-    if (has_closed_last_) return last;
     std::vector<bytes::Prefix> prefixes;
     prefixes.reserve(candidates.size());
     for (const Position& position : candidates) prefixes.push_back(position.part);
@@ -156,13 +150,13 @@ class ArchiveSink : public Sink {
     return candidates[sound];
   }
 
-  // A larger batch goes on where a whole segment of it ends.
-  bool IsEndOfSegment(const Position& position) const {
-    if (position.next == options_.range.first + options_.range.count) return true;
+  // A larger batch goes on where a whole segment of it ends, in an archive that it does not end.
+  bool CanContinueAt(const Position& position) const {
+    if (position.next == end()) return true;
     const std::uint64_t made = position.next - options_.all.first;
     const std::uint64_t in_archive =
         destination_.per_archive == 0 ? made : made % destination_.per_archive;
-    return in_archive % kSegmentVariants == 0;
+    return in_archive % kSegmentVariants == 0 && position.archive <= ArchiveOf(position.next);
   }
 
   bool IsThere(const manifest::SealedFile& archive) const {
@@ -187,18 +181,13 @@ class ArchiveSink : public Sink {
     if (!archive_ && !OpenArchive(0, findings)) return false;
     if (!archive_->Append(output::ArchiveEnd(destination_.format), findings)) return false;
     const std::string name = destination_.Archive(position_.archive).filename().string();
+    ++position_.archive;
+    position_.part = {};
     const bool closed =
-        ledger_.NoteClosed({name, {archive_->size(), archive_->checksum()}}, findings) &&
+        ledger_.NoteClosed({name, {archive_->size(), archive_->checksum()}}, position_, findings) &&
         archive_->Commit(request_.if_changed, request_.durability, findings);
     if (closed) archive_.reset();
     return closed;
-  }
-
-  bool NextArchive(std::uint64_t number, diag::Findings& findings) {
-    if (!CloseArchive(findings)) return false;
-    position_.archive = number;
-    position_.part = {};
-    return ledger_.Note(position_, findings);
   }
 
   // Before the first object that refers to them.
@@ -223,8 +212,7 @@ class ArchiveSink : public Sink {
   Ledger ledger_;
   std::unique_ptr<output::PartFile> archive_;
   Position position_;
-  bool is_complete_ = false;      // by an earlier run
-  bool has_closed_last_ = false;  // by an earlier run, which did not get further
+  bool is_complete_ = false;  // by an earlier run
 };
 
 }  // namespace

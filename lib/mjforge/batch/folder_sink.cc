@@ -16,7 +16,9 @@ class FolderSink : public Sink {
       : options_(options),
         request_(options.request),
         folder_(request_.destination.Folder()),
-        ledger_(options) {}
+        ledger_(options) {
+    position_.next = options_.range.first;
+  }
 
   std::optional<Kept> Open(diag::Findings& findings) override {
     if (!folders_.Make(folder_, findings)) return std::nullopt;
@@ -24,7 +26,7 @@ class FolderSink : public Sink {
     if (request_.resume || ledger_.is_begun()) RemoveHalfWritten();
     std::optional<Kept> kept = request_.resume ? Continue(findings) : Kept();
     if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
-    if (!kept || (kept->done() == 0 && !ledger_.Start(findings))) return std::nullopt;
+    if (!kept || (kept->done() == 0 && !ledger_.Start(position_, findings))) return std::nullopt;
     is_continued_ = kept->done() > 0;
     return kept;
   }
@@ -88,13 +90,13 @@ class FolderSink : public Sink {
     }
     const std::optional<Kept> kept = ReadKept(ledger_.file(), options_, is_there, findings);
     if (!kept || kept->done() == 0) return kept;
-    return ledger_.Start(findings) && Copy(*kept, findings) ? kept : std::nullopt;
+    return ledger_.Start(position_, findings) && Copy(*kept, findings) ? kept : std::nullopt;
   }
 
   // A file that is gone may be in the middle of a chunk.
   bool GoBackTo(const Kept& kept, diag::Findings& findings) {
     if (kept.done() == 0) return true;
-    Position last = ledger_.begin();
+    Position last = ledger_.positions().front();
     for (const Position& position : ledger_.positions()) {
       if (position.manifest.size <= kept.bytes) last = position;
     }

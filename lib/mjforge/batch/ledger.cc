@@ -72,6 +72,10 @@ bool Ledger::Open(diag::Findings& findings) {
   }
   is_begun_ = manifest_->size() > 0 || journal_->size() > 0;
   ReadJournal();
+  std::vector<bytes::Prefix> prefixes;
+  prefixes.reserve(positions_.size());
+  for (const Position& position : positions_) prefixes.push_back(position.manifest);
+  positions_.resize(bytes::CountSound(manifest_->temporary(), prefixes));
   if (manifest_->size() > 0 && !begun_ && !options_.request.force) {
     output::AddForeign(manifest_->temporary(), findings);
     if (journal_->size() == 0) journal_->Drop();  // made just now
@@ -118,6 +122,10 @@ bool Ledger::HasMade(const std::string& archive) const {
 }
 
 void Ledger::ReadJournal() {
+  positions_.clear();
+  assets_.clear();
+  closed_.clear();
+  seal_.assets.clear();
   std::string why_not;
   std::optional<bytes::Lines> lines = bytes::Lines::Open(journal_->temporary(), why_not);
   std::string line;
@@ -125,18 +133,12 @@ void Ledger::ReadJournal() {
   while (lines && lines->Next(line, why_not) && !lines->torn()) {
     const std::optional<std::string_view> words = WordsOf(line);
     read += line.size() + 1;
-    if (!words || !ReadLine(*words)) break;
-    Position& last = positions_.empty() ? begin_ : positions_.back();
-    if (last.journal_bytes == 0) last.journal_bytes = read;
+    if (!words || !ReadLine(*words, read)) break;
   }
-  std::vector<bytes::Prefix> prefixes;
-  prefixes.reserve(positions_.size());
-  for (const Position& position : positions_) prefixes.push_back(position.manifest);
-  positions_.resize(bytes::CountSound(manifest_->temporary(), prefixes));
 }
 
 // False: it is not a line of a journal.
-bool Ledger::ReadLine(std::string_view line) {
+bool Ledger::ReadLine(std::string_view line, std::uint64_t end) {
   if (line.starts_with(kBegin)) {
     std::string why_not;
     begun_ = manifest::ReadSeal(line.substr(kBegin.size()), why_not);
@@ -153,6 +155,7 @@ bool Ledger::ReadLine(std::string_view line) {
     asset.name = RestOf(line, words);
     if (asset.name.empty()) return false;
     if (begun_->spec == seal_.spec) made_assets_.insert(asset.sha256);
+    seal_.assets.emplace(asset.name, asset.sha256);
     assets_.push_back(std::move(asset));
     return true;
   }
@@ -163,20 +166,20 @@ bool Ledger::ReadLine(std::string_view line) {
     if (file.file.empty()) return false;
     made_.insert(file.file);
     closed_.push_back(std::move(file));
+    assets_.clear();
     return true;
   }
   if (kind == "made") made_.insert(RestOf(line, words));
   if (kind == "made-asset" && begun_->spec == seal_.spec) made_assets_.insert(RestOf(line, words));
-  return kind.starts_with("made") || (kind == "at" && ReadPosition(words));
+  return kind.starts_with("made") || (kind == "at" && ReadPosition(words, end));
 }
 
-bool Ledger::ReadPosition(std::istringstream& words) {
+bool Ledger::ReadPosition(std::istringstream& words, std::uint64_t end) {
   Position position;
   words >> position.next >> position.manifest.size >> position.manifest.checksum >>
       position.archive >> position.part.size >> position.part.checksum;
   if (!words) return false;
-  position.assets = assets_.size();
-  position.closed = closed_.size();
+  position.journal_bytes = end;
   positions_.push_back(std::move(position));
   return true;
 }
@@ -185,30 +188,27 @@ bool Ledger::AppendLine(const std::string& line, diag::Findings& findings) {
   return journal_->Append(fmt::format("{} {}\n", line, ShortChecksumOf(line)), findings);
 }
 
-bool Ledger::Start(diag::Findings& findings) {
+bool Ledger::Start(const Position& position, diag::Findings& findings) {
   if (!manifest_->Truncate(0, findings) || !journal_->Truncate(0, findings)) return false;
-  positions_.clear();
-  assets_.clear();
-  closed_.clear();
+  ReadJournal();  // nothing is left of it
   std::string seal = manifest::SealText(seal_);
   seal.pop_back();
-  if (!AppendLine(std::string(kBegin) + seal, findings) || !AppendMade(findings)) return false;
+  if (!AppendLine(std::string(kBegin) + seal, findings) || !AppendMade(findings) ||
+      !Note(position, findings)) {
+    return false;
+  }
   // From here on what is under construction is known as ours, whatever happens.
   return options_.request.durability == Durability::kNone ||
          (journal_->Sync(findings) && output::SyncFolder(file_.parent_path(), false, findings));
 }
 
 bool Ledger::GoBackTo(const Position& position, diag::Findings& findings) {
-  assets_.resize(position.assets);
-  closed_.resize(position.closed);
-  for (const Asset& asset : assets_) seal_.assets.emplace(asset.name, asset.sha256);
-  std::size_t earlier = 0;  // in archives that are closed
-  for (const Position& other : positions_) {
-    if (other.archive < position.archive) earlier = other.assets;
+  if (!manifest_->Truncate(position.manifest.size, findings) ||
+      !journal_->Truncate(position.journal_bytes, findings)) {
+    return false;
   }
-  assets_.erase(assets_.begin(), assets_.begin() + static_cast<std::ptrdiff_t>(earlier));
-  return manifest_->Truncate(position.manifest.size, findings) &&
-         journal_->Truncate(position.journal_bytes, findings) && AppendMade(findings);
+  ReadJournal();
+  return AppendMade(findings);
 }
 
 bool Ledger::AppendMade(diag::Findings& findings) {
@@ -245,14 +245,15 @@ bool Ledger::Note(const Position& position, diag::Findings& findings) {
                     findings);
 }
 
-bool Ledger::NoteClosed(SealedFile archive, diag::Findings& findings) {
+bool Ledger::NoteClosed(SealedFile archive, const Position& next, diag::Findings& findings) {
   const std::string line =
       fmt::format("closed {} {} {}", archive.whole.size, archive.whole.checksum, archive.file);
   made_.insert(archive.file);
   closed_.push_back(std::move(archive));
   assets_.clear();
-  return AppendLine(line, findings) && (options_.request.durability == Durability::kNone ||
-                                        (manifest_->Sync(findings) && journal_->Sync(findings)));
+  return AppendLine(line, findings) && Note(next, findings) &&
+         (options_.request.durability == Durability::kNone ||
+          (manifest_->Sync(findings) && journal_->Sync(findings)));
 }
 
 bool Ledger::Finish(diag::Findings& findings) {

@@ -16,12 +16,9 @@ namespace mjforge::batch {
 struct Position {
   std::uint64_t next = 0;  // index
   bytes::Prefix manifest;
-  std::uint64_t archive = 0;  // the number of the one under construction
-  bytes::Prefix part;         // of it
-  // What the journal had before:
-  std::size_t assets = 0;
-  std::size_t closed = 0;
-  std::uint64_t journal_bytes = 0;
+  std::uint64_t archive = 0;        // the number of the one under construction
+  bytes::Prefix part;               // of it
+  std::uint64_t journal_bytes = 0;  // up to the end of its line
 };
 
 /// The manifest of a batch under construction, and the journal beside it, which says of each chunk
@@ -37,8 +34,6 @@ class Ledger {
 
   /// Whether an earlier run left a batch under construction.
   bool is_begun() const { return is_begun_; }
-  /// Where it began: before all positions.
-  const Position& begin() const { return begin_; }
   /// Its positions that the manifest bears out, in order.
   const std::vector<Position>& positions() const { return positions_; }
   /// The closed archives that it noted, in order.
@@ -56,8 +51,8 @@ class Ledger {
   const std::filesystem::path& part() const { return manifest_->temporary(); }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Empties both.
-  bool Start(diag::Findings& findings);
+  /// Empties both, and notes the position before all others.
+  bool Start(const Position& position, diag::Findings& findings);
   /// Removes what came after the position.
   bool GoBackTo(const Position& position, diag::Findings& findings);
   bool Append(std::string_view lines, diag::Findings& findings);
@@ -67,8 +62,9 @@ class Ledger {
   bool NoteAsset(const Asset& asset, diag::Findings& findings);
   /// Notes a position: how far the archive is; the manifest's part of it is added.
   bool Note(const Position& position, diag::Findings& findings);
-  /// Notes an archive that is to get its name: after this, it is known as ours.
-  bool NoteClosed(manifest::SealedFile archive, diag::Findings& findings);
+  /// Notes an archive that is to get its name, and the position after it. From then on the archive
+  /// is known as ours.
+  bool NoteClosed(manifest::SealedFile archive, const Position& next, diag::Findings& findings);
   /// Seals the batch and gives the manifest its name.
   bool Finish(diag::Findings& findings);
   /// Removes both.
@@ -78,8 +74,8 @@ class Ledger {
   bool MayTake(diag::Findings& findings) const;
   void ReadFormer();
   void ReadJournal();
-  bool ReadLine(std::string_view line);
-  bool ReadPosition(std::istringstream& words);
+  bool ReadLine(std::string_view line, std::uint64_t end);
+  bool ReadPosition(std::istringstream& words, std::uint64_t end);
   bool AppendMade(diag::Findings& findings);
   bool AppendLine(const std::string& line, diag::Findings& findings);
 
@@ -91,7 +87,6 @@ class Ledger {
   std::optional<manifest::Seal> former_;
   std::optional<manifest::Seal> begun_;  // as the journal has it
   bool is_begun_ = false;
-  Position begin_;
   std::vector<Position> positions_;
   std::vector<Asset> assets_;  // in the folder, in the archive under construction
   std::vector<manifest::SealedFile> closed_;

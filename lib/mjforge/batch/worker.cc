@@ -197,8 +197,8 @@ class Worker {
   std::set<std::string> made_members_;  // of that
   forge::Variant variant_;
   std::string archive_;  // the name of the one that the chunk goes to
-  std::string lines_;  // the chunk's records
-  std::string line_;   // the record in the archive; empty: it is not there
+  std::string lines_;    // the chunk's records
+  std::string line_;     // the record in the archive; empty: it is not there
 };
 
 }  // namespace
