@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <system_error>
-
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
@@ -13,14 +10,6 @@ namespace {
 constexpr std::size_t kCommentBytes = 64 * 1024;
 
 }  // namespace
-
-bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
-               diag::Findings& findings, Durability durability) {
-  std::string ignored;
-  if (if_changed && bytes::Read(file, bytes.size(), ignored) == bytes) return true;
-  const std::unique_ptr<AtomicFile> target = AtomicFile::Create(file, findings);
-  return target && target->Append(bytes, findings) && target->Commit(durability, findings);
-}
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings) {

@@ -38,7 +38,7 @@ void RemoveHalfWrittenIn(Iterator at, std::error_code& error,
                          const std::function<bool(const std::string&)>& is_ours) {
   std::vector<std::filesystem::path> found;
   for (; !error && at != Iterator(); at.increment(error)) {
-    const std::optional<std::string> file = UnderConstruction(at->path().filename().string());
+    const std::optional<std::string> file = FinalNameOf(at->path().filename().string());
     if (file && is_ours(*file) && IsLeft(at->path())) found.push_back(at->path());
   }
   for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
