@@ -20,146 +20,126 @@ using model::MassProperties;
 using physics::Result;
 using Value = rapidjson::Value;
 
-// A member of what was measured.
-template <typename Of>
-struct Measured {
-  const char* key;
-  std::variant<double Of::*, int Of::*, bool Of::*, std::string Of::*, Eigen::Vector3d Of::*,
-               std::vector<double> Of::*>
-      at;
-};
+constexpr JsonMember<Result> kResult[] = {{"dropped", &Result::dropped},
+                                          {"at_rest", &Result::at_rest},
+                                          {"time", &Result::time},
+                                          {"drift", &Result::drift},
+                                          {"tilt", &Result::tilt},
+                                          {"speed", &Result::speed},
+                                          {"penetration", &Result::penetration},
+                                          {"sink", &Result::sink},
+                                          {"energy_gain", &Result::energy_gain},
+                                          {"ncon", &Result::ncon},
+                                          {"nefc", &Result::nefc},
+                                          {"overlap", &Result::overlap}};
 
-constexpr Measured<Result> kResult[] = {{"dropped", &Result::dropped},
-                                        {"at_rest", &Result::at_rest},
-                                        {"time", &Result::time},
-                                        {"drift", &Result::drift},
-                                        {"tilt", &Result::tilt},
-                                        {"speed", &Result::speed},
-                                        {"penetration", &Result::penetration},
-                                        {"sink", &Result::sink},
-                                        {"energy_gain", &Result::energy_gain},
-                                        {"ncon", &Result::ncon},
-                                        {"nefc", &Result::nefc},
-                                        {"overlap", &Result::overlap}};
+constexpr JsonMember<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
+                                                {"overshoot", &Result::Joint::overshoot},
+                                                {"reach", &Result::Joint::reach},
+                                                {"penetration", &Result::Joint::penetration},
+                                                {"return_error", &Result::Joint::return_error}};
 
-constexpr Measured<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
-                                              {"overshoot", &Result::Joint::overshoot},
-                                              {"reach", &Result::Joint::reach},
-                                              {"penetration", &Result::Joint::penetration},
-                                              {"return_error", &Result::Joint::return_error}};
+constexpr JsonMember<Result::Stability> kStability[] = {{"angle", &Result::Stability::angle},
+                                                        {"energy", &Result::Stability::energy}};
 
-constexpr Measured<Result::Stability> kStability[] = {{"angle", &Result::Stability::angle},
-                                                      {"energy", &Result::Stability::energy}};
+constexpr JsonMember<Result::Holding> kHolding[] = {{"balls", &Result::Holding::balls},
+                                                    {"held", &Result::Holding::held},
+                                                    {"emptied", &Result::Holding::emptied}};
 
-constexpr Measured<Result::Holding> kHolding[] = {{"balls", &Result::Holding::balls},
-                                                  {"held", &Result::Holding::held},
-                                                  {"emptied", &Result::Holding::emptied}};
+constexpr JsonMember<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
+                                                    {"fit", &Result::Fitting::fit}};
 
-constexpr Measured<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
-                                                  {"fit", &Result::Fitting::fit}};
-
-constexpr Measured<Result::Grasp> kGrasp[] = {
+constexpr JsonMember<Result::Grasp> kGrasp[] = {
     {"site", &Result::Grasp::site},   {"body", &Result::Grasp::body},
     {"pos", &Result::Grasp::pos},     {"quat", &Result::Grasp::quat},
     {"width", &Result::Grasp::width}, {"held", &Result::Grasp::held}};
 
-constexpr Measured<Result::SimReady> kSimReady[] = {
+constexpr JsonMember<Result::SimReady> kSimReady[] = {
     {"ground_drop", &Result::SimReady::ground_drop},
     {"slope_drop", &Result::SimReady::slope_drop},
     {"full_range_sweep", &Result::SimReady::full_range_sweep},
     {"self_collision", &Result::SimReady::self_collision}};
 
-template <typename Of, std::size_t n>
-void PutAll(Json& json, const Of& of, const Measured<Of> (&members)[n]) {
-  for (const Measured<Of>& member : members)
-    std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
+// The lists and objects within a result, in the order in which they are written.
+template <typename AnyResult, typename Use>
+void ForEachPart(AnyResult& result, const Use& use) {
+  use("joints", result.joints, kJoint);
+  use("stability", result.stability, kStability);
+  use("holds", result.holds, kHolding);
+  use("fits", result.fits, kFitting);
+  use("grasps", result.grasps, kGrasp);
+  use("simready", result.simready, kSimReady);
 }
 
-template <typename Of, std::size_t n>
-bool GetAll(const Value& object, Of& of, const Measured<Of> (&members)[n]) {
-  for (const Measured<Of>& member : members) {
-    if (!object.IsObject() || !object.HasMember(member.key)) return false;
-    const Value& value = object[member.key];
-    if (!std::visit([&](auto at) { return Get(value, of.*at).empty(); }, member.at)) return false;
-  }
-  return true;
-}
+template <typename Part>
+constexpr bool kIsList = requires(const Part& part) {
+  part.empty();
+};
 
 template <typename Of, std::size_t n>
-std::string SchemaOf(const Measured<Of> (&members)[n]) {
+std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
   // As the variant of a member has them.
   constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
-                                 R"("string")",           R"("array")",   R"("array")"};
+                                 R"("string")",           R"("array")",   R"("array")",
+                                 R"("integer")"};
   std::string text;
-  for (const Measured<Of>& member : members) {
+  for (const JsonMember<Of>& member : members) {
     text += fmt::format(R"({}"{}": {{"type": {}}})", text.empty() ? "" : ", ", member.key,
                         kTypes[member.at.index()]);
   }
   return text;
 }
 
-template <typename Of, std::size_t n>
-std::string ObjectSchemaOf(const char* key, const Measured<Of> (&members)[n]) {
-  return fmt::format(R"("{}": {{"type": "object", "properties": {{{}}}}})", key, SchemaOf(members));
-}
-
-template <typename Of, std::size_t n>
-std::string ListSchemaOf(const char* key, const Measured<Of> (&members)[n]) {
-  return fmt::format(
-      R"("{}": {{"type": "array", "items": {{"type": "object", "properties": {{{}}}}}}})", key,
-      SchemaOf(members));
+std::string ResultSchema() {
+  std::string text = SchemaOf(kResult);
+  Result result;
+  ForEachPart(result, [&](const char* key, const auto& part, const auto& members) {
+    const std::string object =
+        fmt::format(R"("type": "object", "properties": {{{}}})", SchemaOf(members));
+    text += kIsList<std::remove_cvref_t<decltype(part)>>
+                ? fmt::format(R"(, "{}": {{"type": "array", "items": {{{}}}}})", key, object)
+                : fmt::format(R"(, "{}": {{{}}})", key, object);
+  });
+  return text;
 }
 
 void PutResult(Json& json, const Result& result) {
   json.StartObject();
   PutAll(json, result, kResult);
-  const auto put_list = [&](const char* key, const auto& list, const auto& members) {
-    json.Key(key);
-    json.StartArray();
-    for (const auto& of : list) {
+  ForEachPart(result, [&](const std::string_view key, const auto& part, const auto& members) {
+    const auto put = [&](const auto& object) {
       json.StartObject();
-      PutAll(json, of, members);
+      PutAll(json, object, members);
       json.EndObject();
+    };
+    if constexpr (kIsList<std::remove_cvref_t<decltype(part)>>) {
+      if (part.empty() && key != "joints") return;
+      json.Key(key);
+      json.StartArray();
+      for (const auto& object : part) put(object);
+      json.EndArray();
+    } else if (part) {
+      json.Key(key);
+      put(*part);
     }
-    json.EndArray();
-  };
-  put_list("joints", result.joints, kJoint);
-  const auto put = [&](const char* key, const auto& of, const auto& members) {
-    if (!of) return;
-    json.Key(key);
-    json.StartObject();
-    PutAll(json, *of, members);
-    json.EndObject();
-  };
-  put("stability", result.stability, kStability);
-  put("holds", result.holds, kHolding);
-  put("fits", result.fits, kFitting);
-  if (!result.grasps.empty()) put_list("grasps", result.grasps, kGrasp);
-  put("simready", result.simready, kSimReady);
+  });
   json.EndObject();
 }
 
 Kind GetResult(const Value& value, Result& result) {
-  constexpr Kind kWhat = "what was measured";
-  if (!GetAll(value, result, kResult)) return kWhat;
-  const auto get_list = [&](const char* key, auto& list, const auto& members) {
-    if (!value.HasMember(key) || !value[key].IsArray()) return false;
-    return std::ranges::all_of(value[key].GetArray(), [&](const Value& of) {
-      return GetAll(of, list.emplace_back(), members);
-    });
-  };
-  if (!get_list("joints", result.joints, kJoint)) return kWhat;
-  if (value.HasMember("grasps") && !get_list("grasps", result.grasps, kGrasp)) return kWhat;
-  const auto get = [&](const char* key, auto& of, const auto& members) {
-    if (!value.HasMember(key)) return true;
-    of = std::remove_reference_t<decltype(*of)>();
-    return GetAll(value[key], *of, members);
-  };
-  if (!get("stability", result.stability, kStability) || !get("holds", result.holds, kHolding) ||
-      !get("fits", result.fits, kFitting) || !get("simready", result.simready, kSimReady)) {
-    return kWhat;
-  }
-  return {};
+  bool is_good = GetAll(value, result, kResult) && value.HasMember("joints");
+  ForEachPart(result, [&](const char* key, auto& part, const auto& members) {
+    if (!is_good || !value.HasMember(key)) return;
+    const Value& member = value[key];
+    if constexpr (kIsList<std::remove_cvref_t<decltype(part)>>) {
+      is_good = member.IsArray() && std::ranges::all_of(member.GetArray(), [&](const Value& item) {
+                  return GetAll(item, part.emplace_back(), members);
+                });
+    } else {
+      is_good = GetAll(member, part.emplace(), members);
+    }
+  });
+  return is_good ? Kind() : "what was measured";
 }
 
 enum class Scope { kVariant, kBatch };  // kBatch: the same in all records of a batch
@@ -211,11 +191,7 @@ RecordField OrNull(const char* key, std::string schema, std::string_view doc) {
 RecordField Physics() {
   return {
       "physics",
-      fmt::format(R"("type": "object", "properties": {{{}, {}, {}, {}, {}, {}, {}}})",
-                  SchemaOf(kResult), ListSchemaOf("joints", kJoint),
-                  ObjectSchemaOf("stability", kStability), ObjectSchemaOf("holds", kHolding),
-                  ObjectSchemaOf("fits", kFitting), ListSchemaOf("grasps", kGrasp),
-                  ObjectSchemaOf("simready", kSimReady)),
+      fmt::format(R"("type": "object", "properties": {{{}}})", ResultSchema()),
       "Measurements of its behaviour, in SI units; left out if none were made.",
       [](Json& json, const Record& record) { PutResult(json, *record.physics); },
       [](const Value& value, Record& record) { return GetResult(value, record.physics.emplace()); },

@@ -2,10 +2,12 @@
 
 // The values of a record's fields, to JSON and back.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <type_traits>
+#include <variant>
 
 #include <rapidjson/document.h>
 
@@ -132,6 +134,12 @@ inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
   return {};
 }
 
+/// Returns false if the member is missing or is not of its kind.
+template <typename T>
+bool GetMember(const rapidjson::Value& object, const char* key, T& member) {
+  return object.IsObject() && object.HasMember(key) && Get(object[key], member).empty();
+}
+
 template <typename T>
 Kind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
   T read;
@@ -141,9 +149,30 @@ Kind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
 }
 
 inline Kind Get(const rapidjson::Value& value, model::Box3& box) {
-  const bool read = value.IsObject() && value.HasMember("min") && value.HasMember("max") &&
-                    Get(value["min"], box.min).empty() && Get(value["max"], box.max).empty();
-  return read ? "" : "a box";
+  return GetMember(value, "min", box.min) && GetMember(value, "max", box.max) ? "" : "a box";
+}
+
+/// A member of a JSON object.
+template <typename Of>
+struct JsonMember {
+  const char* key;
+  std::variant<double Of::*, int Of::*, bool Of::*, std::string Of::*, Eigen::Vector3d Of::*,
+               std::vector<double> Of::*, std::uint64_t Of::*>
+      at;
+};
+
+template <typename Of, std::size_t n>
+void PutAll(Json& json, const Of& of, const JsonMember<Of> (&members)[n]) {
+  for (const JsonMember<Of>& member : members)
+    std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
+}
+
+/// Returns false if one is missing or is not of its kind.
+template <typename Of, std::size_t n>
+bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&members)[n]) {
+  return std::ranges::all_of(members, [&](const JsonMember<Of>& member) {
+    return std::visit([&](auto at) { return GetMember(object, member.key, of.*at); }, member.at);
+  });
 }
 
 }  // namespace mjforge::manifest
