@@ -3,7 +3,7 @@
 #include <set>
 #include <span>
 
-#include "mjforge/batch/ledger.h"
+#include "mjforge/batch/journal.h"
 #include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
 #include "mjforge/batch/vouched.h"
@@ -18,19 +18,19 @@ class ArchiveSink : public Sink {
       : options_(options),
         request_(options.request),
         destination_(request_.destination),
-        ledger_(options) {}
+        journal_(options) {}
 
   std::optional<Kept> Open(diag::Findings& findings) override {
-    if (!folders_.Make(destination_.Folder(), findings) || !ledger_.Open(findings))
+    if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
       return std::nullopt;
-    const std::string seal = manifest::SealOf(ledger_.file()).filename().string();
+    const std::string seal = manifest::SealOf(journal_.file()).filename().string();
     output::RemoveHalfWritten(destination_.Folder(), false,
                               [&](const std::string& file) { return file == seal; });
-    position_.next = options_.range.first;
-    position_.archive = ArchiveOf(options_.range.first);
-    const std::optional<Kept> kept = KeptOf(findings);
-    if (!kept && !ledger_.is_begun()) ledger_.Drop();  // made just now
-    if (!kept || (kept->done() == 0 && !ledger_.Start(position_, findings))) return std::nullopt;
+    checkpoint_.next = options_.range.first;
+    checkpoint_.archive = ArchiveOf(options_.range.first);
+    const std::optional<Kept> kept = FindResumable(findings);
+    if (!kept && !journal_.is_unfinished()) journal_.Drop();  // made just now
+    if (!kept || (kept->done() == 0 && !journal_.Start(checkpoint_, findings))) return std::nullopt;
     return kept;
   }
 
@@ -42,15 +42,15 @@ class ArchiveSink : public Sink {
       result.findings.clear();
       return true;
     }
-    if (result.chunk.archive != position_.archive && !CloseArchive(findings)) return false;
+    if (result.chunk.archive != checkpoint_.archive && !CloseArchive(findings)) return false;
     if (!archive_ && !OpenArchive(0, findings)) return false;
     if (!AppendAssets(result, findings) || !archive_->Append(result.segment, findings) ||
-        !ledger_.Append(result.lines, findings)) {
+        !journal_.AppendRecords(result.lines, findings)) {
       return false;
     }
-    position_.next = result.chunk.end();
-    position_.part = {archive_->size(), archive_->checksum()};
-    return ledger_.Note(position_, findings);
+    checkpoint_.next = result.chunk.end();
+    checkpoint_.part = {archive_->size(), archive_->checksum()};
+    return journal_.AddCheckpoint(checkpoint_, findings);
   }
 
   bool Finish(diag::Findings& findings) override {
@@ -58,13 +58,13 @@ class ArchiveSink : public Sink {
       Drop();
       return true;
     }
-    const bool is_open = options_.range.count > 0 && position_.archive <= ArchiveOf(end() - 1);
-    return (!is_open || CloseArchive(findings)) && ledger_.Finish(findings);
+    const bool is_open = options_.range.count > 0 && checkpoint_.archive <= ArchiveOf(end() - 1);
+    return (!is_open || CloseArchive(findings)) && journal_.Finish(findings);
   }
 
   void Drop() override {
     if (archive_) archive_->Drop();
-    ledger_.Drop();
+    journal_.Drop();
   }
 
  private:
@@ -77,71 +77,73 @@ class ArchiveSink : public Sink {
                                          : (index - options_.all.first) / destination_.per_archive;
   }
 
-  std::optional<Kept> KeptOf(diag::Findings& findings) {
+  std::optional<Kept> FindResumable(diag::Findings& findings) {
     if (!request_.resume) return Kept();
-    if (ledger_.is_begun()) return Continue(findings);
-    return ledger_.former() ? ContinueFinished(findings) : Kept();
+    if (journal_.is_unfinished()) return Continue(findings);
+    return journal_.previous_seal() ? ContinueFinished(findings) : Kept();
   }
 
   // Of a finished batch nothing is left to do, or everything: where something was changed.
   std::optional<Kept> ContinueFinished(diag::Findings& findings) {
-    const manifest::Seal& seal = *ledger_.former();
-    if (const std::string difference = ledger_.DifferenceOfFormer(); !difference.empty()) {
-      AddDiffers(ledger_.file(), difference, findings);
+    const manifest::Seal& seal = *journal_.previous_seal();
+    if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
+      AddDiffers(journal_.file(), difference, findings);
       return std::nullopt;
     }
     std::string why_not;
     const bool is_sound =
-        bytes::IsSound(ledger_.file(), seal.manifest.whole, why_not) &&
-        std::ranges::all_of(seal.archives, [&](const auto& file) { return IsThere(file); });
+        bytes::IsSound(journal_.file(), seal.manifest.whole, why_not) &&
+        std::ranges::all_of(seal.archives, [&](const auto& file) { return IsIntact(file); });
     if (!is_sound) return Kept();
     const auto is_good = [](const manifest::Record&) { return true; };
-    const std::optional<Kept> kept = ReadKept(ledger_.file(), options_, is_good, findings);
+    const std::optional<Kept> kept = ReadKept(journal_.file(), options_, is_good, findings);
     if (!kept) return std::nullopt;
     is_complete_ = kept->done() == options_.range.count;
     return is_complete_ ? kept : Kept();
   }
 
-  // From the last position that manifest, archives and records bear out.
+  // From the last checkpoint that manifest, archives and records bear out.
   std::optional<Kept> Continue(diag::Findings& findings) {
-    const std::vector<Position>& positions = ledger_.positions();
-    if (positions.empty()) return Kept();
+    const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
+    if (checkpoints.empty()) return Kept();
     const auto is_good = [](const manifest::Record&) { return true; };
     const std::optional<Kept> whole =
-        ReadKept(ledger_.part(), options_, is_good, findings, positions.back().manifest.size);
+        ReadKept(journal_.part(), options_, is_good, findings, checkpoints.back().manifest.size);
     if (!whole) return std::nullopt;
-    const std::optional<Position> position = LastSound(options_.range.first + whole->done());
-    if (!position || position->next == options_.range.first) return Kept();
+    const std::optional<Checkpoint> checkpoint =
+        LastValidCheckpoint(options_.range.first + whole->done());
+    if (!checkpoint || checkpoint->next == options_.range.first) return Kept();
     // Again, for the counts at that place.
     const std::optional<Kept> kept =
-        whole->bytes == position->manifest.size
+        whole->bytes == checkpoint->manifest.size
             ? whole
-            : ReadKept(ledger_.part(), options_, is_good, findings, position->manifest.size);
-    if (!ledger_.GoBackTo(*position, findings)) return std::nullopt;
-    position_ = *position;
-    const bool is_open = position_.part.size == 0 || OpenArchive(position_.part.size, findings);
+            : ReadKept(journal_.part(), options_, is_good, findings, checkpoint->manifest.size);
+    if (!journal_.RollBackTo(*checkpoint, findings)) return std::nullopt;
+    checkpoint_ = *checkpoint;
+    const bool is_open = checkpoint_.part.size == 0 || OpenArchive(checkpoint_.part.size, findings);
     return is_open ? kept : std::nullopt;
   }
 
-  std::optional<Position> LastSound(std::uint64_t most) const {
-    const std::vector<manifest::SealedFile>& closed = ledger_.closed();
+  std::optional<Checkpoint> LastValidCheckpoint(std::uint64_t most) const {
+    const std::vector<manifest::SealedFile>& closed = journal_.closed();
     // An archive that is still called a part has not got its name, but an older one may have it.
     const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
-      return !IsThere(file) || output::PartFile::Exists(destination_.Folder() / file.file);
+      return !IsIntact(file) || output::PartFile::Exists(destination_.Folder() / file.file);
     });
     const std::uint64_t archive =
         ArchiveOf(options_.range.first) + static_cast<std::uint64_t>(lost - closed.begin());
-    std::vector<Position> candidates;  // of one archive, the last that can be gone on with
-    for (const Position& position : ledger_.positions()) {
-      if (position.next > most || !CanContinueAt(position)) continue;
-      if (position.archive > archive) break;
-      if (!candidates.empty() && candidates.back().archive != position.archive) candidates.clear();
-      candidates.push_back(position);
+    std::vector<Checkpoint> candidates;  // of one archive, the last that can be gone on with
+    for (const Checkpoint& checkpoint : journal_.checkpoints()) {
+      if (checkpoint.next > most || !CanContinueAt(checkpoint)) continue;
+      if (checkpoint.archive > archive) break;
+      if (!candidates.empty() && candidates.back().archive != checkpoint.archive)
+        candidates.clear();
+      candidates.push_back(checkpoint);
     }
     if (candidates.empty()) return std::nullopt;
     std::vector<bytes::Prefix> prefixes;
     prefixes.reserve(candidates.size());
-    for (const Position& position : candidates) prefixes.push_back(position.part);
+    for (const Checkpoint& checkpoint : candidates) prefixes.push_back(checkpoint.part);
     // The first is the archive's start, which needs nothing.
     const std::filesystem::path part =
         output::PartFile::NameOf(destination_.Archive(candidates.front().archive));
@@ -151,25 +153,25 @@ class ArchiveSink : public Sink {
   }
 
   // A larger batch goes on where a whole segment of it ends, in an archive that it does not end.
-  bool CanContinueAt(const Position& position) const {
-    if (position.next == end()) return true;
-    const std::uint64_t made = position.next - options_.all.first;
+  bool CanContinueAt(const Checkpoint& checkpoint) const {
+    if (checkpoint.next == end()) return true;
+    const std::uint64_t made = checkpoint.next - options_.all.first;
     const std::uint64_t in_archive =
         destination_.per_archive == 0 ? made : made % destination_.per_archive;
-    return in_archive % kSegmentVariants == 0 && position.archive <= ArchiveOf(position.next);
+    return in_archive % kSegmentVariants == 0 && checkpoint.archive <= ArchiveOf(checkpoint.next);
   }
 
-  bool IsThere(const manifest::SealedFile& archive) const {
+  bool IsIntact(const manifest::SealedFile& archive) const {
     std::string why_not;
     return IsAsSealed(destination_.Folder(), archive, request_.verify, why_not);
   }
 
   bool OpenArchive(std::uint64_t bytes, diag::Findings& findings) {
-    const std::filesystem::path file = destination_.Archive(position_.archive);
+    const std::filesystem::path file = destination_.Archive(checkpoint_.archive);
     std::error_code ignored;
     if (!request_.force &&
         std::filesystem::exists(std::filesystem::symlink_status(file, ignored)) &&
-        !ledger_.HasMade(file.filename().string())) {
+        !journal_.HasMadeArchive(file.filename().string())) {
       output::AddForeign(file, findings);
       return false;
     }
@@ -180,12 +182,12 @@ class ArchiveSink : public Sink {
   bool CloseArchive(diag::Findings& findings) {
     if (!archive_ && !OpenArchive(0, findings)) return false;
     if (!archive_->Append(output::ArchiveEnd(destination_.format), findings)) return false;
-    const std::string name = destination_.Archive(position_.archive).filename().string();
-    ++position_.archive;
-    position_.part = {};
-    const bool closed =
-        ledger_.NoteClosed({name, {archive_->size(), archive_->checksum()}}, position_, findings) &&
-        archive_->Commit(request_.if_changed, request_.durability, findings);
+    const std::string name = destination_.Archive(checkpoint_.archive).filename().string();
+    ++checkpoint_.archive;
+    checkpoint_.part = {};
+    const bool closed = journal_.AddClosedArchive({name, {archive_->size(), archive_->checksum()}},
+                                                  checkpoint_, findings) &&
+                        archive_->Commit(request_.if_changed, request_.durability, findings);
     if (closed) archive_.reset();
     return closed;
   }
@@ -193,8 +195,8 @@ class ArchiveSink : public Sink {
   // Before the first object that refers to them.
   bool AppendAssets(const Result& result, diag::Findings& findings) {
     for (const Asset& asset : result.assets) {
-      if (ledger_.HasAsset(asset)) continue;
-      if (!ledger_.NoteAsset(asset, findings)) return false;
+      if (journal_.HasAsset(asset)) continue;
+      if (!journal_.AddAsset(asset, findings)) return false;
       const auto bytes = output::ReadAsset(asset.source, asset.sha256, findings);
       output::Segment segment(destination_.format);
       if (!bytes || !segment.Add(asset.name, *bytes, findings) ||
@@ -209,9 +211,9 @@ class ArchiveSink : public Sink {
   const Request& request_;
   const output::Destination& destination_;
   output::MadeFolders folders_;  // goes after what is in them
-  Ledger ledger_;
+  Journal journal_;
   std::unique_ptr<output::PartFile> archive_;
-  Position position_;
+  Checkpoint checkpoint_;
   bool is_complete_ = false;  // by an earlier run
 };
 
