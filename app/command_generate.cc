@@ -170,12 +170,12 @@ std::string Counts(const batch::Summary& summary, Clock::time_point start) {
   std::string text = fmt::format("{} ok", summary.ok);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.skipped > 0) text += fmt::format(", {} skipped", summary.skipped);
-  if (summary.kept > 0) text += fmt::format(", {} of them kept", summary.kept);
+  if (summary.resumed > 0) text += fmt::format(", {} of them kept", summary.resumed);
   if (summary.interrupted) text += ", interrupted";
   if (summary.files_failed) text += ", stopped";
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   text += fmt::format(" ({:.1f} s", seconds);
-  const auto made = static_cast<double>(summary.done() - summary.kept);
+  const auto made = static_cast<double>(summary.done() - summary.resumed);
   if (seconds >= 1 && made >= 100) text += fmt::format(", {:.0f}/s", made / seconds);
   return text + ")";
 }

@@ -150,11 +150,11 @@ void Resume(const batch::Request& request, manifest::Record record, diag::Findin
   std::string text;
   const manifest::Record batch = record;
   const auto sink = batch::MakeSink({request, all, range, batch}, text);
-  const std::optional<batch::Kept> kept = sink->Open(findings);
-  Must(kept || findings.HasErrors(), "a batch is not begun, without a reason");
-  if (!kept) return;
-  Must(kept->done() <= range.count, "more is kept than there is");
-  const batch::Range todo = {range.first + kept->done(), range.count - kept->done()};
+  const std::optional<batch::ResumedVariants> resumed = sink->Open(findings);
+  Must(resumed || findings.HasErrors(), "a batch is not begun, without a reason");
+  if (!resumed) return;
+  Must(resumed->done() <= range.count, "more is resumed than there is");
+  const batch::Range todo = {range.first + resumed->done(), range.count - resumed->done()};
   batch::Schedule schedule(all, todo, request.destination, 1);
   bool goes_on = true;
   for (auto chunk = schedule.Next(); chunk && goes_on; chunk = schedule.Next()) {

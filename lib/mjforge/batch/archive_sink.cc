@@ -20,7 +20,7 @@ class ArchiveSink : public Sink {
         destination_(request_.destination),
         journal_(options) {}
 
-  std::optional<Kept> Open(diag::Findings& findings) override {
+  std::optional<ResumedVariants> Open(diag::Findings& findings) override {
     if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
       return std::nullopt;
     const std::string seal = manifest::SealOf(journal_.file()).filename().string();
@@ -28,10 +28,11 @@ class ArchiveSink : public Sink {
                               [&](const std::string& file) { return file == seal; });
     checkpoint_.next = options_.range.first;
     checkpoint_.archive = ArchiveOf(options_.range.first);
-    const std::optional<Kept> kept = FindResumable(findings);
-    if (!kept && !journal_.is_unfinished()) journal_.Drop();  // made just now
-    if (!kept || (kept->done() == 0 && !journal_.Start(checkpoint_, findings))) return std::nullopt;
-    return kept;
+    const std::optional<ResumedVariants> resumed = FindResumable(findings);
+    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // made just now
+    if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
+      return std::nullopt;
+    return resumed;
   }
 
   bool Take(Result& result, diag::Findings& findings) override {
@@ -77,14 +78,14 @@ class ArchiveSink : public Sink {
                                          : (index - options_.all.first) / destination_.per_archive;
   }
 
-  std::optional<Kept> FindResumable(diag::Findings& findings) {
-    if (!request_.resume) return Kept();
+  std::optional<ResumedVariants> FindResumable(diag::Findings& findings) {
+    if (!request_.resume) return ResumedVariants();
     if (journal_.is_unfinished()) return Continue(findings);
-    return journal_.previous_seal() ? ContinueFinished(findings) : Kept();
+    return journal_.previous_seal() ? ContinueFinished(findings) : ResumedVariants();
   }
 
   // Of a finished batch nothing is left to do, or everything: where something was changed.
-  std::optional<Kept> ContinueFinished(diag::Findings& findings) {
+  std::optional<ResumedVariants> ContinueFinished(diag::Findings& findings) {
     const manifest::Seal& seal = *journal_.previous_seal();
     if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
       AddDiffers(journal_.file(), difference, findings);
@@ -94,34 +95,36 @@ class ArchiveSink : public Sink {
     const bool is_sound =
         bytes::IsSound(journal_.file(), seal.manifest.whole, why_not) &&
         std::ranges::all_of(seal.archives, [&](const auto& file) { return IsIntact(file); });
-    if (!is_sound) return Kept();
+    if (!is_sound) return ResumedVariants();
     const auto is_good = [](const manifest::Record&) { return true; };
-    const std::optional<Kept> kept = ReadKept(journal_.file(), options_, is_good, findings);
-    if (!kept) return std::nullopt;
-    is_complete_ = kept->done() == options_.range.count;
-    return is_complete_ ? kept : Kept();
+    const std::optional<ResumedVariants> resumed =
+        ReadResumable(journal_.file(), options_, is_good, findings);
+    if (!resumed) return std::nullopt;
+    is_complete_ = resumed->done() == options_.range.count;
+    return is_complete_ ? resumed : ResumedVariants();
   }
 
   // From the last checkpoint that manifest, archives and records bear out.
-  std::optional<Kept> Continue(diag::Findings& findings) {
+  std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
-    if (checkpoints.empty()) return Kept();
+    if (checkpoints.empty()) return ResumedVariants();
     const auto is_good = [](const manifest::Record&) { return true; };
-    const std::optional<Kept> whole =
-        ReadKept(journal_.part(), options_, is_good, findings, checkpoints.back().manifest.size);
+    const std::optional<ResumedVariants> whole = ReadResumable(
+        journal_.part(), options_, is_good, findings, checkpoints.back().manifest.size);
     if (!whole) return std::nullopt;
     const std::optional<Checkpoint> checkpoint =
         LastValidCheckpoint(options_.range.first + whole->done());
-    if (!checkpoint || checkpoint->next == options_.range.first) return Kept();
+    if (!checkpoint || checkpoint->next == options_.range.first) return ResumedVariants();
     // Again, for the counts at that place.
-    const std::optional<Kept> kept =
+    const std::optional<ResumedVariants> resumed =
         whole->bytes == checkpoint->manifest.size
             ? whole
-            : ReadKept(journal_.part(), options_, is_good, findings, checkpoint->manifest.size);
+            : ReadResumable(journal_.part(), options_, is_good, findings,
+                            checkpoint->manifest.size);
     if (!journal_.RollBackTo(*checkpoint, findings)) return std::nullopt;
     checkpoint_ = *checkpoint;
     const bool is_open = checkpoint_.part.size == 0 || OpenArchive(checkpoint_.part.size, findings);
-    return is_open ? kept : std::nullopt;
+    return is_open ? resumed : std::nullopt;
   }
 
   std::optional<Checkpoint> LastValidCheckpoint(std::uint64_t most) const {

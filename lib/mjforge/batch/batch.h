@@ -59,8 +59,8 @@ struct Done {
 };
 
 struct Summary : manifest::StatusCounts {
-  std::uint64_t kept = 0;   // of those, done by an earlier run
-  std::uint64_t count = 0;  // to be made: the shard's
+  std::uint64_t resumed = 0;  // of those, done by an earlier run
+  std::uint64_t count = 0;    // to be made: the shard's
   bool interrupted = false;
   bool files_failed = false;  // some could not be read or written: it stopped there
   /// Of all variants. What is found at one place in many variants is here once,

@@ -20,22 +20,24 @@ class FolderSink : public Sink {
     checkpoint_.next = options_.range.first;
   }
 
-  std::optional<Kept> Open(diag::Findings& findings) override {
+  std::optional<ResumedVariants> Open(diag::Findings& findings) override {
     if (!folders_.Make(folder_, findings)) return std::nullopt;
     if (!journal_.Open(findings)) return std::nullopt;
     if (request_.resume || journal_.is_unfinished()) RemoveHalfWritten();
-    std::optional<Kept> kept = request_.resume ? Continue(findings) : Kept();
-    if (!kept && !journal_.is_unfinished()) journal_.Drop();  // made just now
-    if (!kept || (kept->done() == 0 && !journal_.Start(checkpoint_, findings))) return std::nullopt;
-    is_continued_ = kept->done() > 0;
-    return kept;
+    std::optional<ResumedVariants> resumed =
+        request_.resume ? Continue(findings) : ResumedVariants();
+    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // made just now
+    if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
+      return std::nullopt;
+    is_continued_ = resumed->done() > 0;
+    return resumed;
   }
 
   output::Overwrite overwrite() const override {
     output::Overwrite overwrite = {.force = request_.force,
                                    .if_changed = request_.if_changed,
                                    .durability = request_.durability};
-    // What is kept refers to those that are there.
+    // What is resumed refers to those that are there.
     if (!is_continued_) overwrite.assets = journal_.made_assets();
     return overwrite;
   }
@@ -67,7 +69,7 @@ class FolderSink : public Sink {
     });
   }
 
-  std::optional<Kept> Continue(diag::Findings& findings) {
+  std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     // What is on disk is trusted by its hash, so that a file that was lost or changed since is made
     // again.
     VouchedObjects objects(folder_, true);
@@ -78,43 +80,46 @@ class FolderSink : public Sink {
     if (journal_.is_unfinished()) {
       const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
       const std::uint64_t sound = checkpoints.empty() ? 0 : checkpoints.back().manifest.size;
-      const auto kept = ReadKept(journal_.part(), options_, is_there, findings, sound);
-      return kept && RollBackTo(*kept, findings) ? kept : std::nullopt;
+      const auto resumed = ReadResumable(journal_.part(), options_, is_there, findings, sound);
+      return resumed && RollBackTo(*resumed, findings) ? resumed : std::nullopt;
     }
     // A finished batch: its manifest is checked, and gone on with where it ends.
     std::string why_not;
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
-    if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.whole, why_not)) return Kept();
+    if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.whole, why_not))
+      return ResumedVariants();
     if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
       AddDiffers(journal_.file(), difference, findings);
       return std::nullopt;
     }
-    const std::optional<Kept> kept = ReadKept(journal_.file(), options_, is_there, findings);
-    if (!kept || kept->done() == 0) return kept;
-    return journal_.Start(checkpoint_, findings) && Copy(*kept, findings) ? kept : std::nullopt;
+    const std::optional<ResumedVariants> resumed =
+        ReadResumable(journal_.file(), options_, is_there, findings);
+    if (!resumed || resumed->done() == 0) return resumed;
+    return journal_.Start(checkpoint_, findings) && Copy(*resumed, findings) ? resumed
+                                                                             : std::nullopt;
   }
 
   // A file that is gone may be in the middle of a chunk.
-  bool RollBackTo(const Kept& kept, diag::Findings& findings) {
-    if (kept.done() == 0) return true;
+  bool RollBackTo(const ResumedVariants& resumed, diag::Findings& findings) {
+    if (resumed.done() == 0) return true;
     Checkpoint last = journal_.checkpoints().front();
     for (const Checkpoint& checkpoint : journal_.checkpoints()) {
-      if (checkpoint.manifest.size <= kept.bytes) last = checkpoint;
+      if (checkpoint.manifest.size <= resumed.bytes) last = checkpoint;
     }
-    last.manifest.size = kept.bytes;
-    return journal_.RollBackTo(last, findings) && AddResumedCheckpoint(kept, findings);
+    last.manifest.size = resumed.bytes;
+    return journal_.RollBackTo(last, findings) && AddResumedCheckpoint(resumed, findings);
   }
 
-  bool AddResumedCheckpoint(const Kept& kept, diag::Findings& findings) {
-    checkpoint_.next = options_.range.first + kept.done();
+  bool AddResumedCheckpoint(const ResumedVariants& resumed, diag::Findings& findings) {
+    checkpoint_.next = options_.range.first + resumed.done();
     return journal_.AddCheckpoint(checkpoint_, findings);
   }
 
-  bool Copy(const Kept& kept, diag::Findings& findings) {
+  bool Copy(const ResumedVariants& resumed, diag::Findings& findings) {
     std::string why_not;
     std::optional<bytes::File> manifest = bytes::File::Open(journal_.file(), why_not);
     std::string buffer(1 << 20, '\0');
-    for (std::uint64_t left = kept.bytes; manifest && left > 0;) {
+    for (std::uint64_t left = resumed.bytes; manifest && left > 0;) {
       const auto count = manifest->Read(
           std::span(buffer).first(std::min<std::uint64_t>(left, buffer.size())), why_not);
       if (count.value_or(0) == 0) return false;
@@ -127,7 +132,7 @@ class FolderSink : public Sink {
                                findings);
     };
     return std::ranges::all_of(journal_.previous_seal()->assets, note) &&
-           AddResumedCheckpoint(kept, findings);
+           AddResumedCheckpoint(resumed, findings);
   }
 
   SinkOptions options_;

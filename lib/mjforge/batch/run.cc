@@ -70,9 +70,9 @@ class Batch {
     const std::unique_ptr<Sink> sink = MakeSink({request_, all_, range_, record_}, summary_.text);
     diag::Findings output_findings;
     CheckSpread(recipe_, request_, output_findings);
-    if (const std::optional<Kept> kept = sink->Open(output_findings)) {
-      static_cast<manifest::StatusCounts&>(summary_) = *kept;
-      summary_.kept = kept->done();
+    if (const std::optional<ResumedVariants> resumed = sink->Open(output_findings)) {
+      static_cast<manifest::StatusCounts&>(summary_) = *resumed;
+      summary_.resumed = resumed->done();
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -91,7 +91,7 @@ class Batch {
 
  private:
   void Make(Sink& sink, diag::Findings& output_findings) {
-    const Range todo = {range_.first + summary_.kept, range_.count - summary_.kept};
+    const Range todo = {range_.first + summary_.resumed, range_.count - summary_.resumed};
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);

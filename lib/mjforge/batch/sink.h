@@ -13,7 +13,7 @@
 namespace mjforge::batch {
 
 /// The variants of an unfinished batch that need not be made again.
-struct Kept : manifest::StatusCounts {
+struct ResumedVariants : manifest::StatusCounts {
   std::uint64_t bytes = 0;  // of the manifest
 };
 
@@ -28,7 +28,7 @@ class Sink {
 
   /// Gets ready; returns what an earlier run left that need not be made again. Nothing, and a
   /// finding, if it cannot be written to.
-  virtual std::optional<Kept> Open(diag::Findings&) { return Kept(); }
+  virtual std::optional<ResumedVariants> Open(diag::Findings&) { return ResumedVariants(); }
   /// How workers that write files themselves may overwrite; valid after Open.
   virtual output::Overwrite overwrite() const { return {}; }
   /// From a result that it cannot use, it clears what would be counted.
@@ -51,10 +51,10 @@ struct SinkOptions {
 /// Reads the records of `manifest` from the start, at most `range`.count of them and at most
 /// `bytes` bytes, while `is_good` accepts them and their indices count up from `range`.first.
 /// Nothing, and a finding, if a record belongs to another batch than `batch`.
-std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOptions& options,
-                             const std::function<bool(const manifest::Record&)>& is_good,
-                             diag::Findings& findings,
-                             std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
+std::optional<ResumedVariants> ReadResumable(
+    const std::filesystem::path& manifest, const SinkOptions& options,
+    const std::function<bool(const manifest::Record&)>& is_good, diag::Findings& findings,
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
 
 /// Adds that `file` belongs to another batch, and how that differs.
 void AddDiffers(const std::filesystem::path& file, const std::string& difference,

@@ -46,14 +46,14 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   REQUIRE(first.done() < count);
   CHECK(test.Bytes("broken") != test.Bytes("whole"));
   const Summary second = MakeUpTo(test, Resuming(request), 2 * third);
-  CHECK(second.kept > 0);
+  CHECK(second.resumed > 0);
   const Summary last = test.Make(Resuming(request));
-  CHECK(last.kept >= second.kept);
+  CHECK(last.resumed >= second.resumed);
   CHECK(last.done() == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
   // And once more, with nothing left to do.
   const Summary again = test.Make(Resuming(request));
-  CHECK(again.kept == count);
+  CHECK(again.resumed == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("files that are gone or were changed are made again") {
   std::filesystem::remove(test.folder / "out/crate_000020.xml");
   test.folder.Write("out/crate_000050.xml", test.folder.Read("out/crate_000051.xml"));
   const Summary summary = test.Make(Resuming(test.Of(100, "out")));
-  CHECK(summary.kept == 20);
+  CHECK(summary.resumed == 20);
   CHECK(summary.ok == 100);
   CHECK(test.Bytes("out") == whole);
 }
@@ -82,7 +82,7 @@ TEST_CASE("a finished batch can be gone on with to a larger one") {
   CrateBatch test(kBoxSpec);
   test.Make(test.Of(50, "out"));
   const Summary summary = test.Make(Resuming(test.Of(80, "out")));
-  CHECK(summary.kept == 50);
+  CHECK(summary.resumed == 50);
   test.Make(test.Of(80, "whole"));
   CHECK(test.Bytes("out") == test.Bytes("whole"));
 }
@@ -92,7 +92,7 @@ TEST_CASE("without --resume a batch starts anew") {
   const Request request = test.Of(3000, "out");
   REQUIRE(MakeUpTo(test, request, 500).interrupted);
   const Summary summary = test.Make(request);
-  CHECK(summary.kept == 0);
+  CHECK(summary.resumed == 0);
   CHECK(summary.ok == 3000);
   CHECK_FALSE(output::PartFile::Exists(test.folder / "out/manifest.jsonl"));
 }
@@ -207,7 +207,7 @@ TEST_CASE("a variant whose worker died is tried again") {
   test.folder.Write("out/manifest.seal.json", manifest::SealText(*seal));
   std::filesystem::remove(test.folder / "out/crate_000007.xml");
   const Summary summary = test.Make(Resuming(test.Of(30, "out")));
-  CHECK(summary.kept == 7);
+  CHECK(summary.resumed == 7);
   CHECK(test.Bytes("out") == whole);
 }
 
