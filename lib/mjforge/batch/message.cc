@@ -88,11 +88,11 @@ auto Members(Done& done) {
 }
 auto Members(SourceText& source) { return std::tie(source.number, source.name, source.text); }
 auto Members(Chunk& chunk) { return std::tie(chunk.first, chunk.count, chunk.archive); }
-auto Members(Condemned& condemned) {
-  return std::tie(condemned.index, condemned.too_slow, condemned.how);
+auto Members(QuarantinedVariant& quarantined) {
+  return std::tie(quarantined.index, quarantined.too_slow, quarantined.how);
 }
 auto Members(Asset& asset) { return std::tie(asset.name, asset.source, asset.sha256, asset.made); }
-auto Members(Task& task) { return std::tie(task.chunk, task.condemned); }
+auto Members(Task& task) { return std::tie(task.chunk, task.quarantined); }
 auto Members(Result& result) {
   return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,
                   result.text, result.variants, result.assets, result.inputs, result.findings,

@@ -25,7 +25,7 @@ struct Chunk {
 };
 
 /// A variant that is not tried again, because its worker died of it.
-struct Condemned {
+struct QuarantinedVariant {
   std::uint64_t index = 0;
   bool too_slow = false;
   std::string how;  // "was killed by SIGSEGV"
@@ -33,7 +33,7 @@ struct Condemned {
 
 struct Task {
   Chunk chunk;
-  std::vector<Condemned> condemned;
+  std::vector<QuarantinedVariant> quarantined;
 };
 
 /// A text that findings point into and only the worker has read.

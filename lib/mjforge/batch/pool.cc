@@ -315,7 +315,7 @@ void Pool::Replace(Worker& worker) {
   const std::string how = worker.too_slow.empty() ? Ending(status) : worker.too_slow;
   const bool at_work = worker.slot->turn() % 2 == 1;
   if (at_work) {
-    first.condemned.push_back({worker.slot->index(), !worker.too_slow.empty(), how});
+    first.quarantined.push_back({worker.slot->index(), !worker.too_slow.empty(), how});
   } else if (++fruitless_deaths_ > kMaxFruitlessDeaths) {
     throw std::runtime_error(fmt::format("workers cannot run: the last one {}", how));
   }

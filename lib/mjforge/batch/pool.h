@@ -77,8 +77,8 @@ using Work = std::function<Result(const Task&, Slot&)>;
 
 /// Worker processes. One that a signal ends, or that takes more than the limit for one variant (CPU
 /// time; WallLimit of wall time), is replaced; its tasks go to others, with the variant it worked
-/// on condemned. One that does nothing for WallLimit between two variants is replaced, too. Workers
-/// end with this process, however it ends.
+/// on quarantined. One that does nothing for WallLimit between two variants is replaced, too.
+/// Workers end with this process, however it ends.
 class Pool {
  public:
   /// `make_work` is called in each worker when it starts. A worker has up to `tasks_per_worker`

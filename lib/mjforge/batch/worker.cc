@@ -55,10 +55,11 @@ class Worker {
 
  private:
   void Make(std::uint64_t index, const Task& task, Slot& slot) {
-    const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
-                                        [&](const Condemned& c) { return c.index == index; });
-    if (condemned != task.condemned.end()) {
-      generator_.Fail(index, FindingOf(*condemned), variant_);
+    const auto quarantined =
+        std::find_if(task.quarantined.begin(), task.quarantined.end(),
+                     [&](const QuarantinedVariant& c) { return c.index == index; });
+    if (quarantined != task.quarantined.end()) {
+      generator_.Fail(index, FindingOf(*quarantined), variant_);
     } else {
       slot.Begin(index);
       generator_.Make(index, variant_);
@@ -66,14 +67,14 @@ class Worker {
     }
   }
 
-  diag::Finding FindingOf(const Condemned& condemned) const {
+  diag::Finding FindingOf(const QuarantinedVariant& quarantined) const {
     diag::Finding finding;
     finding.mark = generator_.recipe().spec->mark;
-    finding.code = condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
-    finding.message = fmt::format("variant {}: its worker {}", condemned.index, condemned.how);
+    finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
+    finding.message = fmt::format("variant {}: its worker {}", quarantined.index, quarantined.how);
     const bool resumes =
         request_.destination.kind == Kind::kFolder || request_.destination.IsArchive();
-    finding.hint = condemned.too_slow
+    finding.hint = quarantined.too_slow
                        ? "raise --time-limit, or look at the variant with inspect --index"
                    : resumes ? "no other variant is affected; --resume tries this one again"
                              : "look at it with inspect --index";

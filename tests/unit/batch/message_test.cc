@@ -11,10 +11,10 @@ TEST_CASE("a task arrives as it was sent") {
   CHECK(read.chunk.first == 7);
   CHECK(read.chunk.count == 64);
   CHECK(read.chunk.archive == 3);
-  REQUIRE(read.condemned.size() == 2);
-  CHECK(read.condemned[0].index == 9);
-  CHECK(read.condemned[0].too_slow);
-  CHECK(read.condemned[0].how == "took longer");
+  REQUIRE(read.quarantined.size() == 2);
+  CHECK(read.quarantined[0].index == 9);
+  CHECK(read.quarantined[0].too_slow);
+  CHECK(read.quarantined[0].how == "took longer");
 }
 
 TEST_CASE("a result arrives as it was sent, findings and all") {

@@ -22,10 +22,11 @@ Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
       Result result;
       result.chunk = task.chunk;
       for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
-        const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
-                                            [&](const Condemned& c) { return c.index == i; });
-        if (condemned != task.condemned.end()) {
-          result.text += condemned->how + ";";
+        const auto quarantined =
+            std::find_if(task.quarantined.begin(), task.quarantined.end(),
+                         [&](const QuarantinedVariant& c) { return c.index == i; });
+        if (quarantined != task.quarantined.end()) {
+          result.text += quarantined->how + ";";
           continue;
         }
         slot.Begin(i);
@@ -135,7 +136,7 @@ TEST_CASE("results that are kept stay as they are, whatever becomes of their wor
     Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [&lines] {
       return [&lines](const Task& task, Slot& slot) {
         slot.Begin(task.chunk.first);
-        if (task.chunk.first == 10 && task.condemned.empty()) ::raise(SIGKILL);
+        if (task.chunk.first == 10 && task.quarantined.empty()) ::raise(SIGKILL);
         slot.End();
         lines.assign(1000, static_cast<char>('a' + task.chunk.first));
         Result result;
