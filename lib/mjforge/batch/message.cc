@@ -80,8 +80,8 @@ auto Members(diag::Finding& finding) {
   return std::tie(finding.severity, finding.code, finding.mark, finding.message, finding.hint,
                   finding.notes, finding.seed, finding.index);
 }
-auto Members(Digest::Entry& entry) {
-  return std::tie(entry.finding, entry.variants, entry.last_index);
+auto Members(FindingSummary::Group& group) {
+  return std::tie(group.finding, group.variants, group.last_index);
 }
 auto Members(Done& done) {
   return std::tie(done.index, done.name, done.status, done.attempt, done.place);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mjforge/batch/batch.h"
-#include "mjforge/batch/digest.h"
+#include "mjforge/batch/finding_summary.h"
 
 namespace mjforge::batch {
 
@@ -63,7 +63,7 @@ struct Result {
   std::vector<Done> variants;       // if they are watched
   std::vector<Asset> assets;        // each once
   std::vector<std::string> inputs;  // that this worker has not sent before
-  std::vector<Digest::Entry> findings;
+  std::vector<FindingSummary::Group> findings;
   std::uint64_t more_findings = 0;
   std::vector<SourceText> sources;
   // The variant after those done could not be written, or a file that it needs not be read.

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "mjforge/batch/digest.h"
+#include "mjforge/batch/finding_summary.h"
 #include "mjforge/batch/pool.h"
 #include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
@@ -83,8 +83,8 @@ class Batch {
     } else {
       summary_.files_failed = true;
     }
-    summary_.findings = digest_.Result();
-    summary_.more_findings = digest_.not_shown();
+    summary_.findings = finding_summary_.Findings();
+    summary_.more_findings = finding_summary_.not_shown();
     summary_.findings.Append(std::move(output_findings));
     return std::move(summary_);
   }
@@ -157,8 +157,8 @@ class Batch {
   void Count(Result& result) {
     for (const Status status : result.statuses) summary_.Add(status);
     summary_.inputs.insert(result.inputs.begin(), result.inputs.end());
-    for (Digest::Entry& entry : result.findings) digest_.Add(std::move(entry));
-    digest_.AddNotShown(result.more_findings);
+    for (FindingSummary::Group& group : result.findings) finding_summary_.Add(std::move(group));
+    finding_summary_.AddNotShown(result.more_findings);
     if (!watch_.variant) return;
     for (const Done& done : result.variants) watch_.variant(done);
   }
@@ -182,7 +182,7 @@ class Batch {
       change(finding.mark);
       for (diag::Note& note : finding.notes) change(note.mark);
     };
-    for (Digest::Entry& entry : result.findings) renumber(entry.finding);
+    for (FindingSummary::Group& group : result.findings) renumber(group.finding);
     for (diag::Finding& finding : result.output_findings) renumber(finding);
   }
 
@@ -214,7 +214,7 @@ class Batch {
   std::map<std::uint64_t, Result> waiting_;  // by first index
   std::size_t waiting_bytes_ = 0;
   std::uint64_t next_ = 0;
-  Digest digest_{kMaxFindings};
+  FindingSummary finding_summary_{kMaxFindings};
   std::map<std::string, std::uint32_t> attached_;  // sources that workers read
   Clock::time_point shown_;
   Summary summary_;

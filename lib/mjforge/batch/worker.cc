@@ -31,7 +31,7 @@ class Worker {
     segment_.Clear();
     made_members_.clear();
     archive_ = request_.destination.Archive(task.chunk.archive).filename().string();
-    Digest digest(kMaxFindings);
+    FindingSummary finding_summary(kMaxFindings);
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
       if (slot.IsAskedToStop()) break;
       Make(i, task, slot);
@@ -39,14 +39,14 @@ class Worker {
         result.files_failed = true;
         break;
       }
-      digest.Add(variant_.findings, variant_.record.status == Status::kSkipped);
+      finding_summary.Add(variant_.findings, variant_.record.status == Status::kSkipped);
       Tell(result);
     }
     result.lines = lines_;
     result.segment = segment_.Bytes();
-    result.more_findings = digest.not_shown();
-    result.findings.assign(digest.entries().begin(), digest.entries().end());
-    for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
+    result.more_findings = finding_summary.not_shown();
+    result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
+    for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
     for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
     // Attached files became sources as they were read.
     while (told_sources_ < sources_.size()) result.inputs.push_back(sources_.Name(++told_sources_));

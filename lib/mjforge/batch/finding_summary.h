@@ -14,25 +14,25 @@ namespace mjforge::batch {
 /// The findings of many variants in little room: the first of each kind and place, and how many
 /// variants had it. Values differ from variant to variant, and so do messages, but there is one
 /// mistake to mend.
-class Digest {
+class FindingSummary {
  public:
-  struct Entry {
+  struct Group {
     diag::Finding finding;  // of the first variant that has it
     std::uint64_t variants = 0;
     std::uint64_t last_index = 0;
   };
 
-  explicit Digest(std::size_t limit) : limit_(limit) {}
+  explicit FindingSummary(std::size_t limit) : limit_(limit) {}
 
   /// The findings of one variant.
   void Add(const diag::Findings& findings, bool as_warnings);
-  /// Another digest's entry about later variants.
-  void Add(Entry entry);
+  /// Another digest's group about later variants.
+  void Add(Group group);
   void AddNotShown(std::uint64_t count) { not_shown_ += count; }
 
-  std::span<const Entry> entries() const { return entries_; }
+  std::span<const Group> groups() const { return groups_; }
   /// In file order.
-  diag::Findings Result() const;
+  diag::Findings Findings() const;
   std::uint64_t not_shown() const { return not_shown_; }
 
  private:
@@ -41,8 +41,8 @@ class Digest {
   using Key = std::tuple<diag::Code, diag::SourceMark, diag::SourceMark, std::string>;
 
   std::size_t limit_;
-  std::map<Key, std::size_t> positions_;
-  std::vector<Entry> entries_;
+  std::map<Key, std::size_t> numbers_;
+  std::vector<Group> groups_;
   std::uint64_t not_shown_ = 0;
 };
 
