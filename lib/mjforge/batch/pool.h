@@ -16,12 +16,12 @@
 
 namespace mjforge::batch {
 
-/// More tasks than this are not given to a worker in advance.
-inline constexpr std::size_t kMostTasksPerWorker = 4;
+/// More tasks than this are not assigned to a worker in advance.
+inline constexpr std::size_t kMaxTasksPerWorker = 4;
 
 /// What a worker shows of itself while it works, and its results, in memory that both processes
 /// see.
-class Slot {
+class WorkerMailbox {
  public:
   void Begin(std::uint64_t index) {
     index_.store(index, std::memory_order_relaxed);
@@ -37,25 +37,25 @@ class Slot {
 
   /// Memory for a result's message, which saves copies through a channel; null if it is too long,
   /// or as many are still there as fit.
-  char* RoomFor(std::size_t size) {
-    Mail& mail = mails_[left_ % mails_.size()];
-    const bool is_free = mail.size.load(std::memory_order_acquire) == 0;
-    return is_free && size <= mail.bytes.size() ? mail.bytes.data() : nullptr;
+  char* BufferFor(std::size_t size) {
+    SharedMessage& message = messages_[published_ % messages_.size()];
+    const bool is_free = message.size.load(std::memory_order_acquire) == 0;
+    return is_free && size <= message.bytes.size() ? message.bytes.data() : nullptr;
   }
   /// The message that was written there.
-  void Leave(std::size_t size) {
-    mails_[left_++ % mails_.size()].size.store(size, std::memory_order_release);
+  void Publish(std::size_t size) {
+    messages_[published_++ % messages_.size()].size.store(size, std::memory_order_release);
   }
   /// The next message; one was left. It stays until it is removed.
   std::string_view Take() {
-    const Mail& mail = mails_[taken_++ % mails_.size()];
+    const SharedMessage& message = messages_[taken_++ % messages_.size()];
     // A worker that crashes may have written anywhere.
-    return {mail.bytes.data(),
-            std::min(mail.size.load(std::memory_order_acquire), mail.bytes.size())};
+    return {message.bytes.data(),
+            std::min(message.size.load(std::memory_order_acquire), message.bytes.size())};
   }
-  void Remove(std::string_view message) {
-    const auto is_it = [&](const Mail& mail) { return mail.bytes.data() == message.data(); };
-    std::ranges::find_if(mails_, is_it)->size.store(0, std::memory_order_release);
+  void Release(std::string_view message) {
+    const auto is_it = [&](const SharedMessage& m) { return m.bytes.data() == message.data(); };
+    std::ranges::find_if(messages_, is_it)->size.store(0, std::memory_order_release);
   }
 
  private:
@@ -63,17 +63,17 @@ class Slot {
   std::atomic<std::uint64_t> index_ = 0;
   std::atomic<std::uint64_t> turn_ = 0;
   std::atomic<bool> stop_ = false;
-  struct Mail {
+  struct SharedMessage {
     std::atomic<std::uint64_t> size = 0;
     std::array<char, std::size_t{2} << 20> bytes;  // most results of a chunk fit
   };
-  std::array<Mail, kMostTasksPerWorker> mails_;
-  std::uint64_t left_ = 0;   // mails, by the worker
-  std::uint64_t taken_ = 0;  // by the process that leads
+  std::array<SharedMessage, kMaxTasksPerWorker> messages_;
+  std::uint64_t published_ = 0;  // mails, by the worker
+  std::uint64_t taken_ = 0;      // by the process that leads
 };
 
 /// Does tasks, in the worker.
-using Work = std::function<Result(const Task&, Slot&)>;
+using TaskHandler = std::function<Result(const Task&, WorkerMailbox&)>;
 
 /// Worker processes. One that a signal ends, or that takes more than the limit for one variant (CPU
 /// time; WallLimit of wall time), is replaced; its tasks go to others, with the variant it worked
@@ -81,10 +81,10 @@ using Work = std::function<Result(const Task&, Slot&)>;
 /// Workers end with this process, however it ends.
 class Pool {
  public:
-  /// `make_work` is called in each worker when it starts. A worker has up to `tasks_per_worker`
+  /// `make_handler` is called in each worker when it starts. A worker has up to `tasks_per_worker`
   /// tasks at hand, so that it need not wait when it is done with one.
   Pool(std::uint64_t jobs, std::size_t tasks_per_worker, std::chrono::duration<double> time_limit,
-       std::function<Work()> make_work);
+       std::function<TaskHandler()> make_handler);
   ~Pool();
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
@@ -102,25 +102,25 @@ class Pool {
   bool IsBusy() const;
 
  private:
-  struct Worker;
-  void Start(Worker& worker);
+  struct WorkerProcess;
+  void Start(WorkerProcess& worker);
   void Feed();
-  void Send(Worker& worker, Task task);
-  void Receive(Worker& worker);
-  void Replace(Worker& worker);
+  void Send(WorkerProcess& worker, Task task);
+  void Receive(WorkerProcess& worker);
+  void Replace(WorkerProcess& worker);
   void KillSlowWorkers();
-  void NoteProgress(Worker& worker) const;
+  void RecordProgress(WorkerProcess& worker) const;
 
   std::size_t tasks_per_worker_;
   std::chrono::duration<double> time_limit_;
-  std::function<Work()> make_work_;
+  std::function<TaskHandler()> make_handler_;
   std::unique_ptr<char[]> received_;
-  std::vector<std::unique_ptr<Worker>> workers_;
+  std::vector<std::unique_ptr<WorkerProcess>> workers_;
   std::deque<Task> waiting_;
   std::deque<Result> results_;
-  int fruitless_deaths_ = 0;  // in a row
-  std::chrono::steady_clock::time_point looked_at_;
-  std::chrono::duration<double> watched_{};  // wall time, without what this process was stopped
+  int idle_deaths_ = 0;  // in a row
+  std::chrono::steady_clock::time_point last_look_;
+  std::chrono::duration<double> watch_time_{};  // wall time, without what this process was stopped
   bool stopped_ = false;
 };
 

@@ -97,8 +97,8 @@ class Batch {
     Schedule schedule(all_, todo, request_.destination, jobs);
     // What is not validated is made faster than this process gets its turn among its workers.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
-    Pool pool(jobs, is_quick ? kMostTasksPerWorker : 2, request_.time_limit, [&] {
-      return MakeWork(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
+    Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
+      return MakeTaskHandler(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
     });
     next_ = todo.first;
     std::optional<Chunk> chunk = schedule.Next();

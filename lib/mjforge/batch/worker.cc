@@ -24,7 +24,7 @@ class Worker {
         folder_(request.destination.Folder(), overwrite),
         segment_(request.destination.format) {}
 
-  Result operator()(const Task& task, Slot& slot) {
+  Result operator()(const Task& task, WorkerMailbox& mailbox) {
     Result result;
     result.chunk = task.chunk;
     lines_.clear();
@@ -33,8 +33,8 @@ class Worker {
     archive_ = request_.destination.Archive(task.chunk.archive).filename().string();
     FindingSummary finding_summary(kMaxFindings);
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
-      if (slot.IsAskedToStop()) break;
-      Make(i, task, slot);
+      if (mailbox.IsAskedToStop()) break;
+      Make(i, task, mailbox);
       if (!HasInputs(result) || !Write(result)) {
         result.files_failed = true;
         break;
@@ -54,16 +54,16 @@ class Worker {
   }
 
  private:
-  void Make(std::uint64_t index, const Task& task, Slot& slot) {
+  void Make(std::uint64_t index, const Task& task, WorkerMailbox& mailbox) {
     const auto quarantined =
         std::find_if(task.quarantined.begin(), task.quarantined.end(),
                      [&](const QuarantinedVariant& c) { return c.index == index; });
     if (quarantined != task.quarantined.end()) {
       generator_.Fail(index, FindingOf(*quarantined), variant_);
     } else {
-      slot.Begin(index);
+      mailbox.Begin(index);
       generator_.Make(index, variant_);
-      slot.End();
+      mailbox.End();
     }
   }
 
@@ -212,10 +212,11 @@ forge::Options OptionsOf(const Request& request) {
   return options;
 }
 
-Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-              const output::Overwrite& overwrite, bool watched) {
+TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
+                            const Request& request, const output::Overwrite& overwrite,
+                            bool watched) {
   const auto worker = std::make_shared<Worker>(recipe, sources, request, overwrite, watched);
-  return [worker](const Task& task, Slot& slot) { return (*worker)(task, slot); };
+  return [worker](const Task& task, WorkerMailbox& mailbox) { return (*worker)(task, mailbox); };
 }
 
 }  // namespace mjforge::batch

@@ -11,7 +11,8 @@ forge::Options OptionsOf(const Request& request);
 /// What a worker does with a task: makes its variants and, into a folder, writes them. Call it in
 /// the worker, because it initializes MuJoCo. `watched`: results say each variant's place. The
 /// references must outlive it.
-Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-              const output::Overwrite& overwrite, bool watched);
+TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
+                            const Request& request, const output::Overwrite& overwrite,
+                            bool watched);
 
 }  // namespace mjforge::batch

@@ -14,11 +14,11 @@
 namespace mjforge::batch {
 namespace {
 
-// Work that tells the indices it did, in `text`, and meets its end where `fate` says so.
+// TaskHandler that tells the indices it did, in `text`, and meets its end where `fate` says so.
 Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
               std::function<void(std::uint64_t)> fate) {
   return Pool(jobs, 2, limit, [fate] {
-    return [fate](const Task& task, Slot& slot) {
+    return [fate](const Task& task, WorkerMailbox& mailbox) {
       Result result;
       result.chunk = task.chunk;
       for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
@@ -29,9 +29,9 @@ Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
           result.text += quarantined->how + ";";
           continue;
         }
-        slot.Begin(i);
+        mailbox.Begin(i);
         fate(i);
-        slot.End();
+        mailbox.End();
         result.text += std::to_string(i) + ";";
       }
       return result;
@@ -83,8 +83,8 @@ TEST_CASE("results that are taken slowly are not gathered without end") {
 
 TEST_CASE("results of any length arrive whole and in order") {
   constexpr std::size_t kLong = std::size_t{5} << 20;
-  Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [] {
-    return [](const Task& task, Slot&) {
+  Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [] {
+    return [](const Task& task, WorkerMailbox&) {
       Result result;
       result.chunk = task.chunk;
       const std::size_t length = task.chunk.first % 2 == 0 ? 10 : kLong;
@@ -104,40 +104,40 @@ TEST_CASE("results of any length arrive whole and in order") {
   CHECK(order == "abcdefgh");
 }
 
-TEST_CASE("a slot holds a message for each task until they are removed") {
-  const auto slot = std::make_unique<Slot>();
-  const auto leave = [&slot](std::string_view message) {
-    char* const room = slot->RoomFor(message.size());
+TEST_CASE("a mailbox holds a message for each task until they are removed") {
+  const auto mailbox = std::make_unique<WorkerMailbox>();
+  const auto leave = [&mailbox](std::string_view message) {
+    char* const room = mailbox->BufferFor(message.size());
     if (room == nullptr) return false;
     message.copy(room, message.size());
-    slot->Leave(message.size());
+    mailbox->Publish(message.size());
     return true;
   };
   for (const std::string_view message : {"first", "second", "third", "fourth"})
     CHECK(leave(message));
   CHECK_FALSE(leave("fifth"));
-  const std::string_view first = slot->Take();
-  const std::string_view second = slot->Take();
+  const std::string_view first = mailbox->Take();
+  const std::string_view second = mailbox->Take();
   CHECK(first == "first");
   CHECK(second == "second");
-  slot->Remove(first);
+  mailbox->Remove(first);
   CHECK_FALSE(leave(std::string(std::size_t{3} << 20, 'x')));
   CHECK(leave("fifth"));
   CHECK_FALSE(leave("sixth"));
   CHECK(second == "second");
   for (const std::string_view message : {"third", "fourth", "fifth"})
-    CHECK(slot->Take() == message);
+    CHECK(mailbox->Take() == message);
 }
 
 TEST_CASE("results that are kept stay as they are, whatever becomes of their worker") {
   std::vector<Result> kept;
   {
     std::string lines;  // a worker's own, which each of its results overwrites
-    Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [&lines] {
-      return [&lines](const Task& task, Slot& slot) {
-        slot.Begin(task.chunk.first);
+    Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [&lines] {
+      return [&lines](const Task& task, WorkerMailbox& mailbox) {
+        mailbox.Begin(task.chunk.first);
         if (task.chunk.first == 10 && task.quarantined.empty()) ::raise(SIGKILL);
-        slot.End();
+        mailbox.End();
         lines.assign(1000, static_cast<char>('a' + task.chunk.first));
         Result result;
         result.chunk = task.chunk;
@@ -225,7 +225,7 @@ TEST_CASE("a worker that is stopped while it has nothing to do ends with the oth
 }
 
 TEST_CASE("workers that die before they begin anything do not go on for ever") {
-  Pool pool(2, 2, std::chrono::seconds(10), []() -> Work { std::_Exit(9); });
+  Pool pool(2, 2, std::chrono::seconds(10), []() -> TaskHandler { std::_Exit(9); });
   pool.Submit({{0, 2, 0}, {}});
   const auto start = std::chrono::steady_clock::now();
   CHECK_THROWS_WITH(
