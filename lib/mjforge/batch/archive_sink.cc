@@ -5,8 +5,8 @@
 
 #include "mjforge/batch/journal.h"
 #include "mjforge/batch/schedule.h"
+#include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/batch/sink.h"
-#include "mjforge/batch/vouched.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
@@ -88,7 +88,7 @@ class ArchiveSink : public Sink {
   std::optional<ResumedVariants> ContinueFinished(diag::Findings& findings) {
     const manifest::Seal& seal = *journal_.previous_seal();
     if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
-      AddDiffers(journal_.file(), difference, findings);
+      ReportOtherBatch(journal_.file(), difference, findings);
       return std::nullopt;
     }
     std::string why_not;
@@ -166,7 +166,7 @@ class ArchiveSink : public Sink {
 
   bool IsIntact(const manifest::SealedFile& archive) const {
     std::string why_not;
-    return IsAsSealed(destination_.Folder(), archive, request_.verify, why_not);
+    return MatchesSeal(destination_.Folder(), archive, request_.verify, why_not);
   }
 
   bool OpenArchive(std::uint64_t bytes, diag::Findings& findings) {

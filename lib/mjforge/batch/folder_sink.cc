@@ -2,8 +2,8 @@
 #include <filesystem>
 
 #include "mjforge/batch/journal.h"
+#include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/batch/sink.h"
-#include "mjforge/batch/vouched.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
@@ -72,7 +72,7 @@ class FolderSink : public Sink {
   std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     // What is on disk is trusted by its hash, so that a file that was lost or changed since is made
     // again.
-    VouchedObjects objects(folder_, true);
+    ObjectChecker objects(folder_, true);
     const auto is_there = [&](const manifest::Record& record) {
       diag::Findings ignored;
       return record.status != Status::kOk || objects.Check(record, ignored);
@@ -89,7 +89,7 @@ class FolderSink : public Sink {
     if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.whole, why_not))
       return ResumedVariants();
     if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
-      AddDiffers(journal_.file(), difference, findings);
+      ReportOtherBatch(journal_.file(), difference, findings);
       return std::nullopt;
     }
     const std::optional<ResumedVariants> resumed =

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <locale>
 
-#include "mjforge/batch/vouched.h"
+#include "mjforge/batch/sealed_outputs.h"
 
 namespace mjforge::batch {
 namespace {
@@ -83,15 +83,15 @@ bool Journal::Open(diag::Findings& findings) {
   }
   if (!options_.request.resume || !journal_seal_) return true;
   const std::string difference = manifest::DifferenceOfOutput(*journal_seal_, seal_);
-  if (!difference.empty()) AddDiffers(manifest_file_->temporary(), difference, findings);
+  if (!difference.empty()) ReportOtherBatch(manifest_file_->temporary(), difference, findings);
   return difference.empty();
 }
 
 void Journal::ReadPreviousSeal() {
   std::string why_not;
-  previous_seal_ = ReadSealOf(file_, why_not);
+  previous_seal_ = ReadSealBeside(file_, why_not);
   if (!previous_seal_)
-    previous_seal_ = ReadSealOf(options_.request.destination.Manifest({}), why_not);
+    previous_seal_ = ReadSealBeside(options_.request.destination.Manifest({}), why_not);
   if (!previous_seal_ || previous_seal_->spec != seal_.spec) return;
   for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
 }

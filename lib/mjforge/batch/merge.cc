@@ -3,8 +3,8 @@
 #include <map>
 
 #include "mjforge/batch/batch.h"
+#include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/batch/sink.h"
-#include "mjforge/batch/vouched.h"
 
 namespace mjforge::batch {
 namespace {
@@ -75,8 +75,8 @@ class Joining {
       return std::nullopt;
     }
     if (found.empty()) {
-      AddMissing(fmt::format("no shard of '{}' has a manifest", file_.string()),
-                 "a shard's manifest gets its name when the shard is done");
+      ReportMissing(fmt::format("no shard of '{}' has a manifest", file_.string()),
+                    "a shard's manifest gets its name when the shard is done");
       return std::nullopt;
     }
     if (found.size() > 1) {
@@ -89,15 +89,15 @@ class Joining {
     const auto& [count, indices] = *found.begin();
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       if (indices.contains(i)) continue;
-      AddMissing(fmt::format("shard {}/{} is missing: there is no '{}'", i, count,
-                             destination_.Manifest({i, count}).string()),
-                 fmt::format("make it with --shard {}/{} --resume", i, count));
+      ReportMissing(fmt::format("shard {}/{} is missing: there is no '{}'", i, count,
+                                destination_.Manifest({i, count}).string()),
+                    fmt::format("make it with --shard {}/{} --resume", i, count));
     }
     if (findings_.HasErrors()) return std::nullopt;
     return count;
   }
 
-  void AddMissing(std::string message, std::string hint) {
+  void ReportMissing(std::string message, std::string hint) {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 
@@ -106,9 +106,9 @@ class Joining {
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       const std::filesystem::path file = destination_.Manifest({i, count});
       std::string why_not;
-      std::optional<manifest::Seal> seal = ReadSealOf(file, why_not);
+      std::optional<manifest::Seal> seal = ReadSealBeside(file, why_not);
       if (!seal || seal->shard != i || seal->shards != count) {
-        AddMissing(
+        ReportMissing(
             fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
                         manifest::SealOf(file).string(), seal ? "it is another shard's" : why_not),
             fmt::format("make it with --shard {}/{} --resume", i, count));
@@ -145,7 +145,7 @@ class Joining {
 
   bool Finish(output::PartFile& part) {
     if (records_ != whole_.count) {
-      AddMissing(
+      ReportMissing(
           fmt::format("the shards have {} variants, and their batch {}", records_, whole_.count),
           "were all shards made with the same -n, --first and --per-archive?");
       part.Drop();
@@ -192,12 +192,13 @@ class Joining {
     }
     const std::uint64_t expected = whole_.first + records_;
     if (record.index != expected) {
-      AddMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
-                             record.index, expected),
-                 record.index < expected ? "a variant appears twice: were all shards made with the "
-                                           "same -n, --first and --per-archive?"
-                                         : "variants are missing: were all shards made with the "
-                                           "same -n, --first and --per-archive?");
+      ReportMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
+                                record.index, expected),
+                    record.index < expected
+                        ? "a variant appears twice: were all shards made with the "
+                          "same -n, --first and --per-archive?"
+                        : "variants are missing: were all shards made with the "
+                          "same -n, --first and --per-archive?");
       return false;
     }
     ++records_;
@@ -210,7 +211,7 @@ class Joining {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::filesystem::path file_;
-  VouchedObjects objects_;
+  ObjectChecker objects_;
   manifest::Seal whole_;  // of the joined batch
   std::optional<manifest::Record> first_;
   std::uint64_t records_ = 0;

@@ -14,8 +14,8 @@ bool FailedByChance(const manifest::Record& record) {
       [&](const std::string& finding) { return finding.find(died) != finding.npos; });
 }
 
-void AddDiffers(const std::filesystem::path& file, const std::string& difference,
-                diag::Findings& findings) {
+void ReportOtherBatch(const std::filesystem::path& file, const std::string& difference,
+                      diag::Findings& findings) {
   findings.Add(diag::Code::kBatchDiffers, {},
                fmt::format("'{}' belongs to another batch: {}", file.string(), difference),
                "use the options of that batch, or start over without --resume");
@@ -38,7 +38,7 @@ std::optional<ResumedVariants> ReadResumable(
     if (difference.empty() && record->index != expected)
       difference = fmt::format("index is {}, not {}", record->index, expected);
     if (!difference.empty()) {
-      AddDiffers(manifest, difference, findings);
+      ReportOtherBatch(manifest, difference, findings);
       return std::nullopt;
     }
     if (FailedByChance(*record) || !is_good(*record)) break;

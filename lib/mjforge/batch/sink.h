@@ -57,8 +57,8 @@ std::optional<ResumedVariants> ReadResumable(
     std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
 
 /// Adds that `file` belongs to another batch, and how that differs.
-void AddDiffers(const std::filesystem::path& file, const std::string& difference,
-                diag::Findings& findings);
+void ReportOtherBatch(const std::filesystem::path& file, const std::string& difference,
+                      diag::Findings& findings);
 
 /// The sink of the request's destination. `text` takes the object for standard output.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "mjforge/batch/batch.h"
-#include "mjforge/batch/vouched.h"
+#include "mjforge/batch/sealed_outputs.h"
 
 namespace mjforge::batch {
 namespace {
@@ -58,8 +58,8 @@ class Verification {
     bool is_empty = true;
     for (const std::string& name : NamesIn(folder)) {
       if (name.ends_with("manifest.jsonl.part")) {
-        AddMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
-                   "the command that began it goes on with --resume");
+        ReportMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
+                      "the command that began it goes on with --resume");
       } else if (name.ends_with(kSealEnding)) {
         CheckBatch(ManifestOf(folder / name));
       } else if (name.ends_with("manifest.jsonl") &&
@@ -71,16 +71,16 @@ class Verification {
       is_empty = false;
     }
     if (is_empty && findings_.empty())
-      AddMissing(fmt::format("'{}' has no manifest", folder.string()), {});
+      ReportMissing(fmt::format("'{}' has no manifest", folder.string()), {});
   }
 
   void CheckBatch(const std::filesystem::path& manifest) {
     std::string why_not;
-    const std::optional<manifest::Seal> seal = ReadSealOf(manifest, why_not);
+    const std::optional<manifest::Seal> seal = ReadSealBeside(manifest, why_not);
     if (!seal) {
-      AddMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
-                             manifest::SealOf(manifest).string(), why_not),
-                 "run the command that made it again with --resume");
+      ReportMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
+                                manifest::SealOf(manifest).string(), why_not),
+                    "run the command that made it again with --resume");
       return;
     }
     const std::filesystem::path folder = manifest.parent_path();
@@ -99,7 +99,7 @@ class Verification {
   void CheckObjects(const std::filesystem::path& manifest) {
     using Outcome = manifest::RecordReader::Outcome;
     auto reader = manifest::RecordReader::Open(manifest, sources_, findings_);
-    VouchedObjects objects(manifest.parent_path(), true);
+    ObjectChecker objects(manifest.parent_path(), true);
     manifest::Record record;
     while (reader && reader->Next(record) == Outcome::kRecord) {
       if (record.status != Status::kOk) continue;
@@ -126,7 +126,7 @@ class Verification {
     for (const std::string& name : NamesIn(folder)) {
       if (!name.ends_with(kSealEnding)) continue;
       std::string why_not;
-      const auto seal = ReadSealOf(ManifestOf(folder / name), why_not);
+      const auto seal = ReadSealBeside(ManifestOf(folder / name), why_not);
       if (!seal) continue;
       for (const manifest::SealedFile& file : seal->archives) {
         if (file.file != archive.filename()) continue;
@@ -140,11 +140,11 @@ class Verification {
                     fmt::format("cannot read '{}': there is no such file", archive.string()));
       return;
     }
-    AddMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
-               "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
+    ReportMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
+                  "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
   }
 
-  void AddMissing(std::string message, std::string hint) {
+  void ReportMissing(std::string message, std::string hint) {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 

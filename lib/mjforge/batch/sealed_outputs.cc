@@ -1,4 +1,4 @@
-#include "mjforge/batch/vouched.h"
+#include "mjforge/batch/sealed_outputs.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@ namespace {
 constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
 
 // Assets that are not read again.
-constexpr std::size_t kMostKnown = 10'000;
+constexpr std::size_t kMaxRememberedAssets = 10'000;
 
-void AddBroken(const std::filesystem::path& file, const std::string& why_not,
-               diag::Findings& findings) {
+void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
+                  diag::Findings& findings) {
   std::error_code ignored;
   const bool exists = std::filesystem::exists(file, ignored);
   findings.Add(exists ? diag::Code::kBatchChanged : diag::Code::kBatchMissing, {},
@@ -32,20 +32,20 @@ bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t lim
   const auto start = bytes::ReadStart(file, verify ? limit : 1, why_not);
   if (start && (verify ? bytes::Sha256Of(*start) == sha256 : !start->empty())) return true;
   if (start) why_not = start->empty() ? "it is empty" : "its bytes are others";
-  AddBroken(file, why_not, findings);
+  ReportDamage(file, why_not, findings);
   return false;
 }
 
 }  // namespace
 
-std::optional<manifest::Seal> ReadSealOf(const std::filesystem::path& manifest,
-                                         std::string& why_not) {
+std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
+                                             std::string& why_not) {
   const auto text = bytes::Read(manifest::SealOf(manifest), kMaxSeal, why_not);
   return text ? manifest::ReadSeal(*text, why_not) : std::nullopt;
 }
 
-bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
-                std::string& why_not) {
+bool MatchesSeal(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
+                 std::string& why_not) {
   return verify ? bytes::IsSound(folder / file.file, file.whole, why_not)
                 : bytes::HasSize(folder / file.file, file.whole.size, why_not);
 }
@@ -53,20 +53,20 @@ bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile&
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings) {
   std::string why_not;
-  if (IsAsSealed(folder, file, verify, why_not)) return true;
-  AddBroken(folder / file.file, why_not, findings);
+  if (MatchesSeal(folder, file, verify, why_not)) return true;
+  ReportDamage(folder / file.file, why_not, findings);
   return false;
 }
 
-bool VouchedObjects::Check(const manifest::Record& record, diag::Findings& findings) {
+bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findings) {
   return CheckHash(folder_ / record.file, verify_, bytes::kMaxMjcf, record.sha256, findings) &&
          CheckAssets(record, findings);
 }
 
-bool VouchedObjects::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
+bool ObjectChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
   const std::filesystem::path folder = (folder_ / record.file).parent_path();
   // Those that are made may be others for each record.
-  if (assets_.size() > kMostKnown) assets_.clear();
+  if (assets_.size() > kMaxRememberedAssets) assets_.clear();
   return std::ranges::all_of(record.assets, [&](const auto& asset) {
     const auto& [name, sha256] = asset;
     const auto [known, is_new] = assets_.try_emplace({folder / name, sha256});

@@ -12,22 +12,22 @@
 namespace mjforge::batch {
 
 /// The seal beside a manifest; nothing, and why, if there is none or it is damaged.
-std::optional<manifest::Seal> ReadSealOf(const std::filesystem::path& manifest,
-                                         std::string& why_not);
+std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
+                                             std::string& why_not);
 
 /// Whether the file in `folder` is as its seal says: its size or, with `verify`, its bytes; else
 /// why not.
-bool IsAsSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
-                std::string& why_not);
+bool MatchesSeal(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
+                 std::string& why_not);
 
 /// The same, with a finding if not.
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
 
 /// What records say is in a folder. Assets that many share are read once.
-class VouchedObjects {
+class ObjectChecker {
  public:
-  VouchedObjects(std::filesystem::path folder, bool verify)
+  ObjectChecker(std::filesystem::path folder, bool verify)
       : folder_(std::move(folder)), verify_(verify) {}
 
   /// Whether the record's own file and its assets are there and not empty or, with `verify`, have
