@@ -268,10 +268,10 @@ class Generation {
     batch::Request request = request_;
     if (request.destination.kind == Kind::kFolder) request.destination.path = FolderOf(recipe);
     ProgressBar bar(!console_.quiet());
-    batch::Watch watch;
+    batch::Observer watch;
     watch.progress = [&](const batch::Summary& summary) { bar.Show(summary); };
     if (options_.verbose) {
-      watch.variant = [&](const batch::Done& done) {
+      watch.variant = [&](const batch::FinishedVariant& done) {
         bar.Clear();
         Say(done, request.destination);
       };
@@ -292,7 +292,7 @@ class Generation {
     return status;
   }
 
-  void Say(const batch::Done& done, const output::Destination& destination) {
+  void Say(const batch::FinishedVariant& done, const output::Destination& destination) {
     std::string place = fmt::format("{} {}", done.name, done.index);
     if (!done.place.empty())
       place =

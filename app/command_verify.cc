@@ -15,7 +15,7 @@ std::string Counted(std::uint64_t count, std::string_view what) {
 }
 
 ExitStatus Verify(const std::string& place, Console& console) {
-  const batch::Verified verified = batch::Verify(place, console.sources, console.findings);
+  const batch::VerifyResult verified = batch::Verify(place, console.sources, console.findings);
   const bool is_good = !console.findings.HasErrors();
   const ExitStatus status = StatusOf(console.findings);
   console.Show(console.findings, console.sources, verified.more_findings);

@@ -145,8 +145,8 @@ manifest::Record RecordOf(const Sections& sections) {
 
 // As batch::Run, without workers.
 void Resume(const batch::Request& request, manifest::Record record, diag::Findings& findings) {
-  const batch::Range all = {request.first, request.count};
-  const batch::Range range = batch::RangeOf(request.shard, all, request.destination);
+  const batch::IndexRange all = {request.first, request.count};
+  const batch::IndexRange range = batch::RangeOfShard(request.shard, all, request.destination);
   std::string text;
   const manifest::Record batch = record;
   const auto sink = batch::MakeSink({request, all, range, batch}, text);
@@ -154,11 +154,11 @@ void Resume(const batch::Request& request, manifest::Record record, diag::Findin
   Must(resumed || findings.HasErrors(), "a batch is not begun, without a reason");
   if (!resumed) return;
   Must(resumed->done() <= range.count, "more is resumed than there is");
-  const batch::Range todo = {range.first + resumed->done(), range.count - resumed->done()};
+  const batch::IndexRange todo = {range.first + resumed->done(), range.count - resumed->done()};
   batch::Schedule schedule(all, todo, request.destination, 1);
   bool goes_on = true;
   for (auto chunk = schedule.Next(); chunk && goes_on; chunk = schedule.Next()) {
-    batch::Result result;
+    batch::ChunkResult result;
     std::string lines;
     result.chunk = *chunk;
     result.done = chunk->count;

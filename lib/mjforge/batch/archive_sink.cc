@@ -35,7 +35,7 @@ class ArchiveSink : public Sink {
     return resumed;
   }
 
-  bool Take(Result& result, diag::Findings& findings) override {
+  bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (result.done < result.chunk.count) {
       // Half a segment would make other bytes than a whole one.
       result.statuses.clear();
@@ -196,8 +196,8 @@ class ArchiveSink : public Sink {
   }
 
   // Before the first object that refers to them.
-  bool AppendAssets(const Result& result, diag::Findings& findings) {
-    for (const Asset& asset : result.assets) {
+  bool AppendAssets(const ChunkResult& result, diag::Findings& findings) {
+    for (const HashedAsset& asset : result.assets) {
       if (journal_.HasAsset(asset)) continue;
       if (!journal_.AddAsset(asset, findings)) return false;
       const auto bytes = output::ReadAsset(asset.source, asset.sha256, findings);

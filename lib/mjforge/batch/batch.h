@@ -50,7 +50,7 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
 inline constexpr int kNoMemoryStatus = 71;
 
 /// What is known of a variant when it is done.
-struct Done {
+struct FinishedVariant {
   std::uint64_t index = 0;
   std::string name;
   Status status = Status::kOk;
@@ -75,23 +75,24 @@ struct Summary : manifest::StatusCounts {
 inline constexpr std::size_t kMaxFindings = 50;
 
 /// Called by the process that runs the batch; either may be missing.
-struct Watch {
-  std::function<void(const Done&)> variant;      // in index order
-  std::function<void(const Summary&)> progress;  // at least ten times a second
+struct Observer {
+  std::function<void(const FinishedVariant&)> variant;  // in index order
+  std::function<void(const Summary&)> progress;         // at least ten times a second
 };
 
 /// Makes the variants and writes them where the request says. Forks: the caller
 /// must have no other threads. Where nothing could be made nothing is written.
 Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-            const Watch& watch);
+            const Observer& observer);
 
 /// The variants of a shard: its first one and how many. Shards are ranges one
 /// after the other, of whole archives where the destination is a series.
-struct Range {
+struct IndexRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
 };
-Range RangeOf(const output::Shard& shard, const Range& all, const output::Destination& destination);
+IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
+                        const output::Destination& destination);
 
 /// Joins the manifests of all shards beside or in `destination` into one, if they belong to one
 /// batch and none is missing. What the shards' seals vouch for is checked: manifests and that all
@@ -101,7 +102,7 @@ std::optional<std::uint64_t> Merge(const output::Destination& destination, bool 
                                    diag::Sources& sources, diag::Findings& findings);
 
 /// What was read and found as it was when its batch was done.
-struct Verified {
+struct VerifyResult {
   std::uint64_t variants = 0;
   std::uint64_t files = 0;  // manifests, archives, objects
   std::uint64_t more_findings = 0;
@@ -110,7 +111,7 @@ struct Verified {
 /// Reads everything that seals vouch for: all batches in a folder, the batch of a manifest or of
 /// its seal, or one archive. What is missing or was changed is a finding, up to kMaxFindings of
 /// them.
-Verified Verify(const std::filesystem::path& what, diag::Sources& sources,
-                diag::Findings& findings);
+VerifyResult Verify(const std::filesystem::path& what, diag::Sources& sources,
+                    diag::Findings& findings);
 
 }  // namespace mjforge::batch

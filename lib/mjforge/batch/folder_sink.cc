@@ -42,9 +42,9 @@ class FolderSink : public Sink {
     return overwrite;
   }
 
-  bool Take(Result& result, diag::Findings& findings) override {
+  bool Take(ChunkResult& result, diag::Findings& findings) override {
     checkpoint_.next = result.chunk.first + result.done;
-    const auto note = [&](const Asset& asset) {
+    const auto note = [&](const HashedAsset& asset) {
       return journal_.HasAsset(asset) || journal_.AddAsset(asset, findings);
     };
     return std::ranges::all_of(result.assets, note) &&

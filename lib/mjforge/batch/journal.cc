@@ -152,7 +152,7 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   words >> kind;
   if (!journal_seal_) return false;
   if (kind == "asset") {
-    Asset asset;
+    HashedAsset asset;
     words >> asset.sha256;
     asset.name = RestOfLine(line, words);
     if (asset.name.empty()) return false;
@@ -227,13 +227,13 @@ bool Journal::AppendRecords(std::string_view lines, diag::Findings& findings) {
   return manifest_file_->Append(lines, findings);
 }
 
-bool Journal::HasAsset(const Asset& asset) const {
-  return std::ranges::any_of(assets_, [&](const Asset& known) {
+bool Journal::HasAsset(const HashedAsset& asset) const {
+  return std::ranges::any_of(assets_, [&](const HashedAsset& known) {
     return known.name == asset.name && known.sha256 == asset.sha256;
   });
 }
 
-bool Journal::AddAsset(const Asset& asset, diag::Findings& findings) {
+bool Journal::AddAsset(const HashedAsset& asset, diag::Findings& findings) {
   if (seal_.assets.emplace(asset.name, asset.sha256).first->second != asset.sha256) {
     output::AddAssetChanged(asset.name, findings);
     return false;

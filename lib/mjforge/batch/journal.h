@@ -57,9 +57,9 @@ class Journal {
   bool RollBackTo(const Checkpoint& checkpoint, diag::Findings& findings);
   bool AppendRecords(std::string_view lines, diag::Findings& findings);
   /// Whether the folder or the archive under construction has an asset with that name and hash.
-  bool HasAsset(const Asset& asset) const;
+  bool HasAsset(const HashedAsset& asset) const;
   /// Notes one that comes into it. False, and a finding, if it was another before.
-  bool AddAsset(const Asset& asset, diag::Findings& findings);
+  bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
   /// Notes a checkpoint: how far the archive is; the manifest's part of it is added.
   bool AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings);
   /// Notes an archive that is to get its name, and the checkpoint after it. From then on the
@@ -89,7 +89,7 @@ class Journal {
   std::optional<manifest::Seal> journal_seal_;  // as the journal has it
   bool is_unfinished_ = false;
   std::vector<Checkpoint> checkpoints_;
-  std::vector<Asset> assets_;  // in the folder, in the archive under construction
+  std::vector<HashedAsset> assets_;  // in the folder, in the archive under construction
   std::vector<manifest::SealedFile> closed_;
   std::set<std::string> made_archives_;  // archives that were closed once
   std::set<std::string> made_assets_;

@@ -28,10 +28,10 @@ std::optional<output::Shard> ShardOf(std::string_view name, std::string_view man
   return output::Shard{*index, *count};
 }
 
-class Joining {
+class ShardMerger {
  public:
-  Joining(const output::Destination& destination, bool verify, diag::Sources& sources,
-          diag::Findings& findings)
+  ShardMerger(const output::Destination& destination, bool verify, diag::Sources& sources,
+              diag::Findings& findings)
       : destination_(destination),
         verify_(verify),
         sources_(sources),
@@ -221,7 +221,7 @@ class Joining {
 
 std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
                                    diag::Sources& sources, diag::Findings& findings) {
-  return Joining(destination, verify, sources, findings)();
+  return ShardMerger(destination, verify, sources, findings)();
 }
 
 }  // namespace mjforge::batch

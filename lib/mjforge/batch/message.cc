@@ -83,7 +83,7 @@ auto Members(diag::Finding& finding) {
 auto Members(FindingSummary::Group& group) {
   return std::tie(group.finding, group.variants, group.last_index);
 }
-auto Members(Done& done) {
+auto Members(FinishedVariant& done) {
   return std::tie(done.index, done.name, done.status, done.attempt, done.place);
 }
 auto Members(SourceText& source) { return std::tie(source.number, source.name, source.text); }
@@ -91,9 +91,11 @@ auto Members(Chunk& chunk) { return std::tie(chunk.first, chunk.count, chunk.arc
 auto Members(QuarantinedVariant& quarantined) {
   return std::tie(quarantined.index, quarantined.too_slow, quarantined.how);
 }
-auto Members(Asset& asset) { return std::tie(asset.name, asset.source, asset.sha256, asset.made); }
+auto Members(HashedAsset& asset) {
+  return std::tie(asset.name, asset.source, asset.sha256, asset.made);
+}
 auto Members(Task& task) { return std::tie(task.chunk, task.quarantined); }
-auto Members(Result& result) {
+auto Members(ChunkResult& result) {
   return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,
                   result.text, result.variants, result.assets, result.inputs, result.findings,
                   result.more_findings, result.sources, result.files_failed,
@@ -162,12 +164,12 @@ Message DecodeMessage(std::string_view bytes) {
 }  // namespace
 
 std::string Encode(const Task& task) { return EncodeMessage(task); }
-std::string Encode(const Result& result) { return EncodeMessage(result); }
-std::size_t EncodedSize(const Result& result) { return EncodeMessage(nullptr, result); }
-void EncodeTo(char* out, const Result& result) { EncodeMessage(out, result); }
+std::string Encode(const ChunkResult& result) { return EncodeMessage(result); }
+std::size_t EncodedSize(const ChunkResult& result) { return EncodeMessage(nullptr, result); }
+void EncodeTo(char* out, const ChunkResult& result) { EncodeMessage(out, result); }
 Task DecodeTask(std::string_view bytes) { return DecodeMessage<Task>(bytes); }
-Result DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory) {
-  Result result = DecodeMessage<Result>(bytes);
+ChunkResult DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory) {
+  ChunkResult result = DecodeMessage<ChunkResult>(bytes);
   result.memory = std::move(memory);
   return result;
 }

@@ -44,25 +44,25 @@ struct SourceText {
 };
 
 /// A file that objects refer to.
-struct Asset {
+struct HashedAsset {
   std::string name;    // in the object
   std::string source;  // file; empty: it is made
   std::string sha256;
   std::string made = {};  // its content
 
-  bool operator==(const Asset&) const = default;
+  bool operator==(const HashedAsset&) const = default;
 };
 
-struct Result {
+struct ChunkResult {
   Chunk chunk;
   std::uint64_t done = 0;  // variants; fewer than the chunk's if stopped or failed
   std::vector<Status> statuses;
-  std::string_view lines;           // of the manifest, in `memory`
-  std::string_view segment;         // of the archive, there, too
-  std::string text;                 // of a single object
-  std::vector<Done> variants;       // if they are watched
-  std::vector<Asset> assets;        // each once
-  std::vector<std::string> inputs;  // that this worker has not sent before
+  std::string_view lines;                 // of the manifest, in `memory`
+  std::string_view segment;               // of the archive, there, too
+  std::string text;                       // of a single object
+  std::vector<FinishedVariant> variants;  // if they are watched
+  std::vector<HashedAsset> assets;        // each once
+  std::vector<std::string> inputs;        // that this worker has not sent before
   std::vector<FindingSummary::Group> findings;
   std::uint64_t more_findings = 0;
   std::vector<SourceText> sources;
@@ -74,13 +74,13 @@ struct Result {
 };
 
 std::string Encode(const Task& task);
-std::string Encode(const Result& result);
+std::string Encode(const ChunkResult& result);
 /// A result as Encode makes it: how many bytes that are, and the same in memory of that size.
-std::size_t EncodedSize(const Result& result);
-void EncodeTo(char* out, const Result& result);
+std::size_t EncodedSize(const ChunkResult& result);
+void EncodeTo(char* out, const ChunkResult& result);
 // Decode what Encode made. Bytes that are cut short or have a wrong length are a bug, and throw.
 Task DecodeTask(std::string_view bytes);
 /// Its `lines` and `segment` lie in `bytes`, which `memory` holds.
-Result DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory);
+ChunkResult DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory);
 
 }  // namespace mjforge::batch

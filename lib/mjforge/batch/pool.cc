@@ -67,7 +67,7 @@ bool WriteMessage(int descriptor, const std::string& message) {
   return WriteLength(descriptor, message.size()) && WriteAll(descriptor, message);
 }
 
-bool WriteResult(int channel, WorkerMailbox& mailbox, const Result& result) {
+bool WriteResult(int channel, WorkerMailbox& mailbox, const ChunkResult& result) {
   const std::size_t size = EncodedSize(result);
   char* const room = mailbox.BufferFor(size);
   if (room == nullptr) return WriteMessage(channel, Encode(result));
@@ -131,13 +131,13 @@ std::shared_ptr<WorkerMailbox> MakeMailbox() {
 }
 
 // The message is in the mailbox as long as the result is there.
-Result ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox) {
+ChunkResult ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox) {
   const std::string_view message = mailbox->Take();
   return DecodeResult(
       message, {message.data(), [mailbox, message](const char*) { mailbox->Release(message); }});
 }
 
-Result ReadResult(std::string_view message) {
+ChunkResult ReadResult(std::string_view message) {
   auto memory = std::make_shared<const std::string>(message);
   return DecodeResult(*memory, memory);
 }
@@ -257,7 +257,7 @@ bool Pool::IsBusy() const {
   return !results_.empty() || std::any_of(workers_.begin(), workers_.end(), has_task);
 }
 
-std::optional<Result> Pool::Wait(bool may_wait) {
+std::optional<ChunkResult> Pool::Wait(bool may_wait) {
   std::vector<::pollfd> polled;
   // poll passes over those that have no process yet: their channel is -1.
   for (const auto& worker : workers_) polled.push_back({worker->channel, POLLIN, 0});
@@ -268,7 +268,7 @@ std::optional<Result> Pool::Wait(bool may_wait) {
   KillSlowWorkers();
   Feed();
   if (results_.empty()) return std::nullopt;
-  Result result = std::move(results_.front());
+  ChunkResult result = std::move(results_.front());
   results_.pop_front();
   return result;
 }

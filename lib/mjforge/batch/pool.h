@@ -73,7 +73,7 @@ class WorkerMailbox {
 };
 
 /// Does tasks, in the worker.
-using TaskHandler = std::function<Result(const Task&, WorkerMailbox&)>;
+using TaskHandler = std::function<ChunkResult(const Task&, WorkerMailbox&)>;
 
 /// Worker processes. One that a signal ends, or that takes more than the limit for one variant (CPU
 /// time; WallLimit of wall time), is replaced; its tasks go to others, with the variant it worked
@@ -95,7 +95,7 @@ class Pool {
   /// The next available result, in any order; nothing if none comes within a tenth of a second, or
   /// none is there and it may not wait. Throws std::runtime_error if workers cannot be started, or
   /// end again and again before they begin a variant.
-  std::optional<Result> Wait(bool may_wait = true);
+  std::optional<ChunkResult> Wait(bool may_wait = true);
   /// Workers end after their current variant; tasks that have not begun are dropped.
   void AskToStop();
   /// Whether results are still to come.
@@ -117,7 +117,7 @@ class Pool {
   std::unique_ptr<char[]> received_;
   std::vector<std::unique_ptr<WorkerProcess>> workers_;
   std::deque<Task> waiting_;
-  std::deque<Result> results_;
+  std::deque<ChunkResult> results_;
   int idle_deaths_ = 0;  // in a row
   std::chrono::steady_clock::time_point last_look_;
   std::chrono::duration<double> watch_time_{};  // wall time, without what this process was stopped

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Results that wait for an earlier one take at most about this much memory.
-constexpr std::size_t kMostWaiting = std::size_t{8} << 20;
+constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
 // After a signal, workers may finish the variant they are at for so long.
 constexpr std::chrono::seconds kGrace{2};
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
@@ -52,16 +52,16 @@ void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Find
   }
 }
 
-class Batch {
+class BatchRun {
  public:
-  Batch(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-        const Watch& watch)
+  BatchRun(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+           const Observer& observer)
       : recipe_(recipe),
         sources_(sources),
         request_(request),
-        watch_(watch),
+        observer_(observer),
         all_{request.first, request.count},
-        range_(RangeOf(request.shard, all_, request.destination)),
+        range_(RangeOfShard(request.shard, all_, request.destination)),
         record_(forge::BatchRecord(recipe, OptionsOf(request))) {
     summary_.count = range_.count;
   }
@@ -91,26 +91,27 @@ class Batch {
 
  private:
   void Make(Sink& sink, diag::Findings& output_findings) {
-    const Range todo = {range_.first + summary_.resumed, range_.count - summary_.resumed};
+    const IndexRange todo = {range_.first + summary_.resumed, range_.count - summary_.resumed};
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
     // What is not validated is made faster than this process gets its turn among its workers.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
-      return MakeTaskHandler(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
+      return MakeTaskHandler(recipe_, sources_, request_, sink.overwrite(),
+                             bool{observer_.variant});
     });
     next_ = todo.first;
     std::optional<Chunk> chunk = schedule.Next();
     std::optional<Clock::time_point> stopped;
     bool goes_on = true;
     while (chunk || pool.IsBusy() || (goes_on && HasNext())) {
-      while (chunk && pool.HasRoom() && waiting_bytes_ < kMostWaiting) {
+      while (chunk && pool.HasRoom() && waiting_bytes_ < kMaxWaitingBytes) {
         pool.Submit({*chunk, {}});
         chunk = schedule.Next();
       }
       // One is taken at a time: workers get tasks in between.
-      if (std::optional<Result> result = pool.Wait(!HasNext())) {
+      if (std::optional<ChunkResult> result = pool.Wait(!HasNext())) {
         waiting_bytes_ += SizeOf(*result);
         const std::uint64_t first = result->chunk.first;
         waiting_.emplace(first, *std::move(result));
@@ -129,7 +130,7 @@ class Batch {
     }
   }
 
-  static std::size_t SizeOf(const Result& result) {
+  static std::size_t SizeOf(const ChunkResult& result) {
     return result.lines.size() + result.segment.size() + result.text.size();
   }
 
@@ -138,7 +139,7 @@ class Batch {
 
   // False: the batch cannot go on.
   bool TakeNext(Sink& sink, diag::Findings& output_findings) {
-    Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
+    ChunkResult result = std::move(waiting_.extract(waiting_.begin()).mapped());
     waiting_bytes_ -= SizeOf(result);
     RenumberSources(result);
     const bool taken = sink.Take(result, output_findings);
@@ -154,17 +155,17 @@ class Batch {
     return !summary_.files_failed && result.done == result.chunk.count;
   }
 
-  void Count(Result& result) {
+  void Count(ChunkResult& result) {
     for (const Status status : result.statuses) summary_.Add(status);
     summary_.inputs.insert(result.inputs.begin(), result.inputs.end());
     for (FindingSummary::Group& group : result.findings) finding_summary_.Add(std::move(group));
     finding_summary_.AddNotShown(result.more_findings);
-    if (!watch_.variant) return;
-    for (const Done& done : result.variants) watch_.variant(done);
+    if (!observer_.variant) return;
+    for (const FinishedVariant& done : result.variants) observer_.variant(done);
   }
 
   // A worker's sources get the numbers they have here; each is added once.
-  void RenumberSources(Result& result) {
+  void RenumberSources(ChunkResult& result) {
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (SourceText& source : result.sources) {
       auto known = attached_.find(source.name);
@@ -187,9 +188,9 @@ class Batch {
   }
 
   void ShowProgress() {
-    if (!watch_.progress || Clock::now() - shown_ < kProgressEvery) return;
+    if (!observer_.progress || Clock::now() - shown_ < kProgressEvery) return;
     shown_ = Clock::now();
-    watch_.progress(summary_);
+    observer_.progress(summary_);
   }
 
   void End(Sink& sink, diag::Findings& output_findings) {
@@ -207,11 +208,11 @@ class Batch {
   const forge::Recipe& recipe_;
   diag::Sources& sources_;
   const Request& request_;
-  const Watch& watch_;
-  Range all_;
-  Range range_;
-  manifest::Record record_;                  // what all records have in common
-  std::map<std::uint64_t, Result> waiting_;  // by first index
+  const Observer& observer_;
+  IndexRange all_;
+  IndexRange range_;
+  manifest::Record record_;                       // what all records have in common
+  std::map<std::uint64_t, ChunkResult> waiting_;  // by first index
   std::size_t waiting_bytes_ = 0;
   std::uint64_t next_ = 0;
   FindingSummary finding_summary_{kMaxFindings};
@@ -223,8 +224,8 @@ class Batch {
 }  // namespace
 
 Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-            const Watch& watch) {
-  return Batch(recipe, sources, request, watch)();
+            const Observer& observer) {
+  return BatchRun(recipe, sources, request, observer)();
 }
 
 }  // namespace mjforge::batch

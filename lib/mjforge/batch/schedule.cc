@@ -12,8 +12,8 @@ std::uint64_t Portion(std::uint64_t whole, std::uint64_t part, std::uint64_t par
 
 }  // namespace
 
-Schedule::Schedule(const Range& all, const Range& todo, const output::Destination& destination,
-                   std::uint64_t jobs)
+Schedule::Schedule(const IndexRange& all, const IndexRange& todo,
+                   const output::Destination& destination, std::uint64_t jobs)
     : all_first_(all.first),
       next_(todo.first),
       end_(todo.first + todo.count),
@@ -42,8 +42,8 @@ std::optional<Chunk> Schedule::Next() {
   return chunk;
 }
 
-Range RangeOf(const output::Shard& shard, const Range& all,
-              const output::Destination& destination) {
+IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
+                        const output::Destination& destination) {
   const std::uint64_t unit = std::max<std::uint64_t>(destination.per_archive, 1);
   const std::uint64_t units = all.count / unit + (all.count % unit > 0 ? 1 : 0);
   const auto start = [&](std::uint64_t index) {

@@ -17,7 +17,7 @@ class Schedule {
  public:
   /// `all` is the whole batch, from which archives are counted; `todo` is what is left to do. For a
   /// folder, chunks are small enough that all jobs have work.
-  Schedule(const Range& all, const Range& todo, const output::Destination& destination,
+  Schedule(const IndexRange& all, const IndexRange& todo, const output::Destination& destination,
            std::uint64_t jobs);
 
   std::optional<Chunk> Next();

@@ -14,7 +14,7 @@ class FileSink : public Sink {
  public:
   explicit FileSink(const Request& request) : request_(request) {}
 
-  bool Take(Result& result, diag::Findings& findings) override {
+  bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (result.text.empty()) return true;
     const std::filesystem::path& path = request_.destination.path;
     const std::string name = path.filename().string();
@@ -25,7 +25,7 @@ class FileSink : public Sink {
     mjcf::MjcfDocument document;
     document.text = result.text;
     output::AssetHashes hashes;
-    for (const Asset& asset : result.assets) {
+    for (const HashedAsset& asset : result.assets) {
       document.assets.push_back({.name = asset.name, .file = asset.source});
       if (asset.source.empty())
         document.assets.back().made = std::make_shared<const std::string>(asset.made);
@@ -42,7 +42,7 @@ class TextSink : public Sink {
  public:
   explicit TextSink(std::string& text) : text_(text) {}
 
-  bool Take(Result& result, diag::Findings& findings) override {
+  bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (!result.assets.empty()) {
       findings.Warn(diag::Code::kOutputCannotWrite, {},
                     fmt::format("the object needs '{}', which standard output cannot carry",

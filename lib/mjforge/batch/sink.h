@@ -32,7 +32,7 @@ class Sink {
   /// How workers that write files themselves may overwrite; valid after Open.
   virtual output::Overwrite overwrite() const { return {}; }
   /// From a result that it cannot use, it clears what would be counted.
-  virtual bool Take(Result&, diag::Findings&) { return true; }
+  virtual bool Take(ChunkResult&, diag::Findings&) { return true; }
   /// Everything is there: gives the output its final name.
   virtual bool Finish(diag::Findings&) { return true; }
   /// Nothing could be made: removes what Open made.
@@ -43,8 +43,8 @@ class Sink {
 /// have in common.
 struct SinkOptions {
   const Request& request;
-  Range all;
-  Range range;
+  IndexRange all;
+  IndexRange range;
   const manifest::Record& batch;
 };
 

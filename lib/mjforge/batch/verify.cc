@@ -17,7 +17,7 @@ class Verification {
   Verification(diag::Sources& sources, diag::Findings& findings)
       : sources_(sources), findings_(findings) {}
 
-  Verified operator()(const std::filesystem::path& what) {
+  VerifyResult operator()(const std::filesystem::path& what) {
     std::error_code ignored;
     const std::string name = what.filename().string();
     if (std::filesystem::is_directory(what, ignored)) {
@@ -29,7 +29,7 @@ class Verification {
     } else {
       CheckArchive(what);
     }
-    return verified_;
+    return result_;
   }
 
  private:
@@ -86,7 +86,7 @@ class Verification {
     const std::filesystem::path folder = manifest.parent_path();
     for (const manifest::SealedFile& archive : seal->archives) Check(folder, archive);
     if (!Check(folder, seal->manifest)) return;
-    verified_.variants += seal->records;
+    result_.variants += seal->records;
     if (seal->output.empty()) CheckObjects(manifest);
   }
 
@@ -111,11 +111,11 @@ class Verification {
 
   bool Count(bool is_good, diag::Findings found) {
     if (is_good) {
-      ++verified_.files;
+      ++result_.files;
     } else if (findings_.size() < kMaxFindings) {
       findings_.Append(std::move(found));
     } else {
-      ++verified_.more_findings;
+      ++result_.more_findings;
     }
     return is_good;
   }
@@ -150,13 +150,13 @@ class Verification {
 
   diag::Sources& sources_;
   diag::Findings& findings_;
-  Verified verified_;
+  VerifyResult result_;
 };
 
 }  // namespace
 
-Verified Verify(const std::filesystem::path& what, diag::Sources& sources,
-                diag::Findings& findings) {
+VerifyResult Verify(const std::filesystem::path& what, diag::Sources& sources,
+                    diag::Findings& findings) {
   return Verification(sources, findings)(what);
 }
 

@@ -11,23 +11,23 @@ namespace {
 
 using Kind = output::Destination::Kind;
 
-class Worker {
+class ChunkMaker {
  public:
-  Worker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-         const output::Overwrite& overwrite, bool watched)
+  ChunkMaker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+             const output::Overwrite& overwrite, bool lists_variants)
       : request_(request),
-        watched_(watched),
+        lists_variants_(lists_variants),
         sources_(sources),
-        known_sources_(sources.size()),
-        told_sources_(sources.size()),
+        leader_sources_(sources.size()),
+        reported_sources_(sources.size()),
         generator_(recipe, sources, OptionsOf(request)),
         folder_(request.destination.Folder(), overwrite),
         segment_(request.destination.format) {}
 
-  Result operator()(const Task& task, WorkerMailbox& mailbox) {
-    Result result;
+  ChunkResult operator()(const Task& task, WorkerMailbox& mailbox) {
+    ChunkResult result;
     result.chunk = task.chunk;
-    lines_.clear();
+    record_lines_.clear();
     segment_.Clear();
     made_members_.clear();
     archive_ = request_.destination.Archive(task.chunk.archive).filename().string();
@@ -40,16 +40,17 @@ class Worker {
         break;
       }
       finding_summary.Add(variant_.findings, variant_.record.status == Status::kSkipped);
-      Tell(result);
+      Report(result);
     }
-    result.lines = lines_;
+    result.lines = record_lines_;
     result.segment = segment_.Bytes();
     result.more_findings = finding_summary.not_shown();
     result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
     for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
     for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
     // Attached files became sources as they were read.
-    while (told_sources_ < sources_.size()) result.inputs.push_back(sources_.Name(++told_sources_));
+    while (reported_sources_ < sources_.size())
+      result.inputs.push_back(sources_.Name(++reported_sources_));
     return result;
   }
 
@@ -83,7 +84,7 @@ class Worker {
 
   // False if a file that the variant needs could not be read: not the variant's fault, so that it
   // is made again with --resume.
-  bool HasInputs(Result& result) const {
+  bool HasInputs(ChunkResult& result) const {
     bool has_all = true;
     for (const diag::Finding& finding : variant_.findings) {
       if (!diag::IsInputOutput(finding.code)) continue;
@@ -94,23 +95,23 @@ class Worker {
   }
 
   // The variant's bytes and its record to where they go; false if that fails.
-  bool Write(Result& result) {
+  bool Write(ChunkResult& result) {
     if (request_.destination.kind == Kind::kNowhere) return true;
-    line_.clear();
+    record_line_.clear();
     const manifest::Record& record = variant_.record;
     if (variant_.ok() && !WriteObject(result)) {
       result.output_findings.SetVariant(record.seed, record.index);
       return false;
     }
-    if (line_.empty()) {
-      manifest::AppendRecord(lines_, record);
+    if (record_line_.empty()) {
+      manifest::AppendRecord(record_lines_, record);
     } else {
-      manifest::AppendWithPlaces(lines_, line_, archive_, record.spec_file);
+      manifest::AppendWithPlaces(record_lines_, record_line_, archive_, record.spec_file);
     }
     return true;
   }
 
-  bool WriteObject(Result& result) {
+  bool WriteObject(ChunkResult& result) {
     const output::Destination& destination = request_.destination;
     diag::Findings& findings = result.output_findings;
     const manifest::Record& record = variant_.record;
@@ -126,12 +127,12 @@ class Worker {
   }
 
   // Those that are made go to the leading process only where it writes them.
-  void AddAssets(Result& result) const {
+  void AddAssets(ChunkResult& result) const {
     for (const auto& [name, source, made] : variant_.document.assets) {
       if (made && request_.destination.kind != Kind::kFile) continue;
       const auto& hashes = variant_.record.assets;
       const auto hash = std::ranges::find(hashes, name, &output::AssetHashes::value_type::first);
-      const Asset asset = {name, source.string(), hash->second, made ? *made : std::string()};
+      const HashedAsset asset = {name, source.string(), hash->second, made ? *made : std::string()};
       if (std::ranges::find(result.assets, asset) == result.assets.end())
         result.assets.push_back(asset);
     }
@@ -152,31 +153,31 @@ class Worker {
     record.file = stem + ".xml";
     // The record there says nothing of places: two archives of the same variants are the same.
     std::string spec_file = std::exchange(record.spec_file, {});
-    manifest::AppendRecord(line_, record);
+    manifest::AppendRecord(record_line_, record);
     record.spec_file = std::move(spec_file);
     return AddMadeFiles(findings) && segment_.Add(record.file, variant_.document.text, findings) &&
-           segment_.Add(stem + ".json", line_, findings);
+           segment_.Add(stem + ".json", record_line_, findings);
   }
 
-  void Tell(Result& result) {
+  void Report(ChunkResult& result) {
     const manifest::Record& record = variant_.record;
     ++result.done;
     result.statuses.push_back(record.status);
-    if (watched_) {
+    if (lists_variants_) {
       result.variants.push_back(
           {record.index, record.name, record.status, record.attempt, record.file});
     }
     for (const auto& [name, source, made] : variant_.document.assets) {
-      if (!made && variant_.object && told_assets_.insert(source.string()).second)
+      if (!made && variant_.object && reported_assets_.insert(source.string()).second)
         result.inputs.push_back(source.string());
     }
   }
 
   // The texts that the leading process lacks.
-  void AddSources(const diag::Finding& finding, Result& result) {
+  void AddSources(const diag::Finding& finding, ChunkResult& result) {
     const auto add = [&](diag::SourceMark mark) {
       const auto same = [&](const SourceText& source) { return source.number == mark.file; };
-      if (mark.file <= known_sources_ ||
+      if (mark.file <= leader_sources_ ||
           std::any_of(result.sources.begin(), result.sources.end(), same)) {
         return;
       }
@@ -187,19 +188,19 @@ class Worker {
   }
 
   const Request& request_;
-  bool watched_;
+  bool lists_variants_;
   diag::Sources& sources_;
-  std::uint32_t known_sources_;  // the leading process has these
-  std::uint32_t told_sources_;
-  std::set<std::string> told_assets_;
+  std::uint32_t leader_sources_;  // the leading process has these
+  std::uint32_t reported_sources_;
+  std::set<std::string> reported_assets_;
   forge::Generator generator_;
   output::ObjectFolder folder_;
   output::Segment segment_;
   std::set<std::string> made_members_;  // of that
   forge::Variant variant_;
-  std::string archive_;  // the name of the one that the chunk goes to
-  std::string lines_;    // the chunk's records
-  std::string line_;     // the record in the archive; empty: it is not there
+  std::string archive_;       // the name of the one that the chunk goes to
+  std::string record_lines_;  // the chunk's records
+  std::string record_line_;   // the record in the archive; empty: it is not there
 };
 
 }  // namespace
@@ -214,8 +215,9 @@ forge::Options OptionsOf(const Request& request) {
 
 TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
                             const Request& request, const output::Overwrite& overwrite,
-                            bool watched) {
-  const auto worker = std::make_shared<Worker>(recipe, sources, request, overwrite, watched);
+                            bool lists_variants) {
+  const auto worker =
+      std::make_shared<ChunkMaker>(recipe, sources, request, overwrite, lists_variants);
   return [worker](const Task& task, WorkerMailbox& mailbox) { return (*worker)(task, mailbox); };
 }
 

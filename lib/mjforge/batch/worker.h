@@ -9,10 +9,10 @@ namespace mjforge::batch {
 forge::Options OptionsOf(const Request& request);
 
 /// What a worker does with a task: makes its variants and, into a folder, writes them. Call it in
-/// the worker, because it initializes MuJoCo. `watched`: results say each variant's place. The
-/// references must outlive it.
+/// the worker, because it initializes MuJoCo. `lists_variants`: results say each variant's place.
+/// The references must outlive it.
 TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
                             const Request& request, const output::Overwrite& overwrite,
-                            bool watched);
+                            bool lists_variants);
 
 }  // namespace mjforge::batch

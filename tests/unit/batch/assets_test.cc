@@ -85,9 +85,9 @@ TEST_CASE_METHOD(AssetsTest, "what a killed run copied is known as its own") {
   Request request = Of(2000, "out");
   std::atomic<bool> stop = false;
   request.stop = &stop;
-  Watch watch;
-  watch.variant = [&](const Done&) { stop = true; };
-  REQUIRE(Make(request, watch).interrupted);
+  Observer observer;
+  observer.variant = [&](const FinishedVariant&) { stop = true; };
+  REQUIRE(Make(request, observer).interrupted);
   request.stop = nullptr;
   folder.Write("wood.png", Png('b'));
   SECTION("to be replaced where all is made anew") {
@@ -106,9 +106,9 @@ TEST_CASE_METHOD(AssetsTest, "a series has one version of an asset") {
   Request request = Of(2000, "out/x_%d.tar", 500);
   std::atomic<bool> stop = false;
   request.stop = &stop;
-  Watch watch;
-  watch.variant = [&](const Done& done) { stop = done.index > 700; };
-  REQUIRE(Make(request, watch).interrupted);
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) { stop = done.index > 700; };
+  REQUIRE(Make(request, observer).interrupted);
   request.stop = nullptr;
   request.resume = true;
   folder.Write("wood.png", Png('b'));

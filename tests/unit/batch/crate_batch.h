@@ -45,7 +45,7 @@ class CrateBatch {
   /// As generate does without MuJoCo: seed 1, `count` variants to `output`, which is
   /// relative to the folder.
   Request Of(std::uint64_t count, const std::string& output, std::uint64_t per_archive = 10) const;
-  Summary Make(const Request& request, const Watch& watch = {});
+  Summary Make(const Request& request, const Observer& observer = {});
   /// Every file in it with its bytes, but for the spec.
   std::map<std::string, std::string> Bytes(const std::string& subfolder) const;
 

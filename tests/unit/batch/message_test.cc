@@ -18,7 +18,7 @@ TEST_CASE("a task arrives as it was sent") {
 }
 
 TEST_CASE("a result arrives as it was sent, findings and all") {
-  Result result;
+  ChunkResult result;
   result.done = 5;
   result.statuses = {Status::kOk, Status::kFailed, Status::kSkipped};
   const std::string segment(100'000, 'x');
@@ -36,7 +36,7 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   result.files_failed = true;
   result.output_findings.Add(diag::Code::kOutputCannotWrite, {}, "full");
   const auto message = std::make_shared<const std::string>(Encode(result));
-  const Result read = DecodeResult(*message, message);
+  const ChunkResult read = DecodeResult(*message, message);
   CHECK(read.done == 5);
   CHECK(read.statuses == result.statuses);
   CHECK(read.lines == result.lines);

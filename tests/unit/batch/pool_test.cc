@@ -19,7 +19,7 @@ Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
               std::function<void(std::uint64_t)> fate) {
   return Pool(jobs, 2, limit, [fate] {
     return [fate](const Task& task, WorkerMailbox& mailbox) {
-      Result result;
+      ChunkResult result;
       result.chunk = task.chunk;
       for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
         const auto quarantined =
@@ -85,7 +85,7 @@ TEST_CASE("results of any length arrive whole and in order") {
   constexpr std::size_t kLong = std::size_t{5} << 20;
   Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [] {
     return [](const Task& task, WorkerMailbox&) {
-      Result result;
+      ChunkResult result;
       result.chunk = task.chunk;
       const std::size_t length = task.chunk.first % 2 == 0 ? 10 : kLong;
       result.text = std::string(length, static_cast<char>('a' + task.chunk.first));
@@ -130,7 +130,7 @@ TEST_CASE("a mailbox holds a message for each task until they are removed") {
 }
 
 TEST_CASE("results that are kept stay as they are, whatever becomes of their worker") {
-  std::vector<Result> kept;
+  std::vector<ChunkResult> kept;
   {
     std::string lines;  // a worker's own, which each of its results overwrites
     Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [&lines] {
@@ -139,7 +139,7 @@ TEST_CASE("results that are kept stay as they are, whatever becomes of their wor
         if (task.chunk.first == 10 && task.quarantined.empty()) ::raise(SIGKILL);
         mailbox.End();
         lines.assign(1000, static_cast<char>('a' + task.chunk.first));
-        Result result;
+        ChunkResult result;
         result.chunk = task.chunk;
         result.lines = lines;
         return result;
@@ -151,7 +151,7 @@ TEST_CASE("results that are kept stay as they are, whatever becomes of their wor
     }
   }
   REQUIRE(kept.size() == 20);
-  for (const Result& result : kept)
+  for (const ChunkResult& result : kept)
     CHECK(result.lines == std::string(1000, static_cast<char>('a' + result.chunk.first)));
 }
 

@@ -13,11 +13,11 @@ Summary MakeUpTo(CrateBatch& test, Request request, std::uint64_t count) {
   std::atomic<bool> stop = false;
   request.stop = &stop;
   request.jobs = 1;  // with two, all of it may be made before the first chunk is taken
-  Watch watch;
-  watch.variant = [&](const Done& done) {
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) {
     if (done.index + 1 >= count) stop = true;
   };
-  return test.Make(request, watch);
+  return test.Make(request, observer);
 }
 
 Request Resuming(Request request) {

@@ -16,7 +16,7 @@ struct VerifyTest : CrateBatch {
 
   diag::Sources sources;
   diag::Findings findings;
-  Verified verified;
+  VerifyResult verified;
 };
 
 TEST_CASE_METHOD(VerifyTest, "what was just made is as it was") {
