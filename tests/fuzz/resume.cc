@@ -116,11 +116,11 @@ void PutFiles(const Sections& sections, const batch::Request& request) {
       request.destination.IsArchive() ? request.destination.Archive(0) : Folder() / "out/x.tar";
   const std::map<std::string_view, std::filesystem::path> files = {
       {"manifest", manifest},
-      {"part", output::PartFile::NameOf(manifest)},
-      {"journal", output::PartFile::NameOf(manifest.string() + ".journal")},
+      {"part", output::PartFile::TemporaryNameOf(manifest)},
+      {"journal", output::PartFile::TemporaryNameOf(manifest.string() + ".journal")},
       {"seal", manifest::SealOf(manifest)},
       {"archive", archive},
-      {"archivepart", output::PartFile::NameOf(archive)},
+      {"archivepart", output::PartFile::TemporaryNameOf(archive)},
       {"object", Folder() / "out/x_000000.xml"}};
   for (const auto& [name, text] : sections) {
     const auto file = files.find(name);

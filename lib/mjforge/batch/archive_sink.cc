@@ -24,8 +24,8 @@ class ArchiveSink : public Sink {
     if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
       return std::nullopt;
     const std::string seal = manifest::SealOf(journal_.file()).filename().string();
-    output::RemoveHalfWritten(destination_.Folder(), false,
-                              [&](const std::string& file) { return file == seal; });
+    output::RemoveAbandoned(destination_.Folder(), false,
+                            [&](const std::string& file) { return file == seal; });
     checkpoint_.next = options_.range.first;
     checkpoint_.archive = ArchiveOf(options_.range.first);
     const std::optional<ResumedVariants> resumed = FindResumable(findings);
@@ -149,7 +149,7 @@ class ArchiveSink : public Sink {
     for (const Checkpoint& checkpoint : candidates) prefixes.push_back(checkpoint.part);
     // The first is the archive's start, which needs nothing.
     const std::filesystem::path part =
-        output::PartFile::NameOf(destination_.Archive(candidates.front().archive));
+        output::PartFile::TemporaryNameOf(destination_.Archive(candidates.front().archive));
     const std::size_t sound =
         bytes::CountSound(part, std::span<const bytes::Prefix>(prefixes).subspan(1));
     return candidates[sound];
@@ -175,7 +175,7 @@ class ArchiveSink : public Sink {
     if (!request_.force &&
         std::filesystem::exists(std::filesystem::symlink_status(file, ignored)) &&
         !journal_.HasMadeArchive(file.filename().string())) {
-      output::AddForeign(file, findings);
+      output::AddForeignFile(file, findings);
       return false;
     }
     archive_ = output::PartFile::Open(file, findings);

@@ -33,10 +33,10 @@ class FolderSink : public Sink {
     return resumed;
   }
 
-  output::Overwrite overwrite() const override {
-    output::Overwrite overwrite = {.force = request_.force,
-                                   .if_changed = request_.if_changed,
-                                   .durability = request_.durability};
+  output::OverwritePolicy overwrite() const override {
+    output::OverwritePolicy overwrite = {.force = request_.force,
+                                         .if_changed = request_.if_changed,
+                                         .durability = request_.durability};
     // What is resumed refers to those that are there.
     if (!is_continued_) overwrite.assets = journal_.made_assets();
     return overwrite;
@@ -63,8 +63,8 @@ class FolderSink : public Sink {
 
  private:
   void RemoveHalfWritten() const {
-    output::RemoveHalfWritten(folder_, true, [range = options_.range](const std::string& file) {
-      const std::optional<std::uint64_t> index = output::IndexOf(file);
+    output::RemoveAbandoned(folder_, true, [range = options_.range](const std::string& file) {
+      const std::optional<std::uint64_t> index = output::IndexOfFile(file);
       return !index || (*index >= range.first && *index - range.first < range.count);
     });
   }

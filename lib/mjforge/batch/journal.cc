@@ -77,7 +77,7 @@ bool Journal::Open(diag::Findings& findings) {
   for (const Checkpoint& checkpoint : checkpoints_) prefixes.push_back(checkpoint.manifest);
   checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));
   if (manifest_file_->size() > 0 && !journal_seal_ && !options_.request.force) {
-    output::AddForeign(manifest_file_->temporary(), findings);
+    output::AddForeignFile(manifest_file_->temporary(), findings);
     if (journal_file_->size() == 0) journal_file_->Drop();  // made just now
     return false;
   }

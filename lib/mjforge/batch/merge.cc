@@ -42,7 +42,7 @@ class ShardMerger {
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
     if (!count || !CheckSeals(*count) || !MayReplaceManifest(file_, false, findings_) ||
-        !MayReplaceManifest(output::PartFile::NameOf(file_), false, findings_)) {
+        !MayReplaceManifest(output::PartFile::TemporaryNameOf(file_), false, findings_)) {
       return std::nullopt;
     }
     std::unique_ptr<output::PartFile> part = output::PartFile::Open(file_, findings_);

@@ -18,8 +18,8 @@ class FileSink : public Sink {
     if (result.text.empty()) return true;
     const std::filesystem::path& path = request_.destination.path;
     const std::string name = path.filename().string();
-    output::RemoveHalfWritten(path.parent_path(), false,
-                              [&](const std::string& file) { return file == name; });
+    output::RemoveAbandoned(path.parent_path(), false,
+                            [&](const std::string& file) { return file == name; });
     output::ObjectFolder folder(path.parent_path(),
                                 {.force = request_.force, .if_changed = request_.if_changed});
     mjcf::MjcfDocument document;

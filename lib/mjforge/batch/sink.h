@@ -30,7 +30,7 @@ class Sink {
   /// finding, if it cannot be written to.
   virtual std::optional<ResumedVariants> Open(diag::Findings&) { return ResumedVariants(); }
   /// How workers that write files themselves may overwrite; valid after Open.
-  virtual output::Overwrite overwrite() const { return {}; }
+  virtual output::OverwritePolicy overwrite() const { return {}; }
   /// From a result that it cannot use, it clears what would be counted.
   virtual bool Take(ChunkResult&, diag::Findings&) { return true; }
   /// Everything is there: gives the output its final name.

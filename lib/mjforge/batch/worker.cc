@@ -14,7 +14,7 @@ using Kind = output::Destination::Kind;
 class ChunkMaker {
  public:
   ChunkMaker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-             const output::Overwrite& overwrite, bool lists_variants)
+             const output::OverwritePolicy& overwrite, bool lists_variants)
       : request_(request),
         lists_variants_(lists_variants),
         sources_(sources),
@@ -214,7 +214,7 @@ forge::Options OptionsOf(const Request& request) {
 }
 
 TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
-                            const Request& request, const output::Overwrite& overwrite,
+                            const Request& request, const output::OverwritePolicy& overwrite,
                             bool lists_variants) {
   const auto worker =
       std::make_shared<ChunkMaker>(recipe, sources, request, overwrite, lists_variants);

@@ -12,7 +12,7 @@ forge::Options OptionsOf(const Request& request);
 /// the worker, because it initializes MuJoCo. `lists_variants`: results say each variant's place.
 /// The references must outlive it.
 TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
-                            const Request& request, const output::Overwrite& overwrite,
+                            const Request& request, const output::OverwritePolicy& overwrite,
                             bool lists_variants);
 
 }  // namespace mjforge::batch

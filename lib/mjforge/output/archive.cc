@@ -72,7 +72,7 @@ std::string Compress(std::string_view bytes) {
 
 }  // namespace
 
-struct Segment::State {
+struct Segment::TarWriter {
   ArchiveFormat format;
   std::string members;  // as tar has them; before the writer, which writes there to its end
   std::string compressed;
@@ -81,21 +81,21 @@ struct Segment::State {
 };
 
 Segment::Segment(ArchiveFormat format)
-    : state_(new State{.format = format, .members = {}, .compressed = {}}) {
-  archive* writer = state_->writer.get();
+    : tar_(new TarWriter{.format = format, .members = {}, .compressed = {}}) {
+  archive* writer = tar_->writer.get();
   Require(archive_write_set_format_ustar(writer), writer);
-  Open(writer, state_->members);
+  Open(writer, tar_->members);
 }
 
 // The writer ends its archive when it goes, in bytes that go with it.
 Segment::~Segment() = default;
 
 bool Segment::Add(const std::string& name, std::string_view bytes, diag::Findings& findings) {
-  archive* writer = state_->writer.get();
-  const std::size_t before = state_->members.size();
-  Describe(state_->entry.get(), name, bytes.size());
-  if (archive_write_header(writer, state_->entry.get()) != ARCHIVE_OK) {
-    state_->members.resize(before);
+  archive* writer = tar_->writer.get();
+  const std::size_t before = tar_->members.size();
+  Describe(tar_->entry.get(), name, bytes.size());
+  if (archive_write_header(writer, tar_->entry.get()) != ARCHIVE_OK) {
+    tar_->members.resize(before);
     findings.Add(
         diag::Code::kOutputCannotWrite, {},
         fmt::format("cannot put '{}' into the archive: {}", name, archive_error_string(writer)));
@@ -107,12 +107,12 @@ bool Segment::Add(const std::string& name, std::string_view bytes, diag::Finding
 }
 
 std::string_view Segment::Bytes() {
-  const std::string& members = state_->members;
-  if (members.empty() || state_->format == ArchiveFormat::kTar) return members;
-  return state_->compressed = Compress(members);
+  const std::string& members = tar_->members;
+  if (members.empty() || tar_->format == ArchiveFormat::kTar) return members;
+  return tar_->compressed = Compress(members);
 }
 
-void Segment::Clear() { state_->members.clear(); }
+void Segment::Clear() { tar_->members.clear(); }
 
 std::string ArchiveEnd(ArchiveFormat format) {
   const std::string end(kEndBytes, '\0');

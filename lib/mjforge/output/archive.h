@@ -33,8 +33,8 @@ class Segment {
   void Clear();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct TarWriter;
+  std::unique_ptr<TarWriter> tar_;
 };
 
 /// The bytes that end an archive.

@@ -30,7 +30,7 @@ int OpenTemporary(const std::filesystem::path& file, std::string& temporary) {
     descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) break;
   }
-  if (descriptor >= 0) ::flock(descriptor, LOCK_EX | LOCK_NB);  // see RemoveHalfWritten
+  if (descriptor >= 0) ::flock(descriptor, LOCK_EX | LOCK_NB);  // see RemoveAbandoned
   return descriptor;
 }
 

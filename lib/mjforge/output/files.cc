@@ -37,7 +37,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
   std::string why_not;
   const std::optional<std::string> opening = bytes::ReadStart(file, bytes, why_not);
   if (opening && is_ours(*opening)) return true;
-  AddForeign(file, findings);
+  AddForeignFile(file, findings);
   return false;
 }
 
@@ -55,7 +55,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
       findings);
 }
 
-void AddForeign(const std::filesystem::path& file, diag::Findings& findings) {
+void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings) {
   findings.Add(diag::Code::kOutputExists, {},
                fmt::format("'{}' exists and was not made by mjforge", file.string()),
                "choose another place, or overwrite it with --force");

@@ -15,7 +15,7 @@ namespace mjforge::output {
 namespace {
 
 // Assets that are not looked at again. Those that are made may be many in each variant.
-constexpr std::size_t kMostKnown = 10'000;
+constexpr std::size_t kMaxRememberedAssets = 10'000;
 
 // Whether a power cut may have left `present` of `bytes`: their beginning, and zeros.
 bool IsBeginningOf(std::string_view present, std::string_view bytes) {
@@ -25,7 +25,7 @@ bool IsBeginningOf(std::string_view present, std::string_view bytes) {
 }
 
 // Whether no living process has it, which would hold its lock.
-bool IsLeft(const std::filesystem::path& file) {
+bool IsAbandoned(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return false;
   const bool left = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
@@ -34,33 +34,32 @@ bool IsLeft(const std::filesystem::path& file) {
 }
 
 template <typename Iterator>
-void RemoveHalfWrittenIn(Iterator at, std::error_code& error,
-                         const std::function<bool(const std::string&)>& is_ours) {
+void RemoveAbandonedIn(Iterator at, std::error_code& error,
+                       const std::function<bool(const std::string&)>& is_ours) {
   std::vector<std::filesystem::path> found;
   for (; !error && at != Iterator(); at.increment(error)) {
     const std::optional<std::string> file = FinalNameOf(at->path().filename().string());
-    if (file && is_ours(*file) && IsLeft(at->path())) found.push_back(at->path());
+    if (file && is_ours(*file) && IsAbandoned(at->path())) found.push_back(at->path());
   }
   for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
 }
 
 }  // namespace
 
-std::optional<std::uint64_t> IndexOf(std::string_view file) {
+std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
   const std::size_t start = file.rfind('_');
   if (start == file.npos || !file.ends_with(".xml")) return std::nullopt;
   return ReadIndex(file.substr(start + 1, file.size() - start - 5));
 }
 
-void RemoveHalfWritten(const std::filesystem::path& folder, bool below,
-                       const std::function<bool(const std::string&)>& is_ours) {
+void RemoveAbandoned(const std::filesystem::path& folder, bool below,
+                     const std::function<bool(const std::string&)>& is_ours) {
   const std::filesystem::path start = folder.empty() ? "." : folder;
   std::error_code error;
   if (below) {
-    RemoveHalfWrittenIn(std::filesystem::recursive_directory_iterator(start, error), error,
-                        is_ours);
+    RemoveAbandonedIn(std::filesystem::recursive_directory_iterator(start, error), error, is_ours);
   } else {
-    RemoveHalfWrittenIn(std::filesystem::directory_iterator(start, error), error, is_ours);
+    RemoveAbandonedIn(std::filesystem::directory_iterator(start, error), error, is_ours);
   }
 }
 
@@ -164,7 +163,7 @@ bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
     const auto hash = std::ranges::find(hashes, asset.name, &AssetHashes::value_type::first);
     if (!CopyAsset(asset, target, hash == hashes.end() ? std::string() : hash->second, findings))
       return false;
-    if (assets_.size() >= kMostKnown) assets_.clear();
+    if (assets_.size() >= kMaxRememberedAssets) assets_.clear();
     assets_.insert(target);
   }
   return true;
@@ -174,11 +173,11 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
                          diag::Findings& findings, const AssetHashes& hashes) {
   const std::filesystem::path path = folder_ / file;
   const std::filesystem::path folder = path.parent_path();
-  if (folder != known_folder_) {
+  if (folder != last_folder_) {
     const std::filesystem::path below = std::filesystem::path(file).parent_path();
     if (!folders_.Make(folder_, findings) || !folders_.MakeBelow(folder_, below, findings))
       return false;
-    known_folder_ = folder;
+    last_folder_ = folder;
   }
   // Assets first: an object never stands there without what it refers to.
   return MayReplace(path, overwrite_.force, findings) &&

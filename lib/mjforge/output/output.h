@@ -22,7 +22,7 @@
 namespace mjforge::output {
 
 /// What may happen to files that are there already.
-struct Overwrite {
+struct OverwritePolicy {
   bool force = false;       // replace files that mjforge did not make
   bool if_changed = false;  // leave a file that has the same bytes untouched, with its time
   // Of assets, which may already be there when the batch is continued.
@@ -53,7 +53,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 /// Adds "'FILE' exists and was not made by mjforge".
-void AddForeign(const std::filesystem::path& file, diag::Findings& findings);
+void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings);
 
 /// Folders made for a batch; the destructor removes those still empty.
 class MadeFolders {
@@ -90,7 +90,7 @@ std::optional<std::string> ReadAsset(const std::filesystem::path& file, const st
 /// folder at the same time, with different files.
 class ObjectFolder {
  public:
-  ObjectFolder(std::filesystem::path folder, const Overwrite& overwrite)
+  ObjectFolder(std::filesystem::path folder, const OverwritePolicy& overwrite)
       : folder_(std::move(folder)), overwrite_(overwrite) {}
 
   /// Writes one object's file (its name may have folders in it, which are made) and, before it, its
@@ -107,19 +107,19 @@ class ObjectFolder {
                  const std::string& sha256, diag::Findings& findings) const;
 
   std::filesystem::path folder_;
-  Overwrite overwrite_;
+  OverwritePolicy overwrite_;
   MadeFolders folders_;
-  std::filesystem::path known_folder_;      // that the last file went to
+  std::filesystem::path last_folder_;       // that the last file went to
   std::set<std::filesystem::path> assets_;  // done
 };
 
 /// Removes what killed processes left half-written in a folder: hidden files whose final names
 /// `is_ours` accepts and that no living process has. With `below`, in its subfolders, too.
-void RemoveHalfWritten(const std::filesystem::path& folder, bool below,
-                       const std::function<bool(const std::string&)>& is_ours);
+void RemoveAbandoned(const std::filesystem::path& folder, bool below,
+                     const std::function<bool(const std::string&)>& is_ours);
 
 /// "hammer_000042.xml" -> 42; nothing for other names.
-std::optional<std::uint64_t> IndexOf(std::string_view file);
+std::optional<std::uint64_t> IndexOfFile(std::string_view file);
 
 /// "TARGETS: FILES" for Make, as compilers write it for -MF: one file per line, with spaces, # and
 /// $ escaped. Targets are written as given. With `phony` each file is also a target, so that Make

@@ -18,7 +18,7 @@ namespace mjforge::output {
 namespace {
 
 // Writing goes on while the next bytes are made: then there is little left to wait for.
-constexpr std::uint64_t kBeginEvery = std::uint64_t{8} << 20;
+constexpr std::uint64_t kWritebackBytes = std::uint64_t{8} << 20;
 
 // Blocks that a long file has in advance take a third off the system's work for each write. Where
 // the disk is nearly full they would be missing elsewhere: for the manifest beside an archive.
@@ -47,22 +47,22 @@ PartFile::PartFile(std::filesystem::path file, std::filesystem::path temporary, 
 
 PartFile::~PartFile() {
   if (descriptor_ < 0) return;
-  GiveBack();
+  ReleaseReserve();
   ::close(descriptor_);
 }
 
-std::filesystem::path PartFile::NameOf(const std::filesystem::path& file) {
+std::filesystem::path PartFile::TemporaryNameOf(const std::filesystem::path& file) {
   return file.parent_path() / fmt::format(".{}.part", file.filename().string());
 }
 
 bool PartFile::Exists(const std::filesystem::path& file) {
   std::error_code ignored;
-  return std::filesystem::exists(NameOf(file), ignored);
+  return std::filesystem::exists(TemporaryNameOf(file), ignored);
 }
 
 std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                                          diag::Findings& findings) {
-  const std::filesystem::path temporary = NameOf(file);
+  const std::filesystem::path temporary = TemporaryNameOf(file);
   for (int tries = 1;;) {
     const int descriptor =
         ::open(temporary.c_str(),
@@ -110,7 +110,7 @@ void PartFile::Reserve(std::uint64_t end) {
               static_cast<::off_t>(reserved_ - size_));
 }
 
-bool PartFile::GiveBack() {
+bool PartFile::ReleaseReserve() {
   return reserved_ == 0 || ::ftruncate(descriptor_, static_cast<::off_t>(size_)) == 0;
 }
 
@@ -119,11 +119,11 @@ bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
   if (!WriteAll(descriptor_, bytes, file_, findings)) return false;
   size_ += bytes.size();
   checksum_.Add(bytes);
-  if (size_ - begun_ >= kBeginEvery) {
+  if (size_ - writeback_end_ >= kWritebackBytes) {
     // Only a hint.
-    ::sync_file_range(descriptor_, static_cast<::off64_t>(begun_),
-                      static_cast<::off64_t>(size_ - begun_), SYNC_FILE_RANGE_WRITE);
-    begun_ = size_;
+    ::sync_file_range(descriptor_, static_cast<::off64_t>(writeback_end_),
+                      static_cast<::off64_t>(size_ - writeback_end_), SYNC_FILE_RANGE_WRITE);
+    writeback_end_ = size_;
   }
   return true;
 }
@@ -134,7 +134,7 @@ bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
     return false;
   }
   size_ = size;
-  begun_ = size;
+  writeback_end_ = size;
   reserved_ = 0;
   checksum_.Clear();
   if (size == 0) return true;
@@ -157,7 +157,7 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     Drop();
     return true;
   }
-  if (!GiveBack()) {
+  if (!ReleaseReserve()) {
     AddCannotWrite(file_, errno, findings);
     return false;
   }

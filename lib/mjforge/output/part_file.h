@@ -21,7 +21,7 @@ class PartFile {
   static std::unique_ptr<PartFile> Open(const std::filesystem::path& file,
                                         diag::Findings& findings);
   /// What `file` is called while it is under construction.
-  static std::filesystem::path NameOf(const std::filesystem::path& file);
+  static std::filesystem::path TemporaryNameOf(const std::filesystem::path& file);
   /// Whether an earlier process left something.
   static bool Exists(const std::filesystem::path& file);
 
@@ -49,14 +49,14 @@ class PartFile {
   PartFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor,
            std::uint64_t size);
   void Reserve(std::uint64_t end);
-  bool GiveBack();
+  bool ReleaseReserve();
 
   std::filesystem::path file_;
   std::filesystem::path temporary_;
   int descriptor_ = -1;  // -1: committed or dropped
   std::uint64_t size_ = 0;
-  std::uint64_t begun_ = 0;     // bytes that the system was asked to write
-  std::uint64_t reserved_ = 0;  // bytes for which blocks were asked; 0: for none
+  std::uint64_t writeback_end_ = 0;  // bytes that the system was asked to write
+  std::uint64_t reserved_ = 0;       // bytes for which blocks were asked; 0: for none
   bytes::Checksum checksum_;
 };
 

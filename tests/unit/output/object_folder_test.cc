@@ -125,18 +125,18 @@ TEST_CASE("what a killed process left half-written is removed, and nothing else"
   folder.Write("out/assets/.wood.png.tmp7-0", "");
   const int living = ::open(folder.Write("out/.hammer_000042.xml.tmp8-0", "x").c_str(), O_RDONLY);
   REQUIRE(::flock(living, LOCK_EX | LOCK_NB) == 0);
-  const auto is_ours = [](const std::string& file) { return IndexOf(file) == 42; };
-  RemoveHalfWritten(folder / "out", false, is_ours);
+  const auto is_ours = [](const std::string& file) { return IndexOfFile(file) == 42; };
+  RemoveAbandoned(folder / "out", false, is_ours);
   CHECK(folder.Files().size() == kept.size() + 3);
-  RemoveHalfWritten(folder / "out", true, is_ours);
+  RemoveAbandoned(folder / "out", true, is_ours);
   CHECK(folder.Files().size() == kept.size() + 2);
   CHECK(std::filesystem::exists(folder / "out/assets/.wood.png.tmp7-0"));
-  const auto all = [](const std::string& file) { return IndexOf(file) != 43; };
-  RemoveHalfWritten(folder / "out", true, all);
+  const auto all = [](const std::string& file) { return IndexOfFile(file) != 43; };
+  RemoveAbandoned(folder / "out", true, all);
   CHECK(folder.Files().size() == kept.size() + 1);
   CHECK(folder.Read("out/.hammer_000042.xml.tmp8-0") == "x");
   ::close(living);
-  RemoveHalfWritten(folder / "none", true, is_ours);
+  RemoveAbandoned(folder / "none", true, is_ours);
 }
 
 TEST_CASE("a link in the place of a folder of objects or assets is not followed") {
