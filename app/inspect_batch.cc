@@ -30,7 +30,7 @@ bool IsSpecName(const std::string& what) {
 
 std::string StatusesText(const Gathered& batch) {
   std::string text;
-  for (const manifest::Status status : manifest::kByName) {
+  for (const manifest::Status status : manifest::kStatusesByName) {
     if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(status));
   }
@@ -142,7 +142,7 @@ void WriteCounts(Json& json, const Gathered& batch) {
   json.Member("variants", batch.variants);
   json.Key("status");
   json.StartObject();
-  for (const manifest::Status status : manifest::kByName) {
+  for (const manifest::Status status : manifest::kStatusesByName) {
     if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
       json.Member(NameOf(status), count);
   }

@@ -118,7 +118,7 @@ void PutFiles(const Sections& sections, const batch::Request& request) {
       {"manifest", manifest},
       {"part", output::PartFile::TemporaryNameOf(manifest)},
       {"journal", output::PartFile::TemporaryNameOf(manifest.string() + ".journal")},
-      {"seal", manifest::SealOf(manifest)},
+      {"seal", manifest::SealPathOf(manifest)},
       {"archive", archive},
       {"archivepart", output::PartFile::TemporaryNameOf(archive)},
       {"object", Folder() / "out/x_000000.xml"}};

@@ -23,7 +23,7 @@ class ArchiveSink : public Sink {
   std::optional<ResumedVariants> Open(diag::Findings& findings) override {
     if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
       return std::nullopt;
-    const std::string seal = manifest::SealOf(journal_.file()).filename().string();
+    const std::string seal = manifest::SealPathOf(journal_.file()).filename().string();
     output::RemoveAbandoned(destination_.Folder(), false,
                             [&](const std::string& file) { return file == seal; });
     checkpoint_.next = options_.range.first;
@@ -93,7 +93,7 @@ class ArchiveSink : public Sink {
     }
     std::string why_not;
     const bool is_sound =
-        bytes::IsSound(journal_.file(), seal.manifest.whole, why_not) &&
+        bytes::IsSound(journal_.file(), seal.manifest.content, why_not) &&
         std::ranges::all_of(seal.archives, [&](const auto& file) { return IsIntact(file); });
     if (!is_sound) return ResumedVariants();
     const auto is_good = [](const manifest::Record&) { return true; };

@@ -86,7 +86,7 @@ class FolderSink : public Sink {
     // A finished batch: its manifest is checked, and gone on with where it ends.
     std::string why_not;
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
-    if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.whole, why_not))
+    if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content, why_not))
       return ResumedVariants();
     if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
       ReportOtherBatch(journal_.file(), difference, findings);

@@ -102,7 +102,8 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   constexpr std::string_view kSealStart = R"({"mjforge_seal":)";
   const auto is_seal = [&](std::string_view start) { return kSealStart.starts_with(start); };
   if (!MayReplaceManifest(file_, force, findings) ||
-      !output::MayReplace(manifest::SealOf(file_), force, kSealStart.size(), is_seal, findings)) {
+      !output::MayReplace(manifest::SealPathOf(file_), force, kSealStart.size(), is_seal,
+                          findings)) {
     return false;
   }
   if (force || !previous_seal_ || previous_seal_->output == seal_.output) return true;
@@ -163,7 +164,7 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   }
   if (kind == "closed") {
     SealedFile file;
-    words >> file.whole.size >> file.whole.checksum;
+    words >> file.content.size >> file.content.checksum;
     file.file = RestOfLine(line, words);
     if (file.file.empty()) return false;
     made_archives_.insert(file.file);
@@ -253,7 +254,7 @@ bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findin
 bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
                                diag::Findings& findings) {
   const std::string line =
-      fmt::format("closed {} {} {}", archive.whole.size, archive.whole.checksum, archive.file);
+      fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
   made_archives_.insert(archive.file);
   closed_.push_back(std::move(archive));
   assets_.clear();
@@ -264,12 +265,12 @@ bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
 
 bool Journal::Finish(diag::Findings& findings) {
   const Request& request = options_.request;
-  seal_.manifest.whole = {manifest_file_->size(), manifest_file_->checksum()};
+  seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_;
   const bool if_changed = request.if_changed || request.resume;
   // The manifest comes last: whoever sees it may believe that all is there.
-  if (!output::WriteFile(manifest::SealOf(file_), manifest::SealText(seal_), if_changed, findings,
-                         request.durability) ||
+  if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
+                         findings, request.durability) ||
       !manifest_file_->Commit(if_changed, request.durability, findings)) {
     return false;
   }

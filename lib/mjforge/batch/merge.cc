@@ -108,10 +108,10 @@ class ShardMerger {
       std::string why_not;
       std::optional<manifest::Seal> seal = ReadSealBeside(file, why_not);
       if (!seal || seal->shard != i || seal->shards != count) {
-        ReportMissing(
-            fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
-                        manifest::SealOf(file).string(), seal ? "it is another shard's" : why_not),
-            fmt::format("make it with --shard {}/{} --resume", i, count));
+        ReportMissing(fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
+                                  manifest::SealPathOf(file).string(),
+                                  seal ? "it is another shard's" : why_not),
+                      fmt::format("make it with --shard {}/{} --resume", i, count));
         continue;
       }
       if (i == 0) whole_ = *seal;
@@ -155,8 +155,8 @@ class ShardMerger {
     whole_.shards = 1;
     whole_.records = records_;
     whole_.manifest = {file_.filename().string(), {part.size(), part.checksum()}};
-    return output::WriteFile(manifest::SealOf(file_), manifest::SealText(whole_), true, findings_,
-                             output::Durability::kBatch) &&
+    return output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(whole_), true,
+                             findings_, output::Durability::kBatch) &&
            part.Commit(true, output::Durability::kBatch, findings_);
   }
 

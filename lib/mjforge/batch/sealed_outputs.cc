@@ -40,14 +40,14 @@ bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t lim
 
 std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
                                              std::string& why_not) {
-  const auto text = bytes::Read(manifest::SealOf(manifest), kMaxSeal, why_not);
+  const auto text = bytes::Read(manifest::SealPathOf(manifest), kMaxSeal, why_not);
   return text ? manifest::ReadSeal(*text, why_not) : std::nullopt;
 }
 
 bool MatchesSeal(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  std::string& why_not) {
-  return verify ? bytes::IsSound(folder / file.file, file.whole, why_not)
-                : bytes::HasSize(folder / file.file, file.whole.size, why_not);
+  return verify ? bytes::IsSound(folder / file.file, file.content, why_not)
+                : bytes::HasSize(folder / file.file, file.content.size, why_not);
 }
 
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,

@@ -63,7 +63,7 @@ class Verification {
       } else if (name.ends_with(kSealEnding)) {
         CheckBatch(ManifestOf(folder / name));
       } else if (name.ends_with("manifest.jsonl") &&
-                 !std::filesystem::exists(manifest::SealOf(folder / name))) {
+                 !std::filesystem::exists(manifest::SealPathOf(folder / name))) {
         CheckBatch(folder / name);  // which says so
       } else {
         continue;
@@ -79,7 +79,7 @@ class Verification {
     const std::optional<manifest::Seal> seal = ReadSealBeside(manifest, why_not);
     if (!seal) {
       ReportMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
-                                manifest::SealOf(manifest).string(), why_not),
+                                manifest::SealPathOf(manifest).string(), why_not),
                     "run the command that made it again with --resume");
       return;
     }

@@ -42,7 +42,7 @@ constexpr std::span<const std::string_view> WordsOf(Status) { return kStatuses; 
 constexpr std::span<const std::string_view> WordsOf(Validation) { return kValidations; }
 constexpr std::span<const std::string_view> WordsOf(OnInvalid) { return kOnInvalid; }
 
-inline constexpr Status kByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
+inline constexpr Status kStatusesByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
 
 template <typename Enum>
 constexpr std::string_view NameOf(Enum value) {

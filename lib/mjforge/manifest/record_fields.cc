@@ -126,7 +126,7 @@ void PutResult(Json& json, const Result& result) {
   json.EndObject();
 }
 
-Kind GetResult(const Value& value, Result& result) {
+ExpectedKind GetResult(const Value& value, Result& result) {
   bool is_good = GetAll(value, result, kResult) && value.HasMember("joints");
   ForEachPart(result, [&](const char* key, auto& part, const auto& members) {
     if (!is_good || !value.HasMember(key)) return;
@@ -139,24 +139,24 @@ Kind GetResult(const Value& value, Result& result) {
       is_good = GetAll(member, part.emplace(), members);
     }
   });
-  return is_good ? Kind() : "what was measured";
+  return is_good ? ExpectedKind() : "what was measured";
 }
 
-enum class Scope { kVariant, kBatch };  // kBatch: the same in all records of a batch
+enum class FieldScope { kVariant, kBatch };  // kBatch: the same in all records of a batch
 
-template <auto member, Scope scope = Scope::kVariant>
+template <auto member, FieldScope scope = FieldScope::kVariant>
 RecordField Field(const char* key, std::string schema, std::string_view doc) {
   RecordField field{key, std::move(schema), doc,
                     [](Json& json, const Record& record) { Put(json, record.*member); },
                     [](const Value& value, Record& record) { return Get(value, record.*member); }};
-  if constexpr (scope == Scope::kBatch)
+  if constexpr (scope == FieldScope::kBatch)
     field.same = [](const Record& a, const Record& b) { return a.*member == b.*member; };
   return field;
 }
 
 // Left out while it has nothing to say.
-template <auto member, Scope scope = Scope::kVariant>
-RecordField Optional(const char* key, std::string schema, std::string_view doc) {
+template <auto member, FieldScope scope = FieldScope::kVariant>
+RecordField OptionalField(const char* key, std::string schema, std::string_view doc) {
   RecordField field = Field<member, scope>(key, std::move(schema), doc);
   field.is_absent = [](const Record& record) {
     return record.*member == std::remove_cvref_t<decltype(record.*member)>();
@@ -166,29 +166,29 @@ RecordField Optional(const char* key, std::string schema, std::string_view doc) 
 
 // What there is only where an object was made, else null.
 template <auto... way>
-RecordField OfObject(const char* key, std::string schema, std::string_view doc) {
+RecordField ObjectField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,
           [](Json& json, const Record& record) {
             record.nbody > 0 ? Put(json, (record.*....*way)) : json.Value(nullptr);
           },
           [](const Value& value, Record& record) {
-            return value.IsNull() ? Kind() : Get(value, (record.*....*way));
+            return value.IsNull() ? ExpectedKind() : Get(value, (record.*....*way));
           }};
 }
 
 // A text that is null where there is none.
 template <std::string Record::*member>
-RecordField OrNull(const char* key, std::string schema, std::string_view doc) {
+RecordField NullableField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,
           [](Json& json, const Record& record) {
             (record.*member).empty() ? json.Value(nullptr) : json.Value(record.*member);
           },
           [](const Value& value, Record& record) {
-            return value.IsNull() ? Kind() : Get(value, record.*member);
+            return value.IsNull() ? ExpectedKind() : Get(value, record.*member);
           }};
 }
 
-RecordField Physics() {
+RecordField PhysicsField() {
   return {
       "physics",
       fmt::format(R"("type": "object", "properties": {{{}}})", ResultSchema()),
@@ -204,7 +204,7 @@ void PutFindings(Json& json, const Record& record) {
   json.EndArray();
 }
 
-Kind GetFindings(const Value& value, Record& record) {
+ExpectedKind GetFindings(const Value& value, Record& record) {
   if (!value.IsArray()) return "a list";
   for (const Value& finding : value.GetArray()) {
     rapidjson::StringBuffer buffer;
@@ -222,35 +222,36 @@ constexpr const char* kText = R"("type": "string")";
 constexpr const char* kHash = R"("type": "string", "pattern": "^[0-9a-f]{64}$")";
 
 const std::array kFields = {
-    OrNull<&Record::file>(
+    NullableField<&Record::file>(
         "file", R"("type": ["string", "null"])",
         "The object's file, relative to the manifest or in the archive; null if none was "
         "written."),
-    Optional<&Record::archive>("archive", kText,
-                               "The archive that holds the file, relative to the manifest."),
+    OptionalField<&Record::archive>("archive", kText,
+                                    "The archive that holds the file, relative to the manifest."),
     Field<&Record::name>("name", kText, "The object's name and the prefix of all names in it."),
     Field<&Record::index>("index", kWhole, "The variant's number in the family."),
-    Field<&Record::seed, Scope::kBatch>("seed", kWhole, "The seed of all draws."),
+    Field<&Record::seed, FieldScope::kBatch>("seed", kWhole, "The seed of all draws."),
     Field<&Record::attempt>("attempt", kWhole, "How many draws were rejected before this one."),
-    Field<&Record::spec, Scope::kBatch>("spec", kText,
-                                        "The spec: its name in the catalogue, or its file's name."),
-    Optional<&Record::spec_file>(
+    Field<&Record::spec, FieldScope::kBatch>(
+        "spec", kText, "The spec: its name in the catalogue, or its file's name."),
+    OptionalField<&Record::spec_file>(
         "spec_file", kText,
         "The spec's file, relative to the manifest; left out if it is found by its name, or "
         "has only the root folder in common with the manifest."),
-    Field<&Record::spec_sha256, Scope::kBatch>(
+    Field<&Record::spec_sha256, FieldScope::kBatch>(
         "spec_sha256", kHash, "SHA-256 of the text of all files that the spec was read from."),
-    Optional<&Record::settings, Scope::kBatch>(
+    OptionalField<&Record::settings, FieldScope::kBatch>(
         "set", R"("type": "object", "additionalProperties": {"type": "string"})",
         "Parameters that were set in place of the spec's own values, as YAML."),
-    Optional<&Record::assets_as, Scope::kBatch>("assets_as", R"("enum": ["files"])",
-                                                "How meshes and textures that no file has are "
-                                                "written: as files beside the object; left out "
-                                                "if they are in its file."),
-    Optional<&Record::sampler, Scope::kBatch>(
+    OptionalField<&Record::assets_as, FieldScope::kBatch>(
+        "assets_as", R"("enum": ["files"])",
+        "How meshes and textures that no file has are "
+        "written: as files beside the object; left out "
+        "if they are in its file."),
+    OptionalField<&Record::sampler, FieldScope::kBatch>(
         "sampler", R"("enum": ["sobol", "latin", "grid"])",
         "How the draws are spread over the batch; left out if they are random."),
-    Optional<&Record::batch, Scope::kBatch>(
+    OptionalField<&Record::batch, FieldScope::kBatch>(
         "batch", R"("type": "integer", "minimum": 1)",
         "The number of variants that the draws are spread over; left out if none are."),
     Field<&Record::params>(
@@ -258,43 +259,43 @@ const std::array kFields = {
         R"("type": "object", "additionalProperties": {"type": ["number", "boolean", )"
         R"("string", "array"], "items": {"type": "number"}})",
         "The value of each parameter."),
-    OfObject<&Record::mass_properties, &MassProperties::mass>(
+    ObjectField<&Record::mass_properties, &MassProperties::mass>(
         "mass", kNumber, "Mass, kg; null, here and below, if no object was made."),
-    OfObject<&Record::mass_properties, &MassProperties::p_FCm>(
+    ObjectField<&Record::mass_properties, &MassProperties::p_FCm>(
         "com",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 3, )"
         R"("maxItems": 3)",
         "Centre of mass in the root body's frame, m."),
-    OfObject<&Record::mass_properties, &MassProperties::I_Cm_F>(
+    ObjectField<&Record::mass_properties, &MassProperties::I_Cm_F>(
         "inertia",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 6, )"
         R"("maxItems": 6)",
         "Inertia about the centre of mass, along the root body's axes, kg m^2: "
         "xx yy zz xy xz yz."),
-    OfObject<&Record::bounds, &Bounds::aabb>(
+    ObjectField<&Record::bounds, &Bounds::aabb>(
         "aabb",
         R"("type": ["object", "null"], "required": ["min", "max"], "properties": )"
         R"({"min": {"type": "array", "items": {"type": "number"}}, )"
         R"("max": {"type": "array", "items": {"type": "number"}}})",
         "Bounds of the collision parts in the root body's frame, m."),
-    OfObject<&Record::bounds, &Bounds::top_offset>(
+    ObjectField<&Record::bounds, &Bounds::top_offset>(
         "top_offset", kNumber, "z of the highest point of a collision part, m."),
-    OfObject<&Record::bounds, &Bounds::bottom_offset>(
+    ObjectField<&Record::bounds, &Bounds::bottom_offset>(
         "bottom_offset", kNumber, "z of the lowest point of a collision part, m."),
-    OfObject<&Record::bounds, &Bounds::horizontal_radius>(
+    ObjectField<&Record::bounds, &Bounds::horizontal_radius>(
         "horizontal_radius", kNumber, "Largest distance of a collision part from the z axis, m."),
-    OfObject<&Record::nbody>("nbody", kCount,
-                             "Bodies in the file as MuJoCo counts them, the world included."),
-    OfObject<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
-    OfObject<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
-    Field<&Record::target, Scope::kBatch>("target", kText,
-                                          "The host that the file is written for."),
-    Field<&Record::validate, Scope::kBatch>(
+    ObjectField<&Record::nbody>("nbody", kCount,
+                                "Bodies in the file as MuJoCo counts them, the world included."),
+    ObjectField<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
+    ObjectField<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
+    Field<&Record::target, FieldScope::kBatch>("target", kText,
+                                               "The host that the file is written for."),
+    Field<&Record::validate, FieldScope::kBatch>(
         "validate", R"("enum": ["load", "none", "physics"])",
         "How the variant was checked: load, whether MuJoCo loads the file as intended; physics, "
         "whether the object also behaves."),
-    Physics(),
-    Optional<&Record::on_invalid, Scope::kBatch>(
+    PhysicsField(),
+    OptionalField<&Record::on_invalid, FieldScope::kBatch>(
         "on_invalid", R"("enum": ["skip", "resample"])",
         "What happens to an invalid variant; left out if it fails."),
     Field<&Record::status>(
@@ -304,9 +305,10 @@ const std::array kFields = {
                 R"("type": "array", "items": {"type": "object", "required": ["severity", )"
                 R"("code", "message"]})",
                 "Errors and warnings about this variant.", PutFindings, GetFindings},
-    OrNull<&Record::sha256>("sha256", R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
-                            "SHA-256 of the file's bytes."),
-    Optional<&Record::assets>(
+    NullableField<&Record::sha256>("sha256",
+                                   R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
+                                   "SHA-256 of the file's bytes."),
+    OptionalField<&Record::assets>(
         "assets", fmt::format(R"("type": "object", "additionalProperties": {{{}}})", kHash),
         "The meshes and pictures that the file refers to, by their names in it, with the SHA-256 "
         "of their bytes; left out if there are none."),

@@ -17,7 +17,7 @@ namespace mjforge::manifest {
 
 using diag::Json;
 /// What a value must be, "a text"; empty: it is.
-using Kind = std::string_view;
+using ExpectedKind = std::string_view;
 
 template <typename T>
 using Members = std::vector<std::pair<std::string, T>>;
@@ -60,28 +60,28 @@ void Put(Json& json, const tape::Traced<T>& traced) {
   Put(json, traced.value());
 }
 
-inline Kind Get(const rapidjson::Value& value, std::string& text) {
+inline ExpectedKind Get(const rapidjson::Value& value, std::string& text) {
   if (!value.IsString()) return "a text";
   text.assign(value.GetString(), value.GetStringLength());
   return {};
 }
 
 template <std::integral T>
-Kind Get(const rapidjson::Value& value, T& number) {
+ExpectedKind Get(const rapidjson::Value& value, T& number) {
   if (!value.Is<T>()) return std::is_same_v<T, bool> ? "true or false" : "a whole number";
   number = value.Get<T>();
   return {};
 }
 
 // What was not finite has no other word in JSON than null.
-inline Kind Get(const rapidjson::Value& value, double& number) {
+inline ExpectedKind Get(const rapidjson::Value& value, double& number) {
   if (!value.IsNumber() && !value.IsNull()) return "a number";
   number = value.IsNull() ? std::nan("") : value.GetDouble();
   return {};
 }
 
 template <typename Enum>
-requires std::is_enum_v<Enum> Kind Get(const rapidjson::Value& value, Enum& word) {
+requires std::is_enum_v<Enum> ExpectedKind Get(const rapidjson::Value& value, Enum& word) {
   const std::optional<Enum> found = value.IsString() ? Find<Enum>(value.GetString()) : std::nullopt;
   if (!found) return "a word that is known here";
   word = *found;
@@ -89,16 +89,16 @@ requires std::is_enum_v<Enum> Kind Get(const rapidjson::Value& value, Enum& word
 }
 
 template <typename T>
-Kind Get(const rapidjson::Value& value, std::vector<T>& list) {
+ExpectedKind Get(const rapidjson::Value& value, std::vector<T>& list) {
   if (!value.IsArray()) return "a list";
   for (const rapidjson::Value& item : value.GetArray()) {
-    if (const Kind kind = Get(item, list.emplace_back()); !kind.empty())
+    if (const ExpectedKind kind = Get(item, list.emplace_back()); !kind.empty())
       return "a list of its kind";
   }
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
+inline ExpectedKind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
   if (value.IsString()) return Get(value, parameter.emplace<std::string>());
   if (value.IsBool()) return Get(value, parameter.emplace<bool>());
   if (value.IsArray() && !value.Empty() && value[0].IsString())
@@ -108,23 +108,24 @@ inline Kind Get(const rapidjson::Value& value, sample::ParameterValue& parameter
 }
 
 template <typename T>
-Kind Get(const rapidjson::Value& value, Members<T>& members) {
+ExpectedKind Get(const rapidjson::Value& value, Members<T>& members) {
   if (!value.IsObject()) return "an object";
   for (const auto& [name, item] : value.GetObject()) {
     auto& member = members.emplace_back(name.GetString(), T());
-    if (const Kind kind = Get(item, member.second); !kind.empty()) return "an object of its kind";
+    if (const ExpectedKind kind = Get(item, member.second); !kind.empty())
+      return "an object of its kind";
   }
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, Eigen::Vector3d& point) {
+inline ExpectedKind Get(const rapidjson::Value& value, Eigen::Vector3d& point) {
   std::vector<double> numbers;
   if (!Get(value, numbers).empty() || numbers.size() != 3) return "a point";
   point = Eigen::Map<const Eigen::Vector3d>(numbers.data());
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
+inline ExpectedKind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
   std::vector<double> numbers;
   if (!Get(value, numbers).empty() || numbers.size() != kInertia.size()) return "an inertia";
   for (std::size_t i = 0; i < kInertia.size(); ++i) {
@@ -141,14 +142,14 @@ bool GetMember(const rapidjson::Value& object, const char* key, T& member) {
 }
 
 template <typename T>
-Kind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
+ExpectedKind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
   T read;
-  const Kind kind = Get(value, read);
+  const ExpectedKind kind = Get(value, read);
   if (kind.empty()) traced = read;
   return kind;
 }
 
-inline Kind Get(const rapidjson::Value& value, model::Box3& box) {
+inline ExpectedKind Get(const rapidjson::Value& value, model::Box3& box) {
   return GetMember(value, "min", box.min) && GetMember(value, "max", box.max) ? "" : "a box";
 }
 

@@ -23,14 +23,14 @@ constexpr JsonMember<Seal> kMembers[] = {
 void PutFile(Json& json, const SealedFile& file) {
   json.StartObject();
   json.Member("file", file.file);
-  json.Member("bytes", file.whole.size);
-  json.Member("xxh128", file.whole.checksum);
+  json.Member("bytes", file.content.size);
+  json.Member("xxh128", file.content.checksum);
   json.EndObject();
 }
 
 bool GetFile(const Value& value, SealedFile& file) {
-  return GetMember(value, "file", file.file) && GetMember(value, "bytes", file.whole.size) &&
-         GetMember(value, "xxh128", file.whole.checksum);
+  return GetMember(value, "file", file.file) && GetMember(value, "bytes", file.content.size) &&
+         GetMember(value, "xxh128", file.content.checksum);
 }
 
 bool GetSeal(const Value& object, Seal& seal) {
@@ -49,7 +49,7 @@ bool GetSeal(const Value& object, Seal& seal) {
 
 }  // namespace
 
-std::filesystem::path SealOf(const std::filesystem::path& manifest) {
+std::filesystem::path SealPathOf(const std::filesystem::path& manifest) {
   return std::filesystem::path(manifest).replace_extension(".seal.json");
 }
 

@@ -15,7 +15,7 @@ namespace mjforge::manifest {
 /// A file as it was when its batch was done.
 struct SealedFile {
   std::string file;  // beside the seal
-  bytes::Prefix whole;
+  bytes::Prefix content;
 };
 
 /// What vouches for a batch that is done, or for one shard of it: which variants there must be, and
@@ -43,7 +43,7 @@ struct Seal {
 };
 
 /// "out/manifest.jsonl" -> "out/manifest.seal.json".
-std::filesystem::path SealOf(const std::filesystem::path& manifest);
+std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
 /// One line of JSON, with its end.
 std::string SealText(const Seal& seal);

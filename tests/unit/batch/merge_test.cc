@@ -118,7 +118,7 @@ TEST_CASE_METHOD(ShardTest, "an object that is gone, empty or changed is noticed
 }
 
 TEST_CASE_METHOD(ShardTest, "a shard that nothing vouches for is noticed") {
-  const auto seal = manifest::SealOf(folder / Manifest(2));
+  const auto seal = manifest::SealPathOf(folder / Manifest(2));
   std::filesystem::remove(seal);
   CHECK_FALSE(Merge());
   REQUIRE(findings.size() == 1);

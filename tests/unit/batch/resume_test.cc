@@ -203,7 +203,7 @@ TEST_CASE("a variant whose worker died is tried again") {
   test.folder.Write("out/manifest.jsonl", manifest);
   auto seal = manifest::ReadSeal(test.folder.Read("out/manifest.seal.json"), why_not);
   REQUIRE(seal);
-  seal->manifest.whole = {manifest.size(), bytes::ChecksumOf(manifest)};
+  seal->manifest.content = {manifest.size(), bytes::ChecksumOf(manifest)};
   test.folder.Write("out/manifest.seal.json", manifest::SealText(*seal));
   std::filesystem::remove(test.folder / "out/crate_000007.xml");
   const Summary summary = test.Make(Resuming(test.Of(30, "out")));
