@@ -1,3 +1,6 @@
+// A JSON parser whose numbers are correctly rounded: RapidJSON reads the structure, expr the
+// numbers.
+
 #include "mjforge/manifest/exact_json.h"
 
 #include <charconv>
@@ -11,13 +14,13 @@
 namespace mjforge::manifest {
 namespace {
 
-// A document whose numbers are parsed by expr::ParseNumber. (RapidJSON 1.1 has an exact reader as
-// well; it shifts by 64 bits for a zero with many digits.)
+// A document whose numbers are parsed by expr::ParseNumber. RapidJSON 1.1 has an exact reader as
+// well, but its behaviour is undefined (a shift by 64 bits) for a zero with many digits.
 class ExactDocument : public rapidjson::Document {
  public:
   bool RawNumber(const char* digits, rapidjson::SizeType size, bool) {
     const std::string_view text(digits, size);
-    // There is no whole number -0.
+    // No integer type has a -0.
     if (text.find_first_of(".eE") == text.npos && text != "-0") {
       if (const auto natural = Whole<std::uint64_t>(text)) return Uint64(*natural);
       if (const auto whole = Whole<std::int64_t>(text)) return Int64(*whole);

@@ -1,3 +1,5 @@
+// Writing, reading and comparing records by the table of fields, and the JSON Schema of that table.
+
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
@@ -21,7 +23,7 @@ void AppendRecord(std::string& out, const Record& record) {
 
 void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
                       const std::string& spec_file) {
-  // A quote within a value has a backslash before it, so that only a key is found.
+  // Quotes within values are escaped, so `next` is found only where it is a key.
   const auto insert = [&](std::string_view key, const std::string& value, std::string_view next) {
     const std::size_t at = line.find(next);
     out += line.substr(0, at);

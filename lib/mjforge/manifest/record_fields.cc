@@ -1,3 +1,5 @@
+// The table of the fields of a record: key, schema, meaning, writing and reading of each.
+
 #include "mjforge/manifest/record_fields.h"
 
 #include <fmt/format.h>
@@ -60,7 +62,8 @@ constexpr JsonMember<Result::SimReady> kSimReady[] = {
     {"full_range_sweep", &Result::SimReady::full_range_sweep},
     {"self_collision", &Result::SimReady::self_collision}};
 
-// The lists and objects within a result, in the order in which they are written.
+// Calls `use` with key, value and member table of each list or object within a physics result, in
+// the order in which they are written.
 template <typename AnyResult, typename Use>
 void ForEachPart(AnyResult& result, const Use& use) {
   use("joints", result.joints, kJoint);
@@ -78,7 +81,7 @@ constexpr bool kIsList = requires(const Part& part) {
 
 template <typename Of, std::size_t n>
 std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
-  // As the variant of a member has them.
+  // In the order of the alternatives of JsonMember::at.
   constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
                                  R"("string")",           R"("array")",   R"("array")",
                                  R"("integer")"};
@@ -142,7 +145,8 @@ ExpectedKind GetResult(const Value& value, Result& result) {
   return is_good ? ExpectedKind() : "what was measured";
 }
 
-enum class FieldScope { kVariant, kBatch };  // kBatch: the same in all records of a batch
+// A field of scope kBatch has the same value in all records of a batch.
+enum class FieldScope { kVariant, kBatch };
 
 template <auto member, FieldScope scope = FieldScope::kVariant>
 RecordField Field(const char* key, std::string schema, std::string_view doc) {
@@ -154,7 +158,7 @@ RecordField Field(const char* key, std::string schema, std::string_view doc) {
   return field;
 }
 
-// Left out while it has nothing to say.
+// A field that is left out while the member has its default value.
 template <auto member, FieldScope scope = FieldScope::kVariant>
 RecordField OptionalField(const char* key, std::string schema, std::string_view doc) {
   RecordField field = Field<member, scope>(key, std::move(schema), doc);
@@ -164,7 +168,7 @@ RecordField OptionalField(const char* key, std::string schema, std::string_view 
   return field;
 }
 
-// What there is only where an object was made, else null.
+// A property of the object; null if no object was made.
 template <auto... way>
 RecordField ObjectField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,
@@ -176,7 +180,7 @@ RecordField ObjectField(const char* key, std::string schema, std::string_view do
           }};
 }
 
-// A text that is null where there is none.
+// A text; null if it is empty.
 template <std::string Record::*member>
 RecordField NullableField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,

@@ -1,6 +1,6 @@
-#pragma once
+// Conversion of the values of records and seals to JSON (Put) and back (Get).
 
-// The values of a record's fields, to JSON and back.
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 namespace mjforge::manifest {
 
 using diag::Json;
-/// What a value must be, "a text"; empty: it is.
+/// The kind of value that a member must have, "a text"; empty if the value has that kind.
 using ExpectedKind = std::string_view;
 
 template <typename T>
@@ -38,7 +38,7 @@ void Put(Json& json, const Members<T>& members) {
   json.EndObject();
 }
 
-// In the order of MJCF's fullinertia.
+// Rows and columns of an inertia in the order of MJCF's fullinertia.
 inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
@@ -73,7 +73,7 @@ ExpectedKind Get(const rapidjson::Value& value, T& number) {
   return {};
 }
 
-// What was not finite has no other word in JSON than null.
+// Numbers that are not finite are written as null.
 inline ExpectedKind Get(const rapidjson::Value& value, double& number) {
   if (!value.IsNumber() && !value.IsNull()) return "a number";
   number = value.IsNull() ? std::nan("") : value.GetDouble();
@@ -135,7 +135,7 @@ inline ExpectedKind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia)
   return {};
 }
 
-/// Returns false if the member is missing or is not of its kind.
+/// Returns false if the member is missing or has another kind.
 template <typename T>
 bool GetMember(const rapidjson::Value& object, const char* key, T& member) {
   return object.IsObject() && object.HasMember(key) && Get(object[key], member).empty();
@@ -153,7 +153,7 @@ inline ExpectedKind Get(const rapidjson::Value& value, model::Box3& box) {
   return GetMember(value, "min", box.min) && GetMember(value, "max", box.max) ? "" : "a box";
 }
 
-/// A member of a JSON object.
+/// Key of a JSON member, and the C++ member that holds its value.
 template <typename Of>
 struct JsonMember {
   const char* key;
@@ -168,7 +168,7 @@ void PutAll(Json& json, const Of& of, const JsonMember<Of> (&members)[n]) {
     std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
 }
 
-/// Returns false if one is missing or is not of its kind.
+/// Returns false if a member is missing or has another kind.
 template <typename Of, std::size_t n>
 bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&members)[n]) {
   return std::ranges::all_of(members, [&](const JsonMember<Of>& member) {

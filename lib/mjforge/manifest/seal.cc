@@ -1,3 +1,5 @@
+// Writing, reading and comparing the seals of finished batches.
+
 #include "mjforge/manifest/seal.h"
 
 #include <fmt/format.h>
@@ -12,7 +14,7 @@ using rapidjson::Value;
 
 constexpr int kVersion = 1;
 
-// The last member is the checksum of the text before it.
+// The last member of a seal: the checksum of the text before this member.
 constexpr std::string_view kOwn = R"(,"xxh128":")";
 
 constexpr JsonMember<Seal> kMembers[] = {
