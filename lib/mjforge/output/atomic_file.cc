@@ -1,4 +1,4 @@
-// Writing a small file so that it appears whole or not at all: temporary name, sync, rename.
+// Atomic writing of small files: temporary name, synchronization, renaming.
 
 #include "mjforge/output/atomic_file.h"
 
@@ -17,7 +17,7 @@
 namespace mjforge::output {
 namespace {
 
-// A killed process with the same number may have left a file with the first name.
+// Limit of names to try, because a killed process with the same id may have left a file behind.
 constexpr int kTriedNames = 100;
 
 // Opens a new temporary file beside `file`; returns -1, with errno, if that fails.
@@ -30,7 +30,8 @@ int OpenTemporary(const std::filesystem::path& file, std::string& temporary) {
     descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno != EEXIST) break;
   }
-  if (descriptor >= 0) ::flock(descriptor, LOCK_EX | LOCK_NB);  // see RemoveAbandoned
+  // RemoveAbandoned leaves locked files alone.
+  if (descriptor >= 0) ::flock(descriptor, LOCK_EX | LOCK_NB);
   return descriptor;
 }
 

@@ -1,5 +1,4 @@
-// Writing a small file so that it appears whole or not at all, and errors of the system as
-// findings.
+// Helpers of atomic writing: names of temporary files, complete writes, findings for errors.
 
 #pragma once
 
@@ -16,11 +15,10 @@ namespace mjforge::output {
 /// ".x.xml.tmp123-0"; nothing for all other names.
 std::optional<std::string> FinalNameOf(std::string_view temporary);
 
-/// Adds "cannot write 'FILE': WORDS" with the system's words for `error`, an errno.
+/// Adds the finding "cannot write 'FILE': MESSAGE" with the system's message for `error`, an errno.
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
 
-/// Writes all bytes to an open file. If that fails, returns false and adds that finding about
-/// `file`.
+/// Writes all bytes to an open file. If that fails, returns false and adds a finding about `file`.
 bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::path& file,
               diag::Findings& findings);
 

@@ -1,3 +1,5 @@
+// Parsing of -o, and the names of objects, archives and manifests.
+
 #include "mjforge/output/destination.h"
 
 #include <fmt/compile.h>
@@ -11,7 +13,7 @@ namespace {
 constexpr std::string_view kTar = ".tar";
 constexpr std::string_view kTarZstd = ".tar.zst";
 
-// The place of "%05d" in a pattern.
+// Position and width of "%05d" in a pattern.
 struct NumberPlaceholder {
   std::size_t at = 0;
   std::size_t length = 0;
@@ -35,7 +37,7 @@ std::string WithoutEnding(std::string_view name) {
   return std::string(name);
 }
 
-// "x_%05d.tar" -> "x", the name that all archives of the series share.
+// Returns the name that the archives of a series have in common: "x" for "x_%05d.tar".
 std::string StemOf(const Destination& destination) {
   std::string stem = WithoutEnding(destination.path.filename().string());
   if (const std::optional<NumberPlaceholder> number = FindNumberPlaceholder(stem)) {

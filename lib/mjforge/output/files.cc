@@ -1,3 +1,5 @@
+// Reading files, and permission to replace existing ones.
+
 #include <fmt/format.h>
 
 #include "mjforge/bytes/bytes.h"
@@ -6,7 +8,7 @@
 namespace mjforge::output {
 namespace {
 
-// The comment that opens an object is shorter than this, settings and all.
+// Limit of the comment at the start of an object's file, which includes all settings.
 constexpr std::size_t kCommentBytes = 64 * 1024;
 
 }  // namespace
@@ -26,7 +28,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
   std::error_code ignored;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
-  // A pipe would have us wait for somebody to write, a device is not ours to replace.
+  // Opening a pipe would block until somebody writes to it; a device must not be replaced.
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},
                  fmt::format("'{}' is a pipe or a device, not a file", file.string()),
@@ -45,7 +47,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
   return MayReplace(
       file, force, kCommentBytes,
       [](std::string_view opening) {
-        // After a power cut a file may end, or have zeros, anywhere.
+        // After a power cut, a file may end at any byte or contain zeros from there on.
         constexpr std::string_view kMark = "<!-- mjforge ";
         const std::string_view left = opening.substr(0, opening.find('\0'));
         const bool is_cut = left.find("-->") == left.npos &&

@@ -1,3 +1,5 @@
+// Folders of objects and their assets, and removal of abandoned temporary files.
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -14,17 +16,17 @@
 namespace mjforge::output {
 namespace {
 
-// Assets that are not looked at again. Those that are made may be many in each variant.
+// Limit of assets remembered as done, because each variant may have generated assets of its own.
 constexpr std::size_t kMaxRememberedAssets = 10'000;
 
-// Whether a power cut may have left `present` of `bytes`: their beginning, and zeros.
+// Returns true if a power cut may have reduced `bytes` to `present`: a prefix, followed by zeros.
 bool IsBeginningOf(std::string_view present, std::string_view bytes) {
   if (present.size() > bytes.size()) return false;
   const auto [end, other] = std::ranges::mismatch(present, bytes);
   return std::all_of(end, present.end(), [](char c) { return c == 0; });
 }
 
-// Whether no living process has it, which would hold its lock.
+// Returns true if no running process holds the lock of a temporary file.
 bool IsAbandoned(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return false;
@@ -64,7 +66,7 @@ void RemoveAbandoned(const std::filesystem::path& folder, bool below,
 }
 
 MadeFolders::~MadeFolders() {
-  // rmdir refuses a folder that holds anything.
+  // rmdir fails for a folder that is not empty.
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
 }
 
@@ -82,7 +84,7 @@ bool MadeFolders::MakeOne(const std::filesystem::path& path, bool follow,
       return true;
     }
     error = errno;
-    found = error == EEXIST && exists();  // another process may have been quicker
+    found = error == EEXIST && exists();  // another process may have made it meanwhile
   }
   if (found && S_ISDIR(status.st_mode)) return true;
   findings.Add(diag::Code::kOutputCannotWrite, {},
@@ -124,7 +126,7 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
                "make the batch anew, without --resume");
 }
 
-// Keeps a copy that is there with the same bytes.
+// An existing copy with the same bytes stays untouched.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
   std::optional<std::string> read;
@@ -146,8 +148,8 @@ bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::p
       return false;
     }
   }
-  // What is made is known by its name, which a power cut does not change: as for objects, the
-  // batch waits for all of them together.
+  // Generated assets are not synchronized one by one: like objects, they can be made again after a
+  // power cut, and the batch waits for all of them together.
   return WriteFile(target, bytes, false, findings,
                    asset.made ? Durability::kNone : overwrite_.durability);
 }
@@ -179,7 +181,7 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
       return false;
     last_folder_ = folder;
   }
-  // Assets first: an object never stands there without what it refers to.
+  // Assets first, so that an object's file never exists without its assets.
   return MayReplace(path, overwrite_.force, findings) &&
          CopyAssets(document, folder, hashes, findings) &&
          WriteFile(path, document.text, overwrite_.if_changed, findings);

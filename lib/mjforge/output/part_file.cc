@@ -1,3 +1,5 @@
+// A long file under construction: locking, reserved blocks, early writeback, renaming.
+
 #include "mjforge/output/part_file.h"
 
 #include <fcntl.h>
@@ -17,15 +19,16 @@
 namespace mjforge::output {
 namespace {
 
-// Writing goes on while the next bytes are made: then there is little left to wait for.
+// Writeback is requested for each such block while the next bytes are made, so that the final
+// synchronization has little left to do.
 constexpr std::uint64_t kWritebackBytes = std::uint64_t{8} << 20;
 
-// Blocks that a long file has in advance take a third off the system's work for each write. Where
-// the disk is nearly full they would be missing elsewhere: for the manifest beside an archive.
+// Blocks reserved in advance save a third of the system's work for each write. None are reserved if
+// less than kEnoughRoom is available, because the manifest beside an archive needs room as well.
 constexpr std::uint64_t kReserve = std::uint64_t{8} << 20;
 constexpr std::uint64_t kEnoughRoom = std::uint64_t{1} << 30;
 
-// Another process may be dying at the moment, its workers with it.
+// A killed process and its workers may need some time to end and release the lock.
 constexpr int kLockTries = 20;
 constexpr auto kLockPause = std::chrono::milliseconds(50);
 
@@ -89,7 +92,7 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                    "wait for it, or choose another place");
       return nullptr;
     }
-    // Who had it may have given it its name in between: then this is another file.
+    // The process that had the lock may have renamed the part in between.
     if (!IsSameFile(descriptor, temporary)) {
       ::close(descriptor);
       continue;
@@ -99,7 +102,7 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
   }
 }
 
-// Not every file system can; writing goes on without.
+// Errors are ignored, because not every file system can reserve blocks.
 void PartFile::Reserve(std::uint64_t end) {
   if (end < kReserve || end <= reserved_) return;
   reserved_ = end + kReserve;
@@ -120,7 +123,7 @@ bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
   size_ += bytes.size();
   checksum_.Add(bytes);
   if (size_ - writeback_end_ >= kWritebackBytes) {
-    // Only a hint.
+    // Errors do not matter here, because this call is only a hint.
     ::sync_file_range(descriptor_, static_cast<::off64_t>(writeback_end_),
                       static_cast<::off64_t>(size_ - writeback_end_), SYNC_FILE_RANGE_WRITE);
     writeback_end_ = size_;
@@ -166,8 +169,9 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     AddCannotWrite(file_, errno, findings);
     return false;
   }
-  // The lock goes after the name: until then nobody else opens the file under its old one. On a
-  // network disk or at a quota, only close() says that writing failed.
+  // Closing releases the lock, so this must follow the renaming: otherwise another process could
+  // open the part by its old name. On a network disk or at a quota, only close() reports that
+  // writing failed.
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     AddCannotWrite(file_, errno, findings);
     return false;
