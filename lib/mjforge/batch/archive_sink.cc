@@ -1,3 +1,5 @@
+// The sink of archives: appends segments in order, closes archives, and resumes within one.
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -29,7 +31,7 @@ class ArchiveSink : public Sink {
     checkpoint_.next = options_.range.first;
     checkpoint_.archive = ArchiveOf(options_.range.first);
     const std::optional<ResumedVariants> resumed = FindResumable(findings);
-    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // made just now
+    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // remove the files that Open made
     if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
       return std::nullopt;
     return resumed;
@@ -37,7 +39,7 @@ class ArchiveSink : public Sink {
 
   bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (result.done < result.chunk.count) {
-      // Half a segment would make other bytes than a whole one.
+      // Ignore a partial segment: the bytes of the archive would depend on where the batch stopped.
       result.statuses.clear();
       result.variants.clear();
       result.findings.clear();
@@ -69,10 +71,10 @@ class ArchiveSink : public Sink {
   }
 
  private:
-  // After the last index.
+  // Returns the index after the last one.
   std::uint64_t end() const { return options_.range.first + options_.range.count; }
 
-  // The number of the archive that the variant goes to.
+  // Returns the number of the archive that contains the variant.
   std::uint64_t ArchiveOf(std::uint64_t index) const {
     return destination_.per_archive == 0 ? 0
                                          : (index - options_.all.first) / destination_.per_archive;
@@ -84,7 +86,7 @@ class ArchiveSink : public Sink {
     return journal_.previous_seal() ? ContinueFinished(findings) : ResumedVariants();
   }
 
-  // Of a finished batch nothing is left to do, or everything: where something was changed.
+  // A sealed batch is either unchanged, with nothing to do, or made again from the start.
   std::optional<ResumedVariants> ContinueFinished(diag::Findings& findings) {
     const manifest::Seal& seal = *journal_.previous_seal();
     if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
@@ -104,7 +106,7 @@ class ArchiveSink : public Sink {
     return is_complete_ ? resumed : ResumedVariants();
   }
 
-  // From the last checkpoint that manifest, archives and records bear out.
+  // Rolls back to the last checkpoint that matches manifest, archives and records.
   std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
     if (checkpoints.empty()) return ResumedVariants();
@@ -115,7 +117,7 @@ class ArchiveSink : public Sink {
     const std::optional<Checkpoint> checkpoint =
         LastValidCheckpoint(options_.range.first + whole->done());
     if (!checkpoint || checkpoint->next == options_.range.first) return ResumedVariants();
-    // Again, for the counts at that place.
+    // If the checkpoint is earlier, read the manifest again up to there, for the counts.
     const std::optional<ResumedVariants> resumed =
         whole->bytes == checkpoint->manifest.size
             ? whole
@@ -129,13 +131,14 @@ class ArchiveSink : public Sink {
 
   std::optional<Checkpoint> LastValidCheckpoint(std::uint64_t most) const {
     const std::vector<manifest::SealedFile>& closed = journal_.closed();
-    // An archive that is still called a part has not got its name, but an older one may have it.
+    // If the part still exists, the archive was not renamed, and a file with its name is an older
+    // one.
     const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
       return !IsIntact(file) || output::PartFile::Exists(destination_.Folder() / file.file);
     });
     const std::uint64_t archive =
         ArchiveOf(options_.range.first) + static_cast<std::uint64_t>(lost - closed.begin());
-    std::vector<Checkpoint> candidates;  // of one archive, the last that can be gone on with
+    std::vector<Checkpoint> candidates;  // checkpoints of the last archive that can be continued
     for (const Checkpoint& checkpoint : journal_.checkpoints()) {
       if (checkpoint.next > most || !CanContinueAt(checkpoint)) continue;
       if (checkpoint.archive > archive) break;
@@ -147,7 +150,7 @@ class ArchiveSink : public Sink {
     std::vector<bytes::Prefix> prefixes;
     prefixes.reserve(candidates.size());
     for (const Checkpoint& checkpoint : candidates) prefixes.push_back(checkpoint.part);
-    // The first is the archive's start, which needs nothing.
+    // The first candidate is the start of the archive, which needs no check.
     const std::filesystem::path part =
         output::PartFile::TemporaryNameOf(destination_.Archive(candidates.front().archive));
     const std::size_t sound =
@@ -155,7 +158,8 @@ class ArchiveSink : public Sink {
     return candidates[sound];
   }
 
-  // A larger batch goes on where a whole segment of it ends, in an archive that it does not end.
+  // A batch that has become larger can continue only at the end of a full segment, and not after a
+  // closed archive that must get more variants.
   bool CanContinueAt(const Checkpoint& checkpoint) const {
     if (checkpoint.next == end()) return true;
     const std::uint64_t made = checkpoint.next - options_.all.first;
@@ -195,7 +199,8 @@ class ArchiveSink : public Sink {
     return closed;
   }
 
-  // Before the first object that refers to them.
+  // Appends the assets that the archive does not have yet, before the first object that refers to
+  // them.
   bool AppendAssets(const ChunkResult& result, diag::Findings& findings) {
     for (const HashedAsset& asset : result.assets) {
       if (journal_.HasAsset(asset)) continue;
@@ -213,11 +218,11 @@ class ArchiveSink : public Sink {
   SinkOptions options_;
   const Request& request_;
   const output::Destination& destination_;
-  output::MadeFolders folders_;  // goes after what is in them
+  output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
   Journal journal_;
   std::unique_ptr<output::PartFile> archive_;
   Checkpoint checkpoint_;
-  bool is_complete_ = false;  // by an earlier run
+  bool is_complete_ = false;  // an earlier run finished the batch
 };
 
 }  // namespace

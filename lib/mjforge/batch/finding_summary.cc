@@ -1,3 +1,5 @@
+// Grouping of the findings of many variants by code and place.
+
 #include "mjforge/batch/finding_summary.h"
 
 #include <fmt/format.h>
@@ -18,13 +20,14 @@ void FindingSummary::Add(Group group) {
   const diag::Finding& finding = group.finding;
   const diag::SourceMark other =
       finding.notes.empty() ? diag::SourceMark() : finding.notes.front().mark;
-  // What a worker died of is at the spec's first line, and another cause with each variant.
+  // Deaths of workers are all reported at the first line of the spec, but may have different
+  // causes.
   const bool by_words = !finding.mark || finding.code == diag::Code::kBatchWorkerDied ||
                         finding.code == diag::Code::kBatchTooSlow;
   Key key{finding.code, finding.mark, other, by_words ? finding.message : std::string()};
   if (const auto known = numbers_.find(key); known != numbers_.end()) {
     Group& present = groups_[known->second];
-    // A variant may have it at one place more than once.
+    // Count a variant once, even if it has several findings of the group.
     if (present.last_index != group.last_index) present.variants += group.variants;
     present.last_index = group.last_index;
   } else if (groups_.size() == limit_) {

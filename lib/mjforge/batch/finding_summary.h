@@ -1,3 +1,5 @@
+// Findings of many variants, grouped by code and place.
+
 #pragma once
 
 #include <cstdint>
@@ -11,33 +13,33 @@
 
 namespace mjforge::batch {
 
-/// The findings of many variants in little room: the first of each kind and place, and how many
-/// variants had it. Values differ from variant to variant, and so do messages, but there is one
-/// mistake to mend.
+/// Findings of many variants, grouped by code and place: the first finding of each group, and the
+/// number of variants that have it. Messages within a group contain different values, but have the
+/// same cause in the spec.
 class FindingSummary {
  public:
   struct Group {
-    diag::Finding finding;  // of the first variant that has it
+    diag::Finding finding;  // the first variant's
     std::uint64_t variants = 0;
     std::uint64_t last_index = 0;
   };
 
   explicit FindingSummary(std::size_t limit) : limit_(limit) {}
 
-  /// The findings of one variant.
+  /// Adds the findings of one variant.
   void Add(const diag::Findings& findings, bool as_warnings);
-  /// Another digest's group about later variants.
+  /// Adds a group of another summary, about later variants.
   void Add(Group group);
   void AddNotShown(std::uint64_t count) { not_shown_ += count; }
 
   std::span<const Group> groups() const { return groups_; }
-  /// In file order.
+  /// Returns the first finding of each group, in file order.
   diag::Findings Findings() const;
   std::uint64_t not_shown() const { return not_shown_; }
 
  private:
-  // The place, the first note's place (all findings of an attached file have the same place in the
-  // spec), and, without a place, the message.
+  // Code, place, and place of the first note, because all findings of an attached file have one
+  // place in the spec. The message is empty for findings that have a place.
   using Key = std::tuple<diag::Code, diag::SourceMark, diag::SourceMark, std::string>;
 
   std::size_t limit_;

@@ -1,3 +1,5 @@
+// The sink of a folder: workers write the objects, the leader writes the manifest.
+
 #include <algorithm>
 #include <filesystem>
 
@@ -9,7 +11,6 @@
 namespace mjforge::batch {
 namespace {
 
-// Workers write the files; the manifest is written here.
 class FolderSink : public Sink {
  public:
   explicit FolderSink(const SinkOptions& options)
@@ -26,7 +27,7 @@ class FolderSink : public Sink {
     if (request_.resume || journal_.is_unfinished()) RemoveHalfWritten();
     std::optional<ResumedVariants> resumed =
         request_.resume ? Continue(findings) : ResumedVariants();
-    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // made just now
+    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // remove the files that Open made
     if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
       return std::nullopt;
     is_continued_ = resumed->done() > 0;
@@ -37,7 +38,7 @@ class FolderSink : public Sink {
     output::OverwritePolicy overwrite = {.force = request_.force,
                                          .if_changed = request_.if_changed,
                                          .durability = request_.durability};
-    // What is resumed refers to those that are there.
+    // Objects of an earlier run need the assets of that run, so these must not be replaced.
     if (!is_continued_) overwrite.assets = journal_.made_assets();
     return overwrite;
   }
@@ -53,7 +54,7 @@ class FolderSink : public Sink {
   }
 
   bool Finish(diag::Findings& findings) override {
-    // The objects first; workers only wrote them.
+    // Workers do not synchronize the objects, so this must precede the manifest.
     return (request_.durability == output::Durability::kNone ||
             output::SyncFolder(folder_, true, findings)) &&
            journal_.Finish(findings);
@@ -70,8 +71,7 @@ class FolderSink : public Sink {
   }
 
   std::optional<ResumedVariants> Continue(diag::Findings& findings) {
-    // What is on disk is trusted by its hash, so that a file that was lost or changed since is made
-    // again.
+    // Verify every file by its hash; missing or changed files are made again.
     ObjectChecker objects(folder_, true);
     const auto is_there = [&](const manifest::Record& record) {
       diag::Findings ignored;
@@ -83,7 +83,7 @@ class FolderSink : public Sink {
       const auto resumed = ReadResumable(journal_.part(), options_, is_there, findings, sound);
       return resumed && RollBackTo(*resumed, findings) ? resumed : std::nullopt;
     }
-    // A finished batch: its manifest is checked, and gone on with where it ends.
+    // A finished batch: check its manifest, and continue at its end.
     std::string why_not;
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
     if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content, why_not))
@@ -99,7 +99,7 @@ class FolderSink : public Sink {
                                                                              : std::nullopt;
   }
 
-  // A file that is gone may be in the middle of a chunk.
+  // A missing file may be in the middle of a chunk, so cut the manifest after the last good record.
   bool RollBackTo(const ResumedVariants& resumed, diag::Findings& findings) {
     if (resumed.done() == 0) return true;
     Checkpoint last = journal_.checkpoints().front();
@@ -138,7 +138,7 @@ class FolderSink : public Sink {
   SinkOptions options_;
   const Request& request_;
   std::filesystem::path folder_;
-  output::MadeFolders folders_;  // goes after what is in them
+  output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
   Journal journal_;
   Checkpoint checkpoint_;
   bool is_continued_ = false;

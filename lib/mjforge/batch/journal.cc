@@ -1,3 +1,5 @@
+// The journal of a batch: one line for each checkpoint, asset and closed archive, with checksums.
+
 #include "mjforge/batch/journal.h"
 
 #include <fmt/format.h>
@@ -14,7 +16,8 @@ using manifest::Seal;
 using manifest::SealedFile;
 using output::Durability;
 
-// A line is words, and at its end the checksum of what is before it.
+// A line consists of words and, at its end, the checksum of these words. The first line contains
+// the seal of the batch after this text.
 constexpr std::string_view kBegin = "mjforge-journal 1 ";
 constexpr std::size_t kChecksumDigits = 16;
 
@@ -22,7 +25,7 @@ std::string ShortChecksumOf(std::string_view text) {
   return bytes::ChecksumOf(text).substr(0, kChecksumDigits);
 }
 
-// The words of a line; nothing if its checksum is not theirs.
+// Returns the words of a line; nothing if the checksum does not match.
 std::optional<std::string_view> VerifiedWords(std::string_view line) {
   if (line.size() <= kChecksumDigits) return std::nullopt;
   const std::string_view words = line.substr(0, line.size() - kChecksumDigits - 1);
@@ -46,8 +49,8 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   return seal;
 }
 
-// What is left of a line after the words that were read; names may have spaces. Empty if words were
-// missing.
+// Returns the rest of a line, a name that may contain spaces; empty if reading the words before it
+// failed.
 std::string RestOfLine(std::string_view line, std::istringstream& words) {
   const std::streamoff at = words.tellg();
   return std::string(at < 0 ? std::string_view() : line.substr(static_cast<std::size_t>(at) + 1));
@@ -67,7 +70,7 @@ bool Journal::Open(diag::Findings& findings) {
   if (!manifest_file_) return false;
   journal_file_ = output::PartFile::Open(file_.string() + ".journal", findings);
   if (!journal_file_) {
-    if (manifest_file_->size() == 0) manifest_file_->Drop();  // made just now
+    if (manifest_file_->size() == 0) manifest_file_->Drop();  // remove the file that Open made
     return false;
   }
   is_unfinished_ = manifest_file_->size() > 0 || journal_file_->size() > 0;
@@ -78,7 +81,7 @@ bool Journal::Open(diag::Findings& findings) {
   checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));
   if (manifest_file_->size() > 0 && !journal_seal_ && !options_.request.force) {
     output::AddForeignFile(manifest_file_->temporary(), findings);
-    if (journal_file_->size() == 0) journal_file_->Drop();  // made just now
+    if (journal_file_->size() == 0) journal_file_->Drop();  // remove the file that Open made
     return false;
   }
   if (!options_.request.resume || !journal_seal_) return true;
@@ -96,7 +99,7 @@ void Journal::ReadPreviousSeal() {
   for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
 }
 
-// Whether the names that this batch will have are free, or those of an earlier run of it.
+// Returns true if manifest and seal do not exist or were made by an earlier run of this batch.
 bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   const bool force = options_.request.force;
   constexpr std::string_view kSealStart = R"({"mjforge_seal":)";
@@ -140,7 +143,8 @@ void Journal::ReadJournal() {
   }
 }
 
-// False: it is not a line of a journal.
+// Returns false if the line does not belong to a journal. `end` is the size of the journal up to
+// its end.
 bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   if (line.starts_with(kBegin)) {
     std::string why_not;
@@ -194,14 +198,14 @@ bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
 
 bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {
   if (!manifest_file_->Truncate(0, findings) || !journal_file_->Truncate(0, findings)) return false;
-  ReadJournal();  // nothing is left of it
+  ReadJournal();  // it is empty, so this clears what was read before
   std::string seal = manifest::SealText(seal_);
   seal.pop_back();
   if (!AppendLine(std::string(kBegin) + seal, findings) || !AppendEarlierOutputs(findings) ||
       !AddCheckpoint(checkpoint, findings)) {
     return false;
   }
-  // From here on what is under construction is known as ours, whatever happens.
+  // From here on, a later run recognizes the files under construction as its own.
   return options_.request.durability == Durability::kNone ||
          (journal_file_->Sync(findings) &&
           output::SyncFolder(file_.parent_path(), false, findings));
@@ -268,7 +272,7 @@ bool Journal::Finish(diag::Findings& findings) {
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_;
   const bool if_changed = request.if_changed || request.resume;
-  // The manifest comes last: whoever sees it may believe that all is there.
+  // The manifest comes last, because its name promises that everything else exists.
   if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
                          findings, request.durability) ||
       !manifest_file_->Commit(if_changed, request.durability, findings)) {

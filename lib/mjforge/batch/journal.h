@@ -1,3 +1,5 @@
+// The manifest of a batch under construction, and the journal of checkpoints beside it.
+
 #pragma once
 
 #include <cstdint>
@@ -12,63 +14,66 @@
 
 namespace mjforge::batch {
 
-/// How far manifest and archives are at the end of a chunk.
+/// State of manifest and archives at the end of a chunk.
 struct Checkpoint {
-  std::uint64_t next = 0;  // index
+  std::uint64_t next = 0;  // index of the first variant that is not written
   bytes::Prefix manifest;
-  std::uint64_t archive = 0;        // the number of the one under construction
-  bytes::Prefix part;               // of it
-  std::uint64_t journal_bytes = 0;  // up to the end of its line
+  std::uint64_t archive = 0;        // number of the archive under construction
+  bytes::Prefix part;               // the archive under construction
+  std::uint64_t journal_bytes = 0;  // size of the journal after the line of this checkpoint
 };
 
-/// The manifest of a batch under construction, and the journal beside it, which says of each chunk
-/// what was written, with checksums. Its lines have checksums as well, so a line that a crash or
-/// anything else has changed is not believed, and neither is what follows it.
+/// The manifest of a batch under construction, and the journal beside it, which has a checkpoint
+/// for each chunk, with checksums of manifest and archive. Each line of the journal ends with its
+/// own checksum; a damaged line and everything after it are ignored.
 class Journal {
  public:
   explicit Journal(const SinkOptions& options);
 
-  /// Takes manifest and journal. False, and a finding, if another process has them, what is there
-  /// is not ours, or, to resume, belongs to another output.
+  /// Opens manifest and journal. Returns false, after adding a finding, if another process has
+  /// opened them, if existing files were not made by mjforge, or if a batch to resume has another
+  /// output.
   bool Open(diag::Findings& findings);
 
-  /// Whether an earlier run left a batch under construction.
+  /// Returns true if an earlier run left a batch under construction.
   bool is_unfinished() const { return is_unfinished_; }
-  /// Its checkpoints that the manifest bears out, in order.
+  /// Checkpoints of the earlier run whose checksum of the manifest matches, in order.
   const std::vector<Checkpoint>& checkpoints() const { return checkpoints_; }
-  /// The closed archives that it noted, in order.
+  /// Closed archives, in order.
   const std::vector<manifest::SealedFile>& closed() const { return closed_; }
-  /// What vouches for an earlier batch that was done; empty if nothing does.
+  /// Seal of the previous, finished batch; empty if there is none.
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
-  /// How the output of that differs from this one's, in words.
+  /// Describes how the output of the previous batch differs from this one; empty if it does not.
   std::string DifferenceFromPrevious() const;
-  /// Whether an earlier run of this output made that archive.
+  /// Returns true if an earlier run of this batch made that archive.
   bool HasMadeArchive(const std::string& archive) const;
-  /// SHA-256 of the assets of earlier runs of this output with the same spec.
+  /// SHA-256 of the assets of earlier runs with the same output and spec.
   const std::set<std::string>& made_assets() const { return made_assets_; }
 
-  /// The manifest under construction, and its final name.
+  /// Path of the manifest while it is under construction, and its final path.
   const std::filesystem::path& part() const { return manifest_file_->temporary(); }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Empties both, and notes the checkpoint before all others.
+  /// Empties manifest and journal, and adds the first checkpoint.
   bool Start(const Checkpoint& checkpoint, diag::Findings& findings);
-  /// Removes what came after the checkpoint.
+  /// Removes everything after the checkpoint from manifest and journal.
   bool RollBackTo(const Checkpoint& checkpoint, diag::Findings& findings);
   bool AppendRecords(std::string_view lines, diag::Findings& findings);
-  /// Whether the folder or the archive under construction has an asset with that name and hash.
+  /// Returns true if the folder or the archive under construction has an asset with that name and
+  /// hash.
   bool HasAsset(const HashedAsset& asset) const;
-  /// Notes one that comes into it. False, and a finding, if it was another before.
+  /// Adds an asset of the folder or of the archive under construction. Returns false, after adding
+  /// a finding, if an asset with that name has had another hash.
   bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
-  /// Notes a checkpoint: how far the archive is; the manifest's part of it is added.
+  /// Adds a checkpoint, with the present state of the manifest in place of checkpoint.manifest.
   bool AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings);
-  /// Notes an archive that is to get its name, and the checkpoint after it. From then on the
-  /// archive is known as ours.
+  /// Adds an archive that is about to be renamed to its final name, and the checkpoint after it.
+  /// From then on, HasMadeArchive recognizes the archive.
   bool AddClosedArchive(manifest::SealedFile archive, const Checkpoint& next,
                         diag::Findings& findings);
-  /// Seals the batch and gives the manifest its name.
+  /// Writes the seal, and renames the manifest to its final name.
   bool Finish(diag::Findings& findings);
-  /// Removes both.
+  /// Removes the journal and the manifest under construction.
   void Drop();
 
  private:
@@ -82,16 +87,16 @@ class Journal {
 
   SinkOptions options_;
   std::filesystem::path file_;
-  manifest::Seal seal_;  // of this run
+  manifest::Seal seal_;  // this run's
   std::unique_ptr<output::PartFile> manifest_file_;
   std::unique_ptr<output::PartFile> journal_file_;
   std::optional<manifest::Seal> previous_seal_;
-  std::optional<manifest::Seal> journal_seal_;  // as the journal has it
+  std::optional<manifest::Seal> journal_seal_;  // first line of the journal
   bool is_unfinished_ = false;
   std::vector<Checkpoint> checkpoints_;
-  std::vector<HashedAsset> assets_;  // in the folder, in the archive under construction
+  std::vector<HashedAsset> assets_;  // of the folder or of the archive under construction
   std::vector<manifest::SealedFile> closed_;
-  std::set<std::string> made_archives_;  // archives that were closed once
+  std::set<std::string> made_archives_;  // archives closed by any run
   std::set<std::string> made_assets_;
 };
 

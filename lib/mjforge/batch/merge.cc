@@ -1,3 +1,6 @@
+// Merging the manifests of shards: checks of completeness and origin, and the seal of the whole
+// batch.
+
 #include <fmt/format.h>
 
 #include <map>
@@ -9,10 +12,11 @@
 namespace mjforge::batch {
 namespace {
 
-// Lines are collected up to this size before they are written.
+// Lines are written in blocks of about this size.
 constexpr std::size_t kWriteBytes = 1 << 20;
 
-// "manifest-00003-of-00008.jsonl" beside "manifest.jsonl" -> 3 of 8.
+// Returns the shard of a manifest's name: 3 of 8 for "manifest-00003-of-00008.jsonl" if the merged
+// manifest is "manifest.jsonl"; nothing for other names.
 std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
   constexpr std::string_view kEnding = ".jsonl";
   constexpr std::string_view kOf = "-of-";
@@ -58,7 +62,7 @@ class ShardMerger {
   }
 
  private:
-  // How many shards there are; nothing, and findings, if one is missing.
+  // Returns the number of shards; nothing, after adding findings, if a shard is missing.
   std::optional<std::uint64_t> FindShards() {
     std::map<std::uint64_t, std::set<std::uint64_t>> found;  // indices, by count
     std::error_code error;
@@ -101,7 +105,7 @@ class ShardMerger {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 
-  // Whether each shard is there as it was when it was done, and all belong to one batch.
+  // Returns true if all shards match their seals and belong to one batch.
   bool CheckSeals(std::uint64_t count) {
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       const std::filesystem::path file = destination_.Manifest({i, count});
@@ -130,7 +134,7 @@ class ShardMerger {
     return !findings_.HasErrors();
   }
 
-  // How a shard differs from those before it, in words. Its assets join theirs.
+  // Describes how a shard differs from the shards before it; adds its assets to `whole_`.
   std::string DifferenceOf(const manifest::Seal& seal) {
     std::string difference = manifest::DifferenceOfOutput(seal, whole_);
     if (!difference.empty()) return difference;
@@ -212,7 +216,7 @@ class ShardMerger {
   diag::Findings& findings_;
   std::filesystem::path file_;
   ObjectChecker objects_;
-  manifest::Seal whole_;  // of the joined batch
+  manifest::Seal whole_;  // seal of the merged batch
   std::optional<manifest::Record> first_;
   std::uint64_t records_ = 0;
 };

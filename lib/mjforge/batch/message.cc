@@ -1,3 +1,5 @@
+// Binary encoding of tasks and results.
+
 #include "mjforge/batch/message.h"
 
 #include <algorithm>
@@ -73,7 +75,7 @@ class Decoder {
   std::string_view bytes_;
 };
 
-// The members of each struct.
+// Members(x) returns references to the members of a struct in the order of their encoding.
 auto Members(diag::SourceMark& mark) { return std::tie(mark.file, mark.line, mark.column); }
 auto Members(diag::Note& note) { return std::tie(note.mark, note.message); }
 auto Members(diag::Finding& finding) {
@@ -138,7 +140,7 @@ void Code(Coder& coder, diag::Findings& findings) {
   }
 }
 
-// Returns the number of bytes.
+// Encodes to `out`, or only measures if that is null; returns the number of bytes.
 template <typename Message>
 std::size_t EncodeMessage(char* out, const Message& message) {
   Encoder encoder(out);

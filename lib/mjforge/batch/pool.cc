@@ -1,3 +1,5 @@
+// Worker processes: forking, channels, shared memory, time limits, and replacement of dead workers.
+
 #include "mjforge/batch/pool.h"
 
 #include <fmt/format.h>
@@ -25,15 +27,16 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr int kPollMilliseconds = 100;
-// A chunk's result fits, mostly: fewer turns of both processes.
+// Most results fit into a buffer of this size, which saves context switches.
 constexpr int kBufferBytes = 1 << 20;
-constexpr int kBugStatus = 70;  // sysexits.h: EX_SOFTWARE
-// So many deaths in a row, none at work on a variant, are not the variants' fault.
+constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
+// More consecutive deaths of workers that were not making a variant are not caused by variants.
 constexpr int kMaxIdleDeaths = 10;
-// A process that looks at its workers less often was stopped (Ctrl-Z), and they, too.
+// If the leader does not look at its workers for longer, it was stopped (Ctrl-Z), as were the
+// workers.
 constexpr Seconds kMaxLookInterval{1};
 
-// A reader that is gone is a failed write, not a signal.
+// Writes all bytes to a socket; returns false, without a signal, if the other end is closed.
 bool WriteAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -55,14 +58,14 @@ bool ReadAll(int descriptor, char* bytes, std::size_t count) {
   return true;
 }
 
-// In place of a length: the message is in the worker's mailbox.
+// Sent in place of a length if the message is in the worker's mailbox.
 constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0};
 
 bool WriteLength(int descriptor, std::uint64_t size) {
   return WriteAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
 }
 
-// A message is its length, eight bytes, and itself.
+// Writes the length of a message, as eight bytes, and the message.
 bool WriteMessage(int descriptor, const std::string& message) {
   return WriteLength(descriptor, message.size()) && WriteAll(descriptor, message);
 }
@@ -93,16 +96,17 @@ Channel MakeChannel() {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot make a channel");
-  // Refused beyond the system's limit; then it only takes more turns.
+  // This fails beyond the system's limit, which only costs more context switches.
   for (const int end : ends) ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
   return {ends[0], ends[1]};
 }
 
-// Never returns. Signals of the terminal are for the process that leads.
+// Performs tasks until the channel closes. Ignores the terminal's signals, which the leader
+// handles.
 [[noreturn]] void RunWorker(const std::function<TaskHandler()>& make_handler, int channel,
                             WorkerMailbox& mailbox, ::pid_t leader) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != leader) std::_Exit(0);  // it ended before that
+  if (::getppid() != leader) std::_Exit(0);  // the leader ended before prctl
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
   int status = 0;
@@ -125,12 +129,12 @@ std::shared_ptr<WorkerMailbox> MakeMailbox() {
                               MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
     throw std::system_error(errno, std::generic_category(), "cannot share memory");
-  // Not WorkerMailbox(), which would fill the room for message.
+  // Default-initialized, because WorkerMailbox() would also clear the message buffers.
   return {new (memory) WorkerMailbox,
           [](WorkerMailbox* mailbox) { ::munmap(mailbox, sizeof(WorkerMailbox)); }};
 }
 
-// The message is in the mailbox as long as the result is there.
+// Decodes the next message in the mailbox; the result holds the buffer until it is destroyed.
 ChunkResult ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox) {
   const std::string_view message = mailbox->Take();
   return DecodeResult(
@@ -142,7 +146,7 @@ ChunkResult ReadResult(std::string_view message) {
   return DecodeResult(*memory, memory);
 }
 
-// CPU time of a process, all its threads; 0 if it is gone.
+// Returns the CPU time of all threads of a process; 0 if the process has ended.
 Seconds CpuTime(::pid_t process) {
   ::clockid_t clock = {};
   std::timespec time = {};
@@ -165,13 +169,13 @@ struct Pool::WorkerProcess {
   ::pid_t process = -1;
   int channel = -1;
   std::deque<Task> assigned;
-  std::string buffer;                      // of results, the last one perhaps in part
-  std::shared_ptr<WorkerMailbox> mailbox;  // from its start on
-  // When it last went on.
+  std::string buffer;                      // encoded results; the last one may be incomplete
+  std::shared_ptr<WorkerMailbox> mailbox;  // null until the first start
+  // State of the worker when it last made progress.
   std::uint64_t last_turn = 0;
-  Seconds last_change{};  // of Pool::watch_time_
+  Seconds last_change{};  // value of Pool::watch_time_
   Seconds last_cpu_time{};
-  std::string too_slow;  // how, if it was killed for it
+  std::string too_slow;  // reason for killing a slow worker; empty: not killed
 
   void Close() {
     if (channel >= 0) ::close(std::exchange(channel, -1));
@@ -187,7 +191,7 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
   for (std::uint64_t i = 0; i < jobs; ++i) workers_.push_back(std::make_unique<WorkerProcess>());
 }
 
-// A worker whose channel closes ends by itself. One that hangs or is stopped does not.
+// A worker ends by itself when its channel closes, unless it hangs or is stopped.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     worker->Close();
@@ -201,11 +205,11 @@ Pool::~Pool() {
 void Pool::Start(WorkerProcess& worker) {
   const Channel channel = MakeChannel();
   const ::pid_t leader = ::getpid();
-  worker.mailbox = MakeMailbox();  // results may still hold message in the former one
+  worker.mailbox = MakeMailbox();  // results may still refer to the previous one
   const ::pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
-    // Ends of other workers' channels would keep those alive.
+    // Open copies of other workers' channels would keep these workers alive.
     for (const auto& other : workers_) other->Close();
     ::close(channel.leader);
     RunWorker(make_handler_, channel.worker, *worker.mailbox, leader);
@@ -220,7 +224,7 @@ bool Pool::HasRoom() const {
   const auto has_room = [this](const auto& worker) {
     return worker->assigned.size() < tasks_per_worker_;
   };
-  // Who takes results more slowly than they come must not gather them without end.
+  // Submit no more tasks if results are taken more slowly than they arrive.
   const bool keeps_up = results_.size() <= workers_.size();
   return !stopped_ && keeps_up && waiting_.empty() &&
          std::any_of(workers_.begin(), workers_.end(), has_room);
@@ -231,7 +235,7 @@ void Pool::Submit(Task task) {
   Feed();
 }
 
-// The worker with the least to do gets the next task.
+// Gives waiting tasks to the workers with the fewest tasks.
 void Pool::Feed() {
   while (!waiting_.empty() && !stopped_) {
     const auto least = std::min_element(
@@ -249,7 +253,8 @@ void Pool::Send(WorkerProcess& worker, Task task) {
   if (worker.assigned.empty()) RecordProgress(worker);
   const std::string message = Encode(task);
   worker.assigned.push_back(std::move(task));
-  WriteMessage(worker.channel, message);  // fails if the worker is dead, which Receive notices
+  WriteMessage(worker.channel,
+               message);  // if this fails, the worker is dead, and Receive replaces it
 }
 
 bool Pool::IsBusy() const {
@@ -259,7 +264,7 @@ bool Pool::IsBusy() const {
 
 std::optional<ChunkResult> Pool::Wait(bool may_wait) {
   std::vector<::pollfd> polled;
-  // poll passes over those that have no process yet: their channel is -1.
+  // poll ignores workers that are not started, because their channel is -1.
   for (const auto& worker : workers_) polled.push_back({worker->channel, POLLIN, 0});
   ::poll(polled.data(), polled.size(), may_wait && results_.empty() ? kPollMilliseconds : 0);
   for (std::size_t i = 0; i < polled.size(); ++i) {
@@ -321,7 +326,7 @@ void Pool::Replace(WorkerProcess& worker) {
   } else if (++idle_deaths_ > kMaxIdleDeaths) {
     throw std::runtime_error(fmt::format("workers cannot run: the last one {}", how));
   }
-  // They come before what waits: results are wanted in order.
+  // Retried tasks go to the front of the queue, because results are needed in index order.
   waiting_.insert(waiting_.begin(), std::make_move_iterator(tasks.begin()),
                   std::make_move_iterator(tasks.end()));
 }
@@ -352,7 +357,7 @@ void Pool::KillSlowWorkers() {
   }
 }
 
-// Tasks that are begun come back as far as they are.
+// Results of begun tasks contain the variants made so far.
 void Pool::AskToStop() {
   stopped_ = true;
   waiting_.clear();

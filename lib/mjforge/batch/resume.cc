@@ -1,3 +1,5 @@
+// Reading the records of an unfinished batch that need not be made again.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +34,7 @@ std::optional<ResumedVariants> ReadResumable(
   while (lines && resumed.done() < options.range.count && lines->Next(line, why_not)) {
     if (lines->torn() || resumed.bytes + line.size() + 1 > bytes) break;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
-    if (!record) break;  // a crash of the machine may leave anything
+    if (!record) break;  // a crash of the machine may leave arbitrary bytes
     std::string difference = manifest::DifferenceOfBatch(*record, options.batch);
     const std::uint64_t expected = options.range.first + resumed.done();
     if (difference.empty() && record->index != expected)

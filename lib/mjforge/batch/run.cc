@@ -1,3 +1,5 @@
+// Running a batch: tasks for the pool, results in index order, findings, progress, interruption.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,16 +18,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Results that wait for an earlier one take at most about this much memory.
+// Approximate limit of the memory of results that wait for an earlier one.
 constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
-// After a signal, workers may finish the variant they are at for so long.
+// Time that workers have to finish their current variants after a signal.
 constexpr std::chrono::seconds kGrace{2};
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-// Warns where a sampler or an exact choice cannot cover the batch evenly: it begins in the middle
-// of a block, or a grid has more or fewer points than variants.
+// Warns if a sampler or an exact choice cannot cover the batch evenly, because the batch overlaps
+// several blocks, or because a grid has more or fewer points than the batch has variants.
 void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Findings& findings) {
   const forge::Options& options = request.variant;
   const std::uint64_t size = options.batch;
@@ -95,7 +97,7 @@ class BatchRun {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // What is not validated is made faster than this process gets its turn among its workers.
+    // Without validation, workers finish tasks faster than the leader is scheduled among them.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
       return MakeTaskHandler(recipe_, sources_, request_, sink.overwrite(),
@@ -110,7 +112,7 @@ class BatchRun {
         pool.Submit({*chunk, {}});
         chunk = schedule.Next();
       }
-      // One is taken at a time: workers get tasks in between.
+      // Take only one result at a time, so that workers get new tasks in between.
       if (std::optional<ChunkResult> result = pool.Wait(!HasNext())) {
         waiting_bytes_ += SizeOf(*result);
         const std::uint64_t first = result->chunk.first;
@@ -121,7 +123,7 @@ class BatchRun {
       summary_.interrupted |=
           request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
       if ((summary_.interrupted || !goes_on) && !stopped) {
-        // Workers come to an end by themselves, so that none leaves half a file.
+        // Workers stop by themselves, so that none leaves an incomplete file.
         stopped = Clock::now();
         pool.AskToStop();
         chunk.reset();
@@ -134,16 +136,16 @@ class BatchRun {
     return result.lines.size() + result.segment.size() + result.text.size();
   }
 
-  // Whether the result is there that is next in order.
+  // Returns true if the next result in index order is available.
   bool HasNext() const { return !waiting_.empty() && waiting_.begin()->first == next_; }
 
-  // False: the batch cannot go on.
+  // Takes the next result; returns false if the batch must stop.
   bool TakeNext(Sink& sink, diag::Findings& output_findings) {
     ChunkResult result = std::move(waiting_.extract(waiting_.begin()).mapped());
     waiting_bytes_ -= SizeOf(result);
     RenumberSources(result);
     const bool taken = sink.Take(result, output_findings);
-    // What failed is the chunk's first variant, or one after it.
+    // The failed variant is the first one of the chunk or a later one.
     if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
     if (!taken || result.files_failed) {
       summary_.files_failed = true;
@@ -151,7 +153,7 @@ class BatchRun {
     }
     if (taken) Count(result);
     next_ = result.chunk.end();
-    // With fewer variants it was asked to stop.
+    // A result with fewer variants comes from a worker that was asked to stop.
     return !summary_.files_failed && result.done == result.chunk.count;
   }
 
@@ -164,7 +166,7 @@ class BatchRun {
     for (const FinishedVariant& done : result.variants) observer_.variant(done);
   }
 
-  // A worker's sources get the numbers they have here; each is added once.
+  // Adds each source of a worker once, and replaces the worker's numbers by the leader's.
   void RenumberSources(ChunkResult& result) {
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (SourceText& source : result.sources) {
@@ -200,7 +202,8 @@ class BatchRun {
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
       sink.Drop();
-    } else if (!is_broken && !is_withheld) {  // what is broken stays as it is, to be resumed
+    } else if (!is_broken &&
+               !is_withheld) {  // an incomplete batch stays under construction, to be resumed
       summary_.files_failed = !sink.Finish(output_findings);
     }
   }
@@ -211,12 +214,13 @@ class BatchRun {
   const Observer& observer_;
   IndexRange all_;
   IndexRange range_;
-  manifest::Record record_;                       // what all records have in common
-  std::map<std::uint64_t, ChunkResult> waiting_;  // by first index
+  manifest::Record record_;                       // fields that all records have in common
+  std::map<std::uint64_t, ChunkResult> waiting_;  // key: index of the first variant
   std::size_t waiting_bytes_ = 0;
   std::uint64_t next_ = 0;
   FindingSummary finding_summary_{kMaxFindings};
-  std::map<std::string, std::uint32_t> attached_;  // sources that workers read
+  std::map<std::string, std::uint32_t>
+      attached_;  // leader's numbers of the sources that workers read, by name
   Clock::time_point shown_;
   Summary summary_;
 };

@@ -1,3 +1,5 @@
+// Division of a batch into chunks and shards.
+
 #include "mjforge/batch/schedule.h"
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 namespace mjforge::batch {
 namespace {
 
-// part / parts of a whole, without overflow.
+// Returns whole * part / parts without overflow.
 std::uint64_t Portion(std::uint64_t whole, std::uint64_t part, std::uint64_t parts) {
   return whole / parts * part + whole % parts * part / parts;
 }
@@ -20,7 +22,7 @@ Schedule::Schedule(const IndexRange& all, const IndexRange& todo,
       per_archive_(destination.per_archive),
       size_(kSegmentVariants) {
   if (!destination.IsArchive()) {
-    constexpr std::uint64_t kChunksPerJob = 8;  // so that none is left with much at the end
+    constexpr std::uint64_t kChunksPerJob = 8;  // so that the last chunks are small
     size_ = std::clamp<std::uint64_t>(todo.count / (kChunksPerJob * jobs), 1, kSegmentVariants);
   }
 }

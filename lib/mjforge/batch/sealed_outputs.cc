@@ -1,3 +1,5 @@
+// Comparison of files with the seal and the records of their batch.
+
 #include "mjforge/batch/sealed_outputs.h"
 
 #include <fmt/format.h>
@@ -9,10 +11,10 @@
 namespace mjforge::batch {
 namespace {
 
-// More than a seal with as many archives as there may be files in a folder.
+// Limit of the size of a seal, more than that of a seal with as many archives as a folder can have.
 constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
 
-// Assets that are not read again.
+// Limit of assets whose results are remembered.
 constexpr std::size_t kMaxRememberedAssets = 10'000;
 
 void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
@@ -25,7 +27,8 @@ void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
                "run the command that made it again with --resume");
 }
 
-// Whether a file is there and not empty or, with `verify`, has its hash.
+// Returns true if a file exists and is not empty or, with `verify`, has its hash; otherwise adds a
+// finding.
 bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t limit,
                const std::string& sha256, diag::Findings& findings) {
   std::string why_not;
@@ -65,7 +68,7 @@ bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findin
 
 bool ObjectChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
   const std::filesystem::path folder = (folder_ / record.file).parent_path();
-  // Those that are made may be others for each record.
+  // Each record may have generated assets of its own.
   if (assets_.size() > kMaxRememberedAssets) assets_.clear();
   return std::ranges::all_of(record.assets, [&](const auto& asset) {
     const auto& [name, sha256] = asset;

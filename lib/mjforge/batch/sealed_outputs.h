@@ -1,3 +1,5 @@
+// Comparison of files with the seal and the records of their batch.
+
 #pragma once
 
 #include <filesystem>
@@ -11,27 +13,28 @@
 
 namespace mjforge::batch {
 
-/// The seal beside a manifest; nothing, and why, if there is none or it is damaged.
+/// Returns the seal beside a manifest; nothing, and the reason in `why_not`, if there is none or it
+/// is damaged.
 std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
                                              std::string& why_not);
 
-/// Whether the file in `folder` is as its seal says: its size or, with `verify`, its bytes; else
-/// why not.
+/// Returns true if the size or, with `verify`, the checksum of the file in `folder` matches its
+/// seal; otherwise false, and the reason in `why_not`.
 bool MatchesSeal(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  std::string& why_not);
 
-/// The same, with a finding if not.
+/// Calls MatchesSeal, and adds a finding if the file does not match.
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
 
-/// What records say is in a folder. Assets that many share are read once.
+/// Compares the files of a folder with records. Reads an asset of several objects only once.
 class ObjectChecker {
  public:
   ObjectChecker(std::filesystem::path folder, bool verify)
       : folder_(std::move(folder)), verify_(verify) {}
 
-  /// Whether the record's own file and its assets are there and not empty or, with `verify`, have
-  /// their hashes. Else a finding, of each asset once.
+  /// Returns true if the file of the record and its assets exist and are not empty or, with
+  /// `verify`, have their hashes. Otherwise adds a finding; each asset is reported once.
   bool Check(const manifest::Record& record, diag::Findings& findings);
 
  private:
@@ -39,7 +42,7 @@ class ObjectChecker {
 
   std::filesystem::path folder_;
   bool verify_;
-  // Whether they were good, with the hashes that they should have.
+  // Results of assets that were checked, by path and expected hash.
   std::map<std::pair<std::filesystem::path, std::string>, bool> assets_;
 };
 

@@ -1,3 +1,5 @@
+// Sinks of a single file and of standard output, and the choice of the sink.
+
 #include "mjforge/batch/sink.h"
 
 #include <fmt/format.h>
@@ -7,7 +9,7 @@ namespace {
 
 using Kind = output::Destination::Kind;
 
-// Enough for the first line of any manifest, which may be gigabytes long.
+// Limit of the first line of a manifest; the manifest itself may have gigabytes.
 constexpr std::size_t kLongestLine = 1024 * 1024;
 
 class FileSink : public Sink {
@@ -77,7 +79,7 @@ std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
 }
 
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  // An empty one holds nothing that could be lost.
+  // An empty file contains nothing that could be lost.
   const auto is_ours = [](std::string_view start) {
     std::string why_not;
     return start.empty() || manifest::ReadRecord(start.substr(0, start.find('\n')), why_not);

@@ -1,3 +1,5 @@
+// Verifying finished batches: comparison of all their files with seals and records.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +41,7 @@ class Verification {
     return seal.parent_path() / (name + std::string(kManifestEnding));
   }
 
-  // The names in a folder, in order.
+  // Returns the names in a folder in alphabetical order.
   std::vector<std::string> NamesIn(const std::filesystem::path& folder) {
     std::vector<std::string> names;
     std::error_code error;
@@ -64,7 +66,7 @@ class Verification {
         CheckBatch(ManifestOf(folder / name));
       } else if (name.ends_with("manifest.jsonl") &&
                  !std::filesystem::exists(manifest::SealPathOf(folder / name))) {
-        CheckBatch(folder / name);  // which says so
+        CheckBatch(folder / name);  // reports that the seal is missing
       } else {
         continue;
       }
@@ -120,7 +122,7 @@ class Verification {
     return is_good;
   }
 
-  // The batch that has it.
+  // Checks an archive by the seal of the batch that contains it.
   void CheckArchive(const std::filesystem::path& archive) {
     const std::filesystem::path folder = archive.parent_path();
     for (const std::string& name : NamesIn(folder)) {

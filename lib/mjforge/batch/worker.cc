@@ -1,3 +1,5 @@
+// Tasks as workers perform them: variants, records, segments, assets, findings with their sources.
+
 #include "mjforge/batch/worker.h"
 
 #include <fmt/format.h>
@@ -48,7 +50,7 @@ class ChunkMaker {
     result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
     for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
     for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
-    // Attached files became sources as they were read.
+    // Report the sources that were added since the last task: attached files.
     while (reported_sources_ < sources_.size())
       result.inputs.push_back(sources_.Name(++reported_sources_));
     return result;
@@ -82,8 +84,8 @@ class ChunkMaker {
     return finding;
   }
 
-  // False if a file that the variant needs could not be read: not the variant's fault, so that it
-  // is made again with --resume.
+  // Returns false if an input file of the variant could not be read. This is an error of the batch,
+  // not a failure of the variant, so that --resume makes the variant again.
   bool HasInputs(ChunkResult& result) const {
     bool has_all = true;
     for (const diag::Finding& finding : variant_.findings) {
@@ -94,7 +96,7 @@ class ChunkMaker {
     return has_all;
   }
 
-  // The variant's bytes and its record to where they go; false if that fails.
+  // Writes the variant and its record to the destination; returns false if that fails.
   bool Write(ChunkResult& result) {
     if (request_.destination.kind == Kind::kNowhere) return true;
     record_line_.clear();
@@ -126,7 +128,7 @@ class ChunkMaker {
     return true;
   }
 
-  // Those that are made go to the leading process only where it writes them.
+  // Adds the assets of the variant to the result; generated ones only if the leader writes them.
   void AddAssets(ChunkResult& result) const {
     for (const auto& [name, source, made] : variant_.document.assets) {
       if (made && request_.destination.kind != Kind::kFile) continue;
@@ -138,7 +140,8 @@ class ChunkMaker {
     }
   }
 
-  // What is made for the object goes before it, once in a segment: these are made side by side.
+  // Adds generated assets before their object, once in each segment, because other segments are
+  // made independently.
   bool AddMadeFiles(diag::Findings& findings) {
     return std::ranges::all_of(variant_.document.assets, [&](const bytes::Asset& asset) {
       return !asset.made || !made_members_.insert(asset.name).second ||
@@ -146,12 +149,12 @@ class ChunkMaker {
     });
   }
 
-  // The object and its record to the archive.
+  // Adds the object and its record to the segment.
   bool AddMembers(diag::Findings& findings) {
     manifest::Record& record = variant_.record;
     const std::string stem = output::VariantStem(record.name, record.index);
     record.file = stem + ".xml";
-    // The record there says nothing of places: two archives of the same variants are the same.
+    // This record contains no paths, so that archives of the same variants have the same bytes.
     std::string spec_file = std::exchange(record.spec_file, {});
     manifest::AppendRecord(record_line_, record);
     record.spec_file = std::move(spec_file);
@@ -173,7 +176,7 @@ class ChunkMaker {
     }
   }
 
-  // The texts that the leading process lacks.
+  // Adds the sources of a finding that the leader does not have.
   void AddSources(const diag::Finding& finding, ChunkResult& result) {
     const auto add = [&](diag::SourceMark mark) {
       const auto same = [&](const SourceText& source) { return source.number == mark.file; };
@@ -190,17 +193,17 @@ class ChunkMaker {
   const Request& request_;
   bool lists_variants_;
   diag::Sources& sources_;
-  std::uint32_t leader_sources_;  // the leading process has these
+  std::uint32_t leader_sources_;  // number of sources that the leader has
   std::uint32_t reported_sources_;
   std::set<std::string> reported_assets_;
   forge::Generator generator_;
   output::ObjectFolder folder_;
   output::Segment segment_;
-  std::set<std::string> made_members_;  // of that
+  std::set<std::string> made_members_;  // generated assets in the segment
   forge::Variant variant_;
-  std::string archive_;       // the name of the one that the chunk goes to
-  std::string record_lines_;  // the chunk's records
-  std::string record_line_;   // the record in the archive; empty: it is not there
+  std::string archive_;       // name of the chunk's archive
+  std::string record_lines_;  // records of the chunk
+  std::string record_line_;   // record in the archive; empty: the archive does not contain it
 };
 
 }  // namespace
