@@ -35,7 +35,7 @@ struct Request {
   /// targets.
   bool all_or_nothing = false;
 
-  std::uint64_t jobs = 0;  // worker processes; 0: as many as there are cores
+  std::uint64_t jobs = 0;  // number of worker processes; 0: one per core
   /// Limit of CPU time for each variant. A variant that exceeds it fails, and its worker is killed.
   /// A variant that exceeds WallLimit of wall time fails as well, because it hangs.
   std::chrono::duration<double> time_limit = std::chrono::seconds(30);

@@ -24,7 +24,7 @@ class FolderSink : public Sink {
   std::optional<ResumedVariants> Open(diag::Findings& findings) override {
     if (!folders_.Make(folder_, findings)) return std::nullopt;
     if (!journal_.Open(findings)) return std::nullopt;
-    if (request_.resume || journal_.is_unfinished()) RemoveHalfWritten();
+    if (request_.resume || journal_.is_unfinished()) RemoveAbandonedFiles();
     std::optional<ResumedVariants> resumed =
         request_.resume ? Continue(findings) : ResumedVariants();
     if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // remove the files that Open made
@@ -63,7 +63,7 @@ class FolderSink : public Sink {
   void Drop() override { journal_.Drop(); }
 
  private:
-  void RemoveHalfWritten() const {
+  void RemoveAbandonedFiles() const {
     output::RemoveAbandoned(folder_, true, [range = options_.range](const std::string& file) {
       const std::optional<std::uint64_t> index = output::IndexOfFile(file);
       return !index || (*index >= range.first && *index - range.first < range.count);

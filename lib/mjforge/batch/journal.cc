@@ -198,7 +198,7 @@ bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
 
 bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {
   if (!manifest_file_->Truncate(0, findings) || !journal_file_->Truncate(0, findings)) return false;
-  ReadJournal();  // it is empty, so this clears what was read before
+  ReadJournal();  // clears what was read before, because the journal is empty
   std::string seal = manifest::SealText(seal_);
   seal.pop_back();
   if (!AppendLine(std::string(kBegin) + seal, findings) || !AppendEarlierOutputs(findings) ||

@@ -94,7 +94,7 @@ class Journal {
   std::optional<manifest::Seal> journal_seal_;  // first line of the journal
   bool is_unfinished_ = false;
   std::vector<Checkpoint> checkpoints_;
-  std::vector<HashedAsset> assets_;  // of the folder or of the archive under construction
+  std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
   std::vector<manifest::SealedFile> closed_;
   std::set<std::string> made_archives_;  // archives closed by any run
   std::set<std::string> made_assets_;

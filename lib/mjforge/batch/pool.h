@@ -52,8 +52,8 @@ class WorkerMailbox {
   void Publish(std::size_t size) {
     messages_[published_++ % messages_.size()].size.store(size, std::memory_order_release);
   }
-  /// Returns the next published message, which remains until it is released. The caller must know
-  /// that there is one.
+  /// Returns the next published message, which remains until it is released. There must be
+  /// one.
   std::string_view Take() {
     const SharedMessage& message = messages_[taken_++ % messages_.size()];
     // Limit the size, because a crashing worker may have overwritten it.

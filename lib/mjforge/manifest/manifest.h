@@ -74,7 +74,7 @@ struct StatusCounts {
   std::uint64_t done() const { return ok + failed + skipped; }
 };
 
-/// One line of manifest.jsonl: provenance and result of a variant. In contrast to the provenance in
+/// A line of manifest.jsonl: provenance and result of a variant. In contrast to the provenance in
 /// the variant's file, the name is always set.
 struct Record : mjcf::Provenance {
   std::string file;       // relative to the manifest, or in the archive; empty: no file was written

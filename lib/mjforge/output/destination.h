@@ -12,7 +12,7 @@
 
 namespace mjforge::output {
 
-/// One part of a batch that is divided among several commands; `index` counts from 0.
+/// A part of a batch that is divided among several commands; `index` counts from 0.
 struct Shard {
   std::uint64_t index = 0;
   std::uint64_t count = 1;
