@@ -98,9 +98,8 @@ class ArchiveSink : public Sink {
         bytes::IsSound(journal_.file(), seal.manifest.content, why_not) &&
         std::ranges::all_of(seal.archives, [&](const auto& file) { return IsIntact(file); });
     if (!is_sound) return ResumedVariants();
-    const auto is_good = [](const manifest::Record&) { return true; };
     const std::optional<ResumedVariants> resumed =
-        ReadResumable(journal_.file(), options_, is_good, findings);
+        ReadResumable(journal_.file(), options_, nullptr, findings);
     if (!resumed) return std::nullopt;
     is_complete_ = resumed->done() == options_.range.count;
     return is_complete_ ? resumed : ResumedVariants();
@@ -110,9 +109,8 @@ class ArchiveSink : public Sink {
   std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
     if (checkpoints.empty()) return ResumedVariants();
-    const auto is_good = [](const manifest::Record&) { return true; };
     const std::optional<ResumedVariants> whole = ReadResumable(
-        journal_.part(), options_, is_good, findings, checkpoints.back().manifest.size);
+        journal_.part(), options_, nullptr, findings, checkpoints.back().manifest.size);
     if (!whole) return std::nullopt;
     const std::optional<Checkpoint> checkpoint =
         LastValidCheckpoint(options_.range.first + whole->done());
@@ -121,7 +119,7 @@ class ArchiveSink : public Sink {
     const std::optional<ResumedVariants> resumed =
         whole->bytes == checkpoint->manifest.size
             ? whole
-            : ReadResumable(journal_.part(), options_, is_good, findings,
+            : ReadResumable(journal_.part(), options_, nullptr, findings,
                             checkpoint->manifest.size);
     if (!journal_.RollBackTo(*checkpoint, findings)) return std::nullopt;
     checkpoint_ = *checkpoint;
@@ -169,8 +167,8 @@ class ArchiveSink : public Sink {
   }
 
   bool IsIntact(const manifest::SealedFile& archive) const {
-    std::string why_not;
-    return MatchesSeal(destination_.Folder(), archive, request_.verify, why_not);
+    diag::Findings ignored;
+    return CheckSealed(destination_.Folder(), archive, request_.verify, ignored);
   }
 
   bool OpenArchive(std::uint64_t bytes, diag::Findings& findings) {

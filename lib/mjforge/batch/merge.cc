@@ -65,19 +65,11 @@ class ShardMerger {
   // Returns the number of shards; nothing, after adding findings, if a shard is missing.
   std::optional<std::uint64_t> FindShards() {
     std::map<std::uint64_t, std::set<std::uint64_t>> found;  // indices, by count
-    std::error_code error;
-    const std::filesystem::path folder = destination_.Folder();
     const std::string manifest = file_.filename().string();
-    for (const auto& entry :
-         std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
-      const auto shard = ShardOf(entry.path().filename().string(), manifest);
-      if (shard) found[shard->count].insert(shard->index);
+    for (const std::string& name : NamesIn(destination_.Folder(), findings_)) {
+      if (const auto shard = ShardOf(name, manifest)) found[shard->count].insert(shard->index);
     }
-    if (error) {
-      findings_.Add(diag::Code::kYamlCannotRead, {},
-                    fmt::format("cannot read '{}': {}", folder.string(), error.message()));
-      return std::nullopt;
-    }
+    if (findings_.HasErrors()) return std::nullopt;
     if (found.empty()) {
       ReportMissing(fmt::format("no shard of '{}' has a manifest", file_.string()),
                     "a shard's manifest gets its name when the shard is done");

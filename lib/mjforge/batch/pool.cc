@@ -226,8 +226,7 @@ bool Pool::HasRoom() const {
   };
   // Submit no more tasks if results are taken more slowly than they arrive.
   const bool keeps_up = results_.size() <= workers_.size();
-  return !stopped_ && keeps_up && waiting_.empty() &&
-         std::any_of(workers_.begin(), workers_.end(), has_room);
+  return !stopped_ && keeps_up && waiting_.empty() && std::ranges::any_of(workers_, has_room);
 }
 
 void Pool::Submit(Task task) {
@@ -238,9 +237,8 @@ void Pool::Submit(Task task) {
 // Gives waiting tasks to the workers with the fewest tasks.
 void Pool::Feed() {
   while (!waiting_.empty() && !stopped_) {
-    const auto least = std::min_element(
-        workers_.begin(), workers_.end(),
-        [](const auto& a, const auto& b) { return a->assigned.size() < b->assigned.size(); });
+    const auto least = std::ranges::min_element(
+        workers_, {}, [](const auto& worker) { return worker->assigned.size(); });
     if ((*least)->assigned.size() == tasks_per_worker_) return;
     Task task = std::move(waiting_.front());
     waiting_.pop_front();
@@ -259,7 +257,7 @@ void Pool::Send(WorkerProcess& worker, Task task) {
 
 bool Pool::IsBusy() const {
   const auto has_task = [](const auto& worker) { return !worker->assigned.empty(); };
-  return !results_.empty() || std::any_of(workers_.begin(), workers_.end(), has_task);
+  return !results_.empty() || std::ranges::any_of(workers_, has_task);
 }
 
 std::optional<ChunkResult> Pool::Wait(bool may_wait) {

@@ -11,9 +11,9 @@ namespace mjforge::batch {
 bool FailedByChance(const manifest::Record& record) {
   const std::string died =
       fmt::format("\"code\":\"{}\"", diag::CodeName(diag::Code::kBatchWorkerDied));
-  return std::any_of(
-      record.findings.begin(), record.findings.end(),
-      [&](const std::string& finding) { return finding.find(died) != finding.npos; });
+  return std::ranges::any_of(record.findings, [&](const std::string& finding) {
+    return finding.find(died) != finding.npos;
+  });
 }
 
 void ReportOtherBatch(const std::filesystem::path& file, const std::string& difference,
@@ -43,7 +43,7 @@ std::optional<ResumedVariants> ReadResumable(
       ReportOtherBatch(manifest, difference, findings);
       return std::nullopt;
     }
-    if (FailedByChance(*record) || !is_good(*record)) break;
+    if (FailedByChance(*record) || (is_good && !is_good(*record))) break;
     resumed.Add(record->status);
     resumed.bytes += line.size() + 1;
   }

@@ -47,18 +47,28 @@ std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manife
   return text ? manifest::ReadSeal(*text, why_not) : std::nullopt;
 }
 
-bool MatchesSeal(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
-                 std::string& why_not) {
-  return verify ? bytes::IsSound(folder / file.file, file.content, why_not)
-                : bytes::HasSize(folder / file.file, file.content.size, why_not);
+std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings) {
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
+    names.push_back(at->path().filename().string());
+  if (error) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", folder.string(), error.message()));
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings) {
+  const std::filesystem::path path = folder / file.file;
   std::string why_not;
-  if (MatchesSeal(folder, file, verify, why_not)) return true;
-  ReportDamage(folder / file.file, why_not, findings);
-  return false;
+  const bool is_good = verify ? bytes::IsSound(path, file.content, why_not)
+                              : bytes::HasSize(path, file.content.size, why_not);
+  if (!is_good) ReportDamage(path, why_not, findings);
+  return is_good;
 }
 
 bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findings) {

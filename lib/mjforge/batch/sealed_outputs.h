@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/manifest/manifest.h"
@@ -18,12 +19,11 @@ namespace mjforge::batch {
 std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
                                              std::string& why_not);
 
-/// Returns true if the size or, with `verify`, the checksum of the file in `folder` matches its
-/// seal; otherwise false, and the reason in `why_not`.
-bool MatchesSeal(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
-                 std::string& why_not);
+/// Returns the names in a folder in alphabetical order; adds a finding if it cannot be read.
+std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings);
 
-/// Calls MatchesSeal, and adds a finding if the file does not match.
+/// Returns true if the size or, with `verify`, the checksum of the file in `folder` matches its
+/// seal; otherwise adds a finding.
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
 

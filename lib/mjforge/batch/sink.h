@@ -52,8 +52,8 @@ struct SinkOptions {
 };
 
 /// Reads the records of `manifest` from the start, until `options.range` or `bytes` bytes are
-/// complete or `is_good` rejects one. Returns nothing, after adding a finding, if a record belongs
-/// to another batch or does not have the next index.
+/// complete or `is_good`, unless null, rejects one. Returns nothing, after adding a finding, if a
+/// record belongs to another batch or does not have the next index.
 std::optional<ResumedVariants> ReadResumable(
     const std::filesystem::path& manifest, const SinkOptions& options,
     const std::function<bool(const manifest::Record&)>& is_good, diag::Findings& findings,

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "mjforge/batch/batch.h"
@@ -35,30 +34,13 @@ class Verification {
   }
 
  private:
-  static std::filesystem::path ManifestOf(const std::filesystem::path& seal) {
-    std::string name = seal.filename().string();
-    name.erase(name.size() - kSealEnding.size());
-    return seal.parent_path() / (name + std::string(kManifestEnding));
-  }
-
-  // Returns the names in a folder in alphabetical order.
-  std::vector<std::string> NamesIn(const std::filesystem::path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-    for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
-      names.push_back(at->path().filename().string());
-    if (error) {
-      findings_.Add(diag::Code::kYamlCannotRead, {},
-                    fmt::format("cannot read '{}': {}", folder.string(), error.message()));
-    }
-    std::ranges::sort(names);
-    return names;
+  static std::filesystem::path ManifestOf(std::filesystem::path seal) {
+    return seal.replace_extension().replace_extension(kManifestEnding);
   }
 
   void CheckFolder(const std::filesystem::path& folder) {
     bool is_empty = true;
-    for (const std::string& name : NamesIn(folder)) {
+    for (const std::string& name : NamesIn(folder, findings_)) {
       if (name.ends_with("manifest.jsonl.part")) {
         ReportMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
                       "the command that began it goes on with --resume");
@@ -125,7 +107,7 @@ class Verification {
   // Checks an archive by the seal of the batch that contains it.
   void CheckArchive(const std::filesystem::path& archive) {
     const std::filesystem::path folder = archive.parent_path();
-    for (const std::string& name : NamesIn(folder)) {
+    for (const std::string& name : NamesIn(folder, findings_)) {
       if (!name.ends_with(kSealEnding)) continue;
       std::string why_not;
       const auto seal = ReadSealBeside(ManifestOf(folder / name), why_not);

@@ -58,9 +58,7 @@ class ChunkMaker {
 
  private:
   void Make(std::uint64_t index, const Task& task, WorkerMailbox& mailbox) {
-    const auto quarantined =
-        std::find_if(task.quarantined.begin(), task.quarantined.end(),
-                     [&](const QuarantinedVariant& c) { return c.index == index; });
+    const auto quarantined = std::ranges::find(task.quarantined, index, &QuarantinedVariant::index);
     if (quarantined != task.quarantined.end()) {
       generator_.Fail(index, FindingOf(*quarantined), variant_);
     } else {
@@ -179,12 +177,10 @@ class ChunkMaker {
   // Adds the sources of a finding that the leader does not have.
   void AddSources(const diag::Finding& finding, ChunkResult& result) {
     const auto add = [&](diag::SourceMark mark) {
-      const auto same = [&](const SourceText& source) { return source.number == mark.file; };
-      if (mark.file <= leader_sources_ ||
-          std::any_of(result.sources.begin(), result.sources.end(), same)) {
-        return;
-      }
-      result.sources.push_back({mark.file, sources_.Name(mark.file), sources_.Text(mark.file)});
+      const bool is_known = mark.file <= leader_sources_ ||
+                            std::ranges::count(result.sources, mark.file, &SourceText::number) > 0;
+      if (!is_known)
+        result.sources.push_back({mark.file, sources_.Name(mark.file), sources_.Text(mark.file)});
     };
     add(finding.mark);
     for (const diag::Note& note : finding.notes) add(note.mark);
