@@ -257,14 +257,17 @@ bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findin
 
 bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
                                diag::Findings& findings) {
+  const bool is_durable = options_.request.durability == Durability::kBatch;
+  // The name of the part must be on the disk before the journal mentions the archive, because this
+  // name shows after a power cut that a file with the final name is an older one.
+  if (is_durable && !output::SyncFolder(file_.parent_path(), false, findings)) return false;
   const std::string line =
       fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
   made_archives_.insert(archive.file);
   closed_.push_back(std::move(archive));
   assets_.clear();
   return AppendLine(line, findings) && AddCheckpoint(next, findings) &&
-         (options_.request.durability == Durability::kNone ||
-          (manifest_file_->Sync(findings) && journal_file_->Sync(findings)));
+         (!is_durable || (manifest_file_->Sync(findings) && journal_file_->Sync(findings)));
 }
 
 bool Journal::Finish(diag::Findings& findings) {
