@@ -1,3 +1,5 @@
+// Tests of assets in batches: copies, changes, and assets of earlier runs.
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"
@@ -8,7 +10,7 @@ namespace {
 struct AssetsTest : CrateBatch {
   AssetsTest() : CrateBatch(kWoodenSpec) { folder.Write("wood.png", Png('a')); }
 
-  // The finding that ended the batch; empty if it was made.
+  // Returns the finding that ended the batch; empty if the batch was made.
   std::string ErrorOf(const Request& request) {
     const Summary summary = Make(request);
     return summary.files_failed ? summary.findings[0].message : std::string();

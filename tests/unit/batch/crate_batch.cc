@@ -1,3 +1,5 @@
+// Batches of a crate for tests.
+
 #include "crate_batch.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,5 @@
+// Tests of grouping findings.
+
 #include "mjforge/batch/finding_summary.h"
 
 #include <catch2/catch.hpp>

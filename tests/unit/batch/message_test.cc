@@ -1,3 +1,5 @@
+// Tests of encoding tasks and results.
+
 #include "mjforge/batch/message.h"
 
 #include <catch2/catch.hpp>

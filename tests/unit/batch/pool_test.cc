@@ -1,3 +1,5 @@
+// Tests of worker processes: deaths, time limits, interruption.
+
 #include "mjforge/batch/pool.h"
 
 #include <sys/mman.h>
@@ -14,7 +16,7 @@
 namespace mjforge::batch {
 namespace {
 
-// TaskHandler that tells the indices it did, in `text`, and meets its end where `fate` says so.
+// Returns a pool whose results list the indices made; `fate` may end the process of a worker.
 Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
               std::function<void(std::uint64_t)> fate) {
   return Pool(jobs, 2, limit, [fate] {
@@ -39,7 +41,7 @@ Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
   });
 }
 
-// The text of each chunk of ten indices, by its first.
+// Returns the text of each chunk of ten indices, by its first index.
 std::map<std::uint64_t, std::string> Work100(Pool& pool) {
   std::map<std::uint64_t, std::string> texts;
   std::uint64_t next = 0;
@@ -70,14 +72,14 @@ TEST_CASE("results that are taken slowly are not gathered without end") {
   auto* const done = new (memory) Count(0);
   Pool pool = MakePool(2, std::chrono::seconds(10), [done](std::uint64_t) { ++*done; });
   std::uint64_t submitted = 0;
-  std::uint64_t most = 0;  // that are on their way
+  std::uint64_t most = 0;  // largest number of tasks without a result
   for (std::uint64_t taken = 0; taken < 200;) {
     for (; submitted < 200 && pool.HasRoom(); ++submitted) pool.Submit({{submitted, 1, 0}, {}});
     most = std::max(most, submitted - taken);
     while (*done < submitted) std::this_thread::yield();
     if (pool.Wait()) ++taken;
   }
-  CHECK(most <= 8);  // two at hand for each worker, and as many results as wait at the most
+  CHECK(most <= 8);  // two tasks for each worker, and the results that may wait
   ::munmap(memory, sizeof(Count));
 }
 
@@ -132,7 +134,7 @@ TEST_CASE("a mailbox holds a message for each task until they are removed") {
 TEST_CASE("results that are kept stay as they are, whatever becomes of their worker") {
   std::vector<ChunkResult> kept;
   {
-    std::string lines;  // a worker's own, which each of its results overwrites
+    std::string lines;  // owned by the worker, overwritten for each result
     Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [&lines] {
       return [&lines](const Task& task, WorkerMailbox& mailbox) {
         mailbox.Begin(task.chunk.first);
@@ -159,7 +161,7 @@ TEST_CASE("a worker that a signal kills costs the variant it was at, and no othe
   for (const int signal : {SIGSEGV, SIGKILL, SIGABRT}) {
     Pool pool = MakePool(2, std::chrono::seconds(10), [signal](std::uint64_t index) {
       if (index == 33 || index == 35 || index == 90) {
-        std::signal(signal, SIG_DFL);  // what a sanitizer or Catch put there
+        std::signal(signal, SIG_DFL);  // remove the handlers of sanitizers and Catch
         ::kill(::getpid(), signal);
         std::this_thread::sleep_for(std::chrono::seconds(10));
       }

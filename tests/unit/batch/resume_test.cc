@@ -1,3 +1,5 @@
+// Tests of resuming batches: interrupted, damaged, finished and enlarged ones.
+
 #include "mjforge/batch/sink.h"
 
 #include <catch2/catch.hpp>
@@ -12,7 +14,7 @@ namespace {
 Summary MakeUpTo(CrateBatch& test, Request request, std::uint64_t count) {
   std::atomic<bool> stop = false;
   request.stop = &stop;
-  request.jobs = 1;  // with two, all of it may be made before the first chunk is taken
+  request.jobs = 1;  // two workers may finish the batch before the first chunk is taken
   Observer observer;
   observer.variant = [&](const FinishedVariant& done) {
     if (done.index + 1 >= count) stop = true;
@@ -51,7 +53,7 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   CHECK(last.resumed >= second.resumed);
   CHECK(last.done() == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
-  // And once more, with nothing left to do.
+  // Run once more, with nothing left to do.
   const Summary again = test.Make(Resuming(request));
   CHECK(again.resumed == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
@@ -167,7 +169,7 @@ TEST_CASE("what is done and was damaged is made again") {
       resuming.verify = true;
       const Summary summary = test.Make(resuming);
       if (summary.files_failed) {
-        // Nothing says any more that the archives are ours, or that it is this batch.
+        // Without the seal, the archives and the batch cannot be recognized.
         CHECK(name.ends_with(".seal.json"));
         resuming.resume = false;
         resuming.force = true;

@@ -1,3 +1,5 @@
+// Tests of running batches.
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"

@@ -1,3 +1,5 @@
+// Tests of dividing batches into chunks and shards.
+
 #include "mjforge/batch/schedule.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,5 @@
+// Tests of writing, reading and comparing records.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

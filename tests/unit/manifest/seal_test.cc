@@ -1,3 +1,5 @@
+// Tests of seals.
+
 #include "mjforge/manifest/seal.h"
 
 #include <catch2/catch.hpp>

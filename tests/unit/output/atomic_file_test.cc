@@ -1,3 +1,5 @@
+// Tests of atomic writing.
+
 #include "mjforge/output/atomic_file.h"
 
 #include <unistd.h>

@@ -1,3 +1,5 @@
+// Tests of folders of objects and assets.
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -77,7 +79,7 @@ TEST_CASE("assets are copied beside each folder's objects, once each") {
   ObjectFolder objects(folder / "out", {});
   REQUIRE(objects.Write("box_000000.xml", document, findings));
   REQUIRE(objects.Write("0010000/box_010000.xml", document, findings));
-  std::filesystem::remove(wood);  // would be missed if it were read again
+  std::filesystem::remove(wood);  // a second read of the file would fail
   REQUIRE(objects.Write("box_000001.xml", document, findings));
   CHECK(folder.Read("out/assets/wood.png") == "pixels");
   CHECK(folder.Read("out/0010000/assets/wood.png") == "pixels");
@@ -152,7 +154,7 @@ TEST_CASE("a link in the place of a folder of objects or assets is not followed"
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message ==
         "'" + (folder / "out/0010000").string() + "' is a link, which is not followed");
-  // The folder that the user named may be one.
+  // The folder that the user named may be a link.
   CHECK(ObjectFolder(folder / "link", {}).Write("x_000000.xml", document, findings));
   document.assets = {{"assets/wood.png", folder.Write("wood.png", "pixels")}};
   CHECK_FALSE(ObjectFolder(folder / "out", {}).Write("x_000001.xml", document, findings));
