@@ -30,7 +30,7 @@ bool IsSpecName(const std::string& what) {
 
 std::string StatusesText(const Gathered& batch) {
   std::string text;
-  for (const manifest::Status status : manifest::kByName) {
+  for (const manifest::Status status : manifest::kStatusesByName) {
     if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(status));
   }
@@ -137,7 +137,7 @@ void Write(JsonOutput& json, const ParameterTally& parameter) {
 void WriteCounts(JsonOutput& json, const Gathered& batch) {
   json.Member("variants", batch.variants);
   json.Object("status", [&] {
-    for (const manifest::Status status : manifest::kByName) {
+    for (const manifest::Status status : manifest::kStatusesByName) {
       if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
         json.Member(NameOf(status), count);
     }

@@ -20,7 +20,6 @@ void Make(benchmark::State& state, const std::string& part) {
   options.validation = forge::Validation::kNone;
   forge::Generator generator(shape.recipe, shape.sources, options);
   forge::Variant variant;
-  manifest::RecordWriter writer;
   std::string manifest;
   std::uint64_t index = 0;
   std::uint64_t bytes = 0;
@@ -28,7 +27,7 @@ void Make(benchmark::State& state, const std::string& part) {
     generator.Make(index++, variant);
     if (!variant.ok()) std::abort();
     manifest.clear();
-    writer.Append(manifest, variant.record);
+    manifest::AppendRecord(manifest, variant.record);
     bytes += variant.document.text.size();
   }
   state.counters["bytes"] = static_cast<double>(bytes) / static_cast<double>(index);

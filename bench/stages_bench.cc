@@ -70,13 +70,12 @@ void BM_GenerateRecord(benchmark::State& state) {
   options.validation = forge::Validation::kNone;
   forge::Generator generator(hammer.recipe, hammer.sources, options);
   forge::Variant variant;
-  manifest::RecordWriter writer;
   std::string manifest;
   std::uint64_t index = 0;
   for (auto _ : state) {
     generator.Make(index++, variant);
     manifest.clear();
-    writer.Append(manifest, variant.record);
+    manifest::AppendRecord(manifest, variant.record);
     benchmark::DoNotOptimize(manifest.data());
   }
 }

@@ -171,8 +171,10 @@ def closed(files, kind, name, archive):
     """The same, when the archive had got its name and the manifest had not."""
     sections = begun(files, kind, name, archive)
     sections["archive"] = sections.pop("archivepart")
+    records, size = sections["part"].count(b"\n"), len(sections["part"])
     sections["journal"] = (sections["journal"].replace(b"@archivepart:", b"@archive:") +
-                           f"closed {len(files[archive])} @archive:@ {archive}\n".encode())
+                           f"closed {len(files[archive])} @archive:@ {archive}\n"
+                           f"at {records} {size} @part:@ 1 0 -\n".encode())
     return sections
 
 

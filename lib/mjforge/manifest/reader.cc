@@ -1,3 +1,5 @@
+// Reading a manifest record by record, in constant memory.
+
 #include <fmt/format.h>
 
 #include <utility>

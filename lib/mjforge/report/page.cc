@@ -107,7 +107,7 @@ std::string ShownText(const Cards& cards, const Gathered& gathered) {
 }
 
 void AddOptions(Dictionary& body, const Gathered& gathered) {
-  for (const auto status : manifest::kByName) {
+  for (const auto status : manifest::kStatusesByName) {
     if (gathered.statuses.Of(status) > 0) ShowText(body, "STATUS_OPTION", NameOf(status));
   }
   for (const auto& [code, tally] : gathered.codes) ShowText(body, "CODE_OPTION", Clean(code, 120));
