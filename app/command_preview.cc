@@ -59,7 +59,7 @@ class Preview {
   }
 
   void ChoosePlace(const std::string& name) {
-    place_ = options_.output.empty() ? name + ".png" : options_.output;
+    place_ = options_.output.empty() ? name + (options_.sweep ? ".gif" : ".png") : options_.output;
   }
 
   std::vector<Sight> LoadFile() {
@@ -145,9 +145,7 @@ class Preview {
     if (poses.empty()) return std::nullopt;
     const auto frames = renderer.DrawMotion(*sight.subject, poses, options_.picture, findings_);
     if (!frames) return std::nullopt;
-    const picture::Texts texts = TextsOf(sight.record, "");
-    return place_.extension() == ".gif" ? picture::EncodeGif(*frames, kDelay, texts)
-                                        : picture::EncodeApng(*frames, kDelay, texts);
+    return picture::EncodeGif(*frames, kDelay, TextsOf(sight.record, ""));
   }
 
   std::optional<std::string> DrawSheet(picture::Renderer& renderer, std::vector<Sight>& sights) {

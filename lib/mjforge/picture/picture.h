@@ -175,9 +175,8 @@ Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Backgr
 /// Keys and values of the texts in a picture's file.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 std::string EncodePng(const Image& image, const Texts& texts);
-/// Endless animations; each frame is shown for `delay` ms.
-std::string EncodeApng(std::span<const Image> frames, int delay, const Texts& texts);
-/// In 255 colors; a pixel is either opaque or transparent.
+/// An endless animation in 255 colors; a pixel is either opaque or transparent. Each frame is shown
+/// for `delay` ms, rounded down to 10 ms.
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
 /// Lossy; quality from 0 to 100.
 std::string EncodeWebp(const Image& image, int quality);
