@@ -8,6 +8,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/picture/picture.h"
+#include "mjforge/report/report.h"
 
 namespace mjforge::app {
 
@@ -19,7 +20,7 @@ class Thumbnails {
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
   /// Nothing if its file is gone, or if MuJoCo or the spec gives nothing to draw.
-  std::optional<std::string> Draw(const manifest::Record& record);
+  std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
   /// Why there are no pictures at all, if so.
   diag::Findings TakeFindings() { return std::move(findings_); }

@@ -9,7 +9,6 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/report/axis.h"
-#include "mjforge/report/picture_bytes.h"
 
 namespace mjforge::report {
 namespace {
@@ -138,9 +137,8 @@ class CardMaker {
   }
 
   bool AddPicture(Dictionary& card, const Record& record, const Params& params) const {
-    const std::optional<std::string> bytes = thumbnailer_(record);
-    const std::optional<PictureInfo> info = bytes ? ReadPictureInfo(*bytes) : std::nullopt;
-    if (!info) {
+    const std::optional<Thumbnail> thumbnail = thumbnailer_(record);
+    if (!thumbnail) {
       ShowText(card, "NO_PICTURE",
                record.file.empty() ? "no picture: it has no file"
                                    : "no picture: its file cannot be shown");
@@ -152,10 +150,10 @@ class CardMaker {
                          ValueText(params[i].second), UnitOf(params[i].first));
     }
     Dictionary& picture = Section(card, "PICTURE");
-    Set(picture, "DATA", fmt::format("data:{};base64,{}", info->type, Base64(*bytes)));
+    Set(picture, "DATA", "data:image/webp;base64," + Base64(thumbnail->webp));
     Set(picture, "ALT", alt);
-    Set(picture, "WIDTH", fmt::format("{}", info->width));
-    Set(picture, "HEIGHT", fmt::format("{}", info->height));
+    Set(picture, "WIDTH", fmt::format("{}", thumbnail->width));
+    Set(picture, "HEIGHT", fmt::format("{}", thumbnail->height));
     return true;
   }
 

@@ -28,9 +28,14 @@ struct Request {
 /// No page is larger, whatever the batch is.
 inline constexpr std::size_t kMaxBytes = 10'000'000;
 
-/// The bytes of a small picture of a record's object, PNG or WebP; nothing if there is
-/// none. Called once for each variant that is shown.
-using Thumbnailer = std::function<std::optional<std::string>(const manifest::Record&)>;
+struct Thumbnail {
+  std::string webp;
+  int width = 0;  // pixels
+  int height = 0;
+};
+/// Draws a small picture of a record's object; nothing if there is none. Called once for each
+/// variant that is shown.
+using Thumbnailer = std::function<std::optional<Thumbnail>(const manifest::Record&)>;
 
 struct Page {
   std::string html;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 
 #include "mjforge/diag/diag.h"
 
@@ -76,6 +78,14 @@ std::string Clean(std::string_view text, std::size_t limit) {
   std::size_t end = limit;
   while (end > 0 && IsContinuation(clean[end])) --end;
   return clean.substr(0, end) + "...";
+}
+
+std::string Base64(std::string_view bytes) {
+  namespace iterators = boost::archive::iterators;
+  using Digits = iterators::base64_from_binary<iterators::transform_width<const char*, 6, 8>>;
+  std::string text(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
 }
 
 std::string Counted(std::uint64_t number) {

@@ -35,6 +35,9 @@ void ShowText(Dictionary& parent, const char* section, std::string_view text);
 /// no longer than `limit` bytes and three dots.
 std::string Clean(std::string_view text, std::size_t limit = 300);
 
+/// "aGk=", as in RFC 4648.
+std::string Base64(std::string_view bytes);
+
 /// "1,234,567".
 std::string Counted(std::uint64_t number);
 /// "1 variant", "2 variants".

@@ -11,6 +11,18 @@ constexpr const char* kHostile = "</script><img src=x onerror=alert(1)>\"'&";
 constexpr const char* kEscaped =
     "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;&amp;";
 
+using namespace std::string_literals;
+
+TEST_CASE("base64 is that of RFC 4648") {
+  CHECK(Base64("").empty());
+  CHECK(Base64("f") == "Zg==");
+  CHECK(Base64("fo") == "Zm8=");
+  CHECK(Base64("foo") == "Zm9v");
+  CHECK(Base64("foobar") == "Zm9vYmFy");
+  CHECK(Base64("\xff\xfe\xfd"s) == "//79");
+  CHECK(Base64("\0\0"s) == "AAA=");
+}
+
 TEST_CASE("a text in a template is escaped, between tags and in an attribute") {
   ctemplate::TemplateDictionary card("card");
   Set(card, "STATUS", kHostile);
