@@ -8,9 +8,6 @@
 namespace mjforge::report {
 namespace {
 
-// As bars.html has them.
-constexpr double kBarLeft = 120;
-constexpr double kBarRight = 300;
 constexpr double kRow = 22;
 constexpr double kBar = 14;
 constexpr std::size_t kMaxRows = ParameterTally::kMaxWhole;
@@ -65,7 +62,7 @@ struct Totals {
   double most = 1e-9;
 
   double Width(std::uint64_t part, std::uint64_t whole) const {
-    return Share(part, whole) / most * (kBarRight - kBarLeft);
+    return Share(part, whole) / most * (kBarFrame.right - kBarFrame.left);
   }
 };
 
@@ -100,8 +97,9 @@ void AddRow(Dictionary& dictionary, const Row& row, const Totals& totals, double
   }
   if (totals.asked > 0) {
     Set(Section(shown, "ASKED"), "PATH",
-        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarLeft, top - 1.5,
-                    kBarLeft + totals.Width(row.asked, totals.asked), kBar + 3, kBarLeft));
+        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarFrame.left, top - 1.5,
+                    kBarFrame.left + totals.Width(row.asked, totals.asked), kBar + 3,
+                    kBarFrame.left));
   }
 }
 
@@ -112,7 +110,7 @@ void AddBars(Dictionary& parent, const BarChart& chart) {
   const Totals totals = TotalsOf(chart, rows);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
   std::string description;
-  double top = 4;
+  double top = kBarFrame.top;
   for (const Row& row : rows) {
     AddRow(dictionary, row, totals, top);
     description += (description.empty() ? "" : "; ") + TextOf(row, totals);

@@ -15,8 +15,20 @@
 
 namespace mjforge::report {
 
-/// Ticks as sections with AT and LABEL.
-void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Tick>& ticks);
+/// Edges of a chart's plot area, in units of the SVG. Must match the chart's template.
+struct Frame {
+  double left = 46;
+  double right = 350;
+  double top = 18;
+  double bottom = 160;
+};
+inline constexpr Frame kHistogramFrame;
+inline constexpr Frame kScatterFrame = {.bottom = 220};
+inline constexpr Frame kBarFrame = {.left = 120, .right = 300, .top = 4};
+
+/// Fills in an axis: AXIS_TICK sections with AT and LABEL, and AXIS_LABEL, where `axis` is X or Y.
+void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,
+             std::string_view label);
 
 struct HistogramChart {
   std::string id;       // of the page's elements; no two the same

@@ -8,11 +8,7 @@
 namespace mjforge::report {
 namespace {
 
-// As histogram.html has them.
-constexpr double kLeft = 46;
-constexpr double kRight = 350;
-constexpr double kTop = 18;
-constexpr double kBottom = 160;
+constexpr Frame kFrame = kHistogramFrame;
 
 struct Layout {
   bool logarithmic = false;
@@ -27,7 +23,9 @@ struct Layout {
     return static_cast<double>(bin) / static_cast<double>(bins);
   }
   // Where a bin begins, on the page.
-  double Edge(std::size_t bin) const { return kLeft + Share(bin) * (kRight - kLeft); }
+  double Edge(std::size_t bin) const {
+    return kFrame.left + Share(bin) * (kFrame.right - kFrame.left);
+  }
   // The number at a place of the axis.
   double Value(double place) const { return logarithmic ? std::pow(10, place) : place; }
 };
@@ -87,10 +85,10 @@ std::vector<double> Expected(const Layout& layout) {
 }
 
 std::string Outline(const Layout& layout, const Axis& y, const std::vector<double>& expected) {
-  std::string path = fmt::format("M{:.1f} {:.1f}", kLeft, kBottom);
+  std::string path = fmt::format("M{:.1f} {:.1f}", kFrame.left, kFrame.bottom);
   for (std::size_t i = 0; i < expected.size(); ++i)
     path += fmt::format("V{:.1f}H{:.1f}", y.At(expected[i]), layout.Edge(i + 1));
-  return path + fmt::format("V{:.1f}", kBottom);
+  return path + fmt::format("V{:.1f}", kFrame.bottom);
 }
 
 void AddColumns(Dictionary& dictionary, const Layout& layout, const Axis& y,
@@ -102,7 +100,7 @@ void AddColumns(Dictionary& dictionary, const Layout& layout, const Axis& y,
     Set(bar, "X", left);
     Set(bar, "Y", top);
     Set(bar, "WIDTH", std::max(layout.Edge(bin + 1) - 0.5 - left, 1.0));
-    Set(bar, "HEIGHT", kBottom - top);
+    Set(bar, "HEIGHT", kFrame.bottom - top);
   };
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn[i] == 0) continue;
@@ -139,12 +137,14 @@ std::vector<Axis::Tick> WholeTicks(const Axis& axis, int count) {
 
 }  // namespace
 
-void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Tick>& ticks) {
+void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,
+             std::string_view label) {
   for (const Axis::Tick& tick : ticks) {
-    Dictionary& place = Section(chart, section);
+    Dictionary& place = Section(chart, (axis + "_TICK").c_str());
     Set(place, "AT", tick.at);
     Set(place, "LABEL", tick.label);
   }
+  Set(chart, (axis + "_LABEL").c_str(), label);
 }
 
 void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
@@ -154,17 +154,15 @@ void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
   double most = static_cast<double>(*std::max_element(drawn.begin(), drawn.end()));
   for (const double count : expected) most = std::max(most, count);
   const Axis x(layout.logarithmic ? Scale::kLogarithmic : Scale::kLinear, layout.Value(layout.lo),
-               layout.Value(layout.hi), kLeft, kRight);
-  Axis y(Scale::kLinear, 0, std::max(most, 1.0), kBottom, kTop);
+               layout.Value(layout.hi), kFrame.left, kFrame.right);
+  Axis y(Scale::kLinear, 0, std::max(most, 1.0), kFrame.bottom, kFrame.top);
   y.Round(4);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kHistogram);
   Set(dictionary, "ID", chart.id);
   Set(dictionary, "TITLE", chart.title);
   Set(dictionary, "DESCRIPTION", Description(chart));
-  Set(dictionary, "X_LABEL", chart.x_label);
-  Set(dictionary, "Y_LABEL", "variants");
-  AddTicks(dictionary, "X_TICK", chart.whole ? WholeTicks(x, 5) : x.Ticks(5));
-  AddTicks(dictionary, "Y_TICK", WholeTicks(y, 4));
+  AddAxis(dictionary, "X", chart.whole ? WholeTicks(x, 5) : x.Ticks(5), chart.x_label);
+  AddAxis(dictionary, "Y", WholeTicks(y, 4), "variants");
   AddColumns(dictionary, layout, y, drawn);
   if (!expected.empty()) Set(Section(dictionary, "ASKED"), "PATH", Outline(layout, y, expected));
 }

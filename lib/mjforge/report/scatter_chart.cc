@@ -7,12 +7,6 @@
 namespace mjforge::report {
 namespace {
 
-// As scatter.html has them.
-constexpr double kScatterLeft = 46;
-constexpr double kScatterRight = 350;
-constexpr double kScatterTop = 18;
-constexpr double kScatterBottom = 220;
-
 // Where one number is this many times the other, equal steps show only the large ones.
 constexpr double kWide = 20;
 
@@ -38,8 +32,8 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
     sizes.push_back(point.size);
     masses.push_back(point.mass);
   }
-  const Axis x = AxisOf(sizes, kScatterLeft, kScatterRight);
-  const Axis y = AxisOf(masses, kScatterBottom, kScatterTop);
+  const Axis x = AxisOf(sizes, kScatterFrame.left, kScatterFrame.right);
+  const Axis y = AxisOf(masses, kScatterFrame.bottom, kScatterFrame.top);
   std::string good;
   std::string bad;
   for (const Point& point : points) {
@@ -56,10 +50,8 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
   Set(chart, "DESCRIPTION",
       fmt::format("{} of {}: size {}, mass {}", Counted(points.size()), Counted(all, "object"),
                   RangeText(sizes, "m"), RangeText(masses, "kg")));
-  Set(chart, "X_LABEL", "size, m");
-  Set(chart, "Y_LABEL", "mass, kg");
-  AddTicks(chart, "X_TICK", x.Ticks(5));
-  AddTicks(chart, "Y_TICK", y.Ticks(5));
+  AddAxis(chart, "X", x.Ticks(5), "size, m");
+  AddAxis(chart, "Y", y.Ticks(5), "mass, kg");
   Set(chart, "GOOD", good);
   if (!bad.empty()) Set(Section(chart, "BAD"), "PATH", bad);
 }
