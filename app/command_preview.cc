@@ -141,7 +141,7 @@ class Preview {
       joint = sight.subject->FindJoint(options_.swept, findings_);
       if (!joint) return std::nullopt;
     }
-    const std::vector<picture::Pose> poses = sight.subject->Sweep(joint, findings_);
+    const std::vector<picture::JointPositions> poses = sight.subject->Sweep(joint, findings_);
     if (poses.empty()) return std::nullopt;
     const auto frames = renderer.DrawMotion(*sight.subject, poses, options_.picture, findings_);
     if (!frames) return std::nullopt;

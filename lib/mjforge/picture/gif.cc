@@ -14,22 +14,22 @@ namespace mjforge::picture {
 namespace {
 
 constexpr std::size_t kMaxColors = 255;
-constexpr GifPixelType kTransparent = 255;  // the one index that is not a color
+constexpr GifPixelType kTransparent = 255;  // index that is not a color
 // Pixels with at least this alpha are opaque, because GIF has no partial transparency.
 constexpr int kMinAlpha = 128;
 
 struct CountedColor {
   Background::Color rgb;
-  double count;  // of pixels
+  double count;  // number of pixels
 };
 
 // Colors that share an index, and their mean over all pixels.
 struct ColorBox {
   std::span<CountedColor> colors;
   Background::Color mean = {};
-  std::size_t channel = 0;  // with the largest error
-  double error = 0;         // sum of squared differences from the mean
-  double middle = 0;        // mean of the channel
+  std::size_t channel = 0;  // channel with the largest error
+  double error = 0;         // sum of squared differences from the mean in this channel
+  double middle = 0;        // mean of this channel, not rounded
 
   explicit ColorBox(std::span<CountedColor> all) : colors(all) {
     for (std::size_t c = 0; c < mean.size(); ++c) {
@@ -75,8 +75,8 @@ std::uint32_t KeyOf(const std::uint8_t* rgb) {
 
 struct Palette {
   std::array<GifColorType, 256> colors = {};
-  std::unordered_map<std::uint32_t, GifPixelType> indices;  // of each color of the frames, by key
-  bool has_holes = false;                                   // some pixels are transparent
+  std::unordered_map<std::uint32_t, GifPixelType> indices;  // by the keys of the frames' colors
+  bool has_holes = false;                                   // true if any pixel is transparent
 
   explicit Palette(std::span<const Image> frames) {
     std::unordered_map<std::uint32_t, CountedColor> counted;
@@ -127,7 +127,7 @@ void CheckGif(const GifFile& gif, int status) {
   if (status != GIF_OK) throw std::runtime_error(GifErrorString(gif->Error));
 }
 
-// The extension by which browsers repeat an animation without end.
+// Writes the extension that makes viewers repeat the animation endlessly.
 void PutLoop(const GifFile& gif) {
   constexpr std::array<GifByteType, 3> kForever = {1, 0, 0};
   CheckGif(gif, EGifPutExtensionLeader(gif.get(), APPLICATION_EXT_FUNC_CODE));

@@ -41,7 +41,7 @@ TEST_CASE("a PNG's texts stand before its pixels") {
   CHECK(chunks[3].starts_with("IDAT"));
 }
 
-// What a decoder makes of the bytes.
+// A decoded GIF.
 struct Gif {
   explicit Gif(const std::string& bytes) : rest(bytes) {
     int error = 0;
