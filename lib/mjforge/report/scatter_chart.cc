@@ -1,3 +1,5 @@
+// Scatter plot of mass against size.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 namespace mjforge::report {
 namespace {
 
-// Where one number is this many times the other, equal steps show only the large ones.
+// Ratio of the largest to the smallest number from which on an axis is logarithmic.
 constexpr double kWide = 20;
 
 Axis AxisOf(std::vector<double> values, double start, double end) {
@@ -20,7 +22,7 @@ Axis AxisOf(std::vector<double> values, double start, double end) {
 
 std::string RangeText(std::vector<double> values, std::string_view unit) {
   const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-  return fmt::format("{} to {} {}", Shown(*lo), Shown(*hi), unit);
+  return fmt::format("{} to {} {}", ShortNumber(*lo), ShortNumber(*hi), unit);
 }
 
 }  // namespace
@@ -48,7 +50,7 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
   Dictionary& chart = Include(parent, "SCATTER", TemplateName::kScatter);
   Set(chart, "TITLE", "Mass against size");
   Set(chart, "DESCRIPTION",
-      fmt::format("{} of {}: size {}, mass {}", Counted(points.size()), Counted(all, "object"),
+      fmt::format("{} of {}: size {}, mass {}", CountText(points.size()), CountText(all, "object"),
                   RangeText(sizes, "m"), RangeText(masses, "kg")));
   AddAxis(chart, "X", x.Ticks(5), "size, m");
   AddAxis(chart, "Y", y.Ticks(5), "mass, kg");

@@ -1,3 +1,5 @@
+// Templates of the page, expanded by ctemplate, and texts for them.
+
 #include "mjforge/report/templates.h"
 
 #include <ctemplate/template.h>
@@ -28,7 +30,7 @@ ctemplate::TemplateString View(std::string_view text) {
   return ctemplate::TemplateString(text.data(), text.size());
 }
 
-// Once in the life of the program.
+// Registers the templates. Call it once per process.
 bool LoadTemplates() {
   const std::array texts = {kPageHtml, kCardHtml, kHistogramHtml, kBarsHtml, kScatterHtml};
   bool loaded = true;
@@ -88,14 +90,14 @@ std::string Base64(std::string_view bytes) {
   return text;
 }
 
-std::string Counted(std::uint64_t number) {
+std::string CountText(std::uint64_t number) {
   std::string digits = fmt::format("{}", number);
   for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, ",");
   return digits;
 }
 
-std::string Counted(std::uint64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", Counted(number), noun, number == 1 ? "" : "s");
+std::string CountText(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", CountText(number), noun, number == 1 ? "" : "s");
 }
 
 std::string ShareText(std::uint64_t part, std::uint64_t whole) {

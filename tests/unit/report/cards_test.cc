@@ -18,13 +18,13 @@ Thumbnail Picture(std::size_t bytes) { return {std::string(bytes, 'x'), 320, 240
 
 struct CardsTest {
   explicit CardsTest(std::uint64_t count = 20, std::uint64_t bad = 0)
-      : batch{Gathered(count), {}, {}, {}, {}} {
+      : batch{ManifestSummary(count), {}, {}, {}, {}} {
     for (std::uint64_t i = 0; i < count; ++i)
-      batch.gathered.Add(RecordOf(i, bad > 0 && i % bad == 0 ? "failed" : "ok"));
+      batch.summary.Add(RecordOf(i, bad > 0 && i % bad == 0 ? "failed" : "ok"));
   }
 
   Cards Make(const Thumbnailer& thumbnailer, std::size_t room = 1'000'000) const {
-    return MakeCards(batch.gathered.Choose(), batch, {"out/manifest.jsonl", "", 200}, thumbnailer,
+    return MakeCards(batch.summary.Choose(), batch, {"out/manifest.jsonl", "", 200}, thumbnailer,
                      room);
   }
 

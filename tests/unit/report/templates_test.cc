@@ -52,12 +52,12 @@ TEST_CASE("clean text has no control characters and a length") {
 }
 
 TEST_CASE("numbers are counted with their nouns") {
-  CHECK(Counted(0) == "0");
-  CHECK(Counted(999) == "999");
-  CHECK(Counted(1000) == "1,000");
-  CHECK(Counted(1234567) == "1,234,567");
-  CHECK(Counted(1, "variant") == "1 variant");
-  CHECK(Counted(2000, "variant") == "2,000 variants");
+  CHECK(CountText(0) == "0");
+  CHECK(CountText(999) == "999");
+  CHECK(CountText(1000) == "1,000");
+  CHECK(CountText(1234567) == "1,234,567");
+  CHECK(CountText(1, "variant") == "1 variant");
+  CHECK(CountText(2000, "variant") == "2,000 variants");
 }
 
 TEST_CASE("a share is none or all only if it is") {
