@@ -13,7 +13,6 @@ set(mjforge_dependencies
   "LibArchive 3.6"
   "tinyobjloader"
   "PNG 1.6"
-  "ZLIB 1.2"
   "GIF 5.2"
   "WebP"
   "ccd 2"

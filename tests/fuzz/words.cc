@@ -112,7 +112,6 @@ Dictionary WordsFor(std::string_view target) {
   if (target == "manifest" || target == "resume" || target == "seal") AddBatch(words);
   if (target == "mesh") AddMesh(words);
   if (target == "archive") AddWords("ustar x_000000.xml path= size= 11 GNU.sparse.map=", words);
-  if (target == "picture") AddWords("RIFF WEBP VP8 VP8L VP8X PNG IHDR", words);
   words.erase("");
   return words;
 }

@@ -92,7 +92,6 @@ const std::array kLibraries = {
     Library{"webp/", {"picture"}},
     Library{"xxhash.h", {"bytes", "expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},
-    Library{"zlib.h", {"picture"}},
 };
 
 const Words kSystem = {"dlfcn.h",        "malloc.h",      "fcntl.h",      "poll.h",

@@ -1,3 +1,5 @@
+// Loading of models from MJCF as subjects of pictures.
+
 #include <exception>
 #include <new>
 
@@ -17,7 +19,7 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
     state->data = compiled::MakeData(*state->model);
     return std::make_unique<Subject>(std::move(state));
   } catch (const std::bad_alloc&) {
-    throw;  // not MuJoCo's fault
+    throw;  // not an error of the model
   } catch (const std::exception& error) {
     why_not = error.what();
     return nullptr;

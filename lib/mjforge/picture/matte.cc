@@ -1,4 +1,6 @@
-#include "mjforge/picture/shadow.h"
+// Matting from pictures on a light and on a black floor, with a soft shadow.
+
+#include "mjforge/picture/matte.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,17 +8,17 @@
 namespace mjforge::picture {
 namespace {
 
-// A full shadow's alpha: the rest is light from all sides.
+// Alpha of a full shadow, which ambient light keeps from being black.
 constexpr float kDarkest = 0.62F;
-// Half the width of a shadow's soft edge, of the picture's shorter side.
+// Half the width of a shadow's soft edge, as a share of the picture's shorter side.
 constexpr double kSoftness = 0.011;
-// Where a shadow leaves the picture it fades, over this share of its shorter side.
+// Shadows fade out towards the picture's border, over this share of its shorter side.
 constexpr float kEdge = 0.10F;
-// Below that it is rounding.
-constexpr int kNothing = 2;  // of 255
+// Brightness and alpha up to this level (of 255) are rounding errors and count as zero.
+constexpr int kNothing = 2;
 
-// Mean over 2 * radius + 1 values, the ends repeated as zeros: what is outside has
-// no weight either.
+// Computes the moving mean over 2 * radius + 1 values; values outside count as zero. Weights are
+// blurred in the same way, so that the picture's border needs no special case.
 void Blur(const float* in, float* out, int count, int stride, int radius) {
   float sum = 0;
   for (int i = 0; i < std::min(radius, count); ++i) sum += in[i * stride];
@@ -27,7 +29,7 @@ void Blur(const float* in, float* out, int count, int stride, int radius) {
   }
 }
 
-// Three boxes one after the other are near enough to a Gaussian.
+// Blurs with three box filters, which approximate a Gaussian.
 void BlurAll(std::vector<float>& values, int width, int height, int radius) {
   std::vector<float> other(values.size());
   for (int pass = 0; pass < 3; ++pass) {
@@ -54,7 +56,7 @@ Matte::Matte(int width, int height) : width_(width), height_(height) {
   shade_.resize(pixels);
 }
 
-void Matte::Add(const Drawn& drawn, int top, int bottom) {
+void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
   const int columns = width_ * kSamples;
   const int rows = (bottom - top) * kSamples;
   constexpr float kWeight = 1.0F / (kSamples * kSamples);
@@ -82,8 +84,8 @@ void Matte::Add(const Drawn& drawn, int top, int bottom) {
   }
 }
 
-// Each floor pixel becomes the mean of the floor around it, of which there is none
-// below the object: so shadows stay dark where it stands.
+// Replaces the shadow on each floor pixel by the mean over the floor pixels around it. Pixels of
+// the object have no weight, so that the shadow stays dark next to it.
 void Matte::Soften() {
   const int radius = static_cast<int>(std::lround(kSoftness * std::min(width_, height_)));
   if (radius < 1 || std::none_of(shade_.begin(), shade_.end(), [](float s) { return s > 0; }))

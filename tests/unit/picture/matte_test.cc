@@ -1,4 +1,4 @@
-#include "mjforge/picture/shadow.h"
+#include "mjforge/picture/matte.h"
 
 #include <catch2/catch.hpp>
 

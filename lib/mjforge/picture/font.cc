@@ -1,4 +1,6 @@
-#include "mjforge/picture/text.h"
+// Text as images, drawn in MuJoCo's own font.
+
+#include "mjforge/picture/font.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,10 +12,10 @@ namespace {
 constexpr std::size_t Index(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int kFine = 3;      // samples along each side of a pixel
-constexpr int kWidth = 3072;  // of a line, samples
+constexpr int kWidth = 3072;  // width of the buffer, samples
 constexpr int kHeight = 64;
 
-std::string AsAscii(std::string_view text) {
+std::string ToAscii(std::string_view text) {
   std::string ascii(text);
   std::ranges::replace_if(
       ascii, [](char c) { return c < ' ' || c > '~'; }, '?');
@@ -22,7 +24,7 @@ std::string AsAscii(std::string_view text) {
 
 }  // namespace
 
-// Its largest letters have the best shapes.
+// Uses the largest font size, which has the best shapes; Draw scales the text down.
 Font::Font() : model_(engine::Engine().LoadText("<mujoco/>").model) {
   if (!model_) throw std::runtime_error("MuJoCo refuses an empty model");
   model_->vis.global.offwidth = kWidth;
@@ -36,7 +38,7 @@ Font::Font() : model_(engine::Engine().LoadText("<mujoco/>").model) {
 Font::~Font() { mjr_freeContext(&context_); }
 
 Image Font::Draw(std::string_view text, const Background::Color& color) {
-  const std::string ascii = AsAscii(text);
+  const std::string ascii = ToAscii(text);
   int width = 0;
   for (const char c : ascii) width += context_.charWidth[static_cast<unsigned char>(c)];
   width = std::min(width + 4 * kFine, kWidth) / kFine * kFine;

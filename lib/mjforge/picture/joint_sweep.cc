@@ -1,3 +1,5 @@
+// Poses that move the joints of a subject through their ranges.
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,10 +10,11 @@
 namespace mjforge::picture {
 namespace {
 
-constexpr int kFramesPerWay = 12;  // from one place to the next
+constexpr int kFramesPerWay = 12;  // for a motion between two positions
 
-// Slower towards both ends. The last place itself is the next way's first.
-void AppendWay(int joint, double from, double to, std::vector<Pose>& poses) {
+// Appends a motion that is slower towards both ends. It does not include `to`, with which the next
+// motion starts.
+void AppendWay(int joint, double from, double to, std::vector<JointPositions>& poses) {
   if (from == to) return;
   for (int i = 0; i < kFramesPerWay; ++i) {
     const double share = (1 - std::cos(std::numbers::pi * i / kFramesPerWay)) / 2;
@@ -19,7 +22,7 @@ void AppendWay(int joint, double from, double to, std::vector<Pose>& poses) {
   }
 }
 
-void AppendSweep(int number, const Joint& joint, std::vector<Pose>& poses) {
+void AppendSweep(int number, const Joint& joint, std::vector<JointPositions>& poses) {
   const double start = joint.value;
   if (joint.limited) {
     AppendWay(number, start, joint.range[1], poses);
@@ -34,8 +37,9 @@ void AppendSweep(int number, const Joint& joint, std::vector<Pose>& poses) {
 
 }  // namespace
 
-std::vector<Pose> Subject::Sweep(std::optional<int> joint, diag::Findings& findings) const {
-  std::vector<Pose> poses;
+std::vector<JointPositions> Subject::Sweep(std::optional<int> joint,
+                                           diag::Findings& findings) const {
+  std::vector<JointPositions> poses;
   const std::vector<Joint> all = joints();
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Joint& each = all[static_cast<std::size_t>(i)];

@@ -1,4 +1,6 @@
-#include "mjforge/report/gather.h"
+// Summary of a manifest: counts, findings, and the choice of variants to show.
+
+#include "mjforge/report/manifest_summary.h"
 
 #include <fmt/format.h>
 #include <rapidjson/document.h>
@@ -11,7 +13,7 @@ namespace {
 
 using manifest::Record;
 
-// More kinds of findings than a page can show, and than there are.
+// Limit of different codes, which only manifests of another program exceed.
 constexpr std::size_t kMaxCodes = 200;
 
 std::string Member(const rapidjson::Value& object, const char* key) {
@@ -34,7 +36,7 @@ std::optional<double> TimeToRest(const Record& record) {
   return MeasureOf(MeasureId::kTimeToRest).of(record);
 }
 
-// Of two as slow the first in the batch.
+// Orders by descending time to rest, then by index.
 bool IsSlower(const Record& a, const Record& b) {
   const double time_a = TimeToRest(a).value_or(0);
   const double time_b = TimeToRest(b).value_or(0);
@@ -56,14 +58,14 @@ std::vector<RecordedFinding> FindingsOf(const Record& record) {
   return findings;
 }
 
-Gathered::Gathered(std::size_t shown)
+ManifestSummary::ManifestSummary(std::size_t shown)
     : measures(Measures().size()),
       points(kMaxPoints),
       shown_(shown),
       failed_(shown),
       good_(shown) {}
 
-void Gathered::Add(const Record& record) {
+void ManifestSummary::Add(const Record& record) {
   if (!first) first = record;
   ++variants;
   last_index = record.index;
@@ -82,7 +84,7 @@ void Gathered::Add(const Record& record) {
   AddToShown(record);
 }
 
-void Gathered::AddFindings(const Record& record) {
+void ManifestSummary::AddFindings(const Record& record) {
   std::set<std::string> seen;
   for (RecordedFinding& finding : FindingsOf(record)) {
     if (!seen.insert(finding.code).second) continue;
@@ -94,7 +96,7 @@ void Gathered::AddFindings(const Record& record) {
   }
 }
 
-void Gathered::AddToShown(const Record& record) {
+void ManifestSummary::AddToShown(const Record& record) {
   (record.status == manifest::Status::kOk ? good_ : failed_).Add(record);
   const std::size_t most = shown_ / 4;
   if (record.status != manifest::Status::kOk || most == 0 || !TimeToRest(record)) return;
@@ -107,7 +109,7 @@ void Gathered::AddToShown(const Record& record) {
   std::push_heap(slow_.begin(), slow_.end(), IsSlower);
 }
 
-std::vector<ShownVariant> Gathered::Choose() const {
+std::vector<ShownVariant> ManifestSummary::Choose() const {
   std::vector<ShownVariant> chosen;
   std::set<std::uint64_t> taken;
   const auto add = [&](ShownVariant::Reason reason, const std::vector<Record>& records) {
@@ -116,7 +118,7 @@ std::vector<ShownVariant> Gathered::Choose() const {
         chosen.push_back({reason, record});
     }
   };
-  // Half of them, or more if there are not enough others.
+  // Failed variants get half of the places, or more if there are too few good ones.
   const auto good = static_cast<std::size_t>(std::min<std::uint64_t>(good_.seen(), shown_));
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;
@@ -124,7 +126,7 @@ std::vector<ShownVariant> Gathered::Choose() const {
   slow.resize(std::min<std::size_t>(slow.size(), std::min<std::uint64_t>(shown_, variants) / 4));
   add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
-  // Some of them are among the slow; there are others to take their place.
+  // Take more than needed, because some of the sample are among the slow variants.
   std::vector<Record> others = good_.Take(room + slow.size());
   std::erase_if(others, [&](const Record& record) { return taken.contains(record.index); });
   std::vector<Record> spread;
@@ -134,9 +136,9 @@ std::vector<ShownVariant> Gathered::Choose() const {
   return chosen;
 }
 
-std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_t shown,
-                               diag::Sources& sources, diag::Findings& findings,
-                               std::uint64_t& bad_lines) {
+std::optional<ManifestSummary> Summarize(const std::filesystem::path& manifest, std::size_t shown,
+                                         diag::Sources& sources, diag::Findings& findings,
+                                         std::uint64_t& bad_lines) {
   using Outcome = manifest::RecordReader::Outcome;
   const bool is_part = manifest.extension() == ".part";
   diag::Findings found;
@@ -145,13 +147,13 @@ std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_
     findings.Append(std::move(found));
     return std::nullopt;
   }
-  Gathered gathered(shown);
+  ManifestSummary summary(shown);
   Record record;
   bool is_cut_off = false;
   Outcome outcome = reader->Next(record);
   for (; outcome == Outcome::kRecord || outcome == Outcome::kBadLine;
        outcome = reader->Next(record)) {
-    if (outcome == Outcome::kRecord) gathered.Add(record);
+    if (outcome == Outcome::kRecord) summary.Add(record);
     is_cut_off = is_part && outcome == Outcome::kBadLine && reader->torn();
   }
   if (outcome == Outcome::kUnreadable) {
@@ -163,7 +165,7 @@ std::optional<Gathered> Gather(const std::filesystem::path& manifest, std::size_
     const diag::Finding& bad = found[i];
     findings.Add(bad.code, bad.mark, bad.message, bad.hint);
   }
-  return gathered;
+  return summary;
 }
 
 }  // namespace mjforge::report

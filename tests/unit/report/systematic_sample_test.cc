@@ -1,4 +1,4 @@
-#include "mjforge/report/spread_sample.h"
+#include "mjforge/report/systematic_sample.h"
 
 #include <catch2/catch.hpp>
 #include <string>
@@ -7,7 +7,7 @@ namespace mjforge::report {
 namespace {
 
 std::vector<int> Of(int seen, std::size_t least, std::size_t count) {
-  SpreadSample<int> sample(least);
+  SystematicSample<int> sample(least);
   for (int i = 0; i < seen; ++i) sample.Add(i);
   CHECK(sample.seen() == static_cast<std::uint64_t>(seen));
   return sample.Take(count);
@@ -34,7 +34,7 @@ TEST_CASE("of many there are as many as were asked for, evenly spread") {
 }
 
 TEST_CASE("what is kept stays whole") {
-  SpreadSample<std::string> sample(4);
+  SystematicSample<std::string> sample(4);
   for (int i = 0; i < 100; ++i)
     sample.Add("a text that is too long for its own object " + std::to_string(i));
   for (const std::string& text : sample.Take(4)) CHECK(text.size() > 40);

@@ -1,3 +1,5 @@
+// Text as images, drawn in MuJoCo's own font.
+
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,8 +11,8 @@
 
 namespace mjforge::picture {
 
-/// MuJoCo's own font, so that pictures do not depend on a machine's fonts. Needs a current
-/// GlContext while it lives.
+/// MuJoCo's own font, so that pictures do not depend on the fonts of a machine. Needs a current
+/// GlContext while it exists.
 class Font {
  public:
   Font();
@@ -18,7 +20,7 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  /// Letters other than ASCII become question marks.
+  /// Draws a line of text; replaces characters other than ASCII by question marks.
   Image Draw(std::string_view text, const Background::Color& color);
 
  private:

@@ -1,3 +1,5 @@
+// Systematic sample of a sequence whose length is not known in advance.
+
 #pragma once
 
 #include <algorithm>
@@ -7,13 +9,13 @@
 
 namespace mjforge::report {
 
-/// Some of many items, evenly spread over them, though their number is not known in advance: every
-/// 2^k-th is kept, and k grows with their number.
+/// Keeps every 2^k-th item of a sequence, where k grows with the length of the sequence, so that
+/// the kept items are spread evenly.
 template <typename Item>
-class SpreadSample {
+class SystematicSample {
  public:
-  /// `least`: how many Take() can give if there are as many; at most twice as many are kept.
-  explicit SpreadSample(std::size_t least) : least_(least) {}
+  /// Keeps at least `least` items, or all of a shorter sequence, and at most twice as many.
+  explicit SystematicSample(std::size_t least) : least_(least) {}
 
   void Add(const Item& item) {
     if (least_ > 0 && seen_ % stride_ == 0) {
@@ -25,7 +27,7 @@ class SpreadSample {
 
   std::uint64_t seen() const { return seen_; }
 
-  /// Up to `count` of them, in the order they came.
+  /// Returns up to `count` of the kept items, in their order.
   std::vector<Item> Take(std::size_t count) const {
     const std::size_t taken = std::min(count, kept_.size());
     std::vector<Item> items;
@@ -36,7 +38,7 @@ class SpreadSample {
 
  private:
   void Thin() {
-    // The first stays: moved to itself it would lose what it has.
+    // Start at 1, because a self-move would empty element 0.
     for (std::size_t i = 1; 2 * i < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i]);
     kept_.resize((kept_.size() + 1) / 2);
     stride_ *= 2;
