@@ -209,9 +209,9 @@ void AddParameters(const std::string& before, const std::string& spec_name, Answ
 }
 
 void AddThresholds(const std::string& before, Answer& answer) {
-  for (const spec::FieldInfo& field : spec::ChecksElement().fields) {
-    if (!spec::HoldsValue(field.slot)) continue;
-    const bool is_truth = field.slot == spec::Slot::kBoolean;
+  for (const spec::FieldInfo& field : spec::kChecksElement.fields) {
+    if (!spec::HoldsValue(field.kind)) continue;
+    const bool is_truth = field.kind == spec::FieldKind::kBoolean;
     AddSetting(before, fmt::format("checks.{}", field.key), std::string(field.doc),
                is_truth ? kTruths : WordsOf(std::string(field.words)), answer);
   }

@@ -119,7 +119,7 @@ bool Ledger::HasMade(const std::string& archive) const {
 
 void Ledger::ReadJournal() {
   std::string why_not;
-  std::optional<bytes::Lines> lines = bytes::Lines::Open(journal_->temporary(), why_not);
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(journal_->temporary(), why_not);
   std::string line;
   std::uint64_t read = 0;
   while (lines && lines->Next(line, why_not) && !lines->torn()) {

@@ -26,7 +26,7 @@ std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOp
                              diag::Findings& findings, std::uint64_t bytes) {
   Kept kept;
   std::string why_not;
-  std::optional<bytes::Lines> lines = bytes::Lines::Open(manifest, why_not);
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(manifest, why_not);
   std::string line;
   while (lines && kept.done() < options.range.count && lines->Next(line, why_not)) {
     if (lines->torn() || kept.bytes + line.size() + 1 > bytes) break;

@@ -98,9 +98,9 @@ bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string
 bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
 
 /// The lines of a file one after the other, in constant memory.
-class Lines {
+class LineReader {
  public:
-  static std::optional<Lines> Open(const std::filesystem::path& file, std::string& why_not);
+  static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not);
 
   /// Replaces `line` with the next one, without its end. False at the end of the file, and where it
   /// cannot be read on: then `why_not` says why.
@@ -109,7 +109,7 @@ class Lines {
   bool torn() const { return torn_; }
 
  private:
-  explicit Lines(File file);
+  explicit LineReader(File file);
 
   File file_;
   std::string buffer_;

@@ -20,8 +20,8 @@ bool IsNestedTooDeep(std::string_view json);
 class Json {
  public:
   /// How a finite number is spelled: expr::AppendNumber or expr::AppendExactNumber.
-  using Spelling = void (*)(std::string&, double);
-  explicit Json(Spelling spelling, std::string text = {})
+  using NumberFormat = void (*)(std::string&, double);
+  explicit Json(NumberFormat spelling, std::string text = {})
       : spelling_(spelling), text_(std::move(text)) {}
 
   void StartObject() { Open('{'); }
@@ -83,7 +83,7 @@ class Json {
     if (last != '{' && last != '[' && last != ':' && last != '\n') text_ += ',';
   }
 
-  Spelling spelling_;
+  NumberFormat spelling_;
   std::string text_;
 };
 

@@ -29,7 +29,7 @@ bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0
 
 // A piece of a line around its caret.
 struct Excerpt {
-  std::vector<Cell> cells;
+  std::vector<TerminalCell> cells;
   std::size_t caret = 0;  // the cell it is under; cells.size(): after the last
   bool cut_front = false;
   bool cut_back = false;
@@ -46,7 +46,7 @@ Excerpt SplitLine(std::string_view line, std::size_t caret_byte) {
     const std::string_view rest = line.substr(i);
     const Utf8Char character = DecodeUtf8(rest);
     if (i <= caret_byte) excerpt.caret = excerpt.cells.size();
-    excerpt.cells.push_back(rest[0] == '\t' ? Cell{" ", 1} : SafeCell(rest, character));
+    excerpt.cells.push_back(rest[0] == '\t' ? TerminalCell{" ", 1} : SafeCell(rest, character));
     i += character.length;
   }
   if (caret_byte >= line.size()) excerpt.caret = excerpt.cells.size();
@@ -81,8 +81,8 @@ void Fit(Excerpt& excerpt) {
   excerpt.cut_front = excerpt.cut_front || begin > 0;
   excerpt.cut_back = excerpt.cut_back || end < count;
   const auto first = excerpt.cells.begin();
-  excerpt.cells = std::vector<Cell>(first + static_cast<std::ptrdiff_t>(begin),
-                                    first + static_cast<std::ptrdiff_t>(end));
+  excerpt.cells = std::vector<TerminalCell>(first + static_cast<std::ptrdiff_t>(begin),
+                                            first + static_cast<std::ptrdiff_t>(end));
   excerpt.caret -= begin;
 }
 
@@ -95,7 +95,7 @@ std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   Fit(excerpt);
   std::string text(excerpt.cut_front ? kDots : "");
   std::string indent(text.size(), ' ');
-  for (const Cell& cell : excerpt.cells) text += cell.text;
+  for (const TerminalCell& cell : excerpt.cells) text += cell.text;
   if (excerpt.cut_back) text += kDots;
   indent.append(static_cast<std::size_t>(WidthOf(excerpt, 0, excerpt.caret)), ' ');
   return fmt::format("{}\n{}{}\n", text, indent, Painted("^", kGreen, color));

@@ -19,13 +19,13 @@ struct Utf8Char {
 Utf8Char DecodeUtf8(std::string_view text);
 
 /// What a terminal may be sent for a character, and how many columns it takes.
-struct Cell {
+struct TerminalCell {
   std::string text;
   int width = 1;
 };
 
 /// As SafeText, for one character.
-Cell SafeCell(std::string_view text, Utf8Char character);
+TerminalCell SafeCell(std::string_view text, Utf8Char character);
 
 /// `text` with every invalid byte replaced by U+FFFD.
 std::string ValidUtf8(std::string_view text);

@@ -38,49 +38,49 @@ void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
 }
 
 // A threshold that changes by chance says nothing about those who meet it.
-void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Reading& reading) {
+void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Context& context) {
   if (!HasDraw(value)) return;
-  reading.findings.Add(Code::kSpecBadValue, mark,
+  context.findings.Add(Code::kSpecBadValue, mark,
                        fmt::format("'{}' is drawn, but a threshold must be a fixed value", key),
                        "draw it as a parameter, and use that parameter's name here");
 }
 
-void RejectDraws(const std::vector<Field>& fields, Reading& reading) {
-  for (const Field& field : fields) RejectDraw(field.info->key, field.mark, field.value, reading);
+void RejectDraws(const std::vector<Field>& fields, Context& context) {
+  for (const Field& field : fields) RejectDraw(field.info->key, field.mark, field.value, context);
 }
 
 /// A text that says something.
 std::string ReadReason(std::string_view key, const YamlNode& reason, std::string_view what,
-                       Reading& reading) {
+                       Context& context) {
   if (reason.kind == YamlNode::Kind::kScalar && Trim(reason.text).empty()) {
-    reading.findings.Add(Code::kSpecBadValue, reason.mark,
+    context.findings.Add(Code::kSpecBadValue, reason.mark,
                          fmt::format("no reason is given {}", what));
   }
-  return reading.values.ReadPlainText(key, reason);
+  return context.values.ReadPlainText(key, reason);
 }
 
-void ReadHolding(const YamlNode& holds, Reading& reading) {
-  if (!IsMap(holds, "what is dropped into the object", reading)) return;
-  CheckKeys(HoldingElement(), holds, reading);
-  Checks::Holding& holding = reading.spec.checks.holds.emplace();
+void ReadHolding(const YamlNode& holds, Context& context) {
+  if (!IsMap(holds, "what is dropped into the object", context)) return;
+  CheckKeys(kHoldingElement, holds, context);
+  Checks::Holding& holding = context.spec.checks.holds.emplace();
   holding.mark = holds.mark;
-  holding.fields = ReadFields(HoldingElement(), holds, reading);
-  RejectDraws(holding.fields, reading);
+  holding.fields = ReadFields(kHoldingElement, holds, context);
+  RejectDraws(holding.fields, context);
   if (holds.Find("ball") == nullptr)
-    reading.findings.Add(Code::kSpecMissingKey, holds.mark, "'ball' is missing",
+    context.findings.Add(Code::kSpecMissingKey, holds.mark, "'ball' is missing",
                          "it is the balls' diameter: {ball: 8mm}");
 }
 
-void ReadFitting(const YamlNode& map, EntryReader& entries, Reading& reading) {
-  if (!IsMap(map, "what must go into a hole", reading)) return;
-  CheckKeys(FittingElement(), map, reading);
+void ReadFitting(const YamlNode& map, EntryReader& entries, Context& context) {
+  if (!IsMap(map, "what must go into a hole", context)) return;
+  CheckKeys(kFittingElement, map, context);
   Checks::Fitting fitting;
-  fitting.entry = entries.Begin(FittingElement(), map, map, EntryReader::Naming::kOptional);
-  fitting.entry.fields = ReadFields(FittingElement(), map, reading);
-  RejectDraws(fitting.entry.fields, reading);
+  fitting.entry = entries.Begin(kFittingElement, map, map, EntryReader::Naming::kOptional);
+  fitting.entry.fields = ReadFields(kFittingElement, map, context);
+  RejectDraws(fitting.entry.fields, context);
   entries.End(fitting.entry);
   const auto missing = [&](std::string_view key, std::string_view hint) {
-    reading.findings.Add(Code::kSpecMissingKey, map.mark, fmt::format("'{}' is missing", key),
+    context.findings.Add(Code::kSpecMissingKey, map.mark, fmt::format("'{}' is missing", key),
                          std::string(hint));
   };
   const bool has_body = map.Find("body") != nullptr;
@@ -90,70 +90,70 @@ void ReadFitting(const YamlNode& map, EntryReader& entries, Reading& reading) {
   if (!has_body && map.Find("peg") == nullptr)
     missing("peg", "its diameter, {peg: 9.8mm}; or a `body` of the object with its `tip`");
   if (has_body && map.Find("peg") != nullptr) {
-    reading.findings.Add(Code::kSpecConflict, map.mark,
+    context.findings.Add(Code::kSpecConflict, map.mark,
                          "'peg' together with 'body': one of them goes into the hole");
   }
-  reading.spec.checks.fits.push_back(std::move(fitting));
+  context.spec.checks.fits.push_back(std::move(fitting));
 }
 
 /// A text or a list of texts.
-std::vector<Value> ReadNames(const YamlNode* names, Reading& reading) {
+std::vector<Value> ReadNames(const YamlNode* names, Context& context) {
   std::vector<Value> texts;
   if (names == nullptr) return texts;
-  if (names->kind != YamlNode::Kind::kList) return {reading.values.ReadText(*names)};
-  for (const YamlNode& name : names->items) texts.push_back(reading.values.ReadText(name));
+  if (names->kind != YamlNode::Kind::kList) return {context.values.ReadText(*names)};
+  for (const YamlNode& name : names->items) texts.push_back(context.values.ReadText(name));
   return texts;
 }
 
-void ReadGrasping(const YamlNode& grasps, Reading& reading) {
-  if (!IsMap(grasps, "how the object is held", reading)) return;
-  CheckKeys(GraspingElement(), grasps, reading);
-  Checks::Grasping& grasping = reading.spec.checks.grasps.emplace();
+void ReadGrasping(const YamlNode& grasps, Context& context) {
+  if (!IsMap(grasps, "how the object is held", context)) return;
+  CheckKeys(kGraspingElement, grasps, context);
+  Checks::Grasping& grasping = context.spec.checks.grasps.emplace();
   grasping.mark = grasps.mark;
-  grasping.fields = ReadFields(GraspingElement(), grasps, reading);
-  grasping.sites = ReadNames(grasps.Find("sites"), reading);
-  RejectDraws(grasping.fields, reading);
+  grasping.fields = ReadFields(kGraspingElement, grasps, context);
+  grasping.sites = ReadNames(grasps.Find("sites"), context);
+  RejectDraws(grasping.fields, context);
 }
 
-void ReadPartCheck(const YamlNode& map, EntryReader& entries, Reading& reading) {
-  if (!IsMap(map, "a part and what is asked of it", reading)) return;
-  CheckKeys(PartCheckElement(), map, reading);
+void ReadPartCheck(const YamlNode& map, EntryReader& entries, Context& context) {
+  if (!IsMap(map, "a part and what is asked of it", context)) return;
+  CheckKeys(kPartCheckElement, map, context);
   Checks::PartCheck check;
-  check.entry = entries.Begin(PartCheckElement(), map, map, EntryReader::Naming::kOptional);
-  check.entry.fields = ReadFields(PartCheckElement(), map, reading);
-  RejectDraws(check.entry.fields, reading);
-  check.parts = ReadNames(map.Find("part"), reading);
+  check.entry = entries.Begin(kPartCheckElement, map, map, EntryReader::Naming::kOptional);
+  check.entry.fields = ReadFields(kPartCheckElement, map, context);
+  RejectDraws(check.entry.fields, context);
+  check.parts = ReadNames(map.Find("part"), context);
   if (check.parts.empty())
-    reading.findings.Add(Code::kSpecMissingKey, map.mark, "'part' is missing",
+    context.findings.Add(Code::kSpecMissingKey, map.mark, "'part' is missing",
                          "the name of a part, or a list of names");
   entries.End(check.entry);
-  reading.spec.checks.parts.push_back(std::move(check));
+  context.spec.checks.parts.push_back(std::move(check));
 }
 
-void ReadJointCheck(const YamlNode& map, EntryReader& entries, Reading& reading) {
-  if (!IsMap(map, "a joint and what is asked of it", reading)) return;
-  CheckKeys(JointCheckElement(), map, reading);
+void ReadJointCheck(const YamlNode& map, EntryReader& entries, Context& context) {
+  if (!IsMap(map, "a joint and what is asked of it", context)) return;
+  CheckKeys(kJointCheckElement, map, context);
   Checks::JointCheck check;
-  check.entry = entries.Begin(JointCheckElement(), map, map, EntryReader::Naming::kOptional);
-  check.entry.fields = ReadFields(JointCheckElement(), map, reading);
-  RejectDraws(check.entry.fields, reading);
-  check.joints = ReadNames(map.Find("joint"), reading);
+  check.entry = entries.Begin(kJointCheckElement, map, map, EntryReader::Naming::kOptional);
+  check.entry.fields = ReadFields(kJointCheckElement, map, context);
+  RejectDraws(check.entry.fields, context);
+  check.joints = ReadNames(map.Find("joint"), context);
   if (check.joints.empty())
-    reading.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
+    context.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
                          "the name of a joint, or a list of names");
   if (const YamlNode* at = map.Find("at")) {
-    check.at = ReadPositions(*at, reading);
-    for (const Position& position : check.at)
-      RejectDraw("at", position.mark, position.value, reading);
+    check.at = ReadPositions(*at, context);
+    for (const JointPosition& position : check.at)
+      RejectDraw("at", position.mark, position.value, context);
   }
   if (const YamlNode* skip = map.Find("skip"))
-    check.skip = ReadReason("skip", *skip, "why it is not driven", reading);
+    check.skip = ReadReason("skip", *skip, "why it is not driven", context);
   entries.End(check.entry);
-  reading.spec.checks.joints.push_back(std::move(check));
+  context.spec.checks.joints.push_back(std::move(check));
 }
 
-void ReadSilence(const YamlNode& silence, Reading& reading) {
-  if (!IsMap(silence, "codes and reasons", reading)) return;
+void ReadSilence(const YamlNode& silence, Context& context) {
+  if (!IsMap(silence, "codes and reasons", context)) return;
   std::vector<std::string_view> names;
   for (const diag::CodeInfo& info : diag::AllCodes()) {
     if (CanBeSilenced(info.code)) names.push_back(info.name);
@@ -163,15 +163,15 @@ void ReadSilence(const YamlNode& silence, Reading& reading) {
     const auto found = std::ranges::find(codes, pair.key, &diag::CodeInfo::name);
     if (found == codes.end() || !CanBeSilenced(found->code)) {
       const std::string hint = diag::DidYouMean(pair.key, names);
-      reading.findings.Add(
+      context.findings.Add(
           Code::kSpecUnknownKey, pair.mark,
           fmt::format("'{}' is not a finding that can be silenced", pair.key),
           hint.empty() ? "docs/errors.md lists them: physics/... and spec/unused" : hint);
       continue;
     }
     const std::string what = fmt::format("why '{}' does not matter", pair.key);
-    reading.spec.checks.silenced.push_back(
-        {found->code, ReadReason(pair.key, pair.value, what, reading)});
+    context.spec.checks.silenced.push_back(
+        {found->code, ReadReason(pair.key, pair.value, what, context)});
   }
 }
 
@@ -181,21 +181,21 @@ bool CanBeSilenced(diag::Code code) {
   return code == Code::kSpecUnused || diag::CodeName(code).starts_with("physics/");
 }
 
-void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading) {
-  if (checks != nullptr && !IsMap(*checks, "checks", reading)) return;
+void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context) {
+  if (checks != nullptr && !IsMap(*checks, "checks", context)) return;
   YamlNode map = WithSettings(checks, settings);
-  CheckKeys(ChecksElement(), map, reading);
+  CheckKeys(kChecksElement, map, context);
   RemoveUnset(map, settings);
-  reading.spec.checks.fields = ReadFields(ChecksElement(), map, reading);
-  RejectDraws(reading.spec.checks.fields, reading);
-  if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, reading);
-  if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, reading);
-  if (const YamlNode* grasps = map.Find("grasps")) ReadGrasping(*grasps, reading);
-  EntryReader entries(reading);
+  context.spec.checks.fields = ReadFields(kChecksElement, map, context);
+  RejectDraws(context.spec.checks.fields, context);
+  if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, context);
+  if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, context);
+  if (const YamlNode* grasps = map.Find("grasps")) ReadGrasping(*grasps, context);
+  EntryReader entries(context);
   const auto read = [&](std::string_view key, std::string_view what, auto read_one) {
     const YamlNode* list = map.Find(key);
-    if (list == nullptr || !IsList(*list, what, reading)) return;
-    for (const YamlNode& item : list->items) read_one(item, entries, reading);
+    if (list == nullptr || !IsList(*list, what, context)) return;
+    for (const YamlNode& item : list->items) read_one(item, entries, context);
   };
   read("fits", "what must go into holes", ReadFitting);
   read("parts", "parts and what is asked of them", ReadPartCheck);

@@ -73,7 +73,7 @@ struct BodyEntry {
   std::vector<Entry> views;  // cameras and lights
   std::vector<Entry> joints;
   bool is_free = false;  // `joints: free`
-  /// Slot of NAME.top; the other properties follow. -1: no expression asks for them.
+  /// FieldKind of NAME.top; the other properties follow. -1: no expression asks for them.
   int first_property = -1;
   std::vector<int> parameter_slots;  // of NAME.param, as head.nested->parameters
 };

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
 
 namespace mjforge::spec {
 
 class EntryReader {
  public:
-  explicit EntryReader(Reading& reading) : reading_(reading) {}
+  explicit EntryReader(Context& context) : context_(context) {}
 
   /// Appends the entries of a list of parts, sites or joints.
   void ReadList(const ElementInfo& element, const YamlNode& list, std::vector<Entry>& out);
@@ -44,7 +44,7 @@ class EntryReader {
   /// Reports a name of a material that the spec does not have.
   void CheckMaterial(const Value& value);
 
-  Reading& reading_;
+  Context& context_;
 };
 
 }  // namespace mjforge::spec

@@ -13,7 +13,7 @@
 namespace mjforge::spec {
 
 /// What may stand in a field.
-enum class Slot {
+enum class FieldKind {
   kNumber,     // one number
   kInteger,    // one number that must be whole
   kBoolean,    // true or false
@@ -62,7 +62,7 @@ enum class Slot {
   kAnything,
 };
 /// Whether it holds one value, which may be drawn or computed.
-constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kOutlines; }
+constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kOutlines; }
 
 /// Which of a part's two geoms an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };
@@ -72,7 +72,7 @@ enum class Motion { kAny, kTurn, kSlide };  // decides between the two units of 
 struct FieldInfo {
   std::string_view key;
   Key id = Key::kAttribute;
-  Slot slot = Slot::kNumber;
+  FieldKind kind = FieldKind::kNumber;
   int min_count = 1;
   int max_count = 1;
   /// "m"; "rad or m" of what turns or slides; "s, 1" of the first, the second; "any one" of the
@@ -102,27 +102,27 @@ struct ElementInfo {
   const FieldInfo* Find(Key id) const;
 };
 
-const ElementInfo& ObjectElement();
-const ElementInfo& ParameterElement();  // the long form's extra keys
-const ElementInfo& MaterialElement();
-const ElementInfo& TextureElement();
-const ElementInfo& PartElement();
-const ElementInfo& FrameElement();  // the mapping under `frame:`
-const ElementInfo& SiteElement();
-const ElementInfo& CameraElement();
-const ElementInfo& LightElement();
-const ElementInfo& JointElement();
-const ElementInfo& BodyElement();
-const ElementInfo& ContactElement();
-const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
-const ElementInfo& ExpectationElement();
-const ElementInfo& DefaultsElement();
-const ElementInfo& ChecksElement();
-const ElementInfo& HoldingElement();
-const ElementInfo& JointCheckElement();
-const ElementInfo& FittingElement();
-const ElementInfo& GraspingElement();
-const ElementInfo& PartCheckElement();
+extern const ElementInfo kObjectElement;
+extern const ElementInfo kParameterElement;  // the long form's extra keys
+extern const ElementInfo kMaterialElement;
+extern const ElementInfo kTextureElement;
+extern const ElementInfo kPartElement;
+extern const ElementInfo kFrameElement;  // the mapping under `frame:`
+extern const ElementInfo kSiteElement;
+extern const ElementInfo kCameraElement;
+extern const ElementInfo kLightElement;
+extern const ElementInfo kJointElement;
+extern const ElementInfo kBodyElement;
+extern const ElementInfo kContactElement;
+extern const ElementInfo kExcludeElement;  // an entry of contact: exclude:
+extern const ElementInfo kExpectationElement;
+extern const ElementInfo kDefaultsElement;
+extern const ElementInfo kChecksElement;
+extern const ElementInfo kHoldingElement;
+extern const ElementInfo kJointCheckElement;
+extern const ElementInfo kFittingElement;
+extern const ElementInfo kGraspingElement;
+extern const ElementInfo kPartCheckElement;
 std::span<const ElementInfo* const> AllElements();
 
 }  // namespace mjforge::spec

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/graph.h"
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
+#include "mjforge/spec/topological_order.h"
 
 namespace mjforge::spec {
 namespace {
@@ -38,13 +38,13 @@ std::optional<Formula> ReadHead(std::string_view text) {
   return has_names ? std::optional(std::move(formula)) : std::nullopt;
 }
 
-bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading) {
+bool CheckNames(const Formula& formula, diag::SourceMark mark, Context& context) {
   const auto fail = [&](Code code, std::string message) {
-    reading.findings.Add(code, mark, std::move(message));
+    context.findings.Add(code, mark, std::move(message));
     return false;
   };
-  if (!CheckNotReserved("a function", formula.name, mark, reading.findings)) return false;
-  if (reading.spec.names.FindFormula(formula.name) != nullptr)
+  if (!CheckNotReserved("a function", formula.name, mark, context.findings)) return false;
+  if (context.spec.names.FindFormula(formula.name) != nullptr)
     return fail(Code::kSpecDuplicateName,
                 fmt::format("two functions are named '{}'", formula.name));
   if (formula.arguments.size() > kMaxArguments) {
@@ -53,7 +53,7 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading)
   }
   std::set<std::string_view> seen;
   for (const std::string& argument : formula.arguments) {
-    if (!CheckNotReserved("an argument", argument, mark, reading.findings)) return false;
+    if (!CheckNotReserved("an argument", argument, mark, context.findings)) return false;
     if (!seen.insert(argument).second) {
       return fail(Code::kSpecDuplicateName,
                   fmt::format("two arguments of '{}' are named '{}'", formula.name, argument));
@@ -76,27 +76,27 @@ std::vector<std::vector<int>> UsesOf(const std::map<std::string, Formula, std::l
 }
 
 // Where a function is named.
-diag::SourceMark MarkOf(const Formula& formula, const Reading& reading) {
-  const auto& all = reading.spec.functions;
+diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
+  const auto& all = context.spec.functions;
   return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
 }
 
 // Functions that call each other in a circle, or in too long a chain, get another body, so that
 // nothing goes round in it.
-void BreakCircles(Reading& reading) {
-  expr::Names& names = reading.spec.names;
+void BreakCircles(Context& context) {
+  expr::Names& names = context.spec.names;
   std::vector<const Formula*> all;
   for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
   const std::vector<std::vector<int>> uses = UsesOf(names.formulas());
   std::set<int> broken;
-  const std::vector<int> order = OrderByUse(uses, [&](const std::vector<int>& path) {
+  const std::vector<int> order = TopologicalOrder(uses, [&](const std::vector<int>& path) {
     std::string text;
     for (const int i : path) {
       broken.insert(i);
       if (!text.empty()) text += " -> ";
       text += all[static_cast<std::size_t>(i)]->name;
     }
-    reading.findings.Add(Code::kSpecCycle, MarkOf(*all[static_cast<std::size_t>(path[0])], reading),
+    context.findings.Add(Code::kSpecCycle, MarkOf(*all[static_cast<std::size_t>(path[0])], context),
                          fmt::format("functions call each other: {}", text));
   });
   std::vector<int> chain(all.size(), 0);
@@ -105,7 +105,7 @@ void BreakCircles(Reading& reading) {
     for (const int used : uses[at])
       chain[at] = std::max(chain[at], chain[static_cast<std::size_t>(used)] + 1);
     if (chain[at] < kMaxChain || broken.contains(i)) continue;
-    reading.findings.Add(Code::kSpecBadValue, MarkOf(*all[at], reading),
+    context.findings.Add(Code::kSpecBadValue, MarkOf(*all[at], context),
                          fmt::format("'{}' calls functions in a chain of {}; the limit is {}",
                                      all[at]->name, chain[at], kMaxChain - 1));
     broken.insert(i);
@@ -129,46 +129,46 @@ bool CheckNotReserved(std::string_view what, std::string_view name, diag::Source
   return false;
 }
 
-void ReadFunctions(const YamlNode& functions, Reading& reading) {
-  if (!IsMap(functions, "functions, as in `area(a, b): a * b`", reading)) return;
+void ReadFunctions(const YamlNode& functions, Context& context) {
+  if (!IsMap(functions, "functions, as in `area(a, b): a * b`", context)) return;
   for (const YamlNode::Pair& pair : functions.pairs) {
     std::optional<Formula> formula = ReadHead(pair.key);
     if (!formula) {
-      reading.findings.Add(
+      context.findings.Add(
           Code::kSpecBadName, pair.mark,
           fmt::format("'{}' is not a function's name with its arguments", pair.key),
           "write `name(a, b): expression`; what has no arguments is a parameter");
       continue;
     }
-    if (!CheckNames(*formula, pair.mark, reading)) continue;
+    if (!CheckNames(*formula, pair.mark, context)) continue;
     if (pair.value.kind != YamlNode::Kind::kScalar) {
-      reading.findings.Add(Code::kSpecWrongType, pair.value.mark,
+      context.findings.Add(Code::kSpecWrongType, pair.value.mark,
                            fmt::format("expected an expression, got {}", KindName(pair.value)),
                            "a function draws nothing: draw a parameter, and use it here");
       continue;
     }
     formula->body = pair.value.text;
     formula->mark = pair.value.mark;
-    reading.spec.functions.emplace_back(formula->name, pair.mark);
-    reading.spec.names.Define(*std::move(formula));
+    context.spec.functions.emplace_back(formula->name, pair.mark);
+    context.spec.names.Define(*std::move(formula));
   }
-  BreakCircles(reading);
+  BreakCircles(context);
 }
 
-void CheckFunctions(Reading& reading) {
-  expr::Names& names = reading.spec.names;
-  for (const auto& [name, mark] : reading.spec.functions) {
+void CheckFunctions(Context& context) {
+  expr::Names& names = context.spec.names;
+  for (const auto& [name, mark] : context.spec.functions) {
     const Formula& formula = *names.FindFormula(name);
     const auto hidden = std::ranges::find_if(
         formula.arguments, [&](const std::string& argument) { return names.Find(argument); });
     if (hidden != formula.arguments.end()) {
-      reading.findings.Add(Code::kSpecDuplicateName, mark,
+      context.findings.Add(Code::kSpecDuplicateName, mark,
                            fmt::format("argument '{}' hides a parameter", *hidden));
       continue;
     }
     for (const std::string& argument : formula.arguments)
       names.Declare(argument, expr::Type::kNumber);
-    reading.values.CheckBody(formula);
+    context.values.CheckBody(formula);
     for (const std::string& argument : formula.arguments) names.Forget(argument);
   }
 }

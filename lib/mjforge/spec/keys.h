@@ -6,36 +6,19 @@ namespace mjforge::spec {
 enum class Key {
   kAttribute,
   // object
-  kFormat,
   kName,
-  kDescription,
-  kImport,
   kParams,
-  kFunctions,
-  kRequire,
   kMaterials,
-  kDefaults,
   kParts,
-  kSites,
-  kCameras,
-  kLights,
-  kJoints,
-  kBodies,
-  kPose,
-  kContact,
   kMjcf,
-  kExpect,
   kPlacement,
   kTotalSize,
-  kChecks,
   // parameters
-  kValue,
   kDoc,
   kUnit,
   // every list entry
   kIf,
   kFor,
-  kLet,
   // poses
   kPos,
   kQuat,
@@ -82,9 +65,7 @@ enum class Key {
   // bodies
   kParent,
   kBody,
-  kExclude,
   // materials, textures
-  kTexture,
   kBuiltin,
   // expectations
   kThat,
@@ -94,14 +75,11 @@ enum class Key {
   kInside,
   kMin,
   kMax,
-  kAt,
   // defaults
   kPart,
   kSite,
   kJoint,
   // checks
-  kHolds,
-  kSilence,
 };
 
 }  // namespace mjforge::spec

@@ -76,9 +76,9 @@ std::shared_ptr<const Value> ValueReader::ReadCount(const YamlNode& node) {
   return std::make_shared<const Value>(std::move(count));
 }
 
-Value ValueReader::ReadListForm(const Expected& expected, const YamlNode& map,
+Value ValueReader::ReadListForm(const ExpectedForm& expected, const YamlNode& map,
                                 const YamlNode::Pair& main) {
-  if (expected.slot == Slot::kAnything)
+  if (expected.kind == FieldKind::kAnything)
     return main.key == "each" ? ReadEach(map) : ReadArrangement(main.key, map);
   findings_.Add(Code::kSpecWrongType, main.mark,
                 fmt::format("'{}' makes a list, which has no place here", main.key),

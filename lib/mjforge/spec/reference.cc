@@ -3,19 +3,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "mjforge/spec/slots.h"
+#include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
 namespace {
 
 std::string TakenBy(const FieldInfo& field) {
-  const std::string_view takes = InfoOf(field.slot).takes;
+  const std::string_view takes = InfoOf(field.kind).takes;
   if (!field.words.empty()) {
     return fmt::format("{}{}{}", fmt::join(expr::WordsOf(field.words), ", "),
                        takes.empty() ? "" : " or ", takes);
   }
-  if (field.slot != Slot::kNumbers) return std::string(takes);
+  if (field.kind != FieldKind::kNumbers) return std::string(takes);
   return field.min_count == field.max_count
              ? fmt::format("{} numbers", field.max_count)
              : fmt::format("{} to {} numbers", field.min_count, field.max_count);

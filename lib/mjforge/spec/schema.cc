@@ -17,7 +17,7 @@
 #include <rapidjson/reader.h>
 #include <rapidjson/stringbuffer.h>
 
-#include "mjforge/spec/slots.h"
+#include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
@@ -26,7 +26,7 @@ extern const std::string_view kSchemaJson;  // the file, embedded
 
 namespace {
 
-using Members = std::vector<std::string>;
+using JsonMembers = std::vector<std::string>;
 
 // As texts of JSON: a quoted number is text, and so no expression.
 constexpr std::string_view kExpression =
@@ -40,7 +40,9 @@ std::string Quoted(std::string_view text) {
   return buffer.GetString();
 }
 
-std::string Joined(const Members& members) { return fmt::format("{}", fmt::join(members, ", ")); }
+std::string Joined(const JsonMembers& members) {
+  return fmt::format("{}", fmt::join(members, ", "));
+}
 
 // One member whose value is an object.
 std::string Member(std::string_view key, std::string_view members) {
@@ -53,7 +55,7 @@ std::string ListOf(std::string_view members) {
   return fmt::format(R"("type": "array", "items": {{{}}})", members);
 }
 
-std::string Mapping(const Members& properties) {
+std::string Mapping(const JsonMembers& properties) {
   return fmt::format(R"("type": "object", "properties": {{{}}}, "additionalProperties": false)",
                      Joined(properties));
 }
@@ -99,7 +101,7 @@ std::string Numbers(const FieldInfo& field) {
 }
 
 std::string Words(const FieldInfo& field) {
-  Members words;
+  JsonMembers words;
   for (const std::string_view word : expr::WordsOf(field.words)) words.push_back(Quoted(word));
   return fmt::format(R"({{"enum": [{}]}})", Joined(words));
 }
@@ -120,7 +122,7 @@ std::string PlainText(const FieldInfo& field) {
 // The fields of the element that the key of `defaults:` names, none of them required.
 std::string DefaultFields(const FieldInfo& defaults) {
   const ElementInfo& element = *FindElement(defaults.key);
-  Members properties;
+  JsonMembers properties;
   for (const FieldInfo& field : element.fields) {
     properties.push_back(
         Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key))));
@@ -129,7 +131,7 @@ std::string DefaultFields(const FieldInfo& defaults) {
 }
 
 std::string Silence() {
-  Members properties;
+  JsonMembers properties;
   for (const diag::CodeInfo& info : diag::AllCodes()) {
     if (!CanBeSilenced(info.code)) continue;
     properties.push_back(Member(info.name, R"("type": "string")"));
@@ -138,7 +140,7 @@ std::string Silence() {
 }
 
 std::string SectionProperties() {
-  Members properties;
+  JsonMembers properties;
   for (const SectionInfo& section : Sections()) {
     properties.push_back(Member(section.name, Is(section.name)));
   }
@@ -147,29 +149,29 @@ std::string SectionProperties() {
 
 // The members of the schema of what may stand in a field.
 std::string Taken(const FieldInfo& field) {
-  switch (field.slot) {
-    case Slot::kNumber:
+  switch (field.kind) {
+    case FieldKind::kNumber:
       return IsBounded(field) ? Number(field, "number") : Is("number");
-    case Slot::kInteger:
+    case FieldKind::kInteger:
       return Number(field, "integer");
-    case Slot::kWord:
+    case FieldKind::kWord:
       return Word(field);
-    case Slot::kNumbers:
+    case FieldKind::kNumbers:
       return IsBounded(field) ? Numbers(field) : Is(NumbersName(field));
-    case Slot::kPoints:
+    case FieldKind::kPoints:
       return Is(field.min_count == 2 ? "points" : "points_in_space");
-    case Slot::kPlainText:
+    case FieldKind::kPlainText:
       return PlainText(field);
-    case Slot::kJoints:
+    case FieldKind::kJoints:
       return fmt::format(R"("anyOf": [{}, {{"@list joint"}}])", Words(field));
-    case Slot::kFields:
+    case FieldKind::kFields:
       return DefaultFields(field);
-    case Slot::kSections:
+    case FieldKind::kSections:
       return SectionProperties();
-    case Slot::kSilence:
+    case FieldKind::kSilence:
       return Silence();
     default:
-      return std::string(InfoOf(field.slot).schema);
+      return std::string(InfoOf(field.kind).schema);
   }
 }
 
@@ -189,8 +191,8 @@ std::string DrawArguments(const DistributionInfo& info) {
   return info.arguments > 1 ? list : fmt::format(R"("anyOf": [{{"@is number"}}, {{{}}}])", list);
 }
 
-std::string DrawForm(const DistributionInfo& info, const Members& more_properties) {
-  Members properties = {Member(info.key, DrawArguments(info))};
+std::string DrawForm(const DistributionInfo& info, const JsonMembers& more_properties) {
+  JsonMembers properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
     // Or, of a record, the column that has them.
     properties.push_back(
@@ -215,14 +217,15 @@ bool Gives(const DistributionInfo& info, std::string_view kind) {
 // --- Sections ---------------------------------------------------------------
 
 // A mapping whose one key is an element.
-std::string OneOf(std::span<const ElementInfo> elements, Members properties);
+std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties);
 
 std::string Attributes(const ElementInfo& element, bool children_by_name) {
-  Members properties;
+  JsonMembers properties;
   for (const FieldInfo& field : element.fields) {
-    properties.push_back(Member(field.key, Is(field.slot == Slot::kNumbers   ? "attribute_numbers"
-                                              : field.slot == Slot::kBoolean ? "boolean"
-                                                                             : "text")));
+    properties.push_back(
+        Member(field.key, Is(field.kind == FieldKind::kNumbers   ? "attribute_numbers"
+                             : field.kind == FieldKind::kBoolean ? "boolean"
+                                                                 : "text")));
   }
   if (children_by_name) {
     for (const ElementInfo& child : element.children) {
@@ -234,7 +237,7 @@ std::string Attributes(const ElementInfo& element, bool children_by_name) {
   return Mapping(properties);
 }
 
-std::string OneOf(std::span<const ElementInfo> elements, Members properties) {
+std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties) {
   for (const ElementInfo& element : elements) {
     properties.push_back(Member(element.name, Attributes(element, false)));
   }
@@ -244,7 +247,7 @@ std::string OneOf(std::span<const ElementInfo> elements, Members properties) {
 // --- Markers ----------------------------------------------------------------
 
 std::string Fields(std::string_view element) {
-  Members properties;
+  JsonMembers properties;
   for (const FieldInfo& field : FindElement(element)->fields) properties.push_back(Property(field));
   return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)", Joined(properties));
 }
@@ -254,12 +257,12 @@ std::string Doc(std::string_view element) {
 }
 
 std::string DocAndUnit(std::string_view /*none*/) {
-  const ElementInfo& parameter = ParameterElement();
+  const ElementInfo& parameter = kParameterElement;
   return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit))});
 }
 
 std::string Draws(std::string_view /*none*/) {
-  Members draws;
+  JsonMembers draws;
   for (const DistributionInfo& info : Distributions()) {
     draws.push_back(Member(info.key, DrawForm(info, {})));
   }
@@ -267,7 +270,7 @@ std::string Draws(std::string_view /*none*/) {
 }
 
 std::string DrawsOf(std::string_view kind) {
-  Members draws;
+  JsonMembers draws;
   for (const DistributionInfo& info : Distributions()) {
     if (Gives(info, kind)) draws.push_back(fmt::format("{{{}}}", Is(info.key)));
   }
@@ -275,7 +278,7 @@ std::string DrawsOf(std::string_view kind) {
 }
 
 std::string DrawsWithDoc(std::string_view none) {
-  Members draws;
+  JsonMembers draws;
   for (const DistributionInfo& info : Distributions()) {
     draws.push_back(fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)})));
   }
@@ -285,10 +288,10 @@ std::string DrawsWithDoc(std::string_view none) {
 // One definition for each length that some field without bounds has.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;
-  Members lists;
+  JsonMembers lists;
   for (const ElementInfo* element : AllElements()) {
     for (const FieldInfo& field : element->fields) {
-      if (field.slot != Slot::kNumbers || IsBounded(field)) continue;
+      if (field.kind != FieldKind::kNumbers || IsBounded(field)) continue;
       if (!done.insert(NumbersName(field)).second) continue;
       lists.push_back(Member(NumbersName(field), Numbers(field)));
     }
@@ -297,11 +300,11 @@ std::string NumberLists(std::string_view /*none*/) {
 }
 
 std::string SectionDefinitions(std::string_view /*none*/) {
-  const Members repeats = {
+  const JsonMembers repeats = {
       Member("if", Is("condition")),
       Member("for", R"("type": "object", "additionalProperties": {"@is number"})"),
       Member("let", R"("@map value")")};
-  Members definitions;
+  JsonMembers definitions;
   for (const SectionInfo& section : Sections()) {
     definitions.push_back(Member(section.name, section.is_element
                                                    ? Attributes(section.elements.front(), true)

@@ -20,7 +20,7 @@ namespace {
 // or more, `?` for true or false, `=kind` for the name of another element; the
 // rest is text. Deeper lines are elements it may hold. `class` is left out:
 // files are flat.
-struct Line {
+struct SchemaLine {
   std::string_view section;  // empty: as the line before
   int depth;
   std::string_view element;
@@ -38,7 +38,7 @@ struct Line {
 #define MJFORGE_SENSED " cutoff# noise# user#"
 #define MJFORGE_FRAME "name objtype objname=@objtype reftype refname=@reftype" MJFORGE_SENSED
 
-constexpr Line kLines[] = {
+constexpr SchemaLine kLines[] = {
     {"option", 0, "option",
      "timestep# apirate# impratio# tolerance# noslip_tolerance# mpr_tolerance# gravity# wind# "
      "magnetic# density# viscosity# o_margin# o_solref# o_solimp# integrator collision cone "
@@ -136,7 +136,7 @@ constexpr Line kLines[] = {
 
 // What bodies hold besides geoms, joints and sites; poses as MJCF files of ours
 // have them.
-constexpr Line kBodyLines[] = {
+constexpr SchemaLine kBodyLines[] = {
     {"body", 0, "camera", "name fovy# ipd# pos# quat# mode target=body user#"},
     {"", 0, "light",
      "name directional? castshadow? active? pos# dir# attenuation# cutoff# exponent# ambient# "
@@ -157,15 +157,15 @@ FieldInfo Parse(std::string_view word) {
   FieldInfo field;
   const std::size_t end = word.find_first_of("#?=");
   field.key = word.substr(0, end);
-  field.slot = Slot::kText;
+  field.kind = FieldKind::kText;
   if (field.key == "name") field.id = Key::kName;
   if (end == std::string_view::npos) return field;
   if (word[end] == '#') {
-    field.slot = Slot::kNumbers;
+    field.kind = FieldKind::kNumbers;
     field.max_count = kMostNumbers;
     field.any_unit = true;
   } else if (word[end] == '?') {
-    field.slot = Slot::kBoolean;
+    field.kind = FieldKind::kBoolean;
   } else {
     field.refers = word.substr(end + 1);
   }
@@ -173,9 +173,9 @@ FieldInfo Parse(std::string_view word) {
 }
 
 /// The lines, taken apart once; everything in it stays where it is.
-class Table {
+class SchemaTable {
  public:
-  explicit Table(std::span<const Line> lines) {
+  explicit SchemaTable(std::span<const SchemaLine> lines) {
     std::vector<std::pair<SectionInfo, std::vector<ElementInfo>>> made;
     std::vector<std::vector<ElementInfo>> children;  // of each element of the last section
     const auto close = [&] {
@@ -189,7 +189,7 @@ class Table {
       made.clear();
       children.clear();
     };
-    for (const Line& line : lines) {
+    for (const SchemaLine& line : lines) {
       if (!line.section.empty()) {
         close();
         SectionInfo& section = made.emplace_back().first;
@@ -229,7 +229,7 @@ const ElementInfo* SectionInfo::Find(std::string_view element) const {
 }
 
 std::span<const SectionInfo> Sections() {
-  static const Table table(kLines);
+  static const SchemaTable table(kLines);
   return table.sections();
 }
 
@@ -240,7 +240,7 @@ const SectionInfo* FindSection(std::string_view name) {
 }
 
 const ElementInfo* FindBodyChild(std::string_view name) {
-  static const Table table(kBodyLines);
+  static const SchemaTable table(kBodyLines);
   return table.sections().front().Find(name);
 }
 

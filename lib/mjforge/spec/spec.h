@@ -14,7 +14,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/spec/demands.h"
+#include "mjforge/spec/checks.h"
 #include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
 #include "mjforge/spec/shapes.h"
@@ -88,7 +88,7 @@ struct ObjectSpec {
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
   std::vector<BodyEntry> bodies;
-  std::vector<Position> pose;
+  std::vector<JointPosition> pose;
   std::vector<Section> sections;
   std::optional<Field> mass;  // kg, of the whole object
   Placement placement = Placement::kCenter;

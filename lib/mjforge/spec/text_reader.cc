@@ -27,7 +27,8 @@ std::string_view Trim(std::string_view text) {
 }
 
 Value ValueReader::ReadBoolean(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kBoolean}, node, {});
+  if (node.kind == YamlNode::Kind::kMap)
+    return ReadMapping({.kind = FieldKind::kBoolean}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "true or false");
   if (IsBooleanWord(node)) {
     return Value{.mark = node.mark, .type = Type::kBoolean, .form = node.text == "true"};
@@ -74,7 +75,7 @@ std::string ValueReader::ReadPlainText(std::string_view what, const YamlNode& no
 }
 
 Value ValueReader::ReadText(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kText}, node, {});
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.kind = FieldKind::kText}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "text");
   Value value{.mark = node.mark, .type = Type::kText};
   Text text;
@@ -104,7 +105,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadWord(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadWord(const ExpectedForm& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
   Value value = ReadText(node);
   const auto* text = std::get_if<Text>(&value.form);

@@ -127,7 +127,8 @@ std::optional<Dimensions> DimensionsOf(std::string_view units) {
 }
 
 void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {
-  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
+  if (const auto* list = std::get_if<List>(&value.form);
+      list && field.kind == FieldKind::kNumbers) {
     for (std::size_t i = 0; i < list->items.size(); ++i) {
       CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
     }
@@ -157,7 +158,7 @@ void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int 
     // An end that is excluded itself may still bound a range.
     FieldInfo ends = field;
     ends.above = false;
-    ends.slot = Slot::kNumber;
+    ends.kind = FieldKind::kNumber;
     for (const Value& end : draw.arguments) CheckBounds(ends, end, position);
   }
 }
@@ -220,7 +221,7 @@ Dimensions ValueReader::Agree(std::string_view what, std::span<const Value> valu
   return common;
 }
 
-Dimensions ValueReader::Measured(const DistributionInfo& info, const Expected& expected,
+Dimensions ValueReader::Measured(const DistributionInfo& info, const ExpectedForm& expected,
                                  const Draw& draw) {
   for (const Value& weight : draw.weights) CheckPlain("a weight", weight);
   Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);

@@ -38,7 +38,7 @@ std::string CountText(int min_count, int max_count) {
 
 }  // namespace
 
-void Uses::Add(const Uses& other) {
+void UsedNames::Add(const UsedNames& other) {
   names.insert(other.names.begin(), other.names.end());
   materials.insert(other.materials.begin(), other.materials.end());
   any_material |= other.any_material;
@@ -104,8 +104,8 @@ Value ValueReader::Harmless(const YamlNode& node) {
 }
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node, Motion motion) {
-  Value value =
-      Read(Expected{field.slot, field.min_count, field.max_count, field.words, field.key}, node);
+  Value value = Read(
+      ExpectedForm{field.kind, field.min_count, field.max_count, field.words, field.key}, node);
   CheckBounds(field, value, 0);
   CheckUnits(field, value, 0, motion);
   if (field.key == "material") NoteMaterials(value);
@@ -122,22 +122,22 @@ void ValueReader::NoteMaterials(const Value& value) {
   }
 }
 
-Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
-  switch (expected.slot) {
-    case Slot::kNumber:
-    case Slot::kInteger:
+Value ValueReader::Read(const ExpectedForm& expected, const YamlNode& node) {
+  switch (expected.kind) {
+    case FieldKind::kNumber:
+    case FieldKind::kInteger:
       return ReadNumber(node);
-    case Slot::kBoolean:
+    case FieldKind::kBoolean:
       return ReadBoolean(node);
-    case Slot::kWord:
+    case FieldKind::kWord:
       return ReadWord(expected, node);
-    case Slot::kText:
+    case FieldKind::kText:
       return ReadText(node);
-    case Slot::kNumbers:
+    case FieldKind::kNumbers:
       return ReadVector(expected, node);
-    case Slot::kPoints:
+    case FieldKind::kPoints:
       return ReadPoints(expected, node);
-    case Slot::kOutlines:
+    case FieldKind::kOutlines:
       return ReadOutlines(expected, node);
     default:
       return ReadAnything(node);
@@ -235,7 +235,7 @@ void ValueReader::CheckRangeOrder(const Value& lo, const Value& hi, SourceMark m
 }
 
 Value ValueReader::ReadNumber(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kNumber}, node, {});
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.kind = FieldKind::kNumber}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "a number");
   if (const auto number = expr::ParseNumber(node.text)) {
     if (!node.quoted) return Value{.mark = node.mark, .form = *number};
@@ -278,7 +278,7 @@ Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNo
                .form = VariableReference{variable.name, variable.slot, variable.list}};
 }
 
-Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadVector(const ExpectedForm& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
   if (node.kind == YamlNode::Kind::kList) return ReadList(expected, node);
   if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
@@ -304,7 +304,7 @@ Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadList(const ExpectedForm& expected, const YamlNode& node) {
   Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
   const bool cut = std::ranges::any_of(node.items, IsCutAtComma);
   if (!cut && (value.components < expected.min_count || value.components > expected.max_count)) {
@@ -349,7 +349,7 @@ Value ValueReader::ReadAnything(const YamlNode& node,
         return ReadItems(ItemType(node), node);
       // As where a vector is wanted: one number alone is a vector of one.
       if (node.items.size() == 1) return ReadNumber(node.items.front());
-      return ReadList({.slot = Slot::kNumbers, .min_count = 2, .max_count = 4}, node);
+      return ReadList({.kind = FieldKind::kNumbers, .min_count = 2, .max_count = 4}, node);
     case YamlNode::Kind::kMap:
       return ReadMapping({}, node, extra_keys);
   }

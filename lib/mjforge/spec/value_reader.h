@@ -17,12 +17,12 @@
 namespace mjforge::spec {
 
 /// What values refer to.
-struct Uses {
+struct UsedNames {
   std::set<std::string, std::less<>> names;      // of parameters, loops and bodies
   std::set<std::string, std::less<>> materials;  // as written
   bool any_material = false;                     // a material's name is composed
 
-  void Add(const Uses& other);
+  void Add(const UsedNames& other);
   /// A name as an expression writes it: "r", "size.x", "arm.top".
   void AddName(std::string_view name) { names.emplace(name.substr(0, name.find('.'))); }
 };
@@ -49,9 +49,9 @@ class ValueReader {
   std::optional<Value> ReadListOrName(const YamlNode& node);
 
   /// The mapping of a draw where only numbers or only texts may be, or anything.
-  Value ReadDrawOf(Slot slot, const YamlNode& map,
+  Value ReadDrawOf(FieldKind kind, const YamlNode& map,
                    std::span<const std::string_view> extra_keys = {}) {
-    return ReadMapping({.slot = slot}, map, extra_keys);
+    return ReadMapping({.kind = kind}, map, extra_keys);
   }
   /// Whether it can only be text, and has no expressions.
   bool IsPlainText(const YamlNode& node) const;
@@ -77,7 +77,7 @@ class ValueReader {
   /// Whether some value read so far is a choice with `exact: true`.
   bool has_exact_choice() const { return has_exact_choice_; }
   /// What the values read so far refer to.
-  const Uses& uses() const { return uses_; }
+  const UsedNames& uses() const { return uses_; }
   /// Counts what another reader's values refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
   /// Reports what is wrong with the body of a function, whose arguments are declared.
@@ -87,47 +87,47 @@ class ValueReader {
 
  private:
   // What the place allows: the field's slot, and counts for vectors.
-  struct Expected {
-    Slot slot = Slot::kAnything;
+  struct ExpectedForm {
+    FieldKind kind = FieldKind::kAnything;
     int min_count = 1;
     int max_count = 1;
     std::string_view words = {};
     std::string_view key = {};  // of the field
   };
-  Value Read(const Expected& expected, const YamlNode& node);
+  Value Read(const ExpectedForm& expected, const YamlNode& node);
   Value ReadBoolean(const YamlNode& node);
-  Value ReadWord(const Expected& expected, const YamlNode& node);
-  Value ReadVector(const Expected& expected, const YamlNode& node);
-  Value ReadList(const Expected& expected, const YamlNode& node);
-  Value ReadOutlines(const Expected& expected, const YamlNode& node);
-  Value ReadPoints(const Expected& expected, const YamlNode& node);
-  Value ReadPoint(const Expected& expected, const YamlNode& node);
+  Value ReadWord(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadVector(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadList(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadOutlines(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadPoints(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadPoint(const ExpectedForm& expected, const YamlNode& node);
   /// What `key` holds, read by `read`, for each value of the loops of `for`.
   template <typename Reader>
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
-  Value ReadArc(const Expected& expected, const YamlNode& map);
+  Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
   void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                  std::string_view what);
   Value ReadItems(expr::Type type, const YamlNode& node);
   expr::Type ItemType(const YamlNode& list) const;
   bool IsText(const YamlNode& node) const;
-  Value ReadListForm(const Expected& expected, const YamlNode& map, const YamlNode::Pair& main);
+  Value ReadListForm(const ExpectedForm& expected, const YamlNode& map, const YamlNode::Pair& main);
   Value ReadEach(const YamlNode& map);
   Value ReadArrangement(std::string_view key, const YamlNode& map);
   std::shared_ptr<const Value> ReadCount(const YamlNode& node);
   Value ReadAnyScalar(const YamlNode& node);
-  Value ReadMapping(const Expected& expected, const YamlNode& node,
+  Value ReadMapping(const ExpectedForm& expected, const YamlNode& node,
                     std::span<const std::string_view> extra_keys);
   void ReportUnknownKey(const YamlNode::Pair& pair, const std::vector<std::string_view>& known,
                         bool lost);
-  Value ReadDraw(const DistributionInfo& info, const Expected& expected, const YamlNode& map);
+  Value ReadDraw(const DistributionInfo& info, const ExpectedForm& expected, const YamlNode& map);
   bool ReadArguments(const DistributionInfo& info, const YamlNode& node, Draw& draw);
-  void ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw, Value& value);
+  void ReadOptions(const ExpectedForm& expected, const YamlNode& list, Draw& draw, Value& value);
   void ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw);
   void ReadExact(const YamlNode& node, Draw& draw);
-  bool IsVectorForm(std::string_view key, const Expected& expected) const;
-  void CheckMeaning(bool is_color, const Expected& expected, const YamlNode& node);
-  Value ReadVectorForm(std::string_view key, const Expected& expected, const YamlNode& node);
+  bool IsVectorForm(std::string_view key, const ExpectedForm& expected) const;
+  void CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node);
+  Value ReadVectorForm(std::string_view key, const ExpectedForm& expected, const YamlNode& node);
   Value ReadRange(const YamlNode& node, std::size_t dots);
   Value ReadExpression(const YamlNode& node, expr::Expression::Result result = {});
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
@@ -139,7 +139,7 @@ class ValueReader {
   /// What numbers of one unit measure; a finding if they have different ones.
   expr::Dimensions Agree(std::string_view what, std::span<const Value> values);
   /// What a draw measures.
-  expr::Dimensions Measured(const DistributionInfo& info, const Expected& expected,
+  expr::Dimensions Measured(const DistributionInfo& info, const ExpectedForm& expected,
                             const Draw& draw);
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
@@ -155,7 +155,7 @@ class ValueReader {
   const diag::Sources& sources_;
   diag::Findings& findings_;
   bool has_exact_choice_ = false;
-  Uses uses_;
+  UsedNames uses_;
 };
 
 /// Where the two dots of `lo .. hi` are in a text; nothing if it is not a range.

@@ -107,7 +107,7 @@ std::string KindText(const Value& value) {
 bool Holds(const FieldInfo& field, double number) {
   return std::isfinite(number) && (field.above ? number > field.lower : number >= field.lower) &&
          number <= field.upper &&
-         (field.slot != Slot::kInteger ||
+         (field.kind != FieldKind::kInteger ||
           (number == std::floor(number) && !IsOddCondim(field, number)));
 }
 

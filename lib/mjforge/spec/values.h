@@ -68,7 +68,7 @@ bool IsListLength(double number);
 inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 to 100000";
 
 /// The rows of a record.
-struct Rows {
+struct RecordRows {
   std::map<double, std::size_t> numbers;  // of the rows, by key; of texts, their TextKey()s
   std::vector<std::string> names;         // of the keys as written
 };
@@ -80,7 +80,7 @@ struct Draw {
   std::vector<Value> weights;    // choice: none or one for each option
   bool exact = false;            // choice: the counts over a batch follow the weights
   /// A choice of one option for each row: it is not drawn, but that of the key in the slot.
-  std::shared_ptr<const Rows> rows;
+  std::shared_ptr<const RecordRows> rows;
   int key_slot = 0;
 };
 

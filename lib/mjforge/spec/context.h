@@ -28,7 +28,7 @@ class NestedLoader {
   virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
-struct Reading {
+struct Context {
   diag::Sources& sources;
   diag::Findings& findings;
   ObjectSpec& spec;
@@ -38,15 +38,15 @@ struct Reading {
 };
 
 /// Reports keys that the element does not have, with suggestions.
-void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading);
+void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Is the node a mapping? If not, a finding that says what was expected.
-bool IsMap(const YamlNode& node, std::string_view what, Reading& reading);
-bool IsList(const YamlNode& node, std::string_view what, Reading& reading);
+bool IsMap(const YamlNode& node, std::string_view what, Context& context);
+bool IsList(const YamlNode& node, std::string_view what, Context& context);
 
 /// The value fields of a mapping, without structure. Reports fields that say the same thing twice
 /// (two orientations, density and mass).
-std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading);
+std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Whether an element may have only one of the two: mass and density, pos and fromto.
 bool SayTheSame(const FieldInfo& a, const FieldInfo& b);
@@ -64,9 +64,9 @@ bool CheckNotReserved(std::string_view what, std::string_view name, diag::Source
                       diag::Findings& findings);
 
 /// Reads functions:, which expressions may call from here on.
-void ReadFunctions(const YamlNode& functions, Reading& reading);
+void ReadFunctions(const YamlNode& functions, Context& context);
 /// Checks their bodies, once the parameters are known.
-void CheckFunctions(Reading& reading);
+void CheckFunctions(Context& context);
 /// Adds the names in the bodies of functions that are among `names`.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
                                               const expr::Names& known);
@@ -77,52 +77,52 @@ struct NamedNode {
   YamlNode value;
 };
 void ReadParameters(const YamlNode* params, const YamlNode* require,
-                    std::span<const NamedNode> settings, Reading& reading);
+                    std::span<const NamedNode> settings, Context& context);
 
 /// materials: and defaults:, of the spec itself or of an imported file.
 void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folder, bool imported,
-                   Reading& reading);
-void ReadDefaults(const YamlNode& defaults, Reading& reading);
+                   Context& context);
+void ReadDefaults(const YamlNode& defaults, Context& context);
 
-void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading);
-void ReadSites(const YamlNode& sites, Reading& reading);
+void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Context& context);
+void ReadSites(const YamlNode& sites, Context& context);
 /// cameras: and lights: of an object or a body.
-void ReadViews(const YamlNode& map, std::vector<Entry>& out, Reading& reading);
-void ReadJoints(const YamlNode& joints, Reading& reading);
+void ReadViews(const YamlNode& map, std::vector<Entry>& out, Context& context);
+void ReadJoints(const YamlNode& joints, Context& context);
 /// Of joints that are one word: whether it is `free` or `none`; else a finding.
-std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading);
+std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
 /// pose: of an object, at: of an expectation.
-std::vector<Position> ReadPositions(const YamlNode& positions, Reading& reading);
+std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
 /// expect: of an object.
-void ReadExpectations(const YamlNode& list, Reading& reading);
+void ReadExpectations(const YamlNode& list, Context& context);
 
 /// Reads bodies: in order, since each may use properties of earlier ones.
-void ReadBodies(const YamlNode& bodies, Reading& reading);
+void ReadBodies(const YamlNode& bodies, Context& context);
 
 /// contact: and mjcf:, as sections of the spec.
-void ReadContact(const YamlNode& contact, Reading& reading);
-void ReadSections(const YamlNode& sections, Reading& reading);
+void ReadContact(const YamlNode& contact, Context& context);
+void ReadSections(const YamlNode& sections, Context& context);
 
 /// Reads checks:, with settings named `checks.KEY` in place of its own values. `checks` may be
 /// null.
 inline constexpr std::string_view kChecksPrefix = "checks.";
 /// The name of the setting that replaces the object's `joints:`.
 inline constexpr std::string_view kRootJoints = "root.joints";
-void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Reading& reading);
+void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
 
 /// Forgets the properties (NAME.top) of bodies that no expression asks for: they need not be
 /// computed.
-void DropUnusedProperties(Reading& reading);
+void DropUnusedProperties(Context& context);
 
 /// Warns of parameters, and of materials of the spec itself, that nothing uses. `materials` may be
 /// null.
-void ReportUnused(const YamlNode* materials, Reading& reading);
+void ReportUnused(const YamlNode* materials, Context& context);
 
 /// Checks what a part's literal type tells about its fields: which are required, which have no
 /// meaning, how many sizes it takes.
-void CheckPart(const Entry& part, Reading& reading);
+void CheckPart(const Entry& part, Context& context);
 
 /// Reports two entries that certainly exist and have the same name.
-void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading);
+void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Context& context);
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-#include "mjforge/spec/files.h"
+#include "mjforge/spec/spec_files.h"
 
 #include <algorithm>
 
@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 using diag::Code;
 using diag::SourceMark;
 
-std::optional<fs::path> Files::Find(const std::string& reference, const fs::path& folder,
-                                    SourceMark mark) {
+std::optional<fs::path> SpecFiles::Find(const std::string& reference, const fs::path& folder,
+                                        SourceMark mark) {
   const auto found = Locate(reference, folder, search_path_);
   if (!found) {
     findings_.Add(Code::kSpecNotFound, mark, fmt::format("cannot find '{}'", reference),
@@ -27,7 +27,7 @@ std::optional<fs::path> Files::Find(const std::string& reference, const fs::path
   return error ? *found : canonical;
 }
 
-bool Files::IsOpen(const fs::path& file, SourceMark mark) {
+bool SpecFiles::IsOpen(const fs::path& file, SourceMark mark) {
   const auto first = std::ranges::find(open_, file);
   if (first == open_.end()) return false;
   std::string chain;
@@ -37,7 +37,7 @@ bool Files::IsOpen(const fs::path& file, SourceMark mark) {
   return true;
 }
 
-std::optional<std::uint32_t> Files::Open(const fs::path& file, SourceMark mark) {
+std::optional<std::uint32_t> SpecFiles::Open(const fs::path& file, SourceMark mark) {
   if (const auto known = std::ranges::find(files_, file); known != files_.end())
     return source_ids_[static_cast<std::size_t>(known - files_.begin())];
   std::string why_not;
@@ -53,7 +53,7 @@ std::optional<std::uint32_t> Files::Open(const fs::path& file, SourceMark mark) 
   return source;
 }
 
-std::string Files::Sha256() const {
+std::string SpecFiles::Sha256() const {
   std::string texts;
   for (const std::uint32_t source : source_ids_) texts += sources_.Text(source);
   return bytes::Sha256Of(texts);

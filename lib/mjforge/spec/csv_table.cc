@@ -1,4 +1,4 @@
-#include "mjforge/spec/table.h"
+#include "mjforge/spec/csv_table.h"
 
 #include <csv.h>
 
@@ -18,11 +18,11 @@ using diag::SourceMark;
 
 constexpr std::size_t kMaxCells = 200'000;
 
-struct Cell {
+struct TableCell {
   std::string text;
   SourceMark mark;
 };
-using Row = std::vector<Cell>;
+using TableRow = std::vector<TableCell>;
 
 // libcsv's parser is given a character at a time: so it is known where each cell begins.
 class Splitter {
@@ -51,7 +51,7 @@ class Splitter {
 
   SourceMark mark() const { return begin_; }
   bool has_too_many() const { return count_ > kMaxCells; }
-  std::vector<Row>& rows() { return rows_; }
+  std::vector<TableRow>& rows() { return rows_; }
 
  private:
   static void AddCell(void* text, std::size_t size, void* self) {
@@ -70,8 +70,8 @@ class Splitter {
   SourceMark begin_;        // of the cell
   bool is_between_ = true;  // no cell has begun
   std::size_t count_ = 0;
-  Row row_;
-  std::vector<Row> rows_;
+  TableRow row_;
+  std::vector<TableRow> rows_;
 };
 
 YamlNode Scalar(std::string text, SourceMark mark, bool quoted) {
@@ -92,9 +92,9 @@ std::string_view Trimmed(std::string_view text) {
                                                          words.front().data()));
 }
 
-class Reader {
+class TableReader {
  public:
-  Reader(std::vector<Row> rows, diag::Findings& findings)
+  TableReader(std::vector<TableRow> rows, diag::Findings& findings)
       : rows_(std::move(rows)), findings_(findings) {}
 
   std::optional<std::vector<TableColumn>> Run() {
@@ -109,7 +109,7 @@ class Reader {
  private:
   void CheckLengths() {
     const std::size_t wanted = rows_.front().size();
-    for (const Row& row : rows_) {
+    for (const TableRow& row : rows_) {
       if (row.size() == wanted) continue;
       findings_.Add(Code::kSpecBadTable, row.front().mark,
                     fmt::format("the row has {} cell{}, the header {}", row.size(),
@@ -118,7 +118,7 @@ class Reader {
   }
 
   TableColumn ReadColumn(std::size_t i) {
-    const Cell& header = rows_.front()[i];
+    const TableCell& header = rows_.front()[i];
     std::string_view name = Trimmed(header.text);
     std::string_view unit;
     if (const std::size_t open = name.find('['); open != name.npos && name.ends_with(']')) {
@@ -126,13 +126,13 @@ class Reader {
       name = Trimmed(name.substr(0, open));
     }
     TableColumn column{.name = std::string(name), .mark = header.mark, .unit = {}, .cells = {}};
-    const auto is_number = [i](const Row& row) { return IsNumber(row[i].text); };
+    const auto is_number = [i](const TableRow& row) { return IsNumber(row[i].text); };
     const auto rows = std::span(rows_).subspan(1);
     CheckUnit(unit, header.mark);
     column.is_text = unit == "text" || (unit.empty() && !std::ranges::all_of(rows, is_number));
     const std::optional<expr::NamedUnit> named = expr::FindUnit(unit);
     if (named) column.unit = named->is_si ? std::string(unit) : named->dimension.Text();
-    for (const Row& row : rows)
+    for (const TableRow& row : rows)
       column.cells.push_back(column.is_text ? Text(row[i]) : Number(row[i], unit));
     return column;
   }
@@ -154,14 +154,14 @@ class Reader {
     return expr::ParseNumber(Trimmed(text)).has_value();
   }
 
-  YamlNode Text(const Cell& cell) {
+  YamlNode Text(const TableCell& cell) {
     if (cell.text.find("${") != std::string::npos)
       findings_.Add(Code::kSpecBadTable, cell.mark,
                     "a table has no expressions: ${ has no meaning");
     return Scalar(cell.text, cell.mark, true);
   }
 
-  YamlNode Number(const Cell& cell, std::string_view unit) {
+  YamlNode Number(const TableCell& cell, std::string_view unit) {
     if (!IsNumber(cell.text)) {
       findings_.Add(Code::kSpecBadTable, cell.mark,
                     fmt::format("'{}' is not a number; the column's unit is {}", cell.text, unit));
@@ -173,7 +173,7 @@ class Reader {
     return Scalar(std::string(Trimmed(cell.text)).append(carried), cell.mark, false);
   }
 
-  std::vector<Row> rows_;
+  std::vector<TableRow> rows_;
   diag::Findings& findings_;
 };
 
@@ -205,7 +205,7 @@ std::optional<std::vector<TableColumn>> ReadTable(std::uint32_t file, const diag
   if (splitter.rows().size() < 2)
     return fail(start, "the table has no rows",
                 "its first line has the names of the columns, each other one is a row");
-  return Reader(std::move(splitter.rows()), findings).Run();
+  return TableReader(std::move(splitter.rows()), findings).Run();
 }
 
 }  // namespace mjforge::spec

@@ -18,18 +18,18 @@ diag::SourceMark MarkOf(const YamlNode& map, std::string_view key) {
 }
 
 void CollectSure(std::string_view what, std::span<const Entry> entries,
-                 std::map<std::string_view, diag::SourceMark>& seen, Reading& reading) {
+                 std::map<std::string_view, diag::SourceMark>& seen, Context& context) {
   for (const Entry& entry : entries) {
     if (entry.condition || !entry.loops.empty()) continue;
     if (entry.is_frame) {
-      CollectSure(what, entry.children, seen, reading);
+      CollectSure(what, entry.children, seen, context);
       continue;
     }
     const auto name = LiteralText(entry.name);
     if (!name || name->empty()) continue;
     const auto [first, is_new] = seen.emplace(*name, entry.name.mark);
     if (is_new) continue;
-    reading.findings
+    context.findings
         .Add(Code::kSpecDuplicateName, entry.name.mark,
              fmt::format("two {}s are named '{}'", what, *name))
         .notes.push_back({first->second, "the other one"});
@@ -50,9 +50,9 @@ void AddDefaults(std::span<const Field> defaults, Entry& entry) {
 
 void EntryReader::ReadList(const ElementInfo& element, const YamlNode& list,
                            std::vector<Entry>& out) {
-  if (!IsList(list, fmt::format("{}s", element.name), reading_)) return;
+  if (!IsList(list, fmt::format("{}s", element.name), context_)) return;
   for (const YamlNode& item : list.items) {
-    if (IsMap(item, fmt::format("a {}'s keys", element.name), reading_)) {
+    if (IsMap(item, fmt::format("a {}'s keys", element.name), context_)) {
       out.push_back(ReadEntry(element, item));
     }
   }
@@ -63,14 +63,14 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
   Entry entry;
   entry.element = &element;
   entry.mark = map.mark;
-  if (const YamlNode* loops = map.Find("for")) entry.loops = reading_.values.ReadLoops(*loops);
+  if (const YamlNode* loops = map.Find("for")) entry.loops = context_.values.ReadLoops(*loops);
   // Draws are keyed by the name, so it is there before them.
   ReadName(named, naming == Naming::kRequired, entry);
   if (const YamlNode* locals = map.Find("let")) {
     ReadLocals(*locals, named.Find("name") != nullptr, entry);
   }
   if (const YamlNode* condition = map.Find("if")) {
-    entry.condition = reading_.values.ReadCondition(*condition);
+    entry.condition = context_.values.ReadCondition(*condition);
   }
   if (entry.condition) {
     entry.condition_uses_locals =
@@ -82,17 +82,17 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
 }
 
 void EntryReader::End(const Entry& entry) {
-  reading_.values.EndLoops(entry.loops);
-  for (const Local& local : entry.locals) reading_.spec.names.Forget(local.name);
+  context_.values.EndLoops(entry.loops);
+  for (const Local& local : entry.locals) context_.spec.names.Forget(local.name);
 }
 
 Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
-  CheckKeys(element, map, reading_);
+  CheckKeys(element, map, context_);
   Entry entry = Begin(element, map, map,
                       map.Find("frame") == nullptr ? Naming::kRequired : Naming::kOptional);
-  if (const YamlNode* frame = map.Find("frame"); frame && &element == &PartElement()) {
+  if (const YamlNode* frame = map.Find("frame"); frame && &element == &kPartElement) {
     ReadFrame(map, *frame, entry);
-  } else if (const YamlNode* spec = map.Find("spec"); spec && &element == &PartElement()) {
+  } else if (const YamlNode* spec = map.Find("spec"); spec && &element == &kPartElement) {
     ReadWeld(map, *spec, entry);
   } else {
     ReadPlain(element, map, entry);
@@ -102,23 +102,23 @@ Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
 }
 
 void EntryReader::ReadLocals(const YamlNode& locals, bool has_name, Entry& entry) {
-  if (!IsMap(locals, "values, as in {gap: 1mm .. 3mm}", reading_)) return;
+  if (!IsMap(locals, "values, as in {gap: 1mm .. 3mm}", context_)) return;
   for (const YamlNode::Pair& pair : locals.pairs) {
-    if (!reading_.values.CheckLocalName("local value", pair)) continue;
-    Local local{.name = pair.key, .slot = 0, .value = reading_.values.ReadAnything(pair.value)};
+    if (!context_.values.CheckLocalName("local value", pair)) continue;
+    Local local{.name = pair.key, .slot = 0, .value = context_.values.ReadAnything(pair.value)};
     if (HasDraw(local.value) && !has_name) {
-      reading_.findings.Add(Code::kSpecUnnamedDraw, local.value.mark,
+      context_.findings.Add(Code::kSpecUnnamedDraw, local.value.mark,
                             fmt::format("'{}' is drawn, so its entry needs a 'name'", local.name),
                             "draws are keyed by names, so moving an entry does not change them");
     }
     if (local.value.is_list) {
-      reading_.findings.Add(Code::kSpecWrongType, local.value.mark,
+      context_.findings.Add(Code::kSpecWrongType, local.value.mark,
                             fmt::format("'{}' is a list; a local value is not", local.name),
                             "make it a parameter, and use its items here");
       local.value = Value{.mark = local.value.mark, .components = 0};
     }
-    local.slot = Declare(reading_.spec.names, pair.key, local.value).slot;
-    reading_.locals.emplace_back(pair.key, pair.mark);
+    local.slot = Declare(context_.spec.names, pair.key, local.value).slot;
+    context_.locals.emplace_back(pair.key, pair.mark);
     entry.locals.push_back(std::move(local));
   }
 }
@@ -130,57 +130,57 @@ void EntryReader::ReadName(const YamlNode& map, bool required, Entry& entry) {
   const YamlNode* name = map.Find("name");
   if (name == nullptr) {
     if (required) {
-      reading_.findings.Add(Code::kSpecMissingKey, map.mark,
+      context_.findings.Add(Code::kSpecMissingKey, map.mark,
                             fmt::format("{} without a 'name'", entry.element->name));
     }
     return;
   }
   if (name->kind == YamlNode::Kind::kMap) {
-    reading_.findings.Add(Code::kSpecWrongType, name->mark, "a name cannot be drawn");
+    context_.findings.Add(Code::kSpecWrongType, name->mark, "a name cannot be drawn");
     return;
   }
-  entry.name = reading_.values.ReadText(*name);
+  entry.name = context_.values.ReadText(*name);
   if (const auto literal = LiteralText(entry.name)) {
-    CheckName(entry.element->name, *literal, name->mark, reading_.findings);
+    CheckName(entry.element->name, *literal, name->mark, context_.findings);
   }
 }
 
 void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry) {
-  entry.fields = ReadFields(element, map, reading_);
+  entry.fields = ReadFields(element, map, context_);
   for (const Key id : {Key::kParams, Key::kMaterials, Key::kParts}) {
-    const FieldInfo* info = &element == &PartElement() ? element.Find(id) : nullptr;
+    const FieldInfo* info = &element == &kPartElement ? element.Find(id) : nullptr;
     if (info == nullptr || map.Find(info->key) == nullptr) continue;
-    reading_.findings.Add(Code::kSpecConflict, MarkOf(map, info->key),
+    context_.findings.Add(Code::kSpecConflict, MarkOf(map, info->key),
                           fmt::format("'{}' needs '{}' in the same entry", info->key,
                                       id == Key::kParts ? "frame" : "spec"));
   }
   if (const Field* material = entry.Find(Key::kMaterial)) CheckMaterial(material->value);
-  if (&element == &PartElement()) CheckPart(entry, reading_);
-  const Defaults& defaults = reading_.spec.defaults;
-  if (&element == &PartElement()) AddDefaults(defaults.part, entry);
-  if (&element == &SiteElement()) AddDefaults(defaults.site, entry);
-  if (&element == &JointElement()) AddDefaults(defaults.joint, entry);
+  if (&element == &kPartElement) CheckPart(entry, context_);
+  const Defaults& defaults = context_.spec.defaults;
+  if (&element == &kPartElement) AddDefaults(defaults.part, entry);
+  if (&element == &kSiteElement) AddDefaults(defaults.site, entry);
+  if (&element == &kJointElement) AddDefaults(defaults.joint, entry);
 }
 
 void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry) {
   entry.is_frame = true;
-  RejectKeys(map, {"name", "if", "for", "let", "frame", "parts"}, PartElement(), "a frame");
-  if (IsMap(frame, "a pose", reading_)) {
-    CheckKeys(FrameElement(), frame, reading_);
-    entry.fields = ReadFields(FrameElement(), frame, reading_);
+  RejectKeys(map, {"name", "if", "for", "let", "frame", "parts"}, kPartElement, "a frame");
+  if (IsMap(frame, "a pose", context_)) {
+    CheckKeys(kFrameElement, frame, context_);
+    entry.fields = ReadFields(kFrameElement, frame, context_);
   }
   const bool drawn =
       std::ranges::any_of(entry.fields, [](const Field& field) { return HasDraw(field.value); });
   if (drawn && map.Find("name") == nullptr) {
-    reading_.findings.Add(Code::kSpecUnnamedDraw, map.mark,
+    context_.findings.Add(Code::kSpecUnnamedDraw, map.mark,
                           "a frame whose pose is drawn needs a 'name'",
                           "draws are keyed by names, so moving an entry does not change them");
   }
   const YamlNode* parts = map.Find("parts");
   if (parts == nullptr) {
-    reading_.findings.Add(Code::kSpecMissingKey, map.mark, "a frame without 'parts'");
+    context_.findings.Add(Code::kSpecMissingKey, map.mark, "a frame without 'parts'");
   } else {
-    ReadList(PartElement(), *parts, entry.children);
+    ReadList(kPartElement, *parts, entry.children);
   }
 }
 
@@ -188,23 +188,23 @@ void EntryReader::ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& ent
   RejectKeys(map,
              {"name", "if", "for", "let", "spec", "params", "materials", "pos", "quat", "euler",
               "axisangle", "xyaxes", "zaxis"},
-             PartElement(), "a part with 'spec'");
-  entry.fields = ReadFields(FrameElement(), map, reading_);
+             kPartElement, "a part with 'spec'");
+  entry.fields = ReadFields(kFrameElement, map, context_);
   ReadNested(map, spec, entry);
 }
 
 void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry) {
-  const std::string reference = reading_.values.ReadPlainText("spec", spec);
-  if (!reference.empty()) entry.nested = reading_.loader.LoadNested(reference, spec.mark);
+  const std::string reference = context_.values.ReadPlainText("spec", spec);
+  if (!reference.empty()) entry.nested = context_.loader.LoadNested(reference, spec.mark);
   if (entry.nested != nullptr && entry.nested->has_exact_choice) {
-    reading_.spec.has_exact_choice = true;
+    context_.spec.has_exact_choice = true;
   }
   if (const YamlNode* params = map.Find("params");
-      params && IsMap(*params, "parameters", reading_)) {
+      params && IsMap(*params, "parameters", context_)) {
     for (const auto& pair : params->pairs) ReadOverride(pair, entry);
   }
   if (const YamlNode* materials = map.Find("materials");
-      materials && IsMap(*materials, "names of materials", reading_)) {
+      materials && IsMap(*materials, "names of materials", context_)) {
     for (const auto& pair : materials->pairs) ReadSubstitute(pair, entry);
   }
 }
@@ -212,39 +212,39 @@ void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& e
 void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
   const Parameter* parameter =
       entry.nested != nullptr ? entry.nested->FindParameter(pair.key) : nullptr;
-  Value value = parameter != nullptr ? reading_.values.ReadLike(parameter->value, pair.value)
-                                     : reading_.values.ReadAnything(pair.value);
+  Value value = parameter != nullptr ? context_.values.ReadLike(parameter->value, pair.value)
+                                     : context_.values.ReadAnything(pair.value);
   if (entry.nested != nullptr) {
     if (parameter == nullptr) {
       std::vector<std::string_view> names;
       for (const Parameter& known : entry.nested->parameters) names.push_back(known.name);
-      reading_.findings.Add(Code::kSpecUnknownParameter, pair.mark,
+      context_.findings.Add(Code::kSpecUnknownParameter, pair.mark,
                             fmt::format("'{}' has no parameter '{}'", entry.nested->name, pair.key),
                             diag::DidYouMean(pair.key, names));
       return;
     }
     if (value.components == 0) return;
     if (!IsSameKind(parameter->value, value)) {
-      reading_.findings.Add(
+      context_.findings.Add(
           Code::kSpecWrongType, value.mark,
           fmt::format("parameter '{}' of '{}' is {}, but this is {}", pair.key, entry.nested->name,
                       KindText(parameter->value), KindText(value)));
       return;
     }
-    reading_.values.CheckUnit(fmt::format("parameter '{}' of '{}'", pair.key, entry.nested->name),
+    context_.values.CheckUnit(fmt::format("parameter '{}' of '{}'", pair.key, entry.nested->name),
                               parameter->value.dimensions, value);
   }
   entry.overrides.emplace_back(parameter != nullptr ? parameter->name : pair.key, std::move(value));
 }
 
 void EntryReader::ReadSubstitute(const YamlNode::Pair& pair, Entry& entry) {
-  Value name = reading_.values.Read(*PartElement().Find(Key::kMaterial), pair.value);
+  Value name = context_.values.Read(*kPartElement.Find(Key::kMaterial), pair.value);
   CheckMaterial(name);
   if (entry.nested != nullptr) {
     std::vector<std::string_view> names;
     for (const Material& material : entry.nested->materials) names.push_back(material.name);
     if (std::ranges::find(names, pair.key) == names.end()) {
-      reading_.findings.Add(Code::kSpecUnknownMaterial, pair.mark,
+      context_.findings.Add(Code::kSpecUnknownMaterial, pair.mark,
                             fmt::format("'{}' has no material '{}'", entry.nested->name, pair.key),
                             diag::DidYouMean(pair.key, names));
     }
@@ -257,7 +257,7 @@ void EntryReader::RejectKeys(const YamlNode& map, std::initializer_list<std::str
   for (const auto& pair : map.pairs) {
     if (element.Find(pair.key) == nullptr) continue;  // reported already
     if (std::ranges::find(allowed, pair.key) != allowed.end()) continue;
-    reading_.findings.Add(Code::kSpecConflict, pair.mark,
+    context_.findings.Add(Code::kSpecConflict, pair.mark,
                           fmt::format("'{}' has no meaning for {}", pair.key, what));
   }
 }
@@ -266,63 +266,63 @@ void EntryReader::CheckMaterial(const Value& value) {
   const auto name = LiteralText(value);
   if (!name) return;
   std::vector<std::string_view> names;
-  for (const Material& material : reading_.spec.materials) names.push_back(material.name);
+  for (const Material& material : context_.spec.materials) names.push_back(material.name);
   if (std::ranges::find(names, *name) != names.end()) return;
   std::string hint = diag::DidYouMean(*name, names);
-  if (reading_.spec.names.Find(*name) != nullptr) {
+  if (context_.spec.names.Find(*name) != nullptr) {
     hint = fmt::format("to use the parameter's value, write ${{{}}}", *name);
   }
-  reading_.findings.Add(Code::kSpecUnknownMaterial, value.mark,
+  context_.findings.Add(Code::kSpecUnknownMaterial, value.mark,
                         fmt::format("no material '{}'", *name), std::move(hint));
 }
 
-void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Reading& reading) {
-  EntryReader(reading).ReadList(PartElement(), parts, out);
-  CheckUniqueNames("part", out, reading);
+void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Context& context) {
+  EntryReader(context).ReadList(kPartElement, parts, out);
+  CheckUniqueNames("part", out, context);
 }
 
-void ReadSites(const YamlNode& sites, Reading& reading) {
-  EntryReader(reading).ReadList(SiteElement(), sites, reading.spec.sites);
-  CheckUniqueNames("site", reading.spec.sites, reading);
+void ReadSites(const YamlNode& sites, Context& context) {
+  EntryReader(context).ReadList(kSiteElement, sites, context.spec.sites);
+  CheckUniqueNames("site", context.spec.sites, context);
 }
 
-void ReadViews(const YamlNode& map, std::vector<Entry>& out, Reading& reading) {
+void ReadViews(const YamlNode& map, std::vector<Entry>& out, Context& context) {
   const auto read = [&](std::string_view key, const ElementInfo& element) {
     const YamlNode* list = map.Find(key);
     if (list == nullptr) return;
     std::vector<Entry> entries;
-    EntryReader(reading).ReadList(element, *list, entries);
-    CheckUniqueNames(element.name, entries, reading);
+    EntryReader(context).ReadList(element, *list, entries);
+    CheckUniqueNames(element.name, entries, context);
     std::ranges::move(entries, std::back_inserter(out));
   };
-  read("cameras", CameraElement());
-  read("lights", LightElement());
+  read("cameras", kCameraElement);
+  read("lights", kLightElement);
 }
 
-std::optional<bool> IsFreeWord(const YamlNode& joints, Reading& reading) {
+std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context) {
   constexpr std::string_view kWords[] = {"free", "none"};
   if (joints.text == kWords[0] || joints.text == kWords[1]) return joints.text == kWords[0];
-  reading.findings.Add(
+  context.findings.Add(
       Code::kSpecBadValue, joints.mark,
       fmt::format("'{}' is neither 'free', 'none' nor a list of joints", joints.text),
       diag::DidYouMean(joints.text, kWords));
   return std::nullopt;
 }
 
-void ReadJoints(const YamlNode& joints, Reading& reading) {
+void ReadJoints(const YamlNode& joints, Context& context) {
   if (joints.kind == YamlNode::Kind::kScalar) {
-    const std::optional<bool> is_free = IsFreeWord(joints, reading);
-    if (is_free) reading.spec.root_joints = *is_free ? RootJoints::kFree : RootJoints::kNone;
+    const std::optional<bool> is_free = IsFreeWord(joints, context);
+    if (is_free) context.spec.root_joints = *is_free ? RootJoints::kFree : RootJoints::kNone;
     return;
   }
-  reading.spec.root_joints = RootJoints::kList;
-  EntryReader(reading).ReadList(JointElement(), joints, reading.spec.joints);
-  CheckUniqueNames("joint", reading.spec.joints, reading);
+  context.spec.root_joints = RootJoints::kList;
+  EntryReader(context).ReadList(kJointElement, joints, context.spec.joints);
+  CheckUniqueNames("joint", context.spec.joints, context);
 }
 
-void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Reading& reading) {
+void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Context& context) {
   std::map<std::string_view, diag::SourceMark> seen;
-  CollectSure(what, entries, seen, reading);
+  CollectSure(what, entries, seen, context);
 }
 
 }  // namespace mjforge::spec

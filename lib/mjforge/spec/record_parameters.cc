@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/records.h"
-#include "mjforge/spec/table.h"
+#include "mjforge/spec/csv_table.h"
+#include "mjforge/spec/record_parameters.h"
 
 namespace mjforge::spec {
 namespace {
@@ -52,17 +52,17 @@ YamlNode ChoiceOf(std::vector<YamlNode> options, SourceMark mark) {
   return choice;
 }
 
-class RecordReader {
+class RecordParameterReader {
  public:
-  RecordReader(const YamlNode::Pair& parameter, Reading& reading)
-      : parameter_(parameter), reading_(reading) {}
+  RecordParameterReader(const YamlNode::Pair& parameter, Context& context)
+      : parameter_(parameter), context_(context) {}
 
-  std::vector<Declared> Run(const YamlNode& node, const YamlNode::Pair& options) {
+  std::vector<ParameterNode> Run(const YamlNode& node, const YamlNode::Pair& options) {
     const bool is_table = options.key == "rows";
     std::vector<TableColumn> columns =
         is_table ? FromFile(options.value) : FromMappings(options.value);
     if (columns.empty()) {
-      reading_.spec.names.DeclareUnknown(parameter_.key);
+      context_.spec.names.DeclareUnknown(parameter_.key);
       return {};
     }
     std::set<std::string_view> seen;
@@ -72,20 +72,20 @@ class RecordReader {
         Fail(Code::kSpecDuplicateName, column.mark,
              fmt::format("two columns are named '{}'", column.name));
     }
-    std::shared_ptr<const Rows> rows = KeyOf(columns.front());
+    std::shared_ptr<const RecordRows> rows = KeyOf(columns.front());
     if (rows == nullptr) {
       columns.insert(columns.begin(), Numbered(columns.front()));
       rows = KeyOf(columns.front());
     }
-    std::vector<Declared> declared;
+    std::vector<ParameterNode> declared;
     for (const TableColumn& column : columns) {
-      const Slot slot = column.is_text ? Slot::kText : Slot::kNumber;
+      const FieldKind kind = column.is_text ? FieldKind::kText : FieldKind::kNumber;
       declared.push_back({.name = parameter_.key + "." + column.name,
                           .mark = column.mark,
                           .node = ChoiceOf(column.cells, node.mark),
                           .source = fmt::format("by {}.{}", parameter_.key, columns.front().name),
                           .unit = column.unit,
-                          .slot = is_table ? slot : Slot::kAnything,
+                          .kind = is_table ? kind : FieldKind::kAnything,
                           .rows = rows});
     }
     declared.front().record = parameter_.key;
@@ -97,14 +97,14 @@ class RecordReader {
 
  private:
   void Fail(Code code, SourceMark mark, std::string message, std::string hint = {}) {
-    reading_.findings.Add(code, mark, std::move(message), std::move(hint));
+    context_.findings.Add(code, mark, std::move(message), std::move(hint));
   }
 
   std::vector<TableColumn> FromFile(const YamlNode& file) {
-    const std::string name = reading_.values.ReadPlainText("rows", file);
-    const auto source = name.empty() ? std::nullopt : reading_.loader.OpenFile(name, file.mark);
+    const std::string name = context_.values.ReadPlainText("rows", file);
+    const auto source = name.empty() ? std::nullopt : context_.loader.OpenFile(name, file.mark);
     if (!source) return {};
-    return ReadTable(*source, reading_.sources, reading_.findings)
+    return ReadTable(*source, context_.sources, context_.findings)
         .value_or(std::vector<TableColumn>());
   }
 
@@ -113,7 +113,7 @@ class RecordReader {
     for (const YamlNode::Pair& pair : list.items.front().pairs)
       columns.push_back({.name = pair.key, .mark = pair.mark, .unit = {}, .cells = {}});
     for (const YamlNode& row : list.items) {
-      if (!IsMap(row, "a mapping like the first one", reading_)) continue;
+      if (!IsMap(row, "a mapping like the first one", context_)) continue;
       for (TableColumn& column : columns) {
         if (const YamlNode* cell = row.Find(column.name)) {
           column.cells.push_back(*cell);
@@ -133,7 +133,7 @@ class RecordReader {
   }
 
   void CheckColumnName(const TableColumn& column) {
-    CheckName("column", column.name, column.mark, reading_.findings);
+    CheckName("column", column.name, column.mark, context_.findings);
     if (column.name.size() == 1 &&
         std::string_view("xyzw").find(column.name) != std::string::npos) {
       Fail(
@@ -144,12 +144,12 @@ class RecordReader {
   }
 
   // What tells the rows apart: different numbers, or texts as they stand; else null.
-  std::shared_ptr<const Rows> KeyOf(const TableColumn& column) const {
-    auto rows = std::make_shared<Rows>();
+  std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
+    auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {
       if (cell.kind != YamlNode::Kind::kScalar) return nullptr;
       std::optional<double> key;
-      if (column.is_text || reading_.values.IsPlainText(cell)) {
+      if (column.is_text || context_.values.IsPlainText(cell)) {
         key = expr::TextKey(cell.text);
       } else {
         expr::Error error;
@@ -199,16 +199,17 @@ class RecordReader {
   }
 
   const YamlNode::Pair& parameter_;
-  Reading& reading_;
+  Context& context_;
 };
 
 }  // namespace
 
-std::optional<std::vector<Declared>> ReadRecord(const YamlNode::Pair& parameter, Reading& reading) {
+std::optional<std::vector<ParameterNode>> ReadRecord(const YamlNode::Pair& parameter,
+                                                     Context& context) {
   const YamlNode& node = WithoutLongForm(parameter.value);
   const YamlNode::Pair* options = OptionsOf(node);
   if (options == nullptr) return std::nullopt;
-  return RecordReader(parameter, reading).Run(node, *options);
+  return RecordParameterReader(parameter, context).Run(node, *options);
 }
 
 }  // namespace mjforge::spec

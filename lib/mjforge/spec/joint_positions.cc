@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
 
 namespace mjforge::spec {
 
@@ -24,25 +24,25 @@ bool IsTurn(const YamlNode& position) {
 
 }  // namespace
 
-std::vector<Position> ReadPositions(const YamlNode& positions, Reading& reading) {
+std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context) {
   static constexpr FieldInfo kOne = {
-      .key = "a position", .slot = Slot::kNumbers, .max_count = 4, .unit = "rad or m"};
+      .key = "a position", .kind = FieldKind::kNumbers, .max_count = 4, .unit = "rad or m"};
   static constexpr FieldInfo kTurn = {
-      .key = "quat", .slot = Slot::kNumbers, .min_count = 4, .max_count = 4};
-  std::vector<Position> all;
-  if (!IsMap(positions, "names and positions of joints", reading)) return all;
+      .key = "quat", .kind = FieldKind::kNumbers, .min_count = 4, .max_count = 4};
+  std::vector<JointPosition> all;
+  if (!IsMap(positions, "names and positions of joints", context)) return all;
   for (const YamlNode::Pair& pair : positions.pairs) {
     const FieldInfo& field = IsTurn(pair.value) ? kTurn : kOne;
     YamlNode name;
     name.kind = YamlNode::Kind::kScalar;
     name.mark = pair.mark;
     name.text = pair.key;
-    Position position = {reading.values.ReadText(name), pair.mark,
-                         reading.values.Read(field, pair.value)};
+    JointPosition position = {context.values.ReadText(name), pair.mark,
+                              context.values.Read(field, pair.value)};
     const Value& value = position.value;
     if (value.components == 0) continue;  // reported
     if (value.components == 2 || value.components == 3) {
-      reading.findings.Add(Code::kSpecWrongType, value.mark,
+      context.findings.Add(Code::kSpecWrongType, value.mark,
                            fmt::format("the position of joint '{}' is {}, not a number or the four "
                                        "of a quaternion",
                                        pair.key, KindText(value)));

@@ -13,11 +13,11 @@
 
 namespace mjforge::spec {
 
-class Files {
+class SpecFiles {
  public:
   /// `first` is the spec's own, read already. All but `first` must outlive this.
-  Files(std::span<const std::filesystem::path> search_path, const std::filesystem::path& first,
-        std::uint32_t source, diag::Sources& sources, diag::Findings& findings)
+  SpecFiles(std::span<const std::filesystem::path> search_path, const std::filesystem::path& first,
+            std::uint32_t source, diag::Sources& sources, diag::Findings& findings)
       : search_path_(search_path),
         sources_(sources),
         findings_(findings),
@@ -35,17 +35,17 @@ class Files {
   std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
 
   /// A file is being read as long as this is there.
-  class Opened {
+  class OpenScope {
    public:
-    Opened(Files& files, const std::filesystem::path& file) : files_(files) {
+    OpenScope(SpecFiles& files, const std::filesystem::path& file) : files_(files) {
       files_.open_.push_back(file);
     }
-    ~Opened() { files_.open_.pop_back(); }
-    Opened(const Opened&) = delete;
-    Opened& operator=(const Opened&) = delete;
+    ~OpenScope() { files_.open_.pop_back(); }
+    OpenScope(const OpenScope&) = delete;
+    OpenScope& operator=(const OpenScope&) = delete;
 
    private:
-    Files& files_;
+    SpecFiles& files_;
   };
   std::size_t depth() const { return open_.size(); }
 

@@ -14,7 +14,7 @@
 namespace mjforge::spec {
 
 /// One of `pose:`: where a joint stands at the start, as qpos has it.
-struct Position {
+struct JointPosition {
   Value joint;  // text
   diag::SourceMark mark;
   Value value;  // a number, or four
@@ -28,7 +28,7 @@ struct Expectation {
   ExpectationKind kind = ExpectationKind::kThat;
   std::optional<expr::Expression> condition;  // kThat
   std::vector<Value> names;                   // of the other kinds: two bodies or parts
-  std::vector<Position> at;
+  std::vector<JointPosition> at;
   std::string doc;
 };
 
@@ -48,7 +48,7 @@ struct Checks {
   struct JointCheck {
     Entry entry;                // if, for, let; thresholds as fields
     std::vector<Value> joints;  // texts
-    std::vector<Position> at;
+    std::vector<JointPosition> at;
     std::string skip;
   };
   std::vector<JointCheck> joints;
