@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -106,6 +107,15 @@ std::string RenderText(const Finding& finding, const Sources& sources, bool colo
 /// hint seed index notes[].
 std::string RenderJson(const Finding& finding, const Sources& sources);
 
+/// The first character of a text.
+struct Utf8Char {
+  char32_t value = 0;
+  std::size_t length = 1;  // in bytes
+  bool valid = false;      // false: the first byte is not UTF-8
+};
+/// Decodes the first character of a text that is not empty.
+Utf8Char DecodeUtf8(std::string_view text);
+
 /// Makes text of unknown origin safe to show on one line. Control characters, invalid bytes and the
 /// marks that turn the direction of writing are spelled out ("\x1b"): a spec must not be able to
 /// steer a terminal or a page.
@@ -121,5 +131,12 @@ std::optional<std::string_view> ClosestWord(std::string_view word,
 
 /// "did you mean 'x'?" or nothing.
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
+/// The same for any list of candidates; `name` is the member of each that holds its name.
+template <typename List, typename Name = std::identity>
+std::string DidYouMean(std::string_view word, const List& list, Name name = {}) {
+  std::vector<std::string_view> candidates;
+  for (const auto& candidate : list) candidates.push_back(std::invoke(name, candidate));
+  return DidYouMean(word, std::span<const std::string_view>(candidates));
+}
 
 }  // namespace mjforge::diag

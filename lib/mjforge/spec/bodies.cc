@@ -58,16 +58,9 @@ class BodyEntryReader {
                            first->key))
           .notes.push_back({first->mark, "first here"});
     }
-    NeedsBeside(map, "params", "spec");
-    NeedsBeside(map, "materials", "spec");
-    NeedsBeside(map, "body", "mjcf");
-  }
-
-  void NeedsBeside(const YamlNode& map, std::string_view key, std::string_view other) {
-    const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
-    if (found == map.pairs.end() || map.Find(other) != nullptr) return;
-    context_.findings.Add(Code::kSpecConflict, found->mark,
-                          fmt::format("'{}' needs '{}' in the same entry", key, other));
+    CheckNeeds("params", "spec", map, context_);
+    CheckNeeds("materials", "spec", map, context_);
+    CheckNeeds("body", "mjcf", map, context_);
   }
 
   // NAME.top and the like, and NAME.param.

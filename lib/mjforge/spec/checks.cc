@@ -29,7 +29,7 @@ YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> setting
 // A setting to nothing takes the spec's own away.
 void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
   std::erase_if(map.pairs, [&](const YamlNode::Pair& pair) {
-    return pair.value.kind == YamlNode::Kind::kNull &&
+    return pair.value.kind == YamlNode::Kind::kNull && kChecksElement.Find(pair.key) != nullptr &&
            std::ranges::any_of(settings, [&](const NamedNode& setting) {
              return setting.name.starts_with(kChecksPrefix) &&
                     setting.name.substr(kChecksPrefix.size()) == pair.key;
@@ -45,10 +45,6 @@ void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Conte
                        "draw it as a parameter, and use that parameter's name here");
 }
 
-void RejectDraws(const std::vector<Field>& fields, Context& context) {
-  for (const Field& field : fields) RejectDraw(field.info->key, field.mark, field.value, context);
-}
-
 /// A text that says something.
 std::string ReadReason(std::string_view key, const YamlNode& reason, std::string_view what,
                        Context& context) {
@@ -59,41 +55,27 @@ std::string ReadReason(std::string_view key, const YamlNode& reason, std::string
   return context.values.ReadPlainText(key, reason);
 }
 
-void ReadHolding(const YamlNode& holds, Context& context) {
-  if (!IsMap(holds, "what is dropped into the object", context)) return;
-  CheckKeys(kHoldingElement, holds, context);
-  Checks::Holding& holding = context.spec.checks.holds.emplace();
-  holding.mark = holds.mark;
-  holding.fields = ReadFields(kHoldingElement, holds, context);
-  RejectDraws(holding.fields, context);
-  if (holds.Find("ball") == nullptr)
-    context.findings.Add(Code::kSpecMissingKey, holds.mark, "'ball' is missing",
-                         "it is the balls' diameter: {ball: 8mm}");
+// Returns the fields of a mapping, and reports those that are drawn.
+std::vector<Field> ReadThresholds(const ElementInfo& element, const YamlNode& map,
+                                  Context& context) {
+  CheckKeys(element, map, context);
+  std::vector<Field> fields = ReadFields(element, map, context);
+  for (const Field& field : fields) RejectDraw(field.info->key, field.mark, field.value, context);
+  return fields;
 }
 
-void ReadFitting(const YamlNode& map, EntryReader& entries, Context& context) {
-  if (!IsMap(map, "what must go into a hole", context)) return;
-  CheckKeys(kFittingElement, map, context);
-  Checks::Fitting fitting;
-  fitting.entry = entries.Begin(kFittingElement, map, map, EntryReader::Naming::kOptional);
-  fitting.entry.fields = ReadFields(kFittingElement, map, context);
-  RejectDraws(fitting.entry.fields, context);
-  entries.End(fitting.entry);
-  const auto missing = [&](std::string_view key, std::string_view hint) {
-    context.findings.Add(Code::kSpecMissingKey, map.mark, fmt::format("'{}' is missing", key),
-                         std::string(hint));
-  };
-  const bool has_body = map.Find("body") != nullptr;
-  if (map.Find("hole") == nullptr) missing("hole", "the site at its mouth, z axis inwards");
-  if (map.Find("depth") == nullptr) missing("depth", "how far in it must get: {depth: 2cm}");
-  if (has_body && map.Find("tip") == nullptr) missing("tip", "a site of the body");
-  if (!has_body && map.Find("peg") == nullptr)
-    missing("peg", "its diameter, {peg: 9.8mm}; or a `body` of the object with its `tip`");
-  if (has_body && map.Find("peg") != nullptr) {
-    context.findings.Add(Code::kSpecConflict, map.mark,
-                         "'peg' together with 'body': one of them goes into the hole");
-  }
-  context.spec.checks.fits.push_back(std::move(fitting));
+void RequireKey(std::string_view key, std::string_view hint, const YamlNode& map,
+                Context& context) {
+  if (map.Find(key) != nullptr) return;
+  context.findings.Add(Code::kSpecMissingKey, map.mark, fmt::format("'{}' is missing", key),
+                       std::string(hint));
+}
+
+void ReadHolding(const YamlNode& holds, Context& context) {
+  if (!IsMap(holds, "what is dropped into the object", context)) return;
+  context.spec.checks.holds =
+      Checks::Holding{ReadThresholds(kHoldingElement, holds, context), holds.mark};
+  RequireKey("ball", "it is the balls' diameter: {ball: 8mm}", holds, context);
 }
 
 /// A text or a list of texts.
@@ -107,36 +89,40 @@ std::vector<Value> ReadNames(const YamlNode* names, Context& context) {
 
 void ReadGrasping(const YamlNode& grasps, Context& context) {
   if (!IsMap(grasps, "how the object is held", context)) return;
-  CheckKeys(kGraspingElement, grasps, context);
-  Checks::Grasping& grasping = context.spec.checks.grasps.emplace();
-  grasping.mark = grasps.mark;
-  grasping.fields = ReadFields(kGraspingElement, grasps, context);
-  grasping.sites = ReadNames(grasps.Find("sites"), context);
-  RejectDraws(grasping.fields, context);
+  context.spec.checks.grasps =
+      Checks::Grasping{ReadThresholds(kGraspingElement, grasps, context),
+                       ReadNames(grasps.Find("sites"), context), grasps.mark};
 }
 
-void ReadPartCheck(const YamlNode& map, EntryReader& entries, Context& context) {
-  if (!IsMap(map, "a part and what is asked of it", context)) return;
-  CheckKeys(kPartCheckElement, map, context);
-  Checks::PartCheck check;
-  check.entry = entries.Begin(kPartCheckElement, map, map, EntryReader::Naming::kOptional);
-  check.entry.fields = ReadFields(kPartCheckElement, map, context);
-  RejectDraws(check.entry.fields, context);
-  check.parts = ReadNames(map.Find("part"), context);
+const Entry& ReadFitting(const YamlNode& map, Entry entry, Context& context) {
+  const bool has_body = map.Find("body") != nullptr;
+  RequireKey("hole", "the site at its mouth, z axis inwards", map, context);
+  RequireKey("depth", "how far in it must get: {depth: 2cm}", map, context);
+  if (has_body) {
+    RequireKey("tip", "a site of the body", map, context);
+  } else {
+    RequireKey("peg", "its diameter, {peg: 9.8mm}; or a `body` of the object with its `tip`", map,
+               context);
+  }
+  if (has_body && map.Find("peg") != nullptr) {
+    context.findings.Add(Code::kSpecConflict, map.mark,
+                         "'peg' together with 'body': one of them goes into the hole");
+  }
+  return context.spec.checks.fits.emplace_back(Checks::Fitting{std::move(entry)}).entry;
+}
+
+const Entry& ReadPartCheck(const YamlNode& map, Entry entry, Context& context) {
+  auto& check = context.spec.checks.parts.emplace_back(
+      Checks::PartCheck{std::move(entry), ReadNames(map.Find("part"), context)});
   if (check.parts.empty())
     context.findings.Add(Code::kSpecMissingKey, map.mark, "'part' is missing",
                          "the name of a part, or a list of names");
-  entries.End(check.entry);
-  context.spec.checks.parts.push_back(std::move(check));
+  return check.entry;
 }
 
-void ReadJointCheck(const YamlNode& map, EntryReader& entries, Context& context) {
-  if (!IsMap(map, "a joint and what is asked of it", context)) return;
-  CheckKeys(kJointCheckElement, map, context);
-  Checks::JointCheck check;
-  check.entry = entries.Begin(kJointCheckElement, map, map, EntryReader::Naming::kOptional);
-  check.entry.fields = ReadFields(kJointCheckElement, map, context);
-  RejectDraws(check.entry.fields, context);
+const Entry& ReadJointCheck(const YamlNode& map, Entry entry, Context& context) {
+  auto& check = context.spec.checks.joints.emplace_back();
+  check.entry = std::move(entry);
   check.joints = ReadNames(map.Find("joint"), context);
   if (check.joints.empty())
     context.findings.Add(Code::kSpecMissingKey, map.mark, "'joint' is missing",
@@ -148,8 +134,7 @@ void ReadJointCheck(const YamlNode& map, EntryReader& entries, Context& context)
   }
   if (const YamlNode* skip = map.Find("skip"))
     check.skip = ReadReason("skip", *skip, "why it is not driven", context);
-  entries.End(check.entry);
-  context.spec.checks.joints.push_back(std::move(check));
+  return check.entry;
 }
 
 void ReadSilence(const YamlNode& silence, Context& context) {
@@ -184,22 +169,28 @@ bool CanBeSilenced(diag::Code code) {
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context) {
   if (checks != nullptr && !IsMap(*checks, "checks", context)) return;
   YamlNode map = WithSettings(checks, settings);
-  CheckKeys(kChecksElement, map, context);
   RemoveUnset(map, settings);
-  context.spec.checks.fields = ReadFields(kChecksElement, map, context);
-  RejectDraws(context.spec.checks.fields, context);
+  context.spec.checks.fields = ReadThresholds(kChecksElement, map, context);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, context);
   if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, context);
   if (const YamlNode* grasps = map.Find("grasps")) ReadGrasping(*grasps, context);
   EntryReader entries(context);
-  const auto read = [&](std::string_view key, std::string_view what, auto read_one) {
+  const auto read = [&](std::string_view key, const ElementInfo& element, std::string_view what,
+                        std::string_view what_of_one, auto add) {
     const YamlNode* list = map.Find(key);
     if (list == nullptr || !IsList(*list, what, context)) return;
-    for (const YamlNode& item : list->items) read_one(item, entries, context);
+    for (const YamlNode& item : list->items) {
+      if (!IsMap(item, what_of_one, context)) continue;
+      Entry entry = entries.Begin(element, item, item);
+      entry.fields = ReadThresholds(element, item, context);
+      entries.End(add(item, std::move(entry), context));
+    }
   };
-  read("fits", "what must go into holes", ReadFitting);
-  read("parts", "parts and what is asked of them", ReadPartCheck);
-  read("joints", "joints and what is asked of them", ReadJointCheck);
+  read("fits", kFittingElement, "what must go into holes", "what must go into a hole", ReadFitting);
+  read("parts", kPartCheckElement, "parts and what is asked of them",
+       "a part and what is asked of it", ReadPartCheck);
+  read("joints", kJointCheckElement, "joints and what is asked of them",
+       "a joint and what is asked of it", ReadJointCheck);
 }
 
 }  // namespace mjforge::spec

@@ -40,6 +40,10 @@ struct Context {
 /// Reports keys that the element does not have, with suggestions.
 void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
 
+/// Reports a key that has a meaning only beside another one of the mapping.
+void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
+                Context& context);
+
 /// Is the node a mapping? If not, a finding that says what was expected.
 bool IsMap(const YamlNode& node, std::string_view what, Context& context);
 bool IsList(const YamlNode& node, std::string_view what, Context& context);
@@ -49,7 +53,7 @@ bool IsList(const YamlNode& node, std::string_view what, Context& context);
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Whether an element may have only one of the two: mass and density, pos and fromto.
-bool SayTheSame(const FieldInfo& a, const FieldInfo& b);
+bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 
 /// The field of a key; null: it is not there.
 const Field* FindField(std::span<const Field> fields, Key id);

@@ -85,11 +85,9 @@ const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
 }
 
 void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
-  std::vector<std::string_view> keys;
-  for (const FieldInfo& field : element.fields) keys.push_back(field.key);
   for (const auto& pair : map.pairs) {
     if (element.Find(pair.key) != nullptr) continue;
-    std::string hint = diag::DidYouMean(pair.key, keys);
+    std::string hint = diag::DidYouMean(pair.key, element.fields, &FieldInfo::key);
     if (pair.key == "<<") hint = "YAML 1.2 has no merge keys; use `defaults:`";
     context.findings.Add(
         Code::kSpecUnknownKey, pair.mark,
@@ -124,7 +122,15 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, C
   return fields;
 }
 
-bool SayTheSame(const FieldInfo& a, const FieldInfo& b) {
+void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
+                Context& context) {
+  const YamlNode::Pair* pair = map.FindPair(key);
+  if (pair == nullptr || map.Find(other) != nullptr) return;
+  context.findings.Add(Code::kSpecConflict, pair->mark,
+                       fmt::format("'{}' needs '{}' in the same entry", key, other));
+}
+
+bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b) {
   return &a == &b || std::ranges::any_of(kExclusiveKeys, [&](const ExclusiveKeys& group) {
     return Has(group, a.id) && Has(group, b.id);
   });

@@ -12,11 +12,6 @@ namespace {
 
 using diag::Code;
 
-diag::SourceMark MarkOf(const YamlNode& map, std::string_view key) {
-  const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
-  return found == map.pairs.end() ? map.mark : found->mark;
-}
-
 void CollectSure(std::string_view what, std::span<const Entry> entries,
                  std::map<std::string_view, diag::SourceMark>& seen, Context& context) {
   for (const Entry& entry : entries) {
@@ -36,10 +31,16 @@ void CollectSure(std::string_view what, std::span<const Entry> entries,
   }
 }
 
+bool HasMaterial(const ObjectSpec& spec, std::string_view name) {
+  return std::ranges::find(spec.materials, name, &Material::name) != spec.materials.end();
+}
+
 void AddDefaults(std::span<const Field> defaults, Entry& entry) {
   const std::size_t own = entry.fields.size();
   for (const Field& field : defaults) {
-    const auto says_it = [&](const Field& said) { return SayTheSame(*said.info, *field.info); };
+    const auto says_it = [&](const Field& said) {
+      return ExcludeEachOther(*said.info, *field.info);
+    };
     if (std::ranges::any_of(std::span(entry.fields).first(own), says_it)) continue;
     entry.fields.push_back(field);
     entry.fields.back().is_default = true;
@@ -147,17 +148,15 @@ void EntryReader::ReadName(const YamlNode& map, bool required, Entry& entry) {
 
 void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry) {
   entry.fields = ReadFields(element, map, context_);
-  for (const Key id : {Key::kParams, Key::kMaterials, Key::kParts}) {
-    const FieldInfo* info = &element == &kPartElement ? element.Find(id) : nullptr;
-    if (info == nullptr || map.Find(info->key) == nullptr) continue;
-    context_.findings.Add(Code::kSpecConflict, MarkOf(map, info->key),
-                          fmt::format("'{}' needs '{}' in the same entry", info->key,
-                                      id == Key::kParts ? "frame" : "spec"));
-  }
   if (const Field* material = entry.Find(Key::kMaterial)) CheckMaterial(material->value);
-  if (&element == &kPartElement) CheckPart(entry, context_);
   const Defaults& defaults = context_.spec.defaults;
-  if (&element == &kPartElement) AddDefaults(defaults.part, entry);
+  if (&element == &kPartElement) {
+    CheckNeeds("params", "spec", map, context_);
+    CheckNeeds("materials", "spec", map, context_);
+    CheckNeeds("parts", "frame", map, context_);
+    CheckPart(entry, context_);
+    AddDefaults(defaults.part, entry);
+  }
   if (&element == &kSiteElement) AddDefaults(defaults.site, entry);
   if (&element == &kJointElement) AddDefaults(defaults.joint, entry);
 }
@@ -216,11 +215,9 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
                                      : context_.values.ReadAnything(pair.value);
   if (entry.nested != nullptr) {
     if (parameter == nullptr) {
-      std::vector<std::string_view> names;
-      for (const Parameter& known : entry.nested->parameters) names.push_back(known.name);
       context_.findings.Add(Code::kSpecUnknownParameter, pair.mark,
                             fmt::format("'{}' has no parameter '{}'", entry.nested->name, pair.key),
-                            diag::DidYouMean(pair.key, names));
+                            diag::DidYouMean(pair.key, entry.nested->parameters, &Parameter::name));
       return;
     }
     if (value.components == 0) return;
@@ -240,14 +237,10 @@ void EntryReader::ReadOverride(const YamlNode::Pair& pair, Entry& entry) {
 void EntryReader::ReadSubstitute(const YamlNode::Pair& pair, Entry& entry) {
   Value name = context_.values.Read(*kPartElement.Find(Key::kMaterial), pair.value);
   CheckMaterial(name);
-  if (entry.nested != nullptr) {
-    std::vector<std::string_view> names;
-    for (const Material& material : entry.nested->materials) names.push_back(material.name);
-    if (std::ranges::find(names, pair.key) == names.end()) {
-      context_.findings.Add(Code::kSpecUnknownMaterial, pair.mark,
-                            fmt::format("'{}' has no material '{}'", entry.nested->name, pair.key),
-                            diag::DidYouMean(pair.key, names));
-    }
+  if (entry.nested != nullptr && !HasMaterial(*entry.nested, pair.key)) {
+    context_.findings.Add(Code::kSpecUnknownMaterial, pair.mark,
+                          fmt::format("'{}' has no material '{}'", entry.nested->name, pair.key),
+                          diag::DidYouMean(pair.key, entry.nested->materials, &Material::name));
   }
   entry.substitutes.emplace_back(pair.key, std::move(name));
 }
@@ -264,11 +257,8 @@ void EntryReader::RejectKeys(const YamlNode& map, std::initializer_list<std::str
 
 void EntryReader::CheckMaterial(const Value& value) {
   const auto name = LiteralText(value);
-  if (!name) return;
-  std::vector<std::string_view> names;
-  for (const Material& material : context_.spec.materials) names.push_back(material.name);
-  if (std::ranges::find(names, *name) != names.end()) return;
-  std::string hint = diag::DidYouMean(*name, names);
+  if (!name || HasMaterial(context_.spec, *name)) return;
+  std::string hint = diag::DidYouMean(*name, context_.spec.materials, &Material::name);
   if (context_.spec.names.Find(*name) != nullptr) {
     hint = fmt::format("to use the parameter's value, write ${{{}}}", *name);
   }

@@ -22,7 +22,7 @@ class EntryReader {
   /// The loops, the name, the local values and the condition of an entry, in this order. Loop
   /// variables and local values stay declared until End. `named` has the name.
   Entry Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
-              Naming naming);
+              Naming naming = Naming::kOptional);
   void End(const Entry& entry);
 
   /// `spec:`, its `params:` and `materials:`.

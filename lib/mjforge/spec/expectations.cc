@@ -39,8 +39,7 @@ class ExpectationReader {
   void ReadOne(const YamlNode& map) {
     CheckKeys(kExpectationElement, map, context_);
     Expectation expectation;
-    expectation.entry =
-        entries_.Begin(kExpectationElement, map, map, EntryReader::Naming::kOptional);
+    expectation.entry = entries_.Begin(kExpectationElement, map, map);
     if (const YamlNode* doc = map.Find("doc"))
       expectation.doc = context_.values.ReadPlainText("doc", *doc);
     const YamlNode::Pair* what = KindOf(map, expectation.kind);
@@ -104,8 +103,8 @@ class ExpectationReader {
       context_.findings.Add(Code::kSpecMissingKey, map.mark, "'gap' without 'min' or 'max'",
                             "write {gap: [a, b], min: 0.2mm}");
     CheckGap(expectation.entry);
-    const auto at = std::ranges::find(map.pairs, "at", &YamlNode::Pair::key);
-    if (at != map.pairs.end() && expectation.kind == ExpectationKind::kThat)
+    const YamlNode::Pair* at = map.FindPair("at");
+    if (at != nullptr && expectation.kind == ExpectationKind::kThat)
       context_.findings.Add(Code::kSpecConflict, at->mark,
                             "'at' has no meaning for a condition, which is on the object at rest");
   }

@@ -1,7 +1,9 @@
 #include "mjforge/spec/field_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 
 namespace mjforge::spec {
 namespace {
@@ -74,13 +76,10 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kAnything, "any value"},
 };
 
-constexpr bool InOrder() {
-  for (std::size_t i = 0; i < kFieldKinds.size(); ++i) {
-    if (static_cast<std::size_t>(kFieldKinds[i].kind) != i) return false;
-  }
-  return kFieldKinds.back().kind == FieldKind::kAnything;
-}
-static_assert(InOrder());
+// InfoOf() uses a kind as an index.
+static_assert(kFieldKinds.size() == static_cast<std::size_t>(FieldKind::kAnything) + 1 &&
+              std::ranges::adjacent_find(kFieldKinds, std::greater_equal(), &FieldKindInfo::kind) ==
+                  kFieldKinds.end());
 
 }  // namespace
 

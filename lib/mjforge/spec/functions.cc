@@ -1,11 +1,10 @@
 // functions: expressions with arguments. A call is read as the function's body would be.
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/spec/context.h"
 #include "mjforge/spec/topological_order.h"
@@ -25,16 +24,10 @@ std::optional<Formula> ReadHead(std::string_view text) {
   if (open == text.npos || !text.ends_with(')')) return std::nullopt;
   Formula formula{.name = std::string(Trim(text.substr(0, open))), .arguments = {}, .body = {}};
   text = text.substr(open + 1, text.size() - open - 2);
-  for (;;) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    formula.arguments.emplace_back(Trim(text.substr(0, comma)));
-    if (comma == text.size()) break;
-    text.remove_prefix(comma + 1);
-  }
-  const bool has_names = expr::IsName(formula.name) &&
-                         std::ranges::all_of(formula.arguments, [](const std::string& argument) {
-                           return expr::IsName(argument);
-                         });
+  for (const std::string_view argument : Split(text, ","))
+    formula.arguments.emplace_back(Trim(argument));
+  const bool has_names =
+      expr::IsName(formula.name) && std::ranges::all_of(formula.arguments, expr::IsName);
   return has_names ? std::optional(std::move(formula)) : std::nullopt;
 }
 
@@ -63,13 +56,13 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Context& context)
 }
 
 // The positions of the functions that each one calls.
-std::vector<std::vector<int>> UsesOf(const std::map<std::string, Formula, std::less<>>& all) {
-  std::vector<std::vector<int>> uses;
-  for (const auto& [name, formula] : all) {
-    std::vector<int>& used = uses.emplace_back();
-    for (const std::string& other : expr::NamesUsedIn(formula.body)) {
-      const auto found = all.find(other);
-      if (found != all.end()) used.push_back(static_cast<int>(std::distance(all.begin(), found)));
+Dependencies UsesOf(const std::vector<const Formula*>& all) {
+  Dependencies uses;
+  for (const Formula* formula : all) {
+    std::vector<std::size_t>& used = uses.emplace_back();
+    for (const std::string& other : expr::NamesUsedIn(formula->body)) {
+      const auto found = std::ranges::find(all, other, &Formula::name);
+      if (found != all.end()) used.push_back(static_cast<std::size_t>(found - all.begin()));
     }
   }
   return uses;
@@ -87,32 +80,27 @@ void BreakCircles(Context& context) {
   expr::Names& names = context.spec.names;
   std::vector<const Formula*> all;
   for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
-  const std::vector<std::vector<int>> uses = UsesOf(names.formulas());
-  std::set<int> broken;
-  const std::vector<int> order = TopologicalOrder(uses, [&](const std::vector<int>& path) {
-    std::string text;
-    for (const int i : path) {
-      broken.insert(i);
-      if (!text.empty()) text += " -> ";
-      text += all[static_cast<std::size_t>(i)]->name;
-    }
-    context.findings.Add(Code::kSpecCycle, MarkOf(*all[static_cast<std::size_t>(path[0])], context),
-                         fmt::format("functions call each other: {}", text));
+  const Dependencies uses = UsesOf(all);
+  std::set<std::size_t> broken;
+  const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {
+    std::vector<std::string_view> circle;
+    for (const std::size_t i : path) circle.push_back(all[i]->name);
+    broken.insert(path.begin(), path.end());
+    context.findings.Add(Code::kSpecCycle, MarkOf(*all[path[0]], context),
+                         fmt::format("functions call each other: {}", fmt::join(circle, " -> ")));
   });
   std::vector<int> chain(all.size(), 0);
-  for (const int i : order) {
-    const auto at = static_cast<std::size_t>(i);
-    for (const int used : uses[at])
-      chain[at] = std::max(chain[at], chain[static_cast<std::size_t>(used)] + 1);
-    if (chain[at] < kMaxChain || broken.contains(i)) continue;
+  for (const std::size_t at : order) {
+    for (const std::size_t used : uses[at]) chain[at] = std::max(chain[at], chain[used] + 1);
+    if (chain[at] < kMaxChain || broken.contains(at)) continue;
     context.findings.Add(Code::kSpecBadValue, MarkOf(*all[at], context),
                          fmt::format("'{}' calls functions in a chain of {}; the limit is {}",
                                      all[at]->name, chain[at], kMaxChain - 1));
-    broken.insert(i);
+    broken.insert(at);
     chain[at] = 0;
   }
-  for (const int i : broken) {
-    Formula harmless = *all[static_cast<std::size_t>(i)];
+  for (const std::size_t at : broken) {
+    Formula harmless = *all[at];
     harmless.body = "1";
     names.Define(std::move(harmless));
   }

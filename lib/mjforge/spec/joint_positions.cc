@@ -33,12 +33,8 @@ std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& con
   if (!IsMap(positions, "names and positions of joints", context)) return all;
   for (const YamlNode::Pair& pair : positions.pairs) {
     const FieldInfo& field = IsTurn(pair.value) ? kTurn : kOne;
-    YamlNode name;
-    name.kind = YamlNode::Kind::kScalar;
-    name.mark = pair.mark;
-    name.text = pair.key;
-    JointPosition position = {context.values.ReadText(name), pair.mark,
-                              context.values.Read(field, pair.value)};
+    JointPosition position = {context.values.ReadText(YamlNode::Scalar(pair.key, pair.mark)),
+                              pair.mark, context.values.Read(field, pair.value)};
     const Value& value = position.value;
     if (value.components == 0) continue;  // reported
     if (value.components == 2 || value.components == 3) {

@@ -68,8 +68,7 @@ std::string NotFoundHint(const std::string& reference, std::span<const fs::path>
       names.push_back(std::move(name));
     }
   }
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  std::string hint = diag::DidYouMean(reference, views);
+  std::string hint = diag::DidYouMean(reference, names);
   return hint.empty() ? "`mjforge catalogue` lists the bundled specs" : hint;
 }
 

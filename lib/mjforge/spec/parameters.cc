@@ -45,16 +45,14 @@ std::string SourceText(const YamlNode& node) {
 }
 
 // The positions of the parameters that each one's node uses, by functions, too.
-std::vector<std::vector<int>> UsesOf(const std::vector<ParameterNode>& declared,
-                                     const expr::Names& names) {
-  std::map<std::string, int, std::less<>> position;
-  for (const ParameterNode& parameter : declared)
-    position.emplace(parameter.name, static_cast<int>(position.size()));
-  std::vector<std::vector<int>> uses;
-  int key = 0;
+Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Names& names) {
+  std::map<std::string, std::size_t, std::less<>> position;
+  for (const ParameterNode& parameter : declared) position.emplace(parameter.name, position.size());
+  Dependencies uses;
+  std::size_t key = 0;
   for (const ParameterNode& parameter : declared) {
-    std::vector<int>& used = uses.emplace_back();
-    if (parameter.is_key()) key = static_cast<int>(uses.size()) - 1;
+    std::vector<std::size_t>& used = uses.emplace_back();
+    if (parameter.is_key()) key = uses.size() - 1;
     if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
     std::vector<std::string> words;
     // The cells of a table are not expressions.
@@ -195,10 +193,9 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
     words.push_back(option.text);
   }
   if (std::ranges::find(words, pinned.text) != words.end()) return true;
-  const std::vector<std::string_view> known(words.begin(), words.end());
   context.findings.Add(Code::kSpecBadValue, pinned.mark,
                        fmt::format("'{}' is not one of {}", pinned.text, SomeOf(words)),
-                       diag::DidYouMean(pinned.text, known));
+                       diag::DidYouMean(pinned.text, words));
   return false;
 }
 
@@ -206,8 +203,6 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
 std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
                                 std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());
-  std::vector<std::string_view> names;
-  for (const Parameter& parameter : context.spec.parameters) names.push_back(parameter.name);
   for (const NamedNode& setting : settings) {
     if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints) continue;
     const Parameter* found = context.spec.FindParameter(setting.name);
@@ -215,7 +210,7 @@ std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
       context.findings.Add(
           Code::kSpecUnknownParameter, setting.value.mark,
           fmt::format("'{}' has no parameter '{}'", context.spec.name, setting.name),
-          diag::DidYouMean(setting.name, names));
+          diag::DidYouMean(setting.name, context.spec.parameters, &Parameter::name));
       continue;
     }
     const auto at = static_cast<std::size_t>(found - context.spec.parameters.data());
@@ -327,18 +322,17 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
   const std::span<Parameter> parameters = std::span(spec.parameters).subspan(first);
 
   std::vector<bool> in_cycle(declared.size());
-  const auto on_cycle = [&](const std::vector<int>& path) {
-    std::string text;
-    for (const int i : path) {
-      in_cycle[static_cast<std::size_t>(i)] = true;
-      if (!text.empty()) text += " -> ";
-      text += parameters[static_cast<std::size_t>(i)].name;
+  const auto on_cycle = [&](const std::vector<std::size_t>& path) {
+    std::vector<std::string_view> circle;
+    for (const std::size_t i : path) {
+      in_cycle[i] = true;
+      circle.push_back(parameters[i].name);
     }
-    context.findings.Add(Code::kSpecCycle, parameters[static_cast<std::size_t>(path[0])].mark,
-                         fmt::format("parameters depend on each other: {}", text));
+    context.findings.Add(
+        Code::kSpecCycle, parameters[path[0]].mark,
+        fmt::format("parameters depend on each other: {}", fmt::join(circle, " -> ")));
   };
-  for (const int i : TopologicalOrder(UsesOf(declared, spec.names), on_cycle)) {
-    const auto at = static_cast<std::size_t>(i);
+  for (const std::size_t at : TopologicalOrder(UsesOf(declared, spec.names), on_cycle)) {
     spec.evaluation_order.push_back(static_cast<int>(first + at));
     if (in_cycle[at]) {
       parameters[at].slot = spec.names.Declare(parameters[at].name, expr::Type::kNumber).slot;

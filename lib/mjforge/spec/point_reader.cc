@@ -116,7 +116,7 @@ void ValueReader::AllowKeys(const YamlNode& map, std::initializer_list<std::stri
     if (std::ranges::find(allowed, pair.key) != allowed.end()) continue;
     findings_.Add(Code::kSpecUnknownKey, pair.mark,
                   fmt::format("unknown key '{}' in {}", pair.key, what),
-                  diag::DidYouMean(pair.key, std::vector<std::string_view>(allowed)));
+                  diag::DidYouMean(pair.key, allowed));
   }
 }
 

@@ -36,19 +36,11 @@ const YamlNode::Pair* OptionsOf(const YamlNode& node) {
   return nullptr;
 }
 
-YamlNode ListOf(std::vector<YamlNode> items, SourceMark mark) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::kList;
-  list.mark = mark;
-  list.items = std::move(items);
-  return list;
-}
-
 YamlNode ChoiceOf(std::vector<YamlNode> options, SourceMark mark) {
   YamlNode choice;
   choice.kind = YamlNode::Kind::kMap;
   choice.mark = mark;
-  choice.pairs.push_back({"choice", mark, ListOf(std::move(options), mark)});
+  choice.pairs.push_back({"choice", mark, YamlNode::List(std::move(options), mark)});
   return choice;
 }
 
@@ -164,12 +156,8 @@ class RecordParameterReader {
 
   static TableColumn Numbered(const TableColumn& first) {
     TableColumn rows{.name = "row", .mark = first.mark, .unit = {}, .cells = {}};
-    for (const YamlNode& cell : first.cells) {
-      YamlNode& number = rows.cells.emplace_back();
-      number.kind = YamlNode::Kind::kScalar;
-      number.mark = cell.mark;
-      number.text = fmt::format("{}", rows.cells.size() - 1);
-    }
+    for (const YamlNode& cell : first.cells)
+      rows.cells.push_back(YamlNode::Scalar(std::to_string(rows.cells.size()), cell.mark));
     return rows;
   }
 
@@ -180,18 +168,15 @@ class RecordParameterReader {
     for (YamlNode::Pair& pair : key.pairs) {
       if (pair.key == options.key) {
         if (pair.key == "rows") pair.key = "choice";
-        pair.value = ListOf(columns.front().cells, pair.value.mark);
+        pair.value = YamlNode::List(columns.front().cells, pair.value.mark);
       } else if (pair.key == "weights" && pair.value.kind == YamlNode::Kind::kScalar) {
         const auto named = std::ranges::find(columns, pair.value.text, &TableColumn::name);
         if (named != columns.end()) {
-          pair.value = ListOf(named->cells, pair.value.mark);
+          pair.value = YamlNode::List(named->cells, pair.value.mark);
         } else {
-          std::vector<std::string_view> names;
-          names.reserve(columns.size());
-          for (const TableColumn& column : columns) names.push_back(column.name);
           Fail(Code::kSpecUnknownKey, pair.value.mark,
                fmt::format("no column '{}'", pair.value.text),
-               diag::DidYouMean(pair.value.text, names));
+               diag::DidYouMean(pair.value.text, columns, &TableColumn::name));
         }
       }
     }

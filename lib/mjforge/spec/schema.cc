@@ -44,6 +44,14 @@ std::string Joined(const JsonMembers& members) {
   return fmt::format("{}", fmt::join(members, ", "));
 }
 
+// The text of each item of a list.
+template <typename List, typename Text>
+JsonMembers Each(const List& list, Text text) {
+  JsonMembers members;
+  for (const auto& item : list) members.push_back(text(item));
+  return members;
+}
+
 // One member whose value is an object.
 std::string Member(std::string_view key, std::string_view members) {
   return fmt::format(R"("{}": {{{}}})", key, members);
@@ -101,9 +109,7 @@ std::string Numbers(const FieldInfo& field) {
 }
 
 std::string Words(const FieldInfo& field) {
-  JsonMembers words;
-  for (const std::string_view word : expr::WordsOf(field.words)) words.push_back(Quoted(word));
-  return fmt::format(R"({{"enum": [{}]}})", Joined(words));
+  return fmt::format(R"({{"enum": [{}]}})", Joined(Each(expr::WordsOf(field.words), Quoted)));
 }
 
 std::string Word(const FieldInfo& field) {
@@ -122,12 +128,9 @@ std::string PlainText(const FieldInfo& field) {
 // The fields of the element that the key of `defaults:` names, none of them required.
 std::string DefaultFields(const FieldInfo& defaults) {
   const ElementInfo& element = *FindElement(defaults.key);
-  JsonMembers properties;
-  for (const FieldInfo& field : element.fields) {
-    properties.push_back(
-        Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key))));
-  }
-  return Mapping(properties);
+  return Mapping(Each(element.fields, [&](const FieldInfo& field) {
+    return Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key)));
+  }));
 }
 
 std::string Silence() {
@@ -140,11 +143,9 @@ std::string Silence() {
 }
 
 std::string SectionProperties() {
-  JsonMembers properties;
-  for (const SectionInfo& section : Sections()) {
-    properties.push_back(Member(section.name, Is(section.name)));
-  }
-  return Mapping(properties);
+  return Mapping(Each(Sections(), [](const SectionInfo& section) {
+    return Member(section.name, Is(section.name));
+  }));
 }
 
 // The members of the schema of what may stand in a field.
@@ -247,9 +248,8 @@ std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties)
 // --- Markers ----------------------------------------------------------------
 
 std::string Fields(std::string_view element) {
-  JsonMembers properties;
-  for (const FieldInfo& field : FindElement(element)->fields) properties.push_back(Property(field));
-  return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)", Joined(properties));
+  return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)",
+                     Joined(Each(FindElement(element)->fields, Property)));
 }
 
 std::string Doc(std::string_view element) {
@@ -262,11 +262,9 @@ std::string DocAndUnit(std::string_view /*none*/) {
 }
 
 std::string Draws(std::string_view /*none*/) {
-  JsonMembers draws;
-  for (const DistributionInfo& info : Distributions()) {
-    draws.push_back(Member(info.key, DrawForm(info, {})));
-  }
-  return Joined(draws);
+  return Joined(Each(Distributions(), [](const DistributionInfo& info) {
+    return Member(info.key, DrawForm(info, {}));
+  }));
 }
 
 std::string DrawsOf(std::string_view kind) {
@@ -278,11 +276,9 @@ std::string DrawsOf(std::string_view kind) {
 }
 
 std::string DrawsWithDoc(std::string_view none) {
-  JsonMembers draws;
-  for (const DistributionInfo& info : Distributions()) {
-    draws.push_back(fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)})));
-  }
-  return Joined(draws);
+  return Joined(Each(Distributions(), [none](const DistributionInfo& info) {
+    return fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)}));
+  }));
 }
 
 // One definition for each length that some field without bounds has.
@@ -304,13 +300,10 @@ std::string SectionDefinitions(std::string_view /*none*/) {
       Member("if", Is("condition")),
       Member("for", R"("type": "object", "additionalProperties": {"@is number"})"),
       Member("let", R"("@map value")")};
-  JsonMembers definitions;
-  for (const SectionInfo& section : Sections()) {
-    definitions.push_back(Member(section.name, section.is_element
-                                                   ? Attributes(section.elements.front(), true)
-                                                   : ListOf(OneOf(section.elements, repeats))));
-  }
-  return Joined(definitions);
+  return Joined(Each(Sections(), [&](const SectionInfo& section) {
+    return Member(section.name, section.is_element ? Attributes(section.elements.front(), true)
+                                                   : ListOf(OneOf(section.elements, repeats)));
+  }));
 }
 
 struct Marker {

@@ -54,7 +54,7 @@ class SectionEntryReader {
         AddExclude(std::move(entry));
       } else if (IsMap(item, "a pair's keys", context_)) {
         CheckKeys(kExcludeElement, item, context_);
-        Entry entry = entries_.Begin(kExcludeElement, item, item, EntryReader::Naming::kOptional);
+        Entry entry = entries_.Begin(kExcludeElement, item, item);
         if (const YamlNode* bodies = item.Find("bodies")) {
           ReadPair(*bodies, entry);
         } else {
@@ -102,11 +102,9 @@ class SectionEntryReader {
                             std::string(foreign->hint));
       return;
     }
-    std::vector<std::string_view> names;
-    for (const SectionInfo& section : Sections()) names.push_back(section.name);
     context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                           fmt::format("MJCF has no section '{}'", pair.key),
-                          diag::DidYouMean(pair.key, names));
+                          diag::DidYouMean(pair.key, Sections(), &SectionInfo::name));
   }
 
   // option, size, ...: attributes, and elements in it by their name.
@@ -214,11 +212,9 @@ class SectionEntryReader {
     for (const YamlNode::Pair& pair : item.pairs) {
       if (IsOfEntry(pair)) continue;
       if (std::ranges::find(known, pair.key, &ElementInfo::name) == known.end()) {
-        std::vector<std::string_view> names;
-        for (const ElementInfo& element : known) names.push_back(element.name);
         context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                               fmt::format("MJCF has no element '{}' in '{}'", pair.key, owner),
-                              diag::DidYouMean(pair.key, names));
+                              diag::DidYouMean(pair.key, known, &ElementInfo::name));
         return nullptr;
       }
       if (only != nullptr) {

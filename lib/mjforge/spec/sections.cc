@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <deque>
-#include <map>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "mjforge/expr/expr.h"
@@ -176,40 +175,38 @@ FieldInfo Parse(std::string_view word) {
 class SchemaTable {
  public:
   explicit SchemaTable(std::span<const SchemaLine> lines) {
-    std::vector<std::pair<SectionInfo, std::vector<ElementInfo>>> made;
-    std::vector<std::vector<ElementInfo>> children;  // of each element of the last section
-    const auto close = [&] {
-      if (made.empty()) return;
-      auto& elements = made.back().second;
-      for (std::size_t i = 0; i < elements.size(); ++i) {
-        elements[i].children = elements_.emplace_back(std::move(children[i]));
-      }
-      made.back().first.elements = elements_.emplace_back(std::move(elements));
-      sections_.push_back(made.back().first);
-      made.clear();
-      children.clear();
-    };
-    for (const SchemaLine& line : lines) {
-      if (!line.section.empty()) {
-        close();
-        SectionInfo& section = made.emplace_back().first;
-        section.name = line.section;
-        section.is_element = line.section == line.element;
-      }
-      const ElementInfo element = {line.element, {}, FieldsOf(line.attributes), {}};
-      if (line.depth == 0) {
-        made.back().second.push_back(element);
-        children.emplace_back();
-      } else {
-        children.back().push_back(element);
-      }
+    while (!lines.empty()) {
+      const auto section =
+          TakeUntil([](const SchemaLine& line) { return !line.section.empty(); }, lines);
+      const SchemaLine& first = section.front();
+      sections_.push_back({first.section, first.section == first.element, ElementsOf(section, 0)});
     }
-    close();
   }
 
   std::span<const SectionInfo> sections() const { return sections_; }
 
  private:
+  // Removes from `lines` the first one and those after it up to the next that `is_next`.
+  template <typename IsNext>
+  static std::span<const SchemaLine> TakeUntil(IsNext is_next, std::span<const SchemaLine>& lines) {
+    const auto next = std::ranges::find_if(lines.subspan(1), is_next);
+    const auto count = static_cast<std::size_t>(next - lines.begin());
+    return std::exchange(lines, lines.subspan(count)).first(count);
+  }
+
+  std::span<const ElementInfo> ElementsOf(std::span<const SchemaLine> lines, int depth) {
+    std::vector<ElementInfo>& elements = elements_.emplace_back();
+    while (!lines.empty()) {
+      const auto element =
+          TakeUntil([depth](const SchemaLine& line) { return line.depth == depth; }, lines);
+      elements.push_back({element.front().element,
+                          {},
+                          FieldsOf(element.front().attributes),
+                          ElementsOf(element.subspan(1), depth + 1)});
+    }
+    return elements;
+  }
+
   std::span<const FieldInfo> FieldsOf(std::string_view attributes) {
     std::vector<FieldInfo>& fields = fields_.emplace_back();
     for (const std::string_view word : expr::WordsOf(attributes)) fields.push_back(Parse(word));

@@ -26,6 +26,16 @@ std::string_view Trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
 }
 
+std::vector<std::string_view> Split(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> pieces;
+  for (auto end = text.find(separator); end != text.npos; end = text.find(separator)) {
+    pieces.push_back(text.substr(0, end));
+    text.remove_prefix(end + separator.size());
+  }
+  pieces.push_back(text);
+  return pieces;
+}
+
 Value ValueReader::ReadBoolean(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap)
     return ReadMapping({.kind = FieldKind::kBoolean}, node, {});

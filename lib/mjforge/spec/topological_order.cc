@@ -1,6 +1,7 @@
+// Topological order by depth-first search, and the cycles that prevent one.
+
 #include "mjforge/spec/topological_order.h"
 
-#include <cstddef>
 #include <utility>
 
 namespace mjforge::spec {
@@ -8,35 +9,35 @@ namespace {
 
 enum class VisitState { kNew, kOpen, kDone };
 
-std::size_t Index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
-std::vector<int> TopologicalOrder(const std::vector<std::vector<int>>& uses,
-                                  const std::function<void(const std::vector<int>&)>& on_cycle) {
-  std::vector<VisitState> states(uses.size(), VisitState::kNew);
-  std::vector<int> order;
-  // Depth first, with a stack of our own: chains may be long.
-  std::vector<std::pair<int, std::size_t>> stack;
-  const auto open = [&](int node) {
-    states[Index(node)] = VisitState::kOpen;
+std::vector<std::size_t> TopologicalOrder(
+    const Dependencies& dependencies,
+    const std::function<void(const std::vector<std::size_t>&)>& on_cycle) {
+  std::vector<VisitState> states(dependencies.size(), VisitState::kNew);
+  std::vector<std::size_t> order;
+  // An explicit stack, because long chains would overflow the call stack: each open node with the
+  // number of its dependencies that were visited.
+  std::vector<std::pair<std::size_t, std::size_t>> stack;
+  const auto open = [&](std::size_t node) {
+    states[node] = VisitState::kOpen;
     stack.emplace_back(node, 0);
   };
-  for (int start = 0; start < static_cast<int>(uses.size()); ++start) {
-    if (states[Index(start)] == VisitState::kNew) open(start);
+  for (std::size_t start = 0; start < dependencies.size(); ++start) {
+    if (states[start] == VisitState::kNew) open(start);
     while (!stack.empty()) {
       auto& [node, next] = stack.back();
-      if (next == uses[Index(node)].size()) {
-        states[Index(node)] = VisitState::kDone;
+      if (next == dependencies[node].size()) {
+        states[node] = VisitState::kDone;
         order.push_back(node);
         stack.pop_back();
         continue;
       }
-      const int used = uses[Index(node)][next++];
-      if (states[Index(used)] == VisitState::kNew) {
+      const std::size_t used = dependencies[node][next++];
+      if (states[used] == VisitState::kNew) {
         open(used);
-      } else if (states[Index(used)] == VisitState::kOpen) {
-        std::vector<int> path;
+      } else if (states[used] == VisitState::kOpen) {
+        std::vector<std::size_t> path;
         for (const auto& [at, unused] : stack) {
           if (!path.empty() || at == used) path.push_back(at);
         }

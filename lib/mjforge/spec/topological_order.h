@@ -1,14 +1,20 @@
+// Topological order of a dependency graph.
+
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace mjforge::spec {
 
-/// The order in which things can be read that use each other: each after those that it uses.
-/// `uses` has the positions of these, for each. Circles are handed to `on_cycle` as paths that end
-/// where they begin.
-std::vector<int> TopologicalOrder(const std::vector<std::vector<int>>& uses,
-                                  const std::function<void(const std::vector<int>&)>& on_cycle);
+/// Edges of a dependency graph: for each node, the nodes that it depends on.
+using Dependencies = std::vector<std::vector<std::size_t>>;
+
+/// Returns all nodes, each after those that it depends on. Calls `on_cycle` for each cycle, with a
+/// path whose first and last nodes are the same.
+std::vector<std::size_t> TopologicalOrder(
+    const Dependencies& dependencies,
+    const std::function<void(const std::vector<std::size_t>&)>& on_cycle);
 
 }  // namespace mjforge::spec

@@ -16,45 +16,31 @@ using expr::Dimension;
 using expr::Dimensions;
 using expr::Type;
 
-// Whether `use` is true of a piece of a text between separators, asked in order.
-template <typename Use>
-bool AnyOf(std::string_view text, std::string_view separator, Use use) {
-  for (;;) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    if (use(text.substr(0, end))) return true;
-    if (end == text.size()) return false;
-    text.remove_prefix(end + separator.size());
-  }
-}
-
 // Of the units of a field, that of one component: of "s, 1" the second is "1". One is that of all,
 // and what has none is a plain number.
 std::string_view UnitAt(std::string_view units, int component) {
-  if (units.find(", ") == units.npos) return units;
-  std::string_view found;
-  AnyOf(units, ", ", [&](std::string_view unit) {
-    found = unit;
-    return component-- == 0;
-  });
-  return component < 0 ? found : std::string_view();
+  const std::vector<std::string_view> all = Split(units, ", ");
+  if (all.size() == 1) return units;
+  const auto at = static_cast<std::size_t>(component);
+  return at < all.size() ? all[at] : std::string_view();
 }
 
 // Of "rad or m" the first is of what turns, the second of what slides.
 std::string_view UnitOf(Motion motion, std::string_view unit) {
-  constexpr std::string_view kOr = " or ";
-  const std::size_t at = unit.find(kOr);
-  if (motion == Motion::kAny || at == unit.npos) return unit;
-  return motion == Motion::kTurn ? unit.substr(0, at) : unit.substr(at + kOr.size());
+  const std::vector<std::string_view> both = Split(unit, " or ");
+  if (motion == Motion::kAny) return unit;
+  return motion == Motion::kTurn ? both.front() : both.back();
 }
 
 // That of directions: only the ratio of their three numbers counts.
 constexpr std::string_view kAnyOne = "any one";
 
 bool Fits(std::string_view unit, const Dimension& dimension) {
-  return dimension.is_plain() || unit == kAnyOne || AnyOf(unit, " or ", [&](std::string_view one) {
-           const auto named = expr::FindUnit(one);
-           return named && named->dimension == dimension;
-         });
+  const auto is_of = [&](std::string_view one) {
+    const auto named = expr::FindUnit(one);
+    return named && named->dimension == dimension;
+  };
+  return dimension.is_plain() || unit == kAnyOne || std::ranges::any_of(Split(unit, " or "), is_of);
 }
 
 // "in m".
@@ -118,12 +104,12 @@ bool IsMeasured(const Dimensions& dimensions) {
 
 std::optional<Dimensions> DimensionsOf(std::string_view units) {
   Dimensions dimensions;
-  const bool is_label = AnyOf(units, ", ", [&](std::string_view unit) {
+  for (const std::string_view unit : Split(units, ", ")) {
     const auto named = expr::FindUnit(unit);
-    if (named) dimensions.push_back(named->dimension);
-    return !named;
-  });
-  return is_label ? std::nullopt : std::optional(std::move(dimensions));
+    if (!named) return std::nullopt;
+    dimensions.push_back(named->dimension);
+  }
+  return dimensions;
 }
 
 void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {

@@ -169,6 +169,8 @@ bool IsBooleanWord(const YamlNode& node);
 
 /// Without blanks at the ends.
 std::string_view Trim(std::string_view text);
+/// The pieces of a text between separators.
+std::vector<std::string_view> Split(std::string_view text, std::string_view separator);
 
 /// The names that a node's expressions use, in order of first use, with repeats.
 void CollectNames(const YamlNode& node, std::vector<std::string>& names);

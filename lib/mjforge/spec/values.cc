@@ -13,6 +13,13 @@ bool IsOddCondim(const FieldInfo& field, double number) {
   return field.key == "condim" && (number == 2 || number == 5);
 }
 
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
 }  // namespace
 
 bool HasDraw(const Value& value) {
@@ -25,38 +32,30 @@ bool Varies(const Value& value, const std::function<bool(int)>& variable_varies)
     return std::ranges::any_of(expression.inputs(), variable_varies,
                                &expr::Expression::Input::slot);
   };
-  if (const auto* expression = std::get_if<expr::Expression>(&value.form)) return uses(*expression);
-  if (const auto* variable = std::get_if<VariableReference>(&value.form)) {
-    return variable_varies(variable->slot);
-  }
-  if (const auto* text = std::get_if<Text>(&value.form)) {
-    return std::ranges::any_of(text->pieces, [&](const TextPiece& piece) {
-      return (piece.text_slot >= 0 && variable_varies(piece.text_slot)) ||
-             (piece.expression && uses(*piece.expression));
-    });
-  }
-  if (const auto* list = std::get_if<List>(&value.form)) {
-    return std::ranges::any_of(list->items, item_varies);
-  }
-  if (const auto* color = std::get_if<HsvColor>(&value.form)) {
-    return std::ranges::any_of(color->items, item_varies);
-  }
-  if (const auto* each = std::get_if<Each>(&value.form))
-    return item_varies(*each->value) || item_varies(*each->count);
-  if (const auto* points = std::get_if<PointLoop>(&value.form)) {
-    const auto runs = [&](const Loop& loop) { return item_varies(loop.range); };
-    return std::ranges::any_of(*points->loops, runs) || item_varies(*points->at);
-  }
-  if (const auto* arc = std::get_if<Arc>(&value.form)) {
-    return std::ranges::any_of(arc->measures, item_varies) || item_varies(*arc->center) ||
-           item_varies(*arc->steps);
-  }
-  return std::holds_alternative<Draw>(value.form) ||
-         std::holds_alternative<Arrangement>(value.form) ||
-         std::holds_alternative<SharedParameter>(value.form) ||
-         std::holds_alternative<RandomRotation>(value.form) ||
-         std::holds_alternative<RotationAbout>(value.form) ||
-         std::holds_alternative<PointOnSphere>(value.form);
+  const Overloaded varies = {
+      [](double) { return false; },
+      [](bool) { return false; },
+      [&](const expr::Expression& expression) { return uses(expression); },
+      [&](const VariableReference& variable) { return variable_varies(variable.slot); },
+      [&](const Text& text) {
+        return std::ranges::any_of(text.pieces, [&](const TextPiece& piece) {
+          return (piece.text_slot >= 0 && variable_varies(piece.text_slot)) ||
+                 (piece.expression && uses(*piece.expression));
+        });
+      },
+      [&](const List& list) { return std::ranges::any_of(list.items, item_varies); },
+      [&](const HsvColor& color) { return std::ranges::any_of(color.items, item_varies); },
+      [&](const Each& each) { return item_varies(*each.value) || item_varies(*each.count); },
+      [&](const PointLoop& points) {
+        return std::ranges::any_of(*points.loops, item_varies, &Loop::range) ||
+               item_varies(*points.at);
+      },
+      [&](const Arc& arc) {
+        return std::ranges::any_of(arc.measures, item_varies) || item_varies(*arc.center) ||
+               item_varies(*arc.steps);
+      },
+      [](const auto&) { return true; }};  // draws
+  return std::visit(varies, value.form);
 }
 
 bool IsListLength(double number) {

@@ -73,12 +73,9 @@ class TreeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     CheckTag(mark, tag, value);
-    YamlNode node;
-    node.kind = YamlNode::Kind::kScalar;
-    node.mark = At(mark);
-    node.text = value;
     // `!hollow` was reported as a tag; read on as if it were the plain word.
-    if (value.empty() && tag.size() > 1 && tag.front() == '!') node.text = tag.substr(1);
+    const bool is_word = value.empty() && tag.size() > 1 && tag.front() == '!';
+    YamlNode node = YamlNode::Scalar(is_word ? tag.substr(1) : value, At(mark));
     node.quoted = tag == "!";
     node.flow = !open_.empty() && open_.back().flow;
     if (!node.quoted && (value == "~" || value == "null")) node.kind = YamlNode::Kind::kNull;
@@ -194,36 +191,19 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t alias_nodes_ = 0;
 };
 
-// The byte after a well-formed UTF-8 sequence at `i`, or `i` if there is none.
-// Source: the Unicode Standard, table 3-7, without the surrogates' refinement.
-std::size_t AfterCharacter(std::string_view text, std::size_t i) {
-  const auto byte = [&](std::size_t k) {
-    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
-  };
-  const unsigned first = byte(i);
-  std::size_t length = 0;
-  if (first < 0x80) return first == 0 ? i : i + 1;
-  if (first >= 0xC2 && first < 0xE0) length = 2;
-  if (first >= 0xE0 && first < 0xF0) length = 3;
-  if (first >= 0xF0 && first < 0xF5) length = 4;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(i + k) & 0xC0u) != 0x80u) return i;
-  }
-  return i + length;
-}
-
+// The first byte that is NUL or not UTF-8.
 std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
   SourceMark mark{file, 1, 1};
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t next = AfterCharacter(text, i);
-    if (next == i) return mark;
+    const diag::Utf8Char character = diag::DecodeUtf8(text.substr(i));
+    if (!character.valid || text[i] == '\0') return mark;
     if (text[i] == '\n') {
       ++mark.line;
       mark.column = 1;
     } else {
-      mark.column += static_cast<std::uint32_t>(next - i);
+      mark.column += static_cast<std::uint32_t>(character.length);
     }
-    i = next;
+    i += character.length;
   }
   return std::nullopt;
 }
@@ -356,9 +336,30 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
 
 }  // namespace
 
-const YamlNode* YamlNode::Find(std::string_view key) const {
+YamlNode YamlNode::Scalar(std::string text, SourceMark mark) {
+  YamlNode node;
+  node.kind = Kind::kScalar;
+  node.mark = mark;
+  node.text = std::move(text);
+  return node;
+}
+
+YamlNode YamlNode::List(std::vector<YamlNode> items, SourceMark mark) {
+  YamlNode node;
+  node.kind = Kind::kList;
+  node.mark = mark;
+  node.items = std::move(items);
+  return node;
+}
+
+const YamlNode::Pair* YamlNode::FindPair(std::string_view key) const {
   const auto found = std::ranges::find(pairs, key, &Pair::key);
-  return found == pairs.end() ? nullptr : &found->value;
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+const YamlNode* YamlNode::Find(std::string_view key) const {
+  const Pair* pair = FindPair(key);
+  return pair != nullptr ? &pair->value : nullptr;
 }
 
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,

@@ -26,6 +26,11 @@ struct YamlNode {
   std::vector<YamlNode> items;  // kList
   std::vector<Pair> pairs;      // kMap, in file order, keys unique
 
+  static YamlNode Scalar(std::string text, diag::SourceMark mark);
+  static YamlNode List(std::vector<YamlNode> items, diag::SourceMark mark);
+
+  /// The pair of a key of a mapping, or its value; null if there is none.
+  const Pair* FindPair(std::string_view key) const;
   const YamlNode* Find(std::string_view key) const;
 };
 
