@@ -1,3 +1,5 @@
+// Reading of a file line by line through a fixed buffer.
+
 #include <fmt/format.h>
 
 #include <cstring>

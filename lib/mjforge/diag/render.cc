@@ -1,3 +1,5 @@
+// Findings as text for a terminal: place, message, quoted line with a caret, hint, notes.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +12,8 @@ namespace mjforge::diag {
 namespace {
 
 constexpr int kLineColumns = 120;
-// Enough bytes on either side of a caret to fill a line; a file of one line of
-// 100 MB is not walked through for its error.
+// Bytes on either side of the caret that are looked at. They fill a line; a line of 100 MB is not
+// decoded as a whole.
 constexpr std::size_t kWindowBytes = 1024;
 constexpr std::string_view kDots = "...";
 
@@ -27,10 +29,10 @@ std::string Painted(std::string_view text, std::string_view paint, bool color) {
 
 bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// A piece of a line around its caret.
+// The part of a line around its caret.
 struct Excerpt {
   std::vector<TerminalCell> cells;
-  std::size_t caret = 0;  // the cell it is under; cells.size(): after the last
+  std::size_t caret = 0;  // index of the cell above the caret; cells.size() is after the last cell
   bool cut_front = false;
   bool cut_back = false;
 };
@@ -59,7 +61,7 @@ int WidthOf(const Excerpt& excerpt, std::size_t begin, std::size_t end) {
   return width;
 }
 
-// Drops cells far from the caret until the rest fits a line.
+// Drops the cells farthest from the caret until the excerpt fits into a line.
 void Fit(Excerpt& excerpt) {
   const std::size_t count = excerpt.cells.size();
   if (!excerpt.cut_front && !excerpt.cut_back && WidthOf(excerpt, 0, count) <= kLineColumns) return;
@@ -86,7 +88,7 @@ void Fit(Excerpt& excerpt) {
   excerpt.caret -= begin;
 }
 
-// The line a mark points into and the caret below it; nothing for a blank line.
+// Returns the line that contains the mark, with a caret below; empty for a blank line.
 std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   const std::string_view line = sources.Line(mark);
   if (line.find_first_not_of(" \t") == std::string_view::npos) return {};

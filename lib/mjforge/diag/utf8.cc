@@ -1,3 +1,5 @@
+// UTF-8 decoding, escapes of unsafe characters, and character widths.
+
 #include "mjforge/diag/utf8.h"
 
 #include <fmt/format.h>
@@ -21,17 +23,18 @@ bool Within(char32_t value, std::span<const CodePoints> ranges) {
                              [value](CodePoints r) { return value >= r.first && value <= r.last; });
 }
 
-// Controls (C0, DEL, C1), line separators and bidirectional controls.
+// Control characters (C0, DEL, C1), line separators and bidirectional controls.
 constexpr std::array kUnsafe = {CodePoints{0x00, 0x1f},     CodePoints{0x7f, 0x9f},
                                 CodePoints{0x61c, 0x61c},   CodePoints{0x200e, 0x200f},
                                 CodePoints{0x2028, 0x202e}, CodePoints{0x2066, 0x2069}};
 
-// Combining marks, zero-width joiners, variation selectors, byte-order mark.
+// Characters without width: combining marks, zero-width joiners, variation selectors, byte-order
+// mark.
 constexpr std::array kNoWidth = {CodePoints{0x300, 0x36f}, CodePoints{0x200b, 0x200d},
                                  CodePoints{0x20d0, 0x20ff}, CodePoints{0xfe00, 0xfe0f},
                                  CodePoints{0xfeff, 0xfeff}};
 
-// The blocks that Unicode's East Asian Width calls wide, coarsely.
+// Blocks of wide characters, a coarse form of Unicode's East Asian Width (UAX #11).
 constexpr std::array kWide = {
     CodePoints{0x1100, 0x115f},   CodePoints{0x2e80, 0x303e},  CodePoints{0x3040, 0xa4cf},
     CodePoints{0xac00, 0xd7a3},   CodePoints{0xf900, 0xfaff},  CodePoints{0xfe30, 0xfe6f},
@@ -65,7 +68,7 @@ Utf8Char DecodeUtf8(std::string_view text) {
     if ((byte(i) & 0xc0) != 0x80) return {};
     value = (value << 6) | (byte(i) & 0x3fu);
   }
-  // Overlong forms, surrogates, and what is past the last plane.
+  // Reject overlong forms, surrogates, and values beyond the last plane.
   constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   if (value < kLeast[length] || (value >= 0xd800 && value <= 0xdfff) || value > 0x10ffff) return {};
   return {value, length, true};

@@ -1,6 +1,6 @@
-#pragma once
+// Terminal cells of UTF-8 characters, and replacement of invalid UTF-8.
 
-// Private to the room: makes text of unknown origin safe to show.
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -9,16 +9,16 @@
 
 namespace mjforge::diag {
 
-/// What a terminal may be sent for a character, and how many columns it takes.
+/// The safe text for a character, and its width in columns of a terminal.
 struct TerminalCell {
   std::string text;
   int width = 1;
 };
 
-/// As SafeText, for one character.
+/// Returns the cell of the first character of `text`, with the escapes of SafeText.
 TerminalCell SafeCell(std::string_view text, Utf8Char character);
 
-/// `text` with every invalid byte replaced by U+FFFD.
+/// Returns the text with every invalid byte replaced by U+FFFD.
 std::string ValidUtf8(std::string_view text);
 
 }  // namespace mjforge::diag

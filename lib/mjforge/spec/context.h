@@ -1,6 +1,6 @@
-#pragma once
+// The state that the readers of one spec share, and the interfaces of these readers.
 
-// What the readers of one spec share.
+#pragma once
 
 #include <memory>
 #include <span>
@@ -20,14 +20,15 @@ namespace mjforge::spec {
 class NestedLoader {
  public:
   virtual ~NestedLoader() = default;
-  /// The spec named at `mark`; null, and a finding, if it cannot be loaded.
+  /// Loads the spec that is named at `mark`. Returns null, and adds a finding, if loading fails.
   virtual std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
                                                        diag::SourceMark mark) = 0;
-  /// The number among the sources of another file that the spec is made of, which resolves against
-  /// its folder; nothing, and a finding, if it cannot be read.
+  /// Reads another file of the spec, relative to the spec's folder, and returns its number among
+  /// the sources. Returns nothing, and adds a finding, if reading fails.
   virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
+/// State of reading one spec.
 struct Context {
   diag::Sources& sources;
   diag::Findings& findings;
@@ -44,89 +45,93 @@ void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context
 void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
                 Context& context);
 
-/// Is the node a mapping? If not, a finding that says what was expected.
+/// Returns true if the node is a mapping. Otherwise adds a finding; `what` is its expected content.
 bool IsMap(const YamlNode& node, std::string_view what, Context& context);
+/// Returns true if the node is a list. Otherwise adds a finding; `what` is its expected content.
 bool IsList(const YamlNode& node, std::string_view what, Context& context);
 
-/// The value fields of a mapping, without structure. Reports fields that say the same thing twice
-/// (two orientations, density and mass).
+/// Reads the fields of a mapping that hold a value. Reports fields that exclude each other (two
+/// orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
-/// Whether an element may have only one of the two: mass and density, pos and fromto.
+/// Returns true if an element may have only one of the two fields: mass and density, pos and
+/// fromto.
 bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 
-/// The field of a key; null: it is not there.
+/// Returns the field with this key; null if there is none.
 const Field* FindField(std::span<const Field> fields, Key id);
 
 /// Adds a finding unless expr::IsName(name).
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
-/// Whether the name of `what` ("a parameter") is not one that means something in every expression:
-/// `pi`, `min`, `and`. Else a finding.
+/// Returns true if the name is not reserved in expressions (`pi`, `min`, `and`). Otherwise adds a
+/// finding; `what` has the name ("a parameter").
 bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
                       diag::Findings& findings);
 
-/// Reads functions:, which expressions may call from here on.
+/// Reads `functions:` and defines the functions for all expressions that are read later.
 void ReadFunctions(const YamlNode& functions, Context& context);
-/// Checks their bodies, once the parameters are known.
+/// Checks the bodies of the functions. The parameters must be declared.
 void CheckFunctions(Context& context);
-/// Adds the names in the bodies of functions that are among `names`.
+/// Returns `names` and, for each function among them, the names in the function's body.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
                                               const expr::Names& known);
 
-/// Reads params:, with settings in place of the parameters' own values.
+/// A setting: the name of a parameter or `checks.KEY`, and the new value.
 struct NamedNode {
   std::string name;
   YamlNode value;
 };
+/// Reads `params:` and `require:`, with settings in place of the parameters' own values.
 void ReadParameters(const YamlNode* params, const YamlNode* require,
                     std::span<const NamedNode> settings, Context& context);
 
-/// materials: and defaults:, of the spec itself or of an imported file.
+/// Read `materials:` and `defaults:` of the spec itself or of an imported file.
 void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folder, bool imported,
                    Context& context);
 void ReadDefaults(const YamlNode& defaults, Context& context);
 
 void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Context& context);
 void ReadSites(const YamlNode& sites, Context& context);
-/// cameras: and lights: of an object or a body.
+/// Reads `cameras:` and `lights:` of an object or a body.
 void ReadViews(const YamlNode& map, std::vector<Entry>& out, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);
-/// Of joints that are one word: whether it is `free` or `none`; else a finding.
+/// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
+/// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
-/// pose: of an object, at: of an expectation.
+/// Reads `pose:` of an object or `at:` of an expectation or a check.
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
-/// expect: of an object.
+/// Reads `expect:` of an object.
 void ReadExpectations(const YamlNode& list, Context& context);
 
-/// Reads bodies: in order, since each may use properties of earlier ones.
+/// Reads `bodies:` in order, because each body may use properties of earlier bodies.
 void ReadBodies(const YamlNode& bodies, Context& context);
 
-/// contact: and mjcf:, as sections of the spec.
+/// Read `contact:` and `mjcf:` into the sections of the spec.
 void ReadContact(const YamlNode& contact, Context& context);
 void ReadSections(const YamlNode& sections, Context& context);
 
-/// Reads checks:, with settings named `checks.KEY` in place of its own values. `checks` may be
-/// null.
-inline constexpr std::string_view kChecksPrefix = "checks.";
 /// The name of the setting that replaces the object's `joints:`.
 inline constexpr std::string_view kRootJoints = "root.joints";
+/// Prefix of the settings that replace values of `checks:`.
+inline constexpr std::string_view kChecksPrefix = "checks.";
+/// Reads `checks:`, with settings in place of its own values. `checks` may be null.
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
 
-/// Forgets the properties (NAME.top) of bodies that no expression asks for: they need not be
-/// computed.
+/// Clears `first_property` of bodies whose properties (NAME.top) no expression uses, so that they
+/// are not computed.
 void DropUnusedProperties(Context& context);
 
-/// Warns of parameters, and of materials of the spec itself, that nothing uses. `materials` may be
-/// null.
+/// Warns of parameters, functions, local values and the spec's own materials that are never used.
+/// `materials` may be null.
 void ReportUnused(const YamlNode* materials, Context& context);
 
-/// Checks what a part's literal type tells about its fields: which are required, which have no
-/// meaning, how many sizes it takes.
+/// Checks the fields of a part against its type, if the type is a literal: missing fields, fields
+/// without meaning, the count of sizes.
 void CheckPart(const Entry& part, Context& context);
 
-/// Reports two entries that certainly exist and have the same name.
+/// Reports entries with the same name that exist in every variant.
 void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Context& context);
 
 }  // namespace mjforge::spec

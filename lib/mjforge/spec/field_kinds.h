@@ -1,3 +1,5 @@
+// Descriptions of field kinds for the reference, the JSON Schema and messages.
+
 #pragma once
 
 #include <string_view>
@@ -6,13 +8,13 @@
 
 namespace mjforge::spec {
 
-/// What the reference, the schema and messages say about a slot; empty if it depends on the field's
-/// counts, bounds or words.
+/// Description of a field kind. A text is empty if it depends on the field's counts, bounds or
+/// words.
 struct FieldKindInfo {
   FieldKind kind;
   std::string_view takes;              // "list of parts"
   std::string_view schema = {};        // members of its JSON Schema, with markers (schema.cc)
-  std::string_view drawn = "a value";  // what a draw must give
+  std::string_view drawn = "a value";  // the result of a draw that fits
 };
 
 const FieldKindInfo& InfoOf(FieldKind kind);

@@ -1,11 +1,14 @@
+// The keys of the language that the code refers to.
+
 #pragma once
 
 namespace mjforge::spec {
 
-/// Keys that some stage interprets. kAttribute: written to the MJCF element unchanged.
+/// Keys that the code asks for. kAttribute is any other key; values of such keys are written to the
+/// MJCF element unchanged.
 enum class Key {
   kAttribute,
-  // object
+  // Object.
   kName,
   kParams,
   kMaterials,
@@ -13,13 +16,13 @@ enum class Key {
   kMjcf,
   kPlacement,
   kTotalSize,
-  // parameters
+  // Parameters.
   kDoc,
   kUnit,
-  // every list entry
+  // List entries.
   kIf,
   kFor,
-  // poses
+  // Poses.
   kPos,
   kQuat,
   kEuler,
@@ -28,7 +31,7 @@ enum class Key {
   kZAxis,
   kFromTo,
   kUp,
-  // parts
+  // Parts.
   kType,
   kSize,
   kDensity,
@@ -58,16 +61,16 @@ enum class Key {
   kFrame,
   kRgba,
   kGroup,
-  // joints
+  // Joints.
   kAxis,
   kRange,
   kLimited,
-  // bodies
+  // Bodies.
   kParent,
   kBody,
-  // materials, textures
+  // Materials and textures.
   kBuiltin,
-  // expectations
+  // Expectations.
   kThat,
   kGap,
   kTouch,
@@ -75,7 +78,7 @@ enum class Key {
   kInside,
   kMin,
   kMax,
-  // defaults
+  // Defaults.
   kPart,
   kSite,
   kJoint,

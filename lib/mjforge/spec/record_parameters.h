@@ -1,6 +1,6 @@
-#pragma once
+// Record parameters: several values that one draw selects together.
 
-// Private to the room: parameters that one draw decides together.
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -11,22 +11,23 @@
 
 namespace mjforge::spec {
 
-/// What is read for a parameter; a record is several, one for each of its columns.
+/// The YAML source of a parameter. A record has one for each of its columns.
 struct ParameterNode {
   std::string name;  // "leg", "style.leg"
   diag::SourceMark mark;
   YamlNode node;
-  std::string source;       // Parameter::source, if not as the user wrote it
-  std::string record = {};  // "style", of its first column, the key
+  std::string source;       // Parameter::source; empty: as the user wrote it
+  std::string record = {};  // name of the record ("style"), only for its key, the first column
   std::string unit = {};
-  FieldKind kind = FieldKind::kAnything;        // of the options
-  std::shared_ptr<const RecordRows> rows = {};  // of a record's columns, the key included
+  FieldKind kind = FieldKind::kAnything;        // kind of the options
+  std::shared_ptr<const RecordRows> rows = {};  // only for the columns of a record
 
   bool is_key() const { return !record.empty(); }
 };
 
-/// The columns of a record, the key first: `style: {choice: [{name: modern, leg: 3cm}, ...]}`,
-/// `cup: {rows: cups.csv}`. Nothing if the parameter is not one; none of them after a finding.
+/// Returns the columns of a record, the key first: `style: {choice: [{name: modern, leg: 3cm},
+/// ...]}`, `cup: {rows: cups.csv}`. Returns nothing if the parameter is not a record, and an empty
+/// list after a finding.
 std::optional<std::vector<ParameterNode>> ReadRecord(const YamlNode::Pair& parameter,
                                                      Context& context);
 

@@ -1,6 +1,6 @@
-#pragma once
+// The files that a spec is made of: the spec itself, nested specs, imports and tables.
 
-// Private to the room: the files that a spec is made of.
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -15,7 +15,8 @@ namespace mjforge::spec {
 
 class SpecFiles {
  public:
-  /// `first` is the spec's own, read already. All but `first` must outlive this.
+  /// `first` is the spec's own file, already read as `source`. The other arguments must outlive
+  /// this object.
   SpecFiles(std::span<const std::filesystem::path> search_path, const std::filesystem::path& first,
             std::uint32_t source, diag::Sources& sources, diag::Findings& findings)
       : search_path_(search_path),
@@ -24,17 +25,17 @@ class SpecFiles {
         files_{first},
         source_ids_{source} {}
 
-  /// The spec that `reference` names; nothing, and a finding, if there is none.
+  /// Returns the file that `reference` names; nothing, and adds a finding, if there is none.
   std::optional<std::filesystem::path> Find(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             diag::SourceMark mark);
-  /// Whether it is being read, so that it refers to itself; that is a finding.
+  /// Returns true, and adds a finding, if the file is being read, because it refers to itself then.
   bool IsOpen(const std::filesystem::path& file, diag::SourceMark mark);
-  /// Reads it unless it was read; its number among the sources. Nothing, and a finding, if it
-  /// cannot be read.
+  /// Reads the file unless it was read before, and returns its number among the sources. Returns
+  /// nothing, and adds a finding, if reading fails.
   std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
 
-  /// A file is being read as long as this is there.
+  /// Marks a file as being read during the lifetime of this object.
   class OpenScope {
    public:
     OpenScope(SpecFiles& files, const std::filesystem::path& file) : files_(files) {
@@ -49,9 +50,9 @@ class SpecFiles {
   };
   std::size_t depth() const { return open_.size(); }
 
-  /// In order of first reading.
+  /// All files read so far, in the order in which they were first read.
   const std::vector<std::filesystem::path>& all() const { return files_; }
-  /// Of all their texts, one after the other; hexadecimal.
+  /// Returns the hash of the texts of all files, concatenated in this order, in hexadecimal.
   std::string Sha256() const;
 
  private:
@@ -60,7 +61,7 @@ class SpecFiles {
   diag::Findings& findings_;
   std::vector<std::filesystem::path> open_;  // specs and imports being read, outermost first
   std::vector<std::filesystem::path> files_;
-  std::vector<std::uint32_t> source_ids_;  // of `files_`
+  std::vector<std::uint32_t> source_ids_;  // one for each of `files_`
 };
 
 }  // namespace mjforge::spec
