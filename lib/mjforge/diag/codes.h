@@ -18,7 +18,7 @@ enum class Code {
 struct CodeInfo {
   Code code;
   std::string_view name;     // "spec/unknown-key"
-  std::string_view meaning;  // one line, for the catalogue
+  std::string_view meaning;  // a single line
 };
 
 /// Returns all codes, in the order of the enumeration.

@@ -66,11 +66,11 @@ struct Finding {
   Severity severity = Severity::kError;
   Code code = Code::kYamlSyntax;
   SourceMark mark;
-  std::string message;                 // one line without a final full stop
+  std::string message;                 // a single line without a final full stop
   std::string hint;                    // the remedy; may be empty
   std::vector<Note> notes;             // related places
-  std::optional<std::uint64_t> seed;   // of the variant; empty for findings about the spec
-  std::optional<std::uint64_t> index;  // of the variant; empty for findings about the spec
+  std::optional<std::uint64_t> seed;   // seed of the variant; empty if about the spec
+  std::optional<std::uint64_t> index;  // index of the variant; empty if about the spec
 };
 
 class Findings {

@@ -1,4 +1,4 @@
-// bodies: the tree of an object of several.
+// Reader of `bodies:`: contents, properties for expressions, joints, and the check of parents.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 using diag::Code;
 
-// What a body's content may be: one of these.
+// Keys for the content of a body, which has only one of them.
 constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
 
 class BodyEntryReader {
@@ -30,7 +30,7 @@ class BodyEntryReader {
       CheckUniqueNames("part", body.parts, context_);
     }
     if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
-    // From here on its own properties are known.
+    // The body's own properties can be used by its fields, sites, views and joints.
     DeclareProperties(body);
     body.head.fields = ReadFields(kBodyElement, map, context_);
     if (const YamlNode* sites = map.Find("sites")) {
@@ -63,13 +63,13 @@ class BodyEntryReader {
     CheckNeeds("body", "mjcf", map, context_);
   }
 
-  // NAME.top and the like, and NAME.param.
+  // Declares NAME.top and the other properties, and NAME.PARAMETER for the parameters of a spec.
   void DeclareProperties(BodyEntry& body) {
     const auto name = LiteralText(body.head.name);
     if (!name || !expr::IsName(*name)) return;
     expr::Names& names = context_.spec.names;
     const std::string prefix = std::string(*name) + ".";
-    if (names.Find(prefix + "top") != nullptr) return;  // of another body of that name
+    if (names.Find(prefix + "top") != nullptr) return;  // declared for another body of this name
     for (const std::string_view property : BodyPropertyNames()) {
       const Key key = property == "mass" ? Key::kMass : Key::kPos;
       const auto unit = DimensionsOf(kBodyElement.Find(key)->unit);
@@ -81,7 +81,7 @@ class BodyEntryReader {
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
           std::ranges::find(BodyPropertyNames(), parameter.name) != BodyPropertyNames().end();
-      // A property wins over a parameter of its name. A list stays in its spec.
+      // A property hides a parameter of the same name. Lists are not visible outside their spec.
       body.parameter_slots.push_back(
           hidden || parameter.value.is_list
               ? -1
@@ -102,7 +102,7 @@ class BodyEntryReader {
   EntryReader entries_;
 };
 
-// Parents that can be told before any draw: those with plain names.
+// Checks parents with literal names, because other names are known only after drawing.
 class ParentChecker {
  public:
   explicit ParentChecker(Context& context) : context_(context), bodies_(context.spec.bodies) {
@@ -166,13 +166,14 @@ class ParentChecker {
     ReportForward(i, found->second.front(), mark);
   }
 
-  // A body that a composed name or the content of an earlier entry may make.
+  // Returns true if a body of this name may result from a computed name or the content of an
+  // earlier entry.
   bool MayComeLater(std::string_view parent, std::size_t i) const {
     if (composed_before_ < i) return true;
     for (std::size_t k = 0; k < i; ++k) {
       const auto name = LiteralText(bodies_[k].head.name);
       if (name && parent.starts_with(*name) && parent.substr(name->size()).starts_with("_")) {
-        return true;  // the model knows what is in it
+        return true;  // bodies inside another spec or file are checked by the model
       }
     }
     return false;
@@ -185,7 +186,7 @@ class ParentChecker {
                           diag::DidYouMean(parent, names));
   }
 
-  // A parent must come first; where it leads back here it never can.
+  // Reports a parent that comes after its child, or a circle of parents.
   void ReportForward(std::size_t i, std::size_t parent, diag::SourceMark mark) {
     const std::string name(LiteralText(bodies_[i].head.name).value_or("?"));
     std::string circle = name;
@@ -215,7 +216,7 @@ class ParentChecker {
   Context& context_;
   const std::vector<BodyEntry>& bodies_;
   std::map<std::string_view, std::vector<std::size_t>> by_name_;
-  std::size_t composed_before_ = static_cast<std::size_t>(-1);  // the first composed name
+  std::size_t composed_before_ = static_cast<std::size_t>(-1);  // first entry with a computed name
 };
 
 }  // namespace

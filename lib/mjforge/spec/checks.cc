@@ -1,4 +1,4 @@
-// checks: thresholds of physical checks and findings that do not matter.
+// Reader of `checks:`: thresholds of physical checks, and findings to ignore.
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// The map with the settings put in.
+// Returns the mapping with the settings in place of its own values.
 YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> settings) {
   YamlNode map;
   if (checks != nullptr) map = *checks;
@@ -26,7 +26,7 @@ YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> setting
   return map;
 }
 
-// A setting to nothing takes the spec's own away.
+// Removes values that a setting replaces by null, so that the default applies.
 void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
   std::erase_if(map.pairs, [&](const YamlNode::Pair& pair) {
     return pair.value.kind == YamlNode::Kind::kNull && kChecksElement.Find(pair.key) != nullptr &&
@@ -37,7 +37,7 @@ void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
   });
 }
 
-// A threshold that changes by chance says nothing about those who meet it.
+// Reports a drawn threshold, because variants with different thresholds cannot be compared.
 void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Context& context) {
   if (!HasDraw(value)) return;
   context.findings.Add(Code::kSpecBadValue, mark,
@@ -45,7 +45,7 @@ void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Conte
                        "draw it as a parameter, and use that parameter's name here");
 }
 
-/// A text that says something.
+// Reads a reason, which must not be blank.
 std::string ReadReason(std::string_view key, const YamlNode& reason, std::string_view what,
                        Context& context) {
   if (reason.kind == YamlNode::Kind::kScalar && Trim(reason.text).empty()) {
@@ -78,7 +78,7 @@ void ReadHolding(const YamlNode& holds, Context& context) {
   RequireKey("ball", "it is the balls' diameter: {ball: 8mm}", holds, context);
 }
 
-/// A text or a list of texts.
+// Reads a text or a list of texts.
 std::vector<Value> ReadNames(const YamlNode* names, Context& context) {
   std::vector<Value> texts;
   if (names == nullptr) return texts;

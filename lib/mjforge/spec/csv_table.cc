@@ -1,3 +1,5 @@
+// Reader of CSV tables: the parser, columns with units, and their checks.
+
 #include "mjforge/spec/csv_table.h"
 
 #include <algorithm>
@@ -168,7 +170,7 @@ class TableReader {
                     fmt::format("'{}' is not a number; the column's unit is {}", cell.text, unit));
       return YamlNode::Scalar("1", cell.mark);
     }
-    // A number carries its unit as it does in expressions, unless it is in SI units already.
+    // Append the unit, as in an expression, unless it is an SI unit.
     const auto named = expr::FindUnit(unit);
     const std::string_view carried = named && !named->is_si ? unit : std::string_view();
     return YamlNode::Scalar(std::string(Trim(cell.text)).append(carried), cell.mark);

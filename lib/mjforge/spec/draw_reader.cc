@@ -1,5 +1,4 @@
-// The part of ValueReader that reads mappings: distributions and the forms that
-// draw whole vectors.
+// The part of ValueReader that reads draws: distributions, and forms that draw whole vectors.
 
 #include <algorithm>
 #include <array>
@@ -32,15 +31,15 @@ const DistributionInfo* FindDistribution(std::string_view key) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// Whether a draw of this distribution can stand in a field of this kind.
+// Returns true if a field of this kind can be drawn from the distribution.
 bool Fits(const DistributionInfo& info, FieldKind kind) {
   if (info.arguments < 0 || kind == FieldKind::kAnything) return true;
   if (info.id == Distribution::kBernoulli) return kind == FieldKind::kBoolean;
   return kind == FieldKind::kNumber || kind == FieldKind::kInteger || kind == FieldKind::kNumbers;
 }
 
-// Whether a mapping that draws by `main` may have the key, too.
-bool StandsBeside(std::string_view key, std::string_view main) {
+// Returns true if a mapping with the draw `main` may also have this key.
+bool IsOption(std::string_view key, std::string_view main) {
   if (const DistributionInfo* info = FindDistribution(main))
     return !key.empty() && (key == info->option || key == info->flag);
   return key == kCount && (main == kEach || main == kSample);
@@ -85,7 +84,7 @@ bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expecte
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
-// Of a colour or a quaternion: four numbers are not always one. A parameter's may be either.
+// Reports a colour or a quaternion in a field for other numbers. A parameter takes both.
 void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
@@ -126,7 +125,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
   return value;
 }
 
-// `lost`: nothing in the mapping says what it is.
+// `lost` is true if no key of the mapping names a draw.
 void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                                    const std::vector<std::string_view>& known, bool lost) {
   if (pair.key == "for" || pair.key == "if") {
@@ -160,7 +159,7 @@ Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& nod
   }
   const DistributionInfo* distribution = main != nullptr ? FindDistribution(main->key) : nullptr;
   for (const auto& pair : node.pairs) {
-    const bool beside = main != nullptr && StandsBeside(pair.key, main->key);
+    const bool beside = main != nullptr && IsOption(pair.key, main->key);
     if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
@@ -247,7 +246,8 @@ void ValueReader::ReadDrawOption(const DistributionInfo& info, const YamlNode& n
   if (!weights) CheckRangeOrder(draw.limits[0], draw.limits[1], node.mark);
 }
 
-// What a batch has of each option is settled before anything is drawn.
+// Reads `exact`. The weights must be constants, because the counts of the options over a batch are
+// computed before anything is drawn.
 void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   if (!IsBooleanWord(node)) {
     Wrong(node, "true or false");
@@ -257,7 +257,7 @@ void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   if (!draw.exact) return;
   has_exact_choice_ = true;
   for (const Value& weight : draw.weights) {
-    if (weight.components == 0 || ConstantOf(weight)) continue;  // 0: it was reported
+    if (weight.components == 0 || ConstantOf(weight)) continue;  // 0: already reported
     findings_.Add(Code::kSpecNotConstant, weight.mark,
                   "the weights of an exact choice must be constants",
                   "without `exact: true` they may be computed and drawn");
@@ -275,7 +275,7 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
     return item.kind == YamlNode::Kind::kList &&
            (item.items.size() > 4 || ItemType(item) == Type::kText);
   };
-  // Where one option is a list, all are, however short.
+  // If one option is a list, the short ones are lists, too, not vectors.
   Value kind;
   kind.is_list = expected.kind == FieldKind::kAnything && std::ranges::any_of(list.items, is_list);
   for (const YamlNode& item : list.items)

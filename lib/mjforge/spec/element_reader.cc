@@ -1,4 +1,4 @@
-// What all elements have in common: known keys, value fields, names.
+// Readers that all elements share: known keys, fields with values, names.
 
 #include <algorithm>
 #include <span>
@@ -12,7 +12,7 @@ namespace {
 
 using diag::Code;
 
-// Keys of which an element may have only one, since they say the same thing.
+// Keys that exclude each other, because they give the same property.
 constexpr Key kOrientations[] = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
                                  Key::kXyAxes, Key::kZAxis, Key::kFromTo};
 constexpr Key kMasses[] = {Key::kDensity, Key::kMass};
@@ -32,7 +32,7 @@ bool Has(const ExclusiveKeys& group, Key key) {
   return std::ranges::find(group.keys, key) != group.keys.end();
 }
 
-// These are many.
+// Returns "a ", "an ", or nothing for plural names.
 std::string_view Article(std::string_view name) {
   if (name == "checks" || name == "defaults" || name == "holds") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
@@ -54,7 +54,7 @@ void CheckOneOf(const ExclusiveKeys& group, const std::vector<Field>& fields, Co
   }
 }
 
-// Of the joint that a mapping describes; kAny for other elements and where the type is drawn.
+// Returns the motion of a joint; kAny for other elements and if the joint's type is drawn.
 Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Context& context) {
   if (&element != &kJointElement) return Motion::kAny;
   const YamlNode* own = map.Find("type");

@@ -20,11 +20,11 @@ namespace mjforge::spec {
 
 struct ObjectSpec;
 
-/// One key of an element with its value.
+/// A key of an element with its value.
 struct Field {
   const FieldInfo* info = nullptr;
   Value value;
-  diag::SourceMark mark;    // of the key
+  diag::SourceMark mark;    // place of the key
   bool is_default = false;  // from `defaults:`, because the entry does not have the key
 };
 
@@ -80,7 +80,7 @@ struct BodyEntry {
 /// A section of `mjcf:`. `contact:` adds its pairs to the section `contact`.
 struct Section {
   const SectionInfo* info = nullptr;
-  std::vector<Entry> entries;  // one entry if the section is a single element
+  std::vector<Entry> entries;  // a single entry if `info->is_element`
 };
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// parts:, sites: and joints:, with `if`, `for`, frames and welded specs.
+// Reader of parts, sites, cameras, lights and joints, with frames and nested specs.
 
 #include <algorithm>
 #include <map>
@@ -12,6 +12,7 @@ namespace {
 
 using diag::Code;
 
+// Collects the names of entries that exist in every variant, and reports repeated names.
 void CollectSure(std::string_view what, std::span<const Entry> entries,
                  std::map<std::string_view, diag::SourceMark>& seen, Context& context) {
   for (const Entry& entry : entries) {
@@ -35,6 +36,7 @@ bool HasMaterial(const ObjectSpec& spec, std::string_view name) {
   return std::ranges::find(spec.materials, name, &Material::name) != spec.materials.end();
 }
 
+// Adds the defaults of fields that the entry does not have.
 void AddDefaults(std::span<const Field> defaults, Entry& entry) {
   const std::size_t own = entry.fields.size();
   for (const Field& field : defaults) {
@@ -65,7 +67,7 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
   entry.element = &element;
   entry.mark = map.mark;
   if (const YamlNode* loops = map.Find("for")) entry.loops = context_.values.ReadLoops(*loops);
-  // Draws are keyed by the name, so it is there before them.
+  // Read the name first, because draws are keyed by it.
   ReadName(named, naming == Naming::kRequired, entry);
   if (const YamlNode* locals = map.Find("let")) {
     ReadLocals(*locals, named.Find("name") != nullptr, entry);
@@ -248,7 +250,7 @@ void EntryReader::ReadSubstitute(const YamlNode::Pair& pair, Entry& entry) {
 void EntryReader::RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                              const ElementInfo& element, std::string_view what) {
   for (const auto& pair : map.pairs) {
-    if (element.Find(pair.key) == nullptr) continue;  // reported already
+    if (element.Find(pair.key) == nullptr) continue;  // already reported
     if (std::ranges::find(allowed, pair.key) != allowed.end()) continue;
     context_.findings.Add(Code::kSpecConflict, pair.mark,
                           fmt::format("'{}' has no meaning for {}", pair.key, what));

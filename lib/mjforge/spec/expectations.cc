@@ -1,4 +1,4 @@
-// expect: what must be true of every variant.
+// Reader of `expect:`, the conditions that every variant must meet.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 using diag::Code;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// In the order of ExpectationKind.
+// Keys in the order of ExpectationKind.
 constexpr std::array kKinds = {Key::kThat, Key::kGap, Key::kTouch, Key::kApart, Key::kInside};
 
 class ExpectationReader {
@@ -56,7 +56,7 @@ class ExpectationReader {
     if (is_read) context_.spec.expectations.push_back(std::move(expectation));
   }
 
-  // The one key that says what is expected; null after a finding.
+  // Returns the only key that is a kind of expectation; null after a finding.
   const YamlNode::Pair* KindOf(const YamlNode& map, ExpectationKind& kind) {
     const YamlNode::Pair* only = nullptr;
     for (const YamlNode::Pair& pair : map.pairs) {

@@ -1,3 +1,5 @@
+// The table of field kinds.
+
 #include "mjforge/spec/field_kinds.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 namespace mjforge::spec {
 namespace {
 
-// In the order of FieldKind.
+// Rows in the order of FieldKind.
 constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kNumber, "number", "", "a number"},
     FieldKindInfo{FieldKind::kInteger, "whole number", "", "a number"},

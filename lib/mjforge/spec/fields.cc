@@ -1,3 +1,5 @@
+// The table of the language, element by element.
+
 #include "mjforge/spec/fields.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A key, and its Key where some stage interprets it.
+// The text of a key, and its enumerator if the code asks for the key.
 struct KeyName {
   std::string_view key;
   Key id = Key::kAttribute;
@@ -32,7 +34,8 @@ struct CountRange {
   int max;
 };
 
-// The rows: key, what it takes, unit, bounds, default, meaning; "" for none.
+// Functions that make rows from key, kind, unit, bounds, default and meaning. An empty text means
+// "none".
 constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view default_text,
                         std::string_view doc) {
   return {.key = name.key, .id = name.id, .kind = kind, .default_text = default_text, .doc = doc};

@@ -14,10 +14,10 @@ namespace mjforge::spec {
 
 /// The kind of value or structure that a field takes.
 enum class FieldKind {
-  kNumber,     // one number
-  kInteger,    // one number that must be whole
+  kNumber,     // a number
+  kInteger,    // a number that must be an integer
   kBoolean,    // true or false
-  kWord,       // one of `words`
+  kWord,       // a word from `words`
   kText,       // text, with ${...}
   kNumbers,    // a list of min_count to max_count numbers; a single number needs no brackets
   kPoints,     // a list of points, each a list of min_count to max_count numbers
@@ -91,7 +91,7 @@ struct FieldInfo {
   /// The kind of element that the text names: "joint", "body", "geom", ...; "@objtype": the kind in
   /// the attribute objtype of the same element; empty: the text is not a reference.
   std::string_view refers = {};
-  std::string_view doc = {};  // one sentence
+  std::string_view doc = {};  // a single sentence
 };
 
 struct ElementInfo {

@@ -1,4 +1,4 @@
-// functions: expressions with arguments. A call is read as the function's body would be.
+// Reader of `functions:`, named expressions with arguments.
 
 #include <algorithm>
 #include <set>
@@ -18,7 +18,7 @@ using expr::Formula;
 constexpr std::size_t kMaxArguments = 16;
 constexpr int kMaxChain = 64;
 
-// "bulge(z)" -> its name and arguments; nothing if it is written otherwise.
+// Splits "bulge(z)" into name and arguments. Returns nothing for text of another form.
 std::optional<Formula> ReadHead(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == text.npos || !text.ends_with(')')) return std::nullopt;
@@ -55,7 +55,7 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Context& context)
   return true;
 }
 
-// The positions of the functions that each one calls.
+// Returns the indices of the functions that each function calls.
 Dependencies UsesOf(const std::vector<const Formula*>& all) {
   Dependencies uses;
   for (const Formula* formula : all) {
@@ -68,14 +68,14 @@ Dependencies UsesOf(const std::vector<const Formula*>& all) {
   return uses;
 }
 
-// Where a function is named.
+// Returns the place of a function's name.
 diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
   const auto& all = context.spec.functions;
   return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
 }
 
-// Functions that call each other in a circle, or in too long a chain, get another body, so that
-// nothing goes round in it.
+// Reports functions that call each other in a circle or in a chain that is too long, and replaces
+// their bodies by a constant, so that expansion ends.
 void BreakCircles(Context& context) {
   expr::Names& names = context.spec.names;
   std::vector<const Formula*> all;

@@ -1,4 +1,4 @@
-// Where joints stand: `pose:`, and `at:` of an expectation.
+// Reader of joint positions: `pose:`, and `at:` of expectations and checks.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ using diag::Code;
 
 namespace {
 
-/// Whether only a ball joint has such a position.
+// Returns true if only a ball joint can have a position of this form.
 bool IsTurn(const YamlNode& position) {
   switch (position.kind) {
     case YamlNode::Kind::kList:
@@ -36,7 +36,7 @@ std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& con
     JointPosition position = {context.values.ReadText(YamlNode::Scalar(pair.key, pair.mark)),
                               pair.mark, context.values.Read(field, pair.value)};
     const Value& value = position.value;
-    if (value.components == 0) continue;  // reported
+    if (value.components == 0) continue;  // already reported
     if (value.components == 2 || value.components == 3) {
       context.findings.Add(Code::kSpecWrongType, value.mark,
                            fmt::format("the position of joint '{}' is {}, not a number or the four "

@@ -1,5 +1,4 @@
-// SpecFiles -> ObjectSpec: the spec itself, its imports, the specs it welds in, and
-// the settings given from outside.
+// Loading of an ObjectSpec: the spec itself, its imports, nested specs, and settings.
 
 #include <algorithm>
 #include <map>
@@ -19,21 +18,21 @@ namespace fs = std::filesystem;
 using diag::Code;
 using diag::SourceMark;
 
-// What the specs that are welded in share with it.
+// State that a spec and its nested specs share while they are loaded.
 struct LoadState {
   diag::Sources& sources;
   diag::Findings& findings;
   SpecFiles files;
   std::span<const NamedNode> settings;
   std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested = {};
-  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // their parameters
+  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // with parameters only
 };
 
 class SpecLoader : public NestedLoader {
  public:
   explicit SpecLoader(LoadState& state) : state_(state) {}
 
-  // Nothing if the file is no spec at all; with errors in it, something to be thrown away.
+  // Returns null if the file is not a mapping. After other errors, the result must not be used.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
                                    const fs::path& folder, std::span<const NamedNode> settings) {
     const auto root = ParseYaml(source, state_.sources, state_.findings);
@@ -104,12 +103,12 @@ class SpecLoader : public NestedLoader {
     ReadChecks(root.Find("checks"), settings, context);
     ReadWhole(root, context);
     DropUnusedProperties(context);
-    // Who welds a spec in may well need less of it.
+    // Do not check nested specs, because another spec may use only some of their materials.
     if (state_.files.depth() == 1) ReportUnused(root.Find("materials"), context);
     if (context.values.has_exact_choice()) spec.has_exact_choice = true;
   }
 
-  // Joints, the bodies that they move, and where these are.
+  // Reads joints, bodies, the start pose and expectations.
   static void ReadMotion(const YamlNode& root, std::span<const NamedNode> settings,
                          Context& context) {
     ObjectSpec& spec = context.spec;
@@ -124,7 +123,7 @@ class SpecLoader : public NestedLoader {
     if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
   }
 
-  // The root's own joints, in whose place there are others: they have no pose.
+  // Removes the positions of the root's own joints, which a setting replaces by other joints.
   static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
@@ -168,7 +167,7 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  // mass, placement, total_size.
+  // Reads `mass`, `placement` and `total_size`.
   void ReadWhole(const YamlNode& root, Context& context) {
     ObjectSpec& spec = context.spec;
     for (Field& field : ReadFields(kObjectElement, root, context)) {
@@ -186,14 +185,15 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  // A file that a spec imports, and what is in it.
+  // A file that a spec imports, parsed.
   struct ImportedFile {
     fs::path file;
     YamlNode root;
   };
 
-  // The files that an `import:` names, each before those that it imports itself. What is imported
-  // twice says nothing new; where each file imports two others, all would be read 2^n times.
+  // Appends the files that an `import:` names, each before the files that it imports itself. Skips
+  // files that were imported before; otherwise n files that import two others each could be read
+  // 2^n times.
   void CollectImports(const YamlNode& import, const fs::path& folder,
                       std::vector<ImportedFile>& files, Context& context) {
     if (import.kind == YamlNode::Kind::kScalar) {
@@ -219,16 +219,16 @@ class SpecLoader : public NestedLoader {
     files.push_back({*file, *std::move(root)});
     const YamlNode* import = files[at].root.Find("import");
     if (import == nullptr) return;
-    const YamlNode others = *import;  // `files` grows
+    const YamlNode others = *import;  // a copy, because `files` grows
     CollectImports(others, file->parent_path(), files, context);
   }
 
-  // The parameters of a file, for all specs that import it.
+  // Returns the parameters of a file, which all specs that import the file share.
   std::shared_ptr<const ObjectSpec> Imported(const ImportedFile& from) {
     const auto& [file, root] = from;
     std::shared_ptr<const ObjectSpec>& known = state_.imported[file];
     if (known != nullptr) return known;
-    const fs::path folder = std::exchange(folder_, file.parent_path());  // of its tables
+    const fs::path folder = std::exchange(folder_, file.parent_path());  // for its tables
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();
     DeclareIndex(spec->names);
@@ -248,7 +248,7 @@ class SpecLoader : public NestedLoader {
     return known = spec;
   }
 
-  // What is imported must stand alone: it sees no parameter of the importer.
+  // Reads materials and defaults of an imported file. They cannot use parameters of the importer.
   void ReadImported(const ImportedFile& from, Context& context) {
     expr::Names names;
     DeclareIndex(names);
@@ -266,7 +266,7 @@ class SpecLoader : public NestedLoader {
   std::set<fs::path> imported_;
 };
 
-// A setting is read as the YAML line `name: text`, so that marks fit what is shown.
+// Parses a setting as the YAML line `name: text`, so that marks match the line in messages.
 void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sources& sources,
                   diag::Findings& findings) {
   const std::uint32_t source = sources.Add(setting.origin, setting.name + ": " + setting.text);

@@ -1,3 +1,5 @@
+// Search for specs and imports in folders of the search path.
+
 #include "mjforge/spec/locate.h"
 
 #include <algorithm>
@@ -87,8 +89,8 @@ std::vector<std::string> ListSpecs(const fs::path& folder) {
   for (const fs::path& file : YamlFilesBelow(folder)) {
     std::string why_not;
     const auto text = bytes::ReadStart(file, kMaxYamlBytes, why_not);
-    // A library of materials makes no object.
     if (!text) continue;
+    // Skip files without parts and bodies: they are imports, such as libraries of materials.
     if (text->find("\nparts:") == std::string::npos &&
         text->find("\nbodies:") == std::string::npos) {
       continue;

@@ -1,4 +1,4 @@
-// materials: and defaults:.
+// Readers of `materials:` and `defaults:`.
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
   context.spec.materials.push_back(std::move(material));
 }
 
-// Keys that a default cannot give: what an entry is, and where.
+// Keys that cannot have defaults: name, repetition, content and place of an entry.
 constexpr Key kWithoutDefault[] = {Key::kName,   Key::kIf,        Key::kFor,    Key::kSpec,
                                    Key::kParams, Key::kMaterials, Key::kFrame,  Key::kParts,
                                    Key::kFromTo, Key::kUp,        Key::kPolygon};
@@ -67,7 +67,7 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
   for (const auto& pair : materials.pairs) {
     const bool known = std::ranges::find(context.spec.materials, pair.key, &Material::name) !=
                        context.spec.materials.end();
-    // What a spec says itself, or imports first, wins.
+    // The spec's own material, or the one imported first, wins.
     if (!(imported && known)) ReadMaterial(pair, folder, context);
   }
 }

@@ -1,5 +1,4 @@
-// params: and require:. Parameters may stand in any order, so their graph is
-// made from the words in them before any is compiled.
+// Reader of `params:` and `require:`, in the order of the parameters' dependencies.
 
 #include <algorithm>
 #include <array>
@@ -33,7 +32,7 @@ void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
   }
 }
 
-// The value without doc and unit, as the user wrote it.
+// Returns the value without `doc` and `unit`, as the user wrote it.
 std::string SourceText(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
@@ -44,7 +43,8 @@ std::string SourceText(const YamlNode& node) {
   return FlowText(bare);
 }
 
-// The positions of the parameters that each one's node uses, by functions, too.
+// Returns the indices of the parameters that each parameter uses, directly or through functions.
+// The names come from the text, because expressions are compiled only after the order is known.
 Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Names& names) {
   std::map<std::string, std::size_t, std::less<>> position;
   for (const ParameterNode& parameter : declared) position.emplace(parameter.name, position.size());
@@ -55,7 +55,7 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Name
     if (parameter.is_key()) key = uses.size() - 1;
     if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
     std::vector<std::string> words;
-    // The cells of a table are not expressions.
+    // Skip the cells of a table, which are not expressions.
     for (const YamlNode::Pair& pair : parameter.node.pairs) {
       const bool is_text = pair.key == "doc" || pair.key == "unit";
       if (!is_text && (parameter.kind == FieldKind::kAnything || pair.key != "choice"))
@@ -71,7 +71,7 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Name
   return uses;
 }
 
-// What the parameters are by their own values.
+// Returns the parameters with their own values, without settings.
 std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   ObjectSpec own;
   own.shared = context.spec.shared;
@@ -85,12 +85,13 @@ std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   return std::move(own.parameters);
 }
 
-// A setting is of the parameter's kind: else each use of it would be found to be wrong.
+// Reports a setting of another kind than the parameter's own value, and replaces it by a value of
+// that kind, so that uses of the parameter are not reported as well.
 void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& parameter,
                   Context& context) {
   const Value& wanted = own.value;
   Value& value = parameter.value;
-  if (wanted.components == 0) return;  // it is wrong itself
+  if (wanted.components == 0) return;  // the parameter's own value is wrong
   if (IsSameKind(value, wanted)) {
     const bool fits =
         context.values.CheckUnit(fmt::format("parameter '{}'", own.name), wanted.dimensions, value);
@@ -110,7 +111,7 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
                 .is_list = wanted.is_list};
 }
 
-// "M3, M4, M5"; of many, the first ones.
+// Returns a list of words, "M3, M4, M5", or the first words of a long list and their count.
 std::string SomeOf(std::span<const std::string> words) {
   constexpr std::size_t kShown = 12;
   std::string text =
@@ -118,7 +119,7 @@ std::string SomeOf(std::span<const std::string> words) {
   return words.size() > kShown ? fmt::format("{}, ... ({} in all)", text, words.size()) : text;
 }
 
-// A setting of a record's key is one of the keys, if it can be told.
+// Reports a setting of a record's key that is a constant but not one of the keys.
 void CheckKey(const ParameterNode& declared, const Value& value, Context& context) {
   const auto number = ConstantOf(value);
   if (!number || declared.rows->numbers.contains(*number)) return;
@@ -128,7 +129,7 @@ void CheckKey(const ParameterNode& declared, const Value& value, Context& contex
       fmt::format("the rows are {}", SomeOf(declared.rows->names)));
 }
 
-// Says what a parameter's value measures, or that it is not what its unit says.
+// Gives a parameter's value the dimensions of its unit, and reports a value of other dimensions.
 void ApplyUnit(Parameter& parameter, Context& context) {
   Value& value = parameter.value;
   if (value.type != expr::Type::kNumber) return;
@@ -141,7 +142,7 @@ void ApplyUnit(Parameter& parameter, Context& context) {
   }
 }
 
-// A unit says what a number is: values are in SI units.
+// Reports a unit that is not an SI unit, because values of parameters are in SI units.
 void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& context) {
   const auto unit = expr::FindUnit(parameter.unit);
   if (!unit || unit->is_si) return;
@@ -152,8 +153,8 @@ void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& conte
       fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
 }
 
-// `own`: what a setting stands in for; null: nothing was set. `key`: of the record that it is a
-// column of.
+// Reads the value of a parameter. `own` is the parameter without the setting, null if there is no
+// setting; `key` is the key of the record that the parameter is a column of, or null.
 void ReadOne(Parameter& parameter, const ParameterNode& declared, const Parameter* own,
              const Parameter* key, Context& context) {
   const YamlNode& node = declared.node;
@@ -180,8 +181,8 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
   parameter.list = variable.list;
 }
 
-// A pinned text must be one the spec knows: any other would quietly leave out
-// the parts that ask for it. False after a finding.
+// Returns false, and adds a finding, if a text is set that is not an option of the parameter's
+// choice, because parts whose condition compares it would silently be left out.
 bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& context) {
   const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
   const YamlNode& bare = value != nullptr ? *value : own;
@@ -199,7 +200,7 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
   return false;
 }
 
-// Which parameters were set.
+// Replaces the nodes of parameters by their settings. Returns true for each parameter that was set.
 std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
                                 std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());
@@ -215,7 +216,7 @@ std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
     }
     const auto at = static_cast<std::size_t>(found - context.spec.parameters.data());
     const std::size_t first = context.spec.parameters.size() - declared.size();
-    if (at < first) continue;  // of an imported file, where it was applied
+    if (at < first) continue;  // applied when the imported file was read
     const std::size_t position = at - first;
     const bool is_looked_up = declared[position].rows != nullptr && !declared[position].is_key();
     if (!is_looked_up && !CheckPinnedChoice(declared[position].node, setting.value, context))
@@ -227,7 +228,7 @@ std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
   return is_set;
 }
 
-// The key of the record that a parameter is a column of; null: it is none.
+// Returns the key of the record that a parameter is a column of; null for other parameters.
 const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
                        std::span<const Parameter> parameters) {
   if (declared[i].rows == nullptr || declared[i].is_key()) return nullptr;
@@ -235,7 +236,7 @@ const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
   return &parameters[i];
 }
 
-// Parameters and functions of imported files, but those of which the spec has its own.
+// Adds parameters and functions of imported files, unless the spec defines the same names.
 void AddShared(const YamlNode* params, Context& context) {
   ObjectSpec& spec = context.spec;
   for (std::size_t file = 0; file < spec.shared.size(); ++file) {

@@ -1,4 +1,4 @@
-// What a part's literal type says about its other keys.
+// Checks of a part's fields against its type.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
     }
     return;
   }
-  // The options of a choice may differ in length; the model checks those.
+  // The options of a choice may differ in length, so the model checks the drawn one.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
   if (exact && size->value.components != 0 && size->value.components != wanted) {
@@ -62,7 +62,7 @@ void CheckPart(const Entry& part, Context& context) {
   const auto word = LiteralText(type->value);
   if (!word) return;
   const ShapeInfo* shape = FindShape(*word);
-  if (shape == nullptr) return;  // reported with the word
+  if (shape == nullptr) return;  // reported when the word was read
   for (const Key id : shape->required) {
     if (FindField(part, id, context.spec.defaults) != nullptr) continue;
     context.findings.Add(Code::kSpecMissingKey, part.mark,

@@ -1,4 +1,4 @@
-// Lists of points, and `for:`, which repeats points and entries.
+// The part of ValueReader that reads lists of points, and `for:`, which repeats points and entries.
 
 #include <algorithm>
 #include <numbers>
@@ -137,7 +137,7 @@ std::vector<Loop> ValueReader::ReadLoops(const YamlNode& loops) {
                                        : "a loop's count cannot be drawn here",
                     "draw it as a parameter and use that parameter's name");
     }
-    // Values of a list, or a count.
+    // The variable has the dimensions of the list's values; a counter is a plain number.
     expr::Dimensions dimensions = loop.range.dimensions;
     if (!loop.over_values()) {
       CheckPlain("a loop's count", loop.range);

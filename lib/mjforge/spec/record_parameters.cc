@@ -1,7 +1,9 @@
-// Records: one draw that decides several values. `style: {choice: [{name: modern, leg: 3cm}, ...]}`
-// is the parameters `style.name` and `style.leg`; `cup: {rows: cups.csv}` is one for each column of
-// the table. The first one is the key if it tells the rows apart: it is drawn, the others are
-// looked up.
+// Reader of record parameters, which one draw selects together.
+//
+// `style: {choice: [{name: modern, leg: 3cm}, ...]}` becomes the parameters `style.name` and
+// `style.leg`; `cup: {rows: cups.csv}` becomes one parameter for each column of the table. The
+// first column is the key if its values differ: the key is drawn, and the other columns are looked
+// up. Otherwise a column `row` with the numbers of the rows is added as the key.
 
 #include <algorithm>
 #include <set>
@@ -22,7 +24,7 @@ const YamlNode& WithoutLongForm(const YamlNode& node) {
   return value != nullptr ? *value : node;
 }
 
-// The draw of a record's options: null if it is none.
+// Returns the pair with the options of a record; null if the parameter is not a record.
 const YamlNode::Pair* OptionsOf(const YamlNode& node) {
   const auto is_record = [](const YamlNode& option) {
     return option.kind == YamlNode::Kind::kMap &&
@@ -82,7 +84,7 @@ class RecordParameterReader {
     }
     declared.front().record = parameter_.key;
     declared.front().node = KeyNode(node, options, columns);
-    // A table is too long to show.
+    // Tables are too long to show.
     declared.front().source = is_table ? "" : FlowText(declared.front().node);
     return declared;
   }
@@ -135,7 +137,8 @@ class RecordParameterReader {
     }
   }
 
-  // What tells the rows apart: different numbers, or texts as they stand; else null.
+  // Returns the rows by the values of this column, which must be different constants or texts.
+  // Returns null for other columns.
   std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
     auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {
@@ -161,7 +164,7 @@ class RecordParameterReader {
     return rows;
   }
 
-  // The draw of the key: as the record's, with the keys in place of the mappings.
+  // Returns the draw of the record with the values of the key in place of the mappings.
   YamlNode KeyNode(const YamlNode& node, const YamlNode::Pair& options,
                    std::vector<TableColumn>& columns) {
     YamlNode key = node;

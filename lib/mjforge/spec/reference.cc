@@ -1,4 +1,4 @@
-// The reference chapter of the manual, from the field table.
+// The reference chapter of the manual, made from the tables of the language.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,7 +33,7 @@ std::string BoundsText(const FieldInfo& field) {
   return text;
 }
 
-// A bar would end the table's cell.
+// Escapes "|", which would end the table cell.
 std::string Cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -55,7 +55,7 @@ std::string ElementTable(const ElementInfo& element) {
   return out + "\n";
 }
 
-// `name`, `joint` (a joint), `cutoff`, ...: MuJoCo's own manual says what they mean.
+// Returns the attributes and their references, without meanings, which are in MuJoCo's manual.
 std::string AttributeList(const ElementInfo& element) {
   std::string out;
   for (const FieldInfo& field : element.fields) {

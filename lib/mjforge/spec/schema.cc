@@ -1,8 +1,8 @@
-// The JSON Schema of a spec (draft-07): what an editor needs to complete and check. It checks
-// structure; names, expressions and references are checked by the parser alone.
+// The JSON Schema of a spec (draft-07), with which an editor completes and checks specs.
 //
-// schema.json is the schema with markers: "@KIND NAME" stands for what the tables of the language
-// say, and what is made from them may contain markers, too.
+// The schema checks structure; names, expressions and references are checked only by the parser.
+// schema.json is the schema with markers "@KIND NAME", which are replaced by text made from the
+// tables of the language. This text may contain markers, too.
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +22,13 @@
 
 namespace mjforge::spec {
 
-extern const std::string_view kSchemaJson;  // the file, embedded
+extern const std::string_view kSchemaJson;  // content of schema.json
 
 namespace {
 
 using JsonMembers = std::vector<std::string>;
 
-// As texts of JSON: a quoted number is text, and so no expression.
+// Schema of an expression: text that is not a number, because a quoted number is text in a spec.
 constexpr std::string_view kExpression =
     R"x("type": "string", "pattern": "^(?![-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?$)")x";
 constexpr std::string_view kNamePattern = R"("^[A-Za-z][A-Za-z0-9_]*$")";
@@ -44,7 +44,7 @@ std::string Joined(const JsonMembers& members) {
   return fmt::format("{}", fmt::join(members, ", "));
 }
 
-// The text of each item of a list.
+// Returns the text of each item of a list.
 template <typename List, typename Text>
 JsonMembers Each(const List& list, Text text) {
   JsonMembers members;
@@ -52,7 +52,7 @@ JsonMembers Each(const List& list, Text text) {
   return members;
 }
 
-// One member whose value is an object.
+// Returns a member whose value is an object.
 std::string Member(std::string_view key, std::string_view members) {
   return fmt::format(R"("{}": {{{}}})", key, members);
 }
@@ -121,11 +121,11 @@ std::string Word(const FieldInfo& field) {
 std::string PlainText(const FieldInfo& field) {
   if (field.id == Key::kName)
     return fmt::format(R"("type": "string", "pattern": {})", kNamePattern);
-  // `unit: 1` is text to us and a number to a reader of YAML.
+  // Numbers are allowed because `unit: 1` is text in a spec but a number in YAML.
   return R"("anyOf": [{"type": "string"}, {"type": "number"}])";
 }
 
-// The fields of the element that the key of `defaults:` names, none of them required.
+// Returns the fields of the element that a key of `defaults:` names. None of them is required.
 std::string DefaultFields(const FieldInfo& defaults) {
   const ElementInfo& element = *FindElement(defaults.key);
   return Mapping(Each(element.fields, [&](const FieldInfo& field) {
@@ -148,7 +148,7 @@ std::string SectionProperties() {
   }));
 }
 
-// The members of the schema of what may stand in a field.
+// Returns the schema of the value of a field.
 std::string Taken(const FieldInfo& field) {
   switch (field.kind) {
     case FieldKind::kNumber:
@@ -195,7 +195,7 @@ std::string DrawArguments(const DistributionInfo& info) {
 std::string DrawForm(const DistributionInfo& info, const JsonMembers& more_properties) {
   JsonMembers properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
-    // Or, of a record, the column that has them.
+    // A text is the column of a record that contains the weights.
     properties.push_back(
         Member(info.option, R"("anyOf": [{"@list number", "minItems": 1}, {"type": "string"}])"));
   } else if (!info.option.empty()) {
@@ -217,7 +217,7 @@ bool Gives(const DistributionInfo& info, std::string_view kind) {
 
 // --- Sections ---------------------------------------------------------------
 
-// A mapping whose one key is an element.
+// Returns the schema of a mapping whose only key is one of the elements.
 std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties);
 
 std::string Attributes(const ElementInfo& element, bool children_by_name) {
@@ -281,7 +281,7 @@ std::string DrawsWithDoc(std::string_view none) {
   }));
 }
 
-// One definition for each length that some field without bounds has.
+// Returns one definition for each range of lengths that a field without bounds has.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;
   JsonMembers lists;

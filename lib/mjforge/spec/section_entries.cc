@@ -1,4 +1,4 @@
-// contact: and mjcf:, elements of MJCF sections with values of ours.
+// Readers of `contact:` and `mjcf:`, sections of MJCF with values of the language.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace {
 
 using diag::Code;
 
-// Why a section that MJCF has is none of a spec's.
+// A section of MJCF that specs do not have, and the replacement.
 struct ForeignSection {
   std::string_view section;
   std::string_view hint;
@@ -43,7 +43,7 @@ class SectionEntryReader {
     }
   }
 
-  // Pairs [a, b], and {if, for, name, bodies: [a, b]}.
+  // Reads pairs of the forms [a, b] and {if, for, name, bodies: [a, b]}.
   void ReadExcludes(const YamlNode& list) {
     if (!IsList(list, "pairs of bodies", context_)) return;
     for (const YamlNode& item : list.items) {
@@ -107,7 +107,7 @@ class SectionEntryReader {
                           diag::DidYouMean(pair.key, Sections(), &SectionInfo::name));
   }
 
-  // option, size, ...: attributes, and elements in it by their name.
+  // Reads a section that is one element (option, size), with inner elements by their names.
   void ReadElementSection(const SectionInfo& info, const YamlNode::Pair& pair) {
     const ElementInfo& element = info.elements.front();
     if (!IsMap(pair.value, fmt::format("the attributes of '{}'", info.name), context_)) return;
@@ -150,7 +150,7 @@ class SectionEntryReader {
     }
   }
 
-  // {if, for, let, TAG: {attributes, children}}
+  // Reads an entry {if, for, let, TAG: {attributes, children}}.
   void ReadElement(const SectionInfo& info, const YamlNode& item) {
     const YamlNode::Pair* found = OnlyElement(info.elements, info.name, item);
     if (found == nullptr) return;
@@ -190,7 +190,7 @@ class SectionEntryReader {
     }
   }
 
-  // Takes them out, too.
+  // Reports and removes `if`, `for` and `let` among attributes.
   void RejectRepetition(YamlNode& attributes) {
     std::erase_if(attributes.pairs, [this](const YamlNode::Pair& pair) {
       if (!IsOfEntry(pair)) return false;
@@ -205,7 +205,8 @@ class SectionEntryReader {
     return pair.key == "if" || pair.key == "for" || pair.key == "let";
   }
 
-  // The one key beside `if`, `for` and `let` that names an element; null after a finding.
+  // Returns the only key beside `if`, `for` and `let`, which names an element; null after a
+  // finding.
   const YamlNode::Pair* OnlyElement(std::span<const ElementInfo> known, std::string_view owner,
                                     const YamlNode& item) {
     const YamlNode::Pair* only = nullptr;

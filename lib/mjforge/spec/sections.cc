@@ -1,8 +1,7 @@
-// The MJCF sections that a spec may pass through, as one table: which elements,
-// which attributes, and which of those name another element. Source:
-// mj_printSchema of MuJoCo 2.2.2, with the kinds of references from its XML
-// reference; a test compares the two. The equality `distance` is left out:
-// MuJoCo 3 refuses it.
+// The table of the MJCF sections that a spec passes through: elements, attributes, references.
+//
+// Source: mj_printSchema of MuJoCo 2.2.2, with the kinds of references from its XML reference; a
+// test compares the two. The equality `distance` is left out, because MuJoCo 3 rejects it.
 
 #include <algorithm>
 #include <deque>
@@ -15,12 +14,11 @@
 namespace mjforge::spec {
 namespace {
 
-// One line an element: its name, then its attributes. `#` stands for one number
-// or more, `?` for true or false, `=kind` for the name of another element; the
-// rest is text. Deeper lines are elements it may hold. `class` is left out:
-// files are flat.
+// An element: its name, then its attributes. `#` marks numbers, `?` true or false, `=kind` the name
+// of another element; other attributes are text. Elements of greater depth are allowed inside the
+// element before them. `class` is left out, because generated files have no defaults.
 struct SchemaLine {
-  std::string_view section;  // empty: as the line before
+  std::string_view section;  // empty: the same as in the line before
   int depth;
   std::string_view element;
   std::string_view attributes;
@@ -133,8 +131,8 @@ constexpr SchemaLine kLines[] = {
     {"", 0, "user", "name objtype objname=@objtype datatype needstage dim#" MJFORGE_SENSED},
 };
 
-// What bodies hold besides geoms, joints and sites; poses as MJCF files of ours
-// have them.
+// Elements of bodies besides geoms, joints and sites, with the attributes that generated files
+// have.
 constexpr SchemaLine kBodyLines[] = {
     {"body", 0, "camera", "name fovy# ipd# pos# quat# mode target=body user#"},
     {"", 0, "light",
@@ -149,7 +147,7 @@ constexpr SchemaLine kBodyLines[] = {
 #undef MJFORGE_SENSED
 #undef MJFORGE_FRAME
 
-// MJCF's longest list of fixed length is shorter; data and user may be long.
+// Maximum length of a list of numbers; only `data` and `user` may be that long.
 constexpr int kMostNumbers = 500;
 
 FieldInfo Parse(std::string_view word) {
@@ -171,7 +169,7 @@ FieldInfo Parse(std::string_view word) {
   return field;
 }
 
-/// The lines, taken apart once; everything in it stays where it is.
+// The parsed lines. The spans in the table refer to lists that never move.
 class SchemaTable {
  public:
   explicit SchemaTable(std::span<const SchemaLine> lines) {
@@ -186,7 +184,7 @@ class SchemaTable {
   std::span<const SectionInfo> sections() const { return sections_; }
 
  private:
-  // Removes from `lines` the first one and those after it up to the next that `is_next`.
+  // Removes and returns the first line and all lines after it until `is_next` is true.
   template <typename IsNext>
   static std::span<const SchemaLine> TakeUntil(IsNext is_next, std::span<const SchemaLine>& lines) {
     const auto next = std::ranges::find_if(lines.subspan(1), is_next);

@@ -29,7 +29,7 @@ struct Parameter {
   std::string unit;
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
-  int list = -1;  // as expr::Names::Variable::list
+  int list = -1;  // see expr::Names::Variable::list
   /// Name of the record, only for the key of a record. Expressions may use it instead of the key's
   /// name ("style" for "style.name").
   std::string record;
@@ -63,7 +63,7 @@ struct Defaults {
 struct ObjectSpec {
   std::string name;
   std::string description;
-  std::string file;                          // as shown to the user
+  std::string file;                          // name that is shown to the user
   diag::SourceMark mark;                     // beginning of the spec
   std::filesystem::path folder;              // base of relative paths
   std::vector<std::filesystem::path> files;  // every file read, in order of first reading

@@ -1,3 +1,5 @@
+// The files that a spec is made of: finding, reading and hashing.
+
 #include "mjforge/spec/spec_files.h"
 
 #include <algorithm>

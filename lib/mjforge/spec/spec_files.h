@@ -61,7 +61,7 @@ class SpecFiles {
   diag::Findings& findings_;
   std::vector<std::filesystem::path> open_;  // specs and imports being read, outermost first
   std::vector<std::filesystem::path> files_;
-  std::vector<std::uint32_t> source_ids_;  // one for each of `files_`
+  std::vector<std::uint32_t> source_ids_;  // parallel to `files_`
 };
 
 }  // namespace mjforge::spec

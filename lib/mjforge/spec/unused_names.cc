@@ -1,4 +1,4 @@
-// What a spec declares and never uses.
+// Warnings of parameters, functions, local values and materials that are never used.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ void DropUnusedProperties(Context& context) {
 }
 
 void ReportUnused(const YamlNode* materials, Context& context) {
-  // After an error, what was not read counts as unused.
+  // After an error, not everything was read, so names that are used would be reported.
   if (context.findings.HasErrors()) return;
   const auto& silenced = context.spec.checks.silenced;
   if (std::ranges::find(silenced, diag::Code::kSpecUnused, &Checks::Silence::code) !=
@@ -30,7 +30,7 @@ void ReportUnused(const YamlNode* materials, Context& context) {
         "remove it, or say why it is there: `checks: {silence: {spec/unused: ...}}`");
   };
   for (const Parameter& parameter : context.spec.parameters) {
-    // Of a record, any column.
+    // A record is used if any of its columns is used.
     const std::string name = parameter.name.substr(0, parameter.name.find('.'));
     const bool is_column = name != parameter.name && parameter.record.empty();
     const bool is_shared = std::holds_alternative<SharedParameter>(parameter.value.form);

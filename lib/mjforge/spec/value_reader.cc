@@ -1,3 +1,5 @@
+// The core of ValueReader: numbers, expressions, ranges, vectors, and reports of errors.
+
 #include "mjforge/spec/value_reader.h"
 
 #include <algorithm>
@@ -19,13 +21,15 @@ bool IsYamlNotFinite(std::string_view text) {
          bare == ".NAN";
 }
 
-// `[max(a, b), 0]` reaches us as the items `max(a` and `b)`.
+// Returns true for a piece of an expression that YAML cut at a comma: `[max(a, b), 0]` has the
+// items `max(a`, `b)` and `0`.
 bool IsCutAtComma(const YamlNode& node) {
   return node.flow && !node.quoted &&
          std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
 }
 
-// A plain constant may be in any unit, however small: 2 for 2 kg.
+// Returns the dimensions of an expression; none for a plain constant, which may have any unit (2
+// for 2 kg).
 expr::Dimensions MeasureOf(const expr::Expression& expression) {
   const bool is_plain = expression.constant() && expression.dimension().is_plain();
   return is_plain ? expr::Dimensions() : expr::Dimensions{expression.dimension()};
@@ -49,7 +53,7 @@ std::optional<std::size_t> FindRange(std::string_view text) {
   if (dots == std::string_view::npos) return std::nullopt;
   if (Trim(text.substr(0, dots)).empty() || Trim(text.substr(dots + 2)).empty())
     return std::nullopt;
-  // In parentheses it is a part of an expression, where it cannot be.
+  // Inside parentheses, the dots belong to an expression, which cannot contain ranges.
   const std::string_view before = text.substr(0, dots);
   if (std::ranges::count(before, '(') != std::ranges::count(before, ')')) return std::nullopt;
   return dots;
@@ -81,7 +85,7 @@ SourceMark ValueReader::At(SourceMark mark, std::size_t offset) const {
   const std::string_view line = sources_.Line(mark);
   const std::size_t start = mark.column - 1;
   if (start < line.size() && (line[start] == '"' || line[start] == '\'')) ++offset;
-  // Only where the text stands in the line letter by letter.
+  // Keep the mark if the offset is outside the line, because the text is folded over several lines.
   if (offset <= line.size() && start + offset <= line.size()) {
     mark.column += static_cast<std::uint32_t>(offset);
   }
@@ -315,7 +319,7 @@ Value ValueReader::ReadList(const ExpectedForm& expected, const YamlNode& node) 
   List list;
   bool reported_cut = false;
   for (const YamlNode& item : node.items) {
-    // One mistake, one finding: the pieces after the first belong to it.
+    // Report only the first piece, because the other pieces belong to the same mistake.
     if (IsCutAtComma(item) && std::exchange(reported_cut, true)) continue;
     list.items.push_back(ReadNumber(item));
     value.dimensions.push_back(DimensionAt(list.items.back().dimensions, 0));
@@ -347,7 +351,7 @@ Value ValueReader::ReadAnything(const YamlNode& node,
     case YamlNode::Kind::kList:
       if (node.items.size() > 4 || ItemType(node) == Type::kText)
         return ReadItems(ItemType(node), node);
-      // As where a vector is wanted: one number alone is a vector of one.
+      // A list of one number is a number.
       if (node.items.size() == 1) return ReadNumber(node.items.front());
       return ReadList({.kind = FieldKind::kNumbers, .min_count = 2, .max_count = 4}, node);
     case YamlNode::Kind::kMap:

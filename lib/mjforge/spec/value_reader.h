@@ -18,7 +18,7 @@ namespace mjforge::spec {
 
 /// Names that values refer to.
 struct UsedNames {
-  std::set<std::string, std::less<>> names;  // of parameters, functions, loops and bodies
+  std::set<std::string, std::less<>> names;  // parameters, functions, loops, bodies
   std::set<std::string, std::less<>> materials;
   bool any_material = false;  // a name of a material is computed and so may be any of them
 

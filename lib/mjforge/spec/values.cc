@@ -1,3 +1,5 @@
+// Queries about values: constants, literal texts, variation between variants, kinds, bounds.
+
 #include "mjforge/spec/values.h"
 
 #include <algorithm>
@@ -8,8 +10,9 @@
 namespace mjforge::spec {
 namespace {
 
-// The dimensions of MuJoCo's contacts are 1, 3, 4 and 6.
-bool IsOddCondim(const FieldInfo& field, double number) {
+// Returns true for the integers that `condim` cannot be; MuJoCo has contacts of 1, 3, 4 and 6
+// dimensions.
+bool IsInvalidCondim(const FieldInfo& field, double number) {
   return field.key == "condim" && (number == 2 || number == 5);
 }
 
@@ -107,7 +110,7 @@ bool Holds(const FieldInfo& field, double number) {
   return std::isfinite(number) && (field.above ? number > field.lower : number >= field.lower) &&
          number <= field.upper &&
          (field.kind != FieldKind::kInteger ||
-          (number == std::floor(number) && !IsOddCondim(field, number)));
+          (number == std::floor(number) && !IsInvalidCondim(field, number)));
 }
 
 std::string Rule(const FieldInfo& field, double number) {
@@ -117,7 +120,7 @@ std::string Rule(const FieldInfo& field, double number) {
   if (field.above && number <= field.lower) return rule("greater than", field.lower);
   if (number < field.lower) return rule("at least", field.lower);
   if (number > field.upper) return rule("at most", field.upper);
-  return IsOddCondim(field, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
+  return IsInvalidCondim(field, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
 }
 
 }  // namespace mjforge::spec

@@ -36,7 +36,7 @@ struct Text {
 struct VariableReference {
   std::string name;
   int slot = 0;
-  int list = -1;  // as expr::Names::Variable::list
+  int list = -1;  // see expr::Names::Variable::list
 };
 
 /// A list of numbers, texts, points or outlines.

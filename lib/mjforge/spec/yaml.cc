@@ -1,3 +1,5 @@
+// Parsing of YAML text into a tree with places, from the events of yaml-cpp.
+
 #include "mjforge/spec/yaml.h"
 
 #include <algorithm>
@@ -20,8 +22,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Aliases may copy this many nodes in all: enough for shared vectors, too few
-// for a "billion laughs".
+// Maximum count of nodes that all aliases together may copy: enough for shared vectors, too small
+// for a "billion laughs" attack.
 constexpr std::size_t kMaxAliasNodes = 100'000;
 
 std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
@@ -37,7 +39,7 @@ std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
   return count;
 }
 
-// Thrown through yaml-cpp's parser to stop it at our own finding.
+// Exception that stops yaml-cpp's parser after a finding.
 struct Stop {};
 
 class TreeBuilder : public YAML::EventHandler {
@@ -73,7 +75,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     CheckTag(mark, tag, value);
-    // `!hollow` was reported as a tag; read on as if it were the plain word.
+    // Read `!hollow` as the plain word `hollow`, because the tag was reported.
     const bool is_word = value.empty() && tag.size() > 1 && tag.front() == '!';
     YamlNode node = YamlNode::Scalar(is_word ? tag.substr(1) : value, At(mark));
     node.quoted = tag == "!";
@@ -107,7 +109,7 @@ class TreeBuilder : public YAML::EventHandler {
     YAML::anchor_t anchor = 0;
     bool flow = false;  // a list in brackets
     bool has_key = false;
-    bool keep = true;  // false: the value of a repeated key
+    bool keep = true;  // false: drop the value, because its key is repeated
     std::string key;
     SourceMark key_mark;
     std::map<std::string, SourceMark, std::less<>> keys;
@@ -191,7 +193,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t alias_nodes_ = 0;
 };
 
-// The first byte that is NUL or not UTF-8.
+// Returns the place of the first byte that is NUL or not UTF-8.
 std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
   SourceMark mark{file, 1, 1};
   for (std::size_t i = 0; i < text.size();) {
@@ -208,8 +210,8 @@ std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
-// The first bracket that opens a flow list or mapping deeper than kMaxDepth.
-// yaml-cpp's own guard counts only what it can close.
+// Returns the place of the first bracket that is nested deeper than kMaxDepth. yaml-cpp's own limit
+// does not count brackets that are never closed.
 std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text) {
   constexpr int kMaxDepth = 200;
   SourceMark mark{file, 1, 0};
@@ -227,7 +229,8 @@ std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
-// The word around `${`, if its brace is at the column: to YAML it opens a mapping there.
+// Returns the word that contains `${` if the brace is at this column, where YAML reads it as the
+// beginning of a mapping. Returns an empty text otherwise.
 std::string_view Interpolated(std::string_view line, std::size_t column) {
   if (column < 2 || !line.substr(column - 2).starts_with("${")) return {};
   const std::size_t begin = line.find_last_of(" ,[{", column - 2) + 1;  // 0 if there is none
@@ -236,7 +239,7 @@ std::string_view Interpolated(std::string_view line, std::size_t column) {
   return line.substr(begin, std::min(line.find_first_of(" ,]}", close + 1), line.size()) - begin);
 }
 
-// What yaml-cpp says, in our words where its are obscure.
+// Replaces obscure messages of yaml-cpp by clear ones.
 std::string Reworded(const std::string& message) {
   struct Wording {
     std::string_view theirs;
@@ -260,7 +263,7 @@ std::string Reworded(const std::string& message) {
   return message;
 }
 
-// Whether a name has a bracket right behind it: `widths[i]`.
+// Returns true if a bracket directly follows a name: `widths[i]`.
 bool HasItem(std::string_view line) {
   for (auto at = line.find('['); at != line.npos; at = line.find('[', at + 1)) {
     if (at > 0 && expr::IsNameCharacter(line[at - 1])) return true;
@@ -271,7 +274,7 @@ bool HasItem(std::string_view line) {
 bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
   const std::string& text = sources.Text(file);
   if (const std::string_view kind = bytes::KindOf(text); !kind.empty()) {
-    // Its bytes would say nothing.
+    // Do not quote the line, because the file is binary.
     findings.Add(Code::kYamlNotText, {},
                  fmt::format("'{}' is {}, not YAML text", sources.Name(file), kind),
                  kind.find("archive") == kind.npos

@@ -38,7 +38,7 @@ struct YamlNode {
 
 struct YamlNode::Pair {
   std::string key;
-  diag::SourceMark mark;  // of the key
+  diag::SourceMark mark;  // place of the key
   YamlNode value;
 };
 
@@ -47,7 +47,7 @@ inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
 /// Parses the text of a source. Returns nothing, and adds findings, if the text is empty, binary,
 /// too long, not exactly one YAML document, nested too deeply, or expands too many aliases. Reports
-/// repeated keys and tags, too, but reads on.
+/// repeated keys and tags, too, but continues.
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,
                                   diag::Findings& findings);
 
