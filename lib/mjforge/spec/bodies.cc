@@ -25,19 +25,15 @@ class BodyEntryReader {
     BodyEntry body;
     body.head = entries_.Begin(kBodyElement, map, map, EntryReader::Naming::kRequired);
     CheckContents(map);
-    if (const YamlNode* parts = map.Find("parts")) {
-      entries_.ReadList(kPartElement, *parts, body.parts);
-      CheckUniqueNames("part", body.parts, context_);
-    }
+    if (const YamlNode* parts = map.Find("parts"))
+      body.parts = ReadEntries(kPartElement, *parts, context_);
     if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
     // The body's own properties can be used by its fields, sites, views and joints.
     DeclareProperties(body);
     body.head.fields = ReadFields(kBodyElement, map, context_);
-    if (const YamlNode* sites = map.Find("sites")) {
-      entries_.ReadList(kSiteElement, *sites, body.sites);
-      CheckUniqueNames("site", body.sites, context_);
-    }
-    ReadViews(map, body.views, context_);
+    if (const YamlNode* sites = map.Find("sites"))
+      body.sites = ReadEntries(kSiteElement, *sites, context_);
+    body.views = ReadViews(map, context_);
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
     entries_.End(body.head);
     context_.spec.bodies.push_back(std::move(body));
@@ -94,8 +90,7 @@ class BodyEntryReader {
       body.is_free = IsFreeWord(joints, context_) == true;
       return;
     }
-    entries_.ReadList(kJointElement, joints, body.joints);
-    CheckUniqueNames("joint", body.joints, context_);
+    body.joints = ReadEntries(kJointElement, joints, context_);
   }
 
   Context& context_;

@@ -92,10 +92,11 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
                    Context& context);
 void ReadDefaults(const YamlNode& defaults, Context& context);
 
-void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Context& context);
-void ReadSites(const YamlNode& sites, Context& context);
+/// Reads a list of parts, sites, cameras, lights or joints. Reports entries with the same name that
+/// exist in every variant.
+std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context);
 /// Reads `cameras:` and `lights:` of an object or a body.
-void ReadViews(const YamlNode& map, std::vector<Entry>& out, Context& context);
+std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
 /// finding, for other words.
@@ -130,8 +131,5 @@ void ReportUnused(const YamlNode* materials, Context& context);
 /// Checks the fields of a part against its type, if the type is a literal: missing fields, fields
 /// without meaning, the count of sizes.
 void CheckPart(const Entry& part, Context& context);
-
-/// Reports entries with the same name that exist in every variant.
-void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Context& context);
 
 }  // namespace mjforge::spec

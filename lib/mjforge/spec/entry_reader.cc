@@ -51,14 +51,15 @@ void AddDefaults(std::span<const Field> defaults, Entry& entry) {
 
 }  // namespace
 
-void EntryReader::ReadList(const ElementInfo& element, const YamlNode& list,
-                           std::vector<Entry>& out) {
-  if (!IsList(list, fmt::format("{}s", element.name), context_)) return;
+std::vector<Entry> EntryReader::ReadList(const ElementInfo& element, const YamlNode& list) {
+  std::vector<Entry> entries;
+  if (!IsList(list, fmt::format("{}s", element.name), context_)) return entries;
   for (const YamlNode& item : list.items) {
     if (IsMap(item, fmt::format("a {}'s keys", element.name), context_)) {
-      out.push_back(ReadEntry(element, item));
+      entries.push_back(ReadEntry(element, item));
     }
   }
+  return entries;
 }
 
 Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
@@ -156,8 +157,8 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
     CheckNeeds("params", "spec", map, context_);
     CheckNeeds("materials", "spec", map, context_);
     CheckNeeds("parts", "frame", map, context_);
-    CheckPart(entry, context_);
     AddDefaults(defaults.part, entry);
+    CheckPart(entry, context_);
   }
   if (&element == &kSiteElement) AddDefaults(defaults.site, entry);
   if (&element == &kJointElement) AddDefaults(defaults.joint, entry);
@@ -181,7 +182,7 @@ void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& e
   if (parts == nullptr) {
     context_.findings.Add(Code::kSpecMissingKey, map.mark, "a frame without 'parts'");
   } else {
-    ReadList(kPartElement, *parts, entry.children);
+    entry.children = ReadList(kPartElement, *parts);
   }
 }
 
@@ -268,27 +269,20 @@ void EntryReader::CheckMaterial(const Value& value) {
                         fmt::format("no material '{}'", *name), std::move(hint));
 }
 
-void ReadParts(const YamlNode& parts, std::vector<Entry>& out, Context& context) {
-  EntryReader(context).ReadList(kPartElement, parts, out);
-  CheckUniqueNames("part", out, context);
+std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context) {
+  std::vector<Entry> entries = EntryReader(context).ReadList(element, list);
+  std::map<std::string_view, diag::SourceMark> seen;
+  CollectSure(element.name, entries, seen, context);
+  return entries;
 }
 
-void ReadSites(const YamlNode& sites, Context& context) {
-  EntryReader(context).ReadList(kSiteElement, sites, context.spec.sites);
-  CheckUniqueNames("site", context.spec.sites, context);
-}
-
-void ReadViews(const YamlNode& map, std::vector<Entry>& out, Context& context) {
-  const auto read = [&](std::string_view key, const ElementInfo& element) {
-    const YamlNode* list = map.Find(key);
-    if (list == nullptr) return;
-    std::vector<Entry> entries;
-    EntryReader(context).ReadList(element, *list, entries);
-    CheckUniqueNames(element.name, entries, context);
-    std::ranges::move(entries, std::back_inserter(out));
-  };
-  read("cameras", kCameraElement);
-  read("lights", kLightElement);
+std::vector<Entry> ReadViews(const YamlNode& map, Context& context) {
+  std::vector<Entry> views;
+  if (const YamlNode* cameras = map.Find("cameras"))
+    views = ReadEntries(kCameraElement, *cameras, context);
+  if (const YamlNode* lights = map.Find("lights"))
+    std::ranges::move(ReadEntries(kLightElement, *lights, context), std::back_inserter(views));
+  return views;
 }
 
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context) {
@@ -308,13 +302,7 @@ void ReadJoints(const YamlNode& joints, Context& context) {
     return;
   }
   context.spec.root_joints = RootJoints::kList;
-  EntryReader(context).ReadList(kJointElement, joints, context.spec.joints);
-  CheckUniqueNames("joint", context.spec.joints, context);
-}
-
-void CheckUniqueNames(std::string_view what, std::span<const Entry> entries, Context& context) {
-  std::map<std::string_view, diag::SourceMark> seen;
-  CollectSure(what, entries, seen, context);
+  context.spec.joints = ReadEntries(kJointElement, joints, context);
 }
 
 }  // namespace mjforge::spec

@@ -14,8 +14,8 @@ class EntryReader {
  public:
   explicit EntryReader(Context& context) : context_(context) {}
 
-  /// Appends the entries of a list of parts, sites, cameras, lights or joints.
-  void ReadList(const ElementInfo& element, const YamlNode& list, std::vector<Entry>& out);
+  /// Reads a list of parts, sites, cameras, lights or joints.
+  std::vector<Entry> ReadList(const ElementInfo& element, const YamlNode& list);
 
   enum class Naming { kOptional, kRequired };
   /// Reads the loops, the name, the local values and the condition of an entry, in this order. Loop

@@ -94,9 +94,11 @@ class SpecLoader : public NestedLoader {
     }
     if (const YamlNode* defaults = root.Find("defaults")) ReadDefaults(*defaults, context);
     for (const ImportedFile& from : imports) ReadImported(from, context);
-    if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, context);
-    if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, context);
-    ReadViews(root, spec.views, context);
+    if (const YamlNode* parts = root.Find("parts"))
+      spec.parts = ReadEntries(kPartElement, *parts, context);
+    if (const YamlNode* sites = root.Find("sites"))
+      spec.sites = ReadEntries(kSiteElement, *sites, context);
+    spec.views = ReadViews(root, context);
     ReadMotion(root, settings, context);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, context);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, context);

@@ -1,8 +1,6 @@
 // Checks of a part's fields against its type.
 
 #include <algorithm>
-#include <array>
-#include <initializer_list>
 
 #include <fmt/format.h>
 
@@ -14,13 +12,8 @@ namespace {
 
 using diag::Code;
 
-const Field* FindField(const Entry& part, Key id, const Defaults& defaults) {
-  const Field* own = part.Find(id);
-  return own != nullptr ? own : FindField(defaults.part, id);
-}
-
 void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
-  const Field* size = FindField(part, Key::kSize, context.spec.defaults);
+  const Field* size = part.Find(Key::kSize);
   const Field* fromto = part.Find(Key::kFromTo);
   if (fromto != nullptr && shape.sizes_fromto == 0) {
     context.findings.Add(Code::kSpecConflict, fromto->mark,
@@ -34,7 +27,7 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
   }
   if (size == nullptr) return;
   if (shape.sizes == 0) {
-    if (part.Find(Key::kSize) != nullptr) {
+    if (!size->is_default) {
       context.findings.Add(Code::kSpecConflict, size->mark,
                            fmt::format("'size' has no meaning for a {}", shape.type));
     }
@@ -54,7 +47,7 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
 }  // namespace
 
 void CheckPart(const Entry& part, Context& context) {
-  const Field* type = FindField(part, Key::kType, context.spec.defaults);
+  const Field* type = part.Find(Key::kType);
   if (type == nullptr) {
     context.findings.Add(Code::kSpecMissingKey, part.mark, "part without a 'type'");
     return;
@@ -64,15 +57,15 @@ void CheckPart(const Entry& part, Context& context) {
   const ShapeInfo* shape = FindShape(*word);
   if (shape == nullptr) return;  // reported when the word was read
   for (const Key id : shape->required) {
-    if (FindField(part, id, context.spec.defaults) != nullptr) continue;
+    if (part.Find(id) != nullptr) continue;
     context.findings.Add(Code::kSpecMissingKey, part.mark,
                          fmt::format("{} without '{}'", shape->type, kPartElement.Find(id)->key));
   }
-  const bool is_round = FindField(part, Key::kRound, context.spec.defaults) != nullptr;
+  const bool is_round = part.Find(Key::kRound) != nullptr;
   for (const Field& field : part.fields) {
     const Key id = field.info->id;
     const bool has_own_words = id == Key::kSize || id == Key::kFromTo || id == Key::kUp;
-    if (has_own_words || !IsOfAShape(id)) continue;
+    if (field.is_default || has_own_words || !IsOfAShape(id)) continue;
     const bool needs_round = std::ranges::find(shape->of_round, id) != shape->of_round.end();
     if (shape->Takes(id) && (!needs_round || is_round)) continue;
     context.findings.Add(Code::kSpecConflict, field.mark,
