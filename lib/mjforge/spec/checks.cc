@@ -12,7 +12,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Returns the mapping with the settings in place of its own values.
+// Returns the mapping with the settings in place of its own values. A setting to null removes a
+// value, so that the default applies.
 YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> settings) {
   YamlNode map;
   if (checks != nullptr) map = *checks;
@@ -21,20 +22,11 @@ YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> setting
     if (!setting.name.starts_with(kChecksPrefix)) continue;
     const std::string key = setting.name.substr(kChecksPrefix.size());
     std::erase_if(map.pairs, [&](const YamlNode::Pair& pair) { return pair.key == key; });
+    const bool is_null = setting.value.kind == YamlNode::Kind::kNull;
+    if (is_null && kChecksElement.Find(key) != nullptr) continue;
     map.pairs.push_back({key, setting.value.mark, setting.value});
   }
   return map;
-}
-
-// Removes values that a setting replaces by null, so that the default applies.
-void RemoveUnset(YamlNode& map, std::span<const NamedNode> settings) {
-  std::erase_if(map.pairs, [&](const YamlNode::Pair& pair) {
-    return pair.value.kind == YamlNode::Kind::kNull && kChecksElement.Find(pair.key) != nullptr &&
-           std::ranges::any_of(settings, [&](const NamedNode& setting) {
-             return setting.name.starts_with(kChecksPrefix) &&
-                    setting.name.substr(kChecksPrefix.size()) == pair.key;
-           });
-  });
 }
 
 // Reports a drawn threshold, because variants with different thresholds cannot be compared.
@@ -168,8 +160,7 @@ bool CanBeSilenced(diag::Code code) {
 
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context) {
   if (checks != nullptr && !IsMap(*checks, "checks", context)) return;
-  YamlNode map = WithSettings(checks, settings);
-  RemoveUnset(map, settings);
+  const YamlNode map = WithSettings(checks, settings);
   context.spec.checks.fields = ReadThresholds(kChecksElement, map, context);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, context);
   if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, context);

@@ -12,14 +12,8 @@ namespace {
 
 // Returns true if only a ball joint can have a position of this form.
 bool IsTurn(const YamlNode& position) {
-  switch (position.kind) {
-    case YamlNode::Kind::kList:
-      return true;
-    case YamlNode::Kind::kMap:
-      return position.Find("about") != nullptr;
-    default:
-      return position.text == "random";
-  }
+  return position.kind == YamlNode::Kind::kList || position.Find("about") != nullptr ||
+         position.text == "random";
 }
 
 }  // namespace
