@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/bytes/bytes.h"
 #include "mjforge/spec/context.h"
 #include "mjforge/spec/locate.h"
 #include "mjforge/spec/spec_files.h"
@@ -68,9 +67,7 @@ class SpecLoader : public NestedLoader {
   }
 
   std::optional<std::uint32_t> OpenFile(const std::string& name, SourceMark mark) override {
-    std::error_code error;
-    const fs::path file = fs::weakly_canonical(folder_ / name, error);
-    return state_.files.Open(error ? folder_ / name : file, mark);
+    return state_.files.Open(Canonical(folder_ / name), mark);
   }
 
  private:
@@ -284,14 +281,8 @@ void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sou
 
 void ParseParameterFile(const fs::path& file, std::vector<NamedNode>& out, diag::Sources& sources,
                         diag::Findings& findings) {
-  std::string why_not;
-  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-  if (!text) {
-    findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(), why_not));
-    return;
-  }
-  auto root = ParseYaml(sources.Add(DisplayName(file), std::move(*text)), sources, findings);
+  const auto source = ReadSource(file, file.string(), {}, sources, findings);
+  auto root = source ? ParseYaml(*source, sources, findings) : std::nullopt;
   if (!root) return;
   if (root->kind != YamlNode::Kind::kMap) {
     findings.Add(Code::kSpecWrongType, root->mark,
@@ -359,18 +350,10 @@ std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOpt
       return nullptr;
     }
   }
-  std::string why_not;
-  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-  if (!text) {
-    findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", reference, why_not));
-    return nullptr;
-  }
-  std::error_code error;
-  const fs::path canonical = reference == "-" ? file : fs::weakly_canonical(file, error);
-  const fs::path folder = reference == "-" ? fs::path(".") : file.parent_path();
-  const std::uint32_t source = sources.Add(DisplayName(file), std::move(*text));
-  return LoadFrom(source, error ? file : canonical, folder, options, sources, findings);
+  const auto source = ReadSource(file, reference, {}, sources, findings);
+  if (!source) return nullptr;
+  if (reference == "-") return LoadFrom(*source, file, ".", options, sources, findings);
+  return LoadFrom(*source, Canonical(file), file.parent_path(), options, sources, findings);
 }
 
 }  // namespace mjforge::spec

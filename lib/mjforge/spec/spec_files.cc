@@ -16,6 +16,22 @@ namespace fs = std::filesystem;
 using diag::Code;
 using diag::SourceMark;
 
+fs::path Canonical(const fs::path& file) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(file, error);
+  return error ? file : canonical;
+}
+
+std::optional<std::uint32_t> ReadSource(const fs::path& file, std::string_view name,
+                                        SourceMark mark, diag::Sources& sources,
+                                        diag::Findings& findings) {
+  std::string why_not;
+  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
+  if (text) return sources.Add(DisplayName(file), *std::move(text));
+  findings.Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not));
+  return std::nullopt;
+}
+
 std::optional<fs::path> SpecFiles::Find(const std::string& reference, const fs::path& folder,
                                         SourceMark mark) {
   const auto found = Locate(reference, folder, search_path_);
@@ -24,9 +40,7 @@ std::optional<fs::path> SpecFiles::Find(const std::string& reference, const fs::
                   NotFoundHint(reference, search_path_));
     return std::nullopt;
   }
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(*found, error);
-  return error ? *found : canonical;
+  return Canonical(*found);
 }
 
 bool SpecFiles::IsOpen(const fs::path& file, SourceMark mark) {
@@ -42,16 +56,11 @@ bool SpecFiles::IsOpen(const fs::path& file, SourceMark mark) {
 std::optional<std::uint32_t> SpecFiles::Open(const fs::path& file, SourceMark mark) {
   if (const auto known = std::ranges::find(files_, file); known != files_.end())
     return source_ids_[static_cast<std::size_t>(known - files_.begin())];
-  std::string why_not;
-  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-  if (!text) {
-    findings_.Add(Code::kYamlCannotRead, mark,
-                  fmt::format("cannot read '{}': {}", DisplayName(file), why_not));
-    return std::nullopt;
+  const auto source = ReadSource(file, DisplayName(file), mark, sources_, findings_);
+  if (source) {
+    files_.push_back(file);
+    source_ids_.push_back(*source);
   }
-  const std::uint32_t source = sources_.Add(DisplayName(file), std::move(*text));
-  files_.push_back(file);
-  source_ids_.push_back(source);
   return source;
 }
 

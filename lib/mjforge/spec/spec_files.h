@@ -7,11 +7,21 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mjforge/diag/diag.h"
 
 namespace mjforge::spec {
+
+/// Returns the canonical path of a file, or `file` itself if there is none.
+std::filesystem::path Canonical(const std::filesystem::path& file);
+
+/// Reads a file, adds its text to `sources` and returns its number. Returns nothing, and adds a
+/// finding with `name`, if reading fails.
+std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
+                                        diag::SourceMark mark, diag::Sources& sources,
+                                        diag::Findings& findings);
 
 class SpecFiles {
  public:
