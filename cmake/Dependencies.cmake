@@ -17,7 +17,6 @@ set(mjforge_dependencies
   "WebP"
   "ccd 2"
   "Qhull 8 CONFIG"
-  "csv"
   "Random123"
   "xxhash"
   "ctemplate")  # HTML templates with automatic escaping

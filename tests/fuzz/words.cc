@@ -42,11 +42,11 @@ void AddMjcf(Dictionary& words) {
     words.emplace(section.name);
     for (const spec::ElementInfo& element : section.elements) AddElement(element, words);
   }
-  AddElement(spec::PartElement(), words);
-  AddElement(spec::SiteElement(), words);
-  AddElement(spec::JointElement(), words);
-  AddElement(spec::MaterialElement(), words);
-  AddElement(spec::TextureElement(), words);
+  AddElement(spec::kPartElement, words);
+  AddElement(spec::kSiteElement, words);
+  AddElement(spec::kJointElement, words);
+  AddElement(spec::kMaterialElement, words);
+  AddElement(spec::kTextureElement, words);
 }
 
 void AddSpec(Dictionary& words) {

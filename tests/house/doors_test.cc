@@ -73,7 +73,6 @@ const std::array kLibraries = {
     // validate: points over joint ranges; physics: points in parts
     Library{"boost/random/", {"sample", "validate", "physics"}},
     Library{"ccd/", {"expect", "physics"}},
-    Library{"csv.h", {"spec"}},
     Library{"ctemplate/", {"report"}},
     Library{"fmt/", {"bytes",    "diag",   "expr",  "spec",  "sample",  "engine",   "solid",
                      "model",    "expect", "mjcf",  "files", "attach",  "validate", "physics",

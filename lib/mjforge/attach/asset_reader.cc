@@ -54,7 +54,7 @@ int AssetReader::Material(int id) {
   model::Material material;
   taken_.Label(mjOBJ_MATERIAL, id, material);
   material.texture = Texture(engine::TextureOf(m, id));
-  Attributes(spec::MaterialElement(), material.attributes).Read(m, mjOBJ_MATERIAL, id);
+  Attributes(spec::kMaterialElement, material.attributes).Read(m, mjOBJ_MATERIAL, id);
   out_.materials.push_back(std::move(material));
   return place->second;
 }

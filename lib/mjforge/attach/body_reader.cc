@@ -59,7 +59,7 @@ class BodyReader {
     model::Body& body = out_.bodies.emplace_back(compiled::BodyOf(m_, id));
     taken_.Label(mjOBJ_BODY, id, body);
     body.parent = out_.bodies.size() == 1 ? -1 : taken_.Position(m_.body_parentid[id]);
-    Attributes(spec::BodyElement(), body.attributes).Read(m_, mjOBJ_BODY, id);
+    Attributes(spec::kBodyElement, body.attributes).Read(m_, mjOBJ_BODY, id);
     if (m_.body_mocapid[id] >= 0) {
       AddWarning(findings_, Code::kAttachNotCarried, body.mark,
                  fmt::format("{} of '{}' is not a mocap body where it is attached",
@@ -71,7 +71,7 @@ class BodyReader {
   void ReadJoint(int id) {
     model::Joint& joint = BodyOf(m_.jnt_bodyid[id]).joints.emplace_back(compiled::JointOf(m_, id));
     taken_.Label(mjOBJ_JOINT, id, joint);
-    Attributes(spec::JointElement(), joint.attributes).Read(m_, mjOBJ_JOINT, id);
+    Attributes(spec::kJointElement, joint.attributes).Read(m_, mjOBJ_JOINT, id);
   }
 
   void ReadGeom(int id) {
@@ -98,7 +98,7 @@ class BodyReader {
   }
 
   void ReadGeomAttributes(int id, model::Part& part) {
-    Attributes attributes(spec::PartElement(), part.attributes);
+    Attributes attributes(spec::kPartElement, part.attributes);
     const std::span<const compiled::ArrayField> fields = compiled::ArrayFields(mjOBJ_GEOM);
     const auto rgba = std::ranges::find(fields, "rgba", &compiled::ArrayField::attribute);
     attributes.Read(m_, {fields.begin(), rgba}, id);
@@ -119,7 +119,7 @@ class BodyReader {
     site.size = VectorAt(m_.site_size, id);
     site.X_BS = PoseAt(m_.site_pos, m_.site_quat, id);
     site.material = assets_.Material(m_.site_matid[id]);
-    Attributes(spec::SiteElement(), site.attributes).Read(m_, mjOBJ_SITE, id);
+    Attributes(spec::kSiteElement, site.attributes).Read(m_, mjOBJ_SITE, id);
   }
 
   /// A camera or light; not one that looks at a body that is not taken.

@@ -29,7 +29,7 @@ std::optional<ResumedVariants> ReadResumable(
     std::uint64_t bytes) {
   ResumedVariants resumed;
   std::string why_not;
-  std::optional<bytes::Lines> lines = bytes::Lines::Open(manifest, why_not);
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(manifest, why_not);
   std::string line;
   while (lines && resumed.done() < options.range.count && lines->Next(line, why_not)) {
     if (lines->torn() || resumed.bytes + line.size() + 1 > bytes) break;

@@ -140,10 +140,10 @@ class RecordReader {
   diag::SourceMark Mark() const;
 
  private:
-  RecordReader(bytes::Lines lines, std::string name, diag::Sources& sources,
+  RecordReader(bytes::LineReader lines, std::string name, diag::Sources& sources,
                diag::Findings& findings);
 
-  bytes::Lines lines_;
+  bytes::LineReader lines_;
   std::string name_;
   diag::Sources* sources_;
   diag::Findings* findings_;

@@ -85,7 +85,7 @@ double Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId p
 }
 
 const spec::Value& Evaluator::OfRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {
-  const spec::Rows& rows = *draw.rows;
+  const spec::RecordRows& rows = *draw.rows;
   const double key = Variable(draw.key_slot);
   const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
   if (row == rows.numbers.end()) {

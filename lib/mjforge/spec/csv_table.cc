@@ -1,6 +1,6 @@
-#include "mjforge/spec/table.h"
+// Reader of CSV tables: the parser, columns with units, and their checks.
 
-#include <csv.h>
+#include "mjforge/spec/csv_table.h"
 
 #include <algorithm>
 #include <string_view>
@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/value_reader.h"
 
 namespace mjforge::spec {
 namespace {
@@ -18,121 +19,123 @@ using diag::SourceMark;
 
 constexpr std::size_t kMaxCells = 200'000;
 
-struct Cell {
+struct TableCell {
   std::string text;
   SourceMark mark;
 };
-using Row = std::vector<Cell>;
+using TableRow = std::vector<TableCell>;
 
-// libcsv's parser is given a character at a time: so it is known where each cell begins.
-class Splitter {
+// Parser of CSV as in RFC 4180. Lines may also end with LF or CR alone, empty lines are skipped,
+// and blanks around a cell do not belong to it.
+class CsvParser {
  public:
-  explicit Splitter(SourceMark start) : here_(start), begin_(start) {
-    csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI);
-  }
-  ~Splitter() { csv_free(&parser_); }
-  Splitter(const Splitter&) = delete;
-  Splitter& operator=(const Splitter&) = delete;
+  CsvParser(std::string_view text, SourceMark start)
+      : text_(text), here_(start), cell_mark_(start) {}
 
-  // False if it is not CSV: then `mark()` is where.
-  bool Run(std::string_view text) {
-    for (const char c : text) {
-      const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-      if (is_between_ && !is_blank) begin_ = here_;
-      is_between_ = is_between_ && is_blank;
-      if (csv_parse(&parser_, &c, 1, &AddCell, &EndRow, this) != 1) return false;
-      const bool is_end = c == '\n';
-      here_.line += is_end ? 1 : 0;
-      here_.column = is_end ? 1 : here_.column + 1;
-      if (count_ > kMaxCells) return true;
+  // Returns false if the cell at cell_mark() is not valid.
+  bool Run() {
+    for (Skip(" \t\r\n"); at_ < text_.size(); Skip(" \t\r\n")) {
+      rows_.emplace_back();
+      do {
+        Skip(" \t");
+        cell_mark_ = here_;
+        std::optional<std::string> cell = Peek() == '"' ? TakeQuoted() : TakePlain();
+        if (!cell) return false;
+        rows_.back().push_back({*std::move(cell), cell_mark_});
+        if (++count_ > kMaxCells) return true;
+      } while (Take(1) == ",");
     }
-    return csv_fini(&parser_, &AddCell, &EndRow, this) == 0;
+    return true;
   }
 
-  SourceMark mark() const { return begin_; }
+  SourceMark cell_mark() const { return cell_mark_; }
   bool has_too_many() const { return count_ > kMaxCells; }
-  std::vector<Row>& rows() { return rows_; }
+  std::vector<TableRow>& rows() { return rows_; }
 
  private:
-  static void AddCell(void* text, std::size_t size, void* self) {
-    auto& splitter = *static_cast<Splitter*>(self);
-    splitter.row_.push_back({std::string(static_cast<const char*>(text), size), splitter.begin_});
-    splitter.is_between_ = true;
-    ++splitter.count_;
-  }
-  static void EndRow(int, void* self) {
-    auto& splitter = *static_cast<Splitter*>(self);
-    splitter.rows_.push_back(std::exchange(splitter.row_, {}));
+  char Peek() const { return at_ < text_.size() ? text_[at_] : '\n'; }
+
+  std::optional<std::string> TakePlain() {
+    const std::string_view cell = Take(text_.find_first_of(",\r\n\"", at_) - at_);
+    return Peek() == '"' ? std::nullopt : std::optional(std::string(Trim(cell)));
   }
 
-  csv_parser parser_{};
+  std::optional<std::string> TakeQuoted() {
+    std::string cell;
+    do {
+      const std::size_t quote = text_.find('"', at_ + 1);
+      if (quote == text_.npos) return std::nullopt;
+      cell += Take(quote - at_);  // with the quote before it, which is the second one of a pair
+      Take(1);
+    } while (Peek() == '"');
+    Skip(" \t");
+    const bool has_ended = Peek() == ',' || Peek() == '\r' || Peek() == '\n';
+    return has_ended ? std::optional(cell.substr(1)) : std::nullopt;
+  }
+
+  void Skip(std::string_view blanks) { Take(text_.find_first_not_of(blanks, at_) - at_); }
+
+  // Takes the next `count` bytes, or all that are left.
+  std::string_view Take(std::size_t count) {
+    const std::string_view taken = text_.substr(at_, count);
+    for (const char c : taken) {
+      here_.line += c == '\n' ? 1 : 0;
+      here_.column = c == '\n' ? 1 : here_.column + 1;
+    }
+    at_ += taken.size();
+    return taken;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
   SourceMark here_;
-  SourceMark begin_;        // of the cell
-  bool is_between_ = true;  // no cell has begun
+  SourceMark cell_mark_;
   std::size_t count_ = 0;
-  Row row_;
-  std::vector<Row> rows_;
+  std::vector<TableRow> rows_;
 };
 
-YamlNode Scalar(std::string text, SourceMark mark, bool quoted) {
-  YamlNode node;
-  node.kind = YamlNode::Kind::kScalar;
-  node.mark = mark;
-  node.text = std::move(text);
-  node.quoted = quoted;
-  return node;
-}
-
-std::string_view Trimmed(std::string_view text) {
-  const auto words = expr::WordsOf(text);
-  return words.empty()
-             ? std::string_view()
-             : std::string_view(words.front().data(),
-                                static_cast<std::size_t>(words.back().data() + words.back().size() -
-                                                         words.front().data()));
-}
-
-class Reader {
+class TableReader {
  public:
-  Reader(std::vector<Row> rows, diag::Findings& findings)
+  TableReader(std::vector<TableRow> rows, diag::Findings& findings)
       : rows_(std::move(rows)), findings_(findings) {}
 
   std::optional<std::vector<TableColumn>> Run() {
-    const std::size_t before = findings_.size();
-    CheckLengths();
-    if (findings_.size() != before) return std::nullopt;
+    if (!HaveOneLength()) return std::nullopt;
     std::vector<TableColumn> columns;
     for (std::size_t i = 0; i < rows_.front().size(); ++i) columns.push_back(ReadColumn(i));
     return columns;
   }
 
  private:
-  void CheckLengths() {
+  bool HaveOneLength() {
+    bool is_equal = true;
     const std::size_t wanted = rows_.front().size();
-    for (const Row& row : rows_) {
+    for (const TableRow& row : rows_) {
       if (row.size() == wanted) continue;
+      is_equal = false;
       findings_.Add(Code::kSpecBadTable, row.front().mark,
                     fmt::format("the row has {} cell{}, the header {}", row.size(),
                                 row.size() == 1 ? "" : "s", wanted));
     }
+    return is_equal;
   }
 
   TableColumn ReadColumn(std::size_t i) {
-    const Cell& header = rows_.front()[i];
-    std::string_view name = Trimmed(header.text);
+    const TableCell& header = rows_.front()[i];
+    std::string_view name = Trim(header.text);
     std::string_view unit;
     if (const std::size_t open = name.find('['); open != name.npos && name.ends_with(']')) {
-      unit = Trimmed(name.substr(open + 1, name.size() - open - 2));
-      name = Trimmed(name.substr(0, open));
+      unit = Trim(name.substr(open + 1, name.size() - open - 2));
+      name = Trim(name.substr(0, open));
     }
     TableColumn column{.name = std::string(name), .mark = header.mark, .unit = {}, .cells = {}};
-    const auto is_number = [i](const Row& row) { return IsNumber(row[i].text); };
+    const auto is_number = [i](const TableRow& row) { return IsNumber(row[i].text); };
     const auto rows = std::span(rows_).subspan(1);
     CheckUnit(unit, header.mark);
     column.is_text = unit == "text" || (unit.empty() && !std::ranges::all_of(rows, is_number));
     const std::optional<expr::NamedUnit> named = expr::FindUnit(unit);
     if (named) column.unit = named->is_si ? std::string(unit) : named->dimension.Text();
-    for (const Row& row : rows)
+    for (const TableRow& row : rows)
       column.cells.push_back(column.is_text ? Text(row[i]) : Number(row[i], unit));
     return column;
   }
@@ -150,30 +153,30 @@ class Reader {
     unit = {};
   }
 
-  static bool IsNumber(std::string_view text) {
-    return expr::ParseNumber(Trimmed(text)).has_value();
-  }
+  static bool IsNumber(std::string_view text) { return expr::ParseNumber(Trim(text)).has_value(); }
 
-  YamlNode Text(const Cell& cell) {
+  YamlNode Text(const TableCell& cell) {
     if (cell.text.find("${") != std::string::npos)
       findings_.Add(Code::kSpecBadTable, cell.mark,
                     "a table has no expressions: ${ has no meaning");
-    return Scalar(cell.text, cell.mark, true);
+    YamlNode node = YamlNode::Scalar(cell.text, cell.mark);
+    node.quoted = true;
+    return node;
   }
 
-  YamlNode Number(const Cell& cell, std::string_view unit) {
+  YamlNode Number(const TableCell& cell, std::string_view unit) {
     if (!IsNumber(cell.text)) {
       findings_.Add(Code::kSpecBadTable, cell.mark,
                     fmt::format("'{}' is not a number; the column's unit is {}", cell.text, unit));
-      return Scalar("1", cell.mark, false);
+      return YamlNode::Scalar("1", cell.mark);
     }
-    // A number carries its unit as it does in expressions, unless it is in SI units already.
+    // Append the unit, as in an expression, unless it is an SI unit.
     const auto named = expr::FindUnit(unit);
     const std::string_view carried = named && !named->is_si ? unit : std::string_view();
-    return Scalar(std::string(Trimmed(cell.text)).append(carried), cell.mark, false);
+    return YamlNode::Scalar(std::string(Trim(cell.text)).append(carried), cell.mark);
   }
 
-  std::vector<Row> rows_;
+  std::vector<TableRow> rows_;
   diag::Findings& findings_;
 };
 
@@ -196,16 +199,16 @@ std::optional<std::vector<TableColumn>> ReadTable(std::uint32_t file, const diag
     text.remove_prefix(kByteOrderMark.size());
     first.column += static_cast<std::uint32_t>(kByteOrderMark.size());
   }
-  Splitter splitter(first);
-  if (!splitter.Run(text))
-    return fail(splitter.mark(), "this cell has a quote in it, or one that is not closed",
+  CsvParser parser(text, first);
+  if (!parser.Run())
+    return fail(parser.cell_mark(), "this cell has a quote in it, or one that is not closed",
                 "put the cell in quotes, and write \"\" for each quote in it");
-  if (splitter.has_too_many())
+  if (parser.has_too_many())
     return fail(start, fmt::format("the table has more than {} cells", kMaxCells));
-  if (splitter.rows().size() < 2)
+  if (parser.rows().size() < 2)
     return fail(start, "the table has no rows",
                 "its first line has the names of the columns, each other one is a row");
-  return Reader(std::move(splitter.rows()), findings).Run();
+  return TableReader(std::move(parser.rows()), findings).Run();
 }
 
 }  // namespace mjforge::spec

@@ -1,3 +1,5 @@
+// Reading of a file line by line through a fixed buffer.
+
 #include <fmt/format.h>
 
 #include <cstring>
@@ -12,14 +14,15 @@ constexpr std::size_t kLineBufferBytes = 256 * 1024;
 
 }  // namespace
 
-Lines::Lines(File file) : file_(std::move(file)), buffer_(kLineBufferBytes, '\0') {}
+LineReader::LineReader(File file) : file_(std::move(file)), buffer_(kLineBufferBytes, '\0') {}
 
-std::optional<Lines> Lines::Open(const std::filesystem::path& file, std::string& why_not) {
+std::optional<LineReader> LineReader::Open(const std::filesystem::path& file,
+                                           std::string& why_not) {
   std::optional<File> opened = File::Open(file, why_not);
-  return opened ? std::optional(Lines(*std::move(opened))) : std::nullopt;
+  return opened ? std::optional(LineReader(*std::move(opened))) : std::nullopt;
 }
 
-bool Lines::Next(std::string& line, std::string& why_not) {
+bool LineReader::Next(std::string& line, std::string& why_not) {
   line.clear();
   why_not.clear();
   while (true) {

@@ -1,15 +1,17 @@
-// Records: one draw that decides several values. `style: {choice: [{name: modern, leg: 3cm}, ...]}`
-// is the parameters `style.name` and `style.leg`; `cup: {rows: cups.csv}` is one for each column of
-// the table. The first one is the key if it tells the rows apart: it is drawn, the others are
-// looked up.
+// Reader of record parameters, which one draw selects together.
+//
+// `style: {choice: [{name: modern, leg: 3cm}, ...]}` becomes the parameters `style.name` and
+// `style.leg`; `cup: {rows: cups.csv}` becomes one parameter for each column of the table. The
+// first column is the key if its values differ: the key is drawn, and the other columns are looked
+// up. Otherwise a column `row` with the numbers of the rows is added as the key.
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/records.h"
-#include "mjforge/spec/table.h"
+#include "mjforge/spec/csv_table.h"
+#include "mjforge/spec/record_parameters.h"
 
 namespace mjforge::spec {
 namespace {
@@ -22,7 +24,7 @@ const YamlNode& WithoutLongForm(const YamlNode& node) {
   return value != nullptr ? *value : node;
 }
 
-// The draw of a record's options: null if it is none.
+// Returns the pair with the options of a record; null if the parameter is not a record.
 const YamlNode::Pair* OptionsOf(const YamlNode& node) {
   const auto is_record = [](const YamlNode& option) {
     return option.kind == YamlNode::Kind::kMap &&
@@ -36,33 +38,25 @@ const YamlNode::Pair* OptionsOf(const YamlNode& node) {
   return nullptr;
 }
 
-YamlNode ListOf(std::vector<YamlNode> items, SourceMark mark) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::kList;
-  list.mark = mark;
-  list.items = std::move(items);
-  return list;
-}
-
 YamlNode ChoiceOf(std::vector<YamlNode> options, SourceMark mark) {
   YamlNode choice;
   choice.kind = YamlNode::Kind::kMap;
   choice.mark = mark;
-  choice.pairs.push_back({"choice", mark, ListOf(std::move(options), mark)});
+  choice.pairs.push_back({"choice", mark, YamlNode::List(std::move(options), mark)});
   return choice;
 }
 
-class RecordReader {
+class RecordParameterReader {
  public:
-  RecordReader(const YamlNode::Pair& parameter, Reading& reading)
-      : parameter_(parameter), reading_(reading) {}
+  RecordParameterReader(const YamlNode::Pair& parameter, Context& context)
+      : parameter_(parameter), context_(context) {}
 
-  std::vector<Declared> Run(const YamlNode& node, const YamlNode::Pair& options) {
+  std::vector<ParameterNode> Run(const YamlNode& node, const YamlNode::Pair& options) {
     const bool is_table = options.key == "rows";
     std::vector<TableColumn> columns =
         is_table ? FromFile(options.value) : FromMappings(options.value);
     if (columns.empty()) {
-      reading_.spec.names.DeclareUnknown(parameter_.key);
+      context_.spec.names.DeclareUnknown(parameter_.key);
       return {};
     }
     std::set<std::string_view> seen;
@@ -72,39 +66,39 @@ class RecordReader {
         Fail(Code::kSpecDuplicateName, column.mark,
              fmt::format("two columns are named '{}'", column.name));
     }
-    std::shared_ptr<const Rows> rows = KeyOf(columns.front());
+    std::shared_ptr<const RecordRows> rows = KeyOf(columns.front());
     if (rows == nullptr) {
       columns.insert(columns.begin(), Numbered(columns.front()));
       rows = KeyOf(columns.front());
     }
-    std::vector<Declared> declared;
+    std::vector<ParameterNode> declared;
     for (const TableColumn& column : columns) {
-      const Slot slot = column.is_text ? Slot::kText : Slot::kNumber;
+      const FieldKind kind = column.is_text ? FieldKind::kText : FieldKind::kNumber;
       declared.push_back({.name = parameter_.key + "." + column.name,
                           .mark = column.mark,
                           .node = ChoiceOf(column.cells, node.mark),
                           .source = fmt::format("by {}.{}", parameter_.key, columns.front().name),
                           .unit = column.unit,
-                          .slot = is_table ? slot : Slot::kAnything,
+                          .kind = is_table ? kind : FieldKind::kAnything,
                           .rows = rows});
     }
     declared.front().record = parameter_.key;
     declared.front().node = KeyNode(node, options, columns);
-    // A table is too long to show.
+    // Tables are too long to show.
     declared.front().source = is_table ? "" : FlowText(declared.front().node);
     return declared;
   }
 
  private:
   void Fail(Code code, SourceMark mark, std::string message, std::string hint = {}) {
-    reading_.findings.Add(code, mark, std::move(message), std::move(hint));
+    context_.findings.Add(code, mark, std::move(message), std::move(hint));
   }
 
   std::vector<TableColumn> FromFile(const YamlNode& file) {
-    const std::string name = reading_.values.ReadPlainText("rows", file);
-    const auto source = name.empty() ? std::nullopt : reading_.loader.OpenFile(name, file.mark);
+    const std::string name = context_.values.ReadPlainText("rows", file);
+    const auto source = name.empty() ? std::nullopt : context_.loader.OpenFile(name, file.mark);
     if (!source) return {};
-    return ReadTable(*source, reading_.sources, reading_.findings)
+    return ReadTable(*source, context_.sources, context_.findings)
         .value_or(std::vector<TableColumn>());
   }
 
@@ -113,7 +107,7 @@ class RecordReader {
     for (const YamlNode::Pair& pair : list.items.front().pairs)
       columns.push_back({.name = pair.key, .mark = pair.mark, .unit = {}, .cells = {}});
     for (const YamlNode& row : list.items) {
-      if (!IsMap(row, "a mapping like the first one", reading_)) continue;
+      if (!IsMap(row, "a mapping like the first one", context_)) continue;
       for (TableColumn& column : columns) {
         if (const YamlNode* cell = row.Find(column.name)) {
           column.cells.push_back(*cell);
@@ -133,7 +127,7 @@ class RecordReader {
   }
 
   void CheckColumnName(const TableColumn& column) {
-    CheckName("column", column.name, column.mark, reading_.findings);
+    CheckName("column", column.name, column.mark, context_.findings);
     if (column.name.size() == 1 &&
         std::string_view("xyzw").find(column.name) != std::string::npos) {
       Fail(
@@ -143,13 +137,14 @@ class RecordReader {
     }
   }
 
-  // What tells the rows apart: different numbers, or texts as they stand; else null.
-  std::shared_ptr<const Rows> KeyOf(const TableColumn& column) const {
-    auto rows = std::make_shared<Rows>();
+  // Returns the rows by the values of this column, which must be different constants or texts.
+  // Returns null for other columns.
+  std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
+    auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {
       if (cell.kind != YamlNode::Kind::kScalar) return nullptr;
       std::optional<double> key;
-      if (column.is_text || reading_.values.IsPlainText(cell)) {
+      if (column.is_text || context_.values.IsPlainText(cell)) {
         key = expr::TextKey(cell.text);
       } else {
         expr::Error error;
@@ -164,34 +159,27 @@ class RecordReader {
 
   static TableColumn Numbered(const TableColumn& first) {
     TableColumn rows{.name = "row", .mark = first.mark, .unit = {}, .cells = {}};
-    for (const YamlNode& cell : first.cells) {
-      YamlNode& number = rows.cells.emplace_back();
-      number.kind = YamlNode::Kind::kScalar;
-      number.mark = cell.mark;
-      number.text = fmt::format("{}", rows.cells.size() - 1);
-    }
+    for (const YamlNode& cell : first.cells)
+      rows.cells.push_back(YamlNode::Scalar(std::to_string(rows.cells.size()), cell.mark));
     return rows;
   }
 
-  // The draw of the key: as the record's, with the keys in place of the mappings.
+  // Returns the draw of the record with the values of the key in place of the mappings.
   YamlNode KeyNode(const YamlNode& node, const YamlNode::Pair& options,
                    std::vector<TableColumn>& columns) {
     YamlNode key = node;
     for (YamlNode::Pair& pair : key.pairs) {
       if (pair.key == options.key) {
         if (pair.key == "rows") pair.key = "choice";
-        pair.value = ListOf(columns.front().cells, pair.value.mark);
+        pair.value = YamlNode::List(columns.front().cells, pair.value.mark);
       } else if (pair.key == "weights" && pair.value.kind == YamlNode::Kind::kScalar) {
         const auto named = std::ranges::find(columns, pair.value.text, &TableColumn::name);
         if (named != columns.end()) {
-          pair.value = ListOf(named->cells, pair.value.mark);
+          pair.value = YamlNode::List(named->cells, pair.value.mark);
         } else {
-          std::vector<std::string_view> names;
-          names.reserve(columns.size());
-          for (const TableColumn& column : columns) names.push_back(column.name);
           Fail(Code::kSpecUnknownKey, pair.value.mark,
                fmt::format("no column '{}'", pair.value.text),
-               diag::DidYouMean(pair.value.text, names));
+               diag::DidYouMean(pair.value.text, columns, &TableColumn::name));
         }
       }
     }
@@ -199,16 +187,17 @@ class RecordReader {
   }
 
   const YamlNode::Pair& parameter_;
-  Reading& reading_;
+  Context& context_;
 };
 
 }  // namespace
 
-std::optional<std::vector<Declared>> ReadRecord(const YamlNode::Pair& parameter, Reading& reading) {
+std::optional<std::vector<ParameterNode>> ReadRecord(const YamlNode::Pair& parameter,
+                                                     Context& context) {
   const YamlNode& node = WithoutLongForm(parameter.value);
   const YamlNode::Pair* options = OptionsOf(node);
   if (options == nullptr) return std::nullopt;
-  return RecordReader(parameter, reading).Run(node, *options);
+  return RecordParameterReader(parameter, context).Run(node, *options);
 }
 
 }  // namespace mjforge::spec

@@ -1,6 +1,6 @@
-#pragma once
+// The demands of a spec on its objects: `expect:` and `checks:`.
 
-// What a spec demands of its objects: `expect:` and `checks:`.
+#pragma once
 
 #include <optional>
 #include <string>
@@ -13,26 +13,26 @@
 
 namespace mjforge::spec {
 
-/// One of `pose:`: where a joint stands at the start, as qpos has it.
-struct Position {
+/// A joint's position in `pose:` or `at:`, as in MuJoCo's qpos.
+struct JointPosition {
   Value joint;  // text
   diag::SourceMark mark;
-  Value value;  // a number, or four
+  Value value;  // a number (m or rad), or the quaternion of a ball joint
 };
 
 enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
 
-/// One of `expect:`.
+/// An entry of `expect:`.
 struct Expectation {
   Entry entry;  // if, for, let; min and max as fields
   ExpectationKind kind = ExpectationKind::kThat;
   std::optional<expr::Expression> condition;  // kThat
-  std::vector<Value> names;                   // of the other kinds: two bodies or parts
-  std::vector<Position> at;
+  std::vector<Value> names;                   // other kinds: two bodies or parts
+  std::vector<JointPosition> at;
   std::string doc;
 };
 
-/// `checks:`, including the values set from outside.
+/// The section `checks:`, with the values of settings (`checks.KEY`) in place of its own.
 struct Checks {
   std::vector<Field> fields;
   struct Silence {
@@ -47,28 +47,28 @@ struct Checks {
   std::optional<Holding> holds;
   struct JointCheck {
     Entry entry;                // if, for, let; thresholds as fields
-    std::vector<Value> joints;  // texts
-    std::vector<Position> at;
+    std::vector<Value> joints;  // texts: names of joints
+    std::vector<JointPosition> at;
     std::string skip;
   };
   std::vector<JointCheck> joints;
   struct Fitting {
-    Entry entry;  // if, for, let; all else as fields
+    Entry entry;  // if, for, let; the other keys as fields
   };
   std::vector<Fitting> fits;
   struct Grasping {
     std::vector<Field> fields;
-    std::vector<Value> sites;  // texts
+    std::vector<Value> sites;  // texts: names of sites
     diag::SourceMark mark;
   };
   std::optional<Grasping> grasps;
   struct PartCheck {
     Entry entry;               // if, for, let; limits as fields
-    std::vector<Value> parts;  // texts
+    std::vector<Value> parts;  // texts: names of parts
   };
   std::vector<PartCheck> parts;
 };
-/// Whether findings of a code may be intended: how an object behaves, what a spec does not use.
+/// Returns true for codes that `checks: {silence: ...}` accepts: physics/... and spec/unused.
 bool CanBeSilenced(diag::Code code);
 
 }  // namespace mjforge::spec

@@ -15,7 +15,7 @@ struct AllLines {
 
 AllLines LinesOf(const std::filesystem::path& file) {
   AllLines all;
-  std::optional<Lines> lines = Lines::Open(file, all.why_not);
+  std::optional<LineReader> lines = LineReader::Open(file, all.why_not);
   REQUIRE(lines);
   std::string line;
   while (lines->Next(line, all.why_not)) all.lines.push_back(line);

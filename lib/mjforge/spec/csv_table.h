@@ -1,6 +1,6 @@
-#pragma once
+// Tables of values in CSV files.
 
-// Private to the room: tables of values in CSV files.
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -16,13 +16,13 @@ struct TableColumn {
   std::string name;
   diag::SourceMark mark;  // in the header
   bool is_text = false;
-  std::string unit;             // that of mjforge for what the header's measures: m for mm
+  std::string unit;             // SI unit of the column's dimension: m for mm
   std::vector<YamlNode> cells;  // numbers with the header's unit, or texts
 };
 
-/// Reads the text of a source as RFC 4180 has it: one header, cells in quotes where they hold
-/// commas or line ends. A header may have a unit, `height [mm]`, or say `[text]`; a column whose
-/// cells are all numbers is one of numbers. Nothing, and findings, if it has another form.
+/// Parses the text of a source as CSV with a header line (RFC 4180). A column name may be followed
+/// by a unit, `height [mm]`, or by `[text]`; without either, a column is numeric if all its cells
+/// are numbers. Returns nothing, and adds findings, if the text is not such a table.
 std::optional<std::vector<TableColumn>> ReadTable(std::uint32_t file, const diag::Sources& sources,
                                                   diag::Findings& findings);
 
