@@ -39,10 +39,11 @@ constexpr Compiled kCompiled[] = {{"worldbody", "body", mjOBJ_BODY},
                                   {"actuator", "", mjOBJ_ACTUATOR},
                                   {"sensor", "", mjOBJ_SENSOR}};
 
-/// Calls `use` with each element of a section or body, those of its bodies too, and its kind.
+/// Calls `use` with each element of a section, body, frame or replicate, and its kind.
 template <typename Use>
 void ForEachIn(XmlElement& parent, std::string_view section, const Use& use) {
   for (XmlElement& child : parent.children) {
+    if (child.tag == "frame" || child.tag == "replicate") ForEachIn(child, section, use);
     const auto found = std::ranges::find_if(kCompiled, [&](const Compiled& compiled) {
       return compiled.section == section && (compiled.tag.empty() || compiled.tag == child.tag);
     });
@@ -68,7 +69,7 @@ void NameElements(XmlElement& root) {
     if (section.tag == "asset") continue;
     ForEachIn(section, section.tag, [&](XmlElement& element, mjtObj kind) {
       if (kind == mjOBJ_UNKNOWN || !element.Name().empty()) return;
-      element.made_name = fmt::format("{}{}", prefix, ++count);
+      element.made_name = fmt::format("{}{}~", prefix, ++count);
     });
   }
 }
@@ -183,25 +184,29 @@ const XmlElement* CompiledFile::ElementOf(mjtObj kind, int id) const {
   return found == elements_.end() ? nullptr : found->second;
 }
 
-std::string CompiledFile::NameOf(mjtObj kind, int id) const {
-  const XmlElement* element = ElementOf(kind, id);
-  if (element != nullptr && !element->made_name.empty()) return {};
+const XmlElement& CompiledFile::OriginOf(mjtObj kind, int id) const {
+  if (const XmlElement* element = ElementOf(kind, id)) return *element;
   const char* name = mj_id2name(model_.get(), kind, id);
-  return name == nullptr ? "" : name;
+  const XmlElement* origin = composites_.empty() ? &root_ : composites_.front();
+  std::size_t longest = 0;
+  const auto compare = [&](const std::string& start, const XmlElement* element) {
+    if (name == nullptr || start.size() <= longest || !std::string_view(name).starts_with(start))
+      return;
+    longest = start.size();
+    origin = element;
+  };
+  for (const auto& [key, element] : elements_) {
+    if (key.first == kind) compare(key.second, element);
+  }
+  for (const XmlElement* composite : composites_) {
+    if (const std::string* prefix = composite->Find("prefix")) compare(*prefix, composite);
+  }
+  return *origin;
 }
 
-diag::SourceMark CompiledFile::MarkOf(mjtObj kind, int id) const {
-  if (const XmlElement* element = ElementOf(kind, id)) return element->mark;
-  const std::string name = NameOf(kind, id);
-  const XmlElement* maker = composites_.empty() ? &root_ : composites_.front();
-  std::size_t longest = 0;
-  for (const XmlElement* composite : composites_) {
-    const std::string* prefix = composite->Find("prefix");
-    if (prefix == nullptr || !name.starts_with(*prefix) || prefix->size() <= longest) continue;
-    longest = prefix->size();
-    maker = composite;
-  }
-  return maker->mark;
+std::string CompiledFile::NameOf(mjtObj kind, int id) const {
+  const char* name = mj_id2name(model_.get(), kind, id);
+  return name == nullptr || !OriginOf(kind, id).made_name.empty() ? "" : name;
 }
 
 std::string CompiledFile::Description(mjtObj kind, int id) const {

@@ -28,12 +28,12 @@ class CompiledFile {
   const mjModel& model() const { return *model_; }
   engine::Engine& engine() const { return *engine_; }
 
-  /// The element of a compiled thing; null for what a composite made.
+  /// The element that became a compiled thing alone; null if a composite or a replicate made it.
   const XmlElement* ElementOf(mjtObj kind, int id) const;
   /// Its name in the file; empty if it has none.
   std::string NameOf(mjtObj kind, int id) const;
-  /// Its element, or the composite that made it.
-  diag::SourceMark MarkOf(mjtObj kind, int id) const;
+  /// The place of its element, or of the composite or the replicated element that made it.
+  diag::SourceMark MarkOf(mjtObj kind, int id) const { return OriginOf(kind, id).mark; }
   /// "geom 'head'", "the geom on line 7".
   std::string Description(mjtObj kind, int id) const;
 
@@ -46,6 +46,9 @@ class CompiledFile {
   /// A message of MuJoCo, with files and elements named as in the file.
   std::string InWordsOfFile(std::string text) const;
   void MapElements();
+  /// The element of a compiled thing, or the composite or replicated element whose name its name
+  /// begins with; the first composite or the root if there is none.
+  const XmlElement& OriginOf(mjtObj kind, int id) const;
 
   std::filesystem::path file_;
   XmlElement root_;

@@ -9,11 +9,9 @@
 #include <fmt/format.h>
 
 #include "mjforge/engine/api.h"
-#include "mjforge/engine/frames.h"
 #include "mjforge/engine/later_mjcf.h"
 #include "mjforge/engine/older_rules.h"
 #include "mjforge/engine/placed_elements.h"
-#include "mjforge/engine/replicas.h"
 #include "mjforge/engine/rewrite.h"
 #include "mjforge/engine/xml_file.h"
 
@@ -32,6 +30,8 @@ std::string_view ReasonOf(Loss loss) {
       return "it changes only how the whole model is simulated";
     case Loss::kReading:
       return "it only reads, and acts on nothing";
+    case Loss::kExpansion:
+    case Loss::kInclusion:
     case Loss::kMeaning:
       break;
   }
@@ -53,8 +53,7 @@ class Adapter {
       : root_(root), version_(version), use_(use), sources_(sources), findings_(findings) {}
 
   bool Run() {
-    bool changed = Compose();
-    changed = KeepOlderRules(root_, version_) || changed;
+    const bool changed = KeepOlderRules(root_, version_);
     if (!HasLater(root_)) return changed;
     PlacedElements elements(root_);
     Rewriting rewriting(elements, version_);
@@ -70,19 +69,12 @@ class Adapter {
   }
 
  private:
-  /// What repeats and moves elements is gone before anything else looks at them.
-  bool Compose() {
-    if (version_ >= FindLater("body", "replicate")->since) return false;
-    const RefuseLater refuse = [&](const XmlElement& element, const Later& later) {
-      if (later.since > version_) Refuse(element, "", later);
-    };
-    const bool changed = WriteReplicas(root_, sources_, findings_, refuse);
-    return ComposeFrames(root_, sources_, findings_, refuse) || changed;
-  }
-
   const Later* Lacks(std::string_view parent, std::string_view tag) const {
     const Later* later = FindLater(parent, tag);
-    return later != nullptr && later->since > version_ ? later : nullptr;
+    if (later == nullptr) return nullptr;
+    // An attached file is compiled by the MuJoCo of this build, whose compiled model has no groups.
+    const bool expands = use_ == Use::kBodies && later->loss == Loss::kExpansion;
+    return later->since > (expands ? mjVERSION_HEADER : version_) ? later : nullptr;
   }
   const Later* Lacks(std::string_view parent, std::string_view tag, std::string_view attribute,
                      const std::string& value) const {
@@ -170,9 +162,33 @@ class Adapter {
             ? fmt::format("{} needs MuJoCo {}", element.Description(), version)
             : fmt::format("'{}' of {} needs MuJoCo {}", Shown(element, attribute, later),
                           element.Description(), version),
-        use_ == Use::kBodies
-            ? "what is attached must mean the same in MuJoCo 2.2, which has nothing like it"
-            : fmt::format("this is MuJoCo {}; mjforge can be built with a later one", Version()));
+        HintFor(later));
+  }
+
+  std::string HintFor(const Later& later) const {
+    const bool expands = later.loss == Loss::kExpansion;
+    if (expands || later.loss == Loss::kInclusion) {
+      return fmt::format("the Python package mujoco 3.3.7 expands it: {}{}", ConversionCommand(),
+                         expands || use_ == Use::kWholeModel
+                             ? fmt::format("; mjforge built with MuJoCo {} or later accepts it",
+                                           VersionText(later.since))
+                             : "");
+    }
+    return use_ == Use::kBodies
+               ? "what is attached must mean the same in MuJoCo 2.2, which has nothing like it"
+               : fmt::format("this is MuJoCo {}; mjforge can be built with a later one", Version());
+  }
+
+  /// A shell command that writes the file beside itself without frames, replicates and attachments.
+  /// MuJoCo 3.3.7 keeps frames that have a name or a class, and from 3.11 on all frames.
+  std::string ConversionCommand() const {
+    std::string file = sources_.Name(root_.mark.file);
+    if (file.starts_with('<')) file = "FILE.xml";  // standard input
+    return fmt::format(
+        "python3 -c \"import mujoco; s = mujoco.MjSpec.from_file('{}'); [setattr(f, a, '') for f in "
+        "s.frames for a in ('name', 'childclass')]; s.compile(); open('{}-flat.xml', "
+        "'w').write(s.to_xml())\"",
+        file, file.substr(0, file.rfind('.')));
   }
 
   /// With its value, where only that is new.

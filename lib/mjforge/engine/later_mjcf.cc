@@ -14,11 +14,10 @@ constexpr std::string_view kActuators[] = {"general",  "motor",       "position"
                                            "cylinder", "muscle",      "adhesion"};
 
 constexpr Later kElements[] = {
-    {"body/frame worldbody/frame frame/frame replicate/frame", "", 312},
-    {"body/replicate worldbody/replicate frame/replicate replicate/replicate", "", 315},
-    {"frame/composite replicate/composite", "", 331},
-    {"body/attach worldbody/attach frame/attach asset/model", "", 320},
-    {"body/flexcomp worldbody/flexcomp frame/flexcomp deformable/flex equality/flex", "", 300},
+    {"body/frame", "", 312, Loss::kExpansion},
+    {"body/replicate", "", 315, Loss::kExpansion},
+    {"body/attach asset/model", "", 320, Loss::kInclusion},
+    {"body/flexcomp deformable/flex equality/flex", "", 300},
     {"equality/flexvert", "", 3005000},
     {"equality/flexstrain", "", 3006000},
     {"mujoco/deformable", "", 300, Loss::kLooks},  // skins, and flexes
@@ -155,7 +154,8 @@ bool IsAt(const Later& row, std::string_view parent, std::string_view tag) {
     const std::string_view above = place.substr(0, slash);
     const std::string_view below = place.substr(slash + 1);
     if (below == "*") return above == SectionOf(parent, tag);
-    const bool within_body = above == "body" && (parent == "worldbody" || parent == "frame");
+    const bool within_body =
+        above == "body" && (parent == "worldbody" || parent == "frame" || parent == "replicate");
     return below == tag && (above == parent || within_body);
   });
 }

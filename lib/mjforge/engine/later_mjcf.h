@@ -15,12 +15,14 @@ enum class Loss {
   kSpeed,       // how fast, or how finely, the same is computed; how a file is saved
   kSimulation,  // how the whole model is simulated, not what it consists of
   kReading,     // a sensor, which acts on nothing
+  kExpansion,   // MuJoCo expands the element when it compiles the model
+  kInclusion,   // the element includes another model, which MuJoCo compiles with this one
   kMeaning,     // the model is another one
 };
 
 struct Later {
   /// Tags, blanks between them, each alone ("geom"), after its parent's ("visual/rgba"), or for all
-  /// elements of a section ("sensor/*"). In `<default>` an element counts as in its own section.
+  /// elements of a section ("sensor/*"). "body/" includes the world, frames and replicates. In `<default>` an element counts as in its own section.
   std::string_view where;
   /// Attributes, blanks between them; "name=value": only with this value; empty: the element.
   std::string_view names;
