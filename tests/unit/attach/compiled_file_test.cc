@@ -27,10 +27,10 @@ TEST_CASE("MuJoCo expands frames and replicates of an attached file") {
   CHECK(Names(rack.bodies[0].parts).starts_with("rack_geom0 hook_00 hook_01 "));
   CHECK(rack.bodies[0].parts[11].X_BG.translation().x() == Approx(1));
   CHECK(rack.bodies[11].name == "key_10");
-  CHECK(rack.bodies[11].mark.line == 6);
+  CHECK(rack.bodies[11].mark.line == 7);
   CHECK(Names(rack.bodies[11].joints) == "swing_10");
   CHECK(Names(rack.bodies[11].parts) == "key_10_geom0");
-  CHECK(rack.bodies[11].parts[0].mark.line == 6);
+  CHECK(rack.bodies[11].parts[0].mark.line == 7);
   REQUIRE(rack.sections.size() == 1);
   CHECK(rack.sections[0].elements.size() == 11);
   CHECK(rack.sections[0].elements[0].name.empty());
@@ -46,15 +46,14 @@ TEST_CASE("what a frame contains must mean the same in MuJoCo 2.2") {
 TEST_CASE("frames and replicates of an attached file are errors that say how to expand them") {
   Attaching files(kRack);
   CHECK(files.Try("rack") == nullptr);
-  const std::string expands =
-      " (the Python package mujoco 3.3.7 expands it: python3 -c \"import mujoco; s = "
-      "mujoco.MjSpec.from_file('arm.xml'); [setattr(f, a, '') for f in s.frames for a in ('name', "
-      "'childclass')]; s.compile(); open('arm-flat.xml', 'w').write(s.to_xml())\"; mjforge built "
-      "with MuJoCo ";
-  CHECK(files.OnlyFinding() == "error mujoco/later: the frame on line 4 needs MuJoCo 3.1.2" +
-                                   expands + "3.1.2 or later accepts it) [arm.xml:4:1 here]\n" +
-                                   "error mujoco/later: the replicate on line 5 needs MuJoCo 3.1.5" +
-                                   expands + "3.1.5 or later accepts it) [arm.xml:5:1 here]");
+  CHECK(files.OnlyFinding() ==
+        "error mujoco/later: the frame on line 5 needs MuJoCo 3.1.2 (the Python package mujoco "
+        "3.3.7 expands it: python3 -c \"import mujoco; s = mujoco.MjSpec.from_file('arm.xml'); "
+        "[setattr(f, a, '') for f in s.frames for a in ('name', 'childclass')]; s.compile(); "
+        "open('arm-flat.xml', 'w').write(s.to_xml())\"; mjforge built with MuJoCo 3.1.2 or later "
+        "accepts it) [arm.xml:5:1 here]\n"
+        "error mujoco/later: the replicate on line 6 needs MuJoCo 3.1.5 (the same command expands "
+        "it; mjforge built with MuJoCo 3.1.5 or later accepts it) [arm.xml:6:1 here]");
 }
 #endif
 
