@@ -81,8 +81,8 @@ inline constexpr int kDisablePassive = mjDSBL_SPRING | mjDSBL_DAMPER;
 inline constexpr int kDisablePassive = mjDSBL_PASSIVE;
 #endif
 
-/// Updates the body of a geom that was moved, or whose contype or conaffinity changed, because
-/// later releases keep a bounding volume hierarchy and contact bits for each body.
+/// Updates the body of a geom that was moved or got more bits of contype or conaffinity, because
+/// later releases store a bounding volume hierarchy and these bits for each body.
 inline void UpdateBodyOf([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
 #if mjVERSION_HEADER >= 233
   m.opt.disableflags |= mjDSBL_MIDPHASE;

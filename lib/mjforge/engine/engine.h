@@ -49,7 +49,7 @@ class Engine {
     std::string message;
   };
   /// Puts the files into memory under the names that the text uses. Each file is read at most once;
-  /// generated files must live until the text is loaded.
+  /// generated files must live until the text is loaded. Returns the first problem, if any.
   std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
   /// Loads a text that may refer to the assets.

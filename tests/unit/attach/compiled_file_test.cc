@@ -25,7 +25,7 @@ TEST_CASE("MuJoCo expands frames and replicates of an attached file") {
   REQUIRE(rack.bodies.size() == 12);
   CHECK(rack.bodies[0].parts.size() == 12);
   CHECK(Names(rack.bodies[0].parts).starts_with("rack_geom0 hook_00 hook_01 "));
-  CHECK(rack.bodies[0].parts[11].X_BG.translation().x() == Approx(1));
+  CHECK(rack.bodies[0].parts[11].X_BG.p.x() == Approx(1));
   CHECK(rack.bodies[11].name == "key_10");
   CHECK(rack.bodies[11].mark.line == 7);
   CHECK(Names(rack.bodies[11].joints) == "swing_10");
