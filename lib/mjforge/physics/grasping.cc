@@ -195,7 +195,7 @@ class Grasps {
     m.opt.cone = mjCONE_ELLIPTIC;
     m.opt.impratio = kImpratio;
     engine::EnableMultipleContacts(m.opt);
-    engine::SolveClosely(m.opt);
+    engine::TightenTolerance(m.opt);
     for (int geom = 0; geom < m.ngeom; ++geom) {  // it hangs in the air
       if (m.geom_type[geom] == mjGEOM_PLANE) m.geom_contype[geom] = m.geom_conaffinity[geom] = 0;
     }

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "mjforge/backport/backport.h"
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
@@ -25,6 +26,7 @@
 #include "mjforge/physics/proportions.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/physics/verdict.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::physics {
 namespace {
@@ -115,8 +117,7 @@ std::string WithFloor(const std::filesystem::path& file, std::string text, std::
   if (file != bytes::kStandardInput) {
     // The start pose goes by the model's name.
     return fmt::format(R"(<mujoco model="{}"><include file="{}"/>{}</mujoco>)",
-                       engine::EscapeXml(model), engine::EscapeXml(file.filename().string()),
-                       world);
+                       xml::EscapeXml(model), xml::EscapeXml(file.filename().string()), world);
   }
   const std::size_t end = text.rfind("</mujoco");
   if (end != text.npos) text.insert(end, world);
@@ -208,12 +209,12 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
                                           const model::Checks& checks, diag::Sources& sources,
                                           diag::Findings& findings) {
   diag::Findings of_reading;
-  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, of_reading);
+  const std::optional<backport::ModelFile> xml = backport::ReadModelFile(file, sources, of_reading);
   if (!xml) {
     findings.Append(std::move(of_reading));
     return std::nullopt;
   }
-  const std::string& text = xml->adapted ? *xml->adapted : sources.Text(xml->source);
+  const std::string& text = xml->backported ? *xml->backported : sources.Text(xml->source);
   const diag::SourceMark start = {xml->source, 1, 1};
   const auto refused = [&](std::string_view what, const engine::Loaded& loaded, std::string hint) {
     findings.Add(Code::kMujocoError, start,
@@ -222,7 +223,7 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
                  std::move(hint));
     return std::nullopt;
   };
-  engine::Loaded loaded = state_->engine.LoadFile(file, *xml);
+  engine::Loaded loaded = backport::LoadFile(state_->engine, file, *xml);
   if (!loaded.model) return refused("", loaded, {});
   const model::Object object =
       compiled::ObjectOf(*loaded.model, start, compiled::Nameless::kNumbered);

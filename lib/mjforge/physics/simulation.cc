@@ -28,13 +28,13 @@ mjData& Workspace::For(const mjModel& m) {
 bool MakeRoom(mjModel& m, const mjData& d) {
   const bool crowded =
       d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
-  engine::Room room = engine::RoomOf(m);
+  engine::BufferSizes room = engine::BufferSizesOf(m);
   if (!crowded || room.contacts >= kMostContacts) return false;
   room.contacts = std::min(4 * std::max(room.contacts, 100), kMostContacts);
   room.rows = std::max(room.rows, 500) + 4 * room.contacts;  // pyramids of condim 3
   // As for mjcf's sizes: linear in the contacts for a body or a few.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
-  engine::SetRoom(m, room);
+  engine::SetBufferSizes(m, room);
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 
+#include "mjforge/backport/backport.h"
 #include "mjforge/picture/subject.h"
 
 namespace mjforge::picture {
@@ -45,7 +46,7 @@ std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const bytes::
 }
 
 std::unique_ptr<Subject> Loader::LoadFile(const std::filesystem::path& file, std::string& why_not) {
-  return Make(state_->engine.LoadFile(file), why_not);
+  return Make(backport::LoadFile(state_->engine, file), why_not);
 }
 
 }  // namespace mjforge::picture

@@ -151,7 +151,7 @@ void Scene::ColorGeoms() {
   int number = 0;
   for (mjvGeom& geom : Geoms()) {
     SetColor(geom.rgba, DistinctColor(number++));
-    engine::TakeTexture(geom);
+    engine::RemoveTexture(geom);
     geom.emission = 0;
     geom.reflectance = 0;
     geom.specular = 0.3F;

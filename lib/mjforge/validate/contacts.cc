@@ -23,7 +23,7 @@ double StackSize(const mjModel& m) {
 
 ContactFinder::ContactFinder(mjModel& model) : model_(model) {
   // No constraint is made here, and rows for them are most of the memory.
-  engine::SetRoom(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
+  engine::SetBufferSizes(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
   data_ = compiled::MakeData(model_);
   Move();
 }
@@ -38,7 +38,7 @@ void ContactFinder::Collide() {
   while (data_->warning[mjWARN_CONTACTFULL].number > 0 && room_ < kMostContacts) {
     const std::vector<mjtNum> here(qpos().begin(), qpos().end());
     room_ = std::min(8 * room_, kMostContacts);
-    engine::SetRoom(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model_)});
+    engine::SetBufferSizes(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model_)});
     data_ = compiled::MakeData(model_);
     std::ranges::copy(here, qpos().begin());
     Move();

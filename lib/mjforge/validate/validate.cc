@@ -11,11 +11,13 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/backport/backport.h"
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/validate/collisions.h"
 #include "mjforge/validate/compare.h"
 #include "mjforge/validate/sweep.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::validate {
 namespace {
@@ -244,10 +246,10 @@ std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
 
 engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::Sources& sources,
                                       diag::SourceMark& start, diag::Findings& findings) {
-  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
+  const std::optional<backport::ModelFile> xml = backport::ReadModelFile(file, sources, findings);
   if (!xml) return nullptr;
   start = {xml->source, 1, 1};
-  Loaded loaded = engine.LoadFile(file, *xml);
+  Loaded loaded = backport::LoadFile(engine, file, *xml);
   AddWarnings(loaded.warnings, false, start, findings);
   if (loaded.model) {
     CheckFinite(*loaded.model, start, findings);
@@ -255,7 +257,7 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
   }
   if (loaded.too_large_line > 0) {
     findings.Add(Code::kModelBadTexture,
-                 engine::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
+                 xml::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
     return nullptr;
   }
   const Refusal refusal = engine::ParseRefusal(loaded.error);
@@ -263,7 +265,7 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
                                   ? "the model"
                                   : engine::ElementOnLine(sources.Text(xml->source), refusal.line);
   diag::Finding& finding =
-      findings.Add(Code::kMujocoError, engine::MarkOfLine(sources, xml->source, refusal.line),
+      findings.Add(Code::kMujocoError, xml::MarkOfLine(sources, xml->source, refusal.line),
                    fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
                    xml->has_includes ? "the line may be in an included file" : "");
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
@@ -279,7 +281,7 @@ std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, dia
 }
 
 std::optional<std::string> Loader::AdaptedText(const std::filesystem::path& file) {
-  return engine::AdaptedText(file);
+  return backport::BackportedText(file);
 }
 
 std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
