@@ -27,7 +27,7 @@ struct SolidInput {
   std::vector<Traced<double>> numbers;
   std::vector<std::vector<diag::SourceMark>> marks;  // of the points of each of its outlines
   bool turns_vary = false;  // the turns of its pieces depend on numbers that vary
-  std::function<solid::Shape(std::span<const double>)> shape_of;
+  std::function<solid::SolidShape(std::span<const double>)> shape_of;
 };
 
 /// The factors of `scale`, that many; 1 without one. Nothing after a finding.

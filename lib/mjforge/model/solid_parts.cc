@@ -28,14 +28,14 @@ SharedSolid PlainPrism(const solid::Prism& prism) {
   if (!mesh) return nullptr;
   solid::Solid plain;
   plain.pieces.push_back(
-      {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
+      {.mesh = {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)}});
   return std::make_shared<const solid::Solid>(std::move(plain));
 }
 
-SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Fault& fault) {
+SharedSolid SolidOf(const solid::SolidShape& shape, solid::Cache& solids, solid::Fault& fault) {
   if (const auto* prism = std::get_if<solid::Prism>(&shape)) {
     if (SharedSolid plain = PlainPrism(*prism)) {
-      const bool has_texture = prism->texture.unit != solid::Texture::Unit::kNone;
+      const bool has_texture = prism->texture.unit != solid::TextureMapping::Unit::kNone;
       SharedSolid whole = has_texture ? solids.Make(shape, fault) : nullptr;
       return whole ? whole : plain;
     }
@@ -59,24 +59,24 @@ struct Made {
   solid::Mass mass;
 };
 
-GeomType TypeOf(solid::Piece::Type type) {
+GeomType TypeOf(solid::ConvexPiece::Type type) {
   switch (type) {
-    case solid::Piece::Type::kSphere:
+    case solid::ConvexPiece::Type::kSphere:
       return GeomType::kSphere;
-    case solid::Piece::Type::kCapsule:
+    case solid::ConvexPiece::Type::kCapsule:
       return GeomType::kCapsule;
-    case solid::Piece::Type::kCylinder:
+    case solid::ConvexPiece::Type::kCylinder:
       return GeomType::kCylinder;
-    case solid::Piece::Type::kBox:
+    case solid::ConvexPiece::Type::kBox:
       return GeomType::kBox;
-    case solid::Piece::Type::kMesh:
+    case solid::ConvexPiece::Type::kMesh:
       break;
   }
   return GeomType::kMesh;
 }
 
 Made MadeOf(const solid::Solid& solid) {
-  const solid::Surface& look = solid.look;
+  const solid::TriangleMesh& look = solid.render_mesh;
   Made made;
   made.mass = solid.mass;
   made.meshes.push_back({.vertices = look.vertices,
@@ -84,10 +84,10 @@ Made MadeOf(const solid::Solid& solid) {
                          .normals = look.normals,
                          .texcoords = look.texcoords,
                          .in_micrometres = look.in_micrometres});
-  for (const solid::Piece& piece : solid.pieces) {
-    made.meshes.push_back({.vertices = piece.vertices, .triangles = piece.triangles});
+  for (const solid::ConvexPiece& piece : solid.pieces) {
+    made.meshes.push_back({.vertices = piece.mesh.vertices, .triangles = piece.mesh.triangles});
     made.turns.push_back(piece.turns);
-    if (piece.type != solid::Piece::Type::kMesh)
+    if (piece.type != solid::ConvexPiece::Type::kMesh)
       made.primitives.push_back({TypeOf(piece.type), piece.size, piece.p, piece.q});
   }
   return made;
@@ -103,7 +103,7 @@ bool Copy(const std::vector<T>& from, std::vector<T>& to) {
 
 // Gives `to` the numbers of another solid; false if that has others.
 bool Refill(const solid::Solid& from, Made& to) {
-  const solid::Surface& look = from.look;
+  const solid::TriangleMesh& look = from.render_mesh;
   TriangleMesh& seen = to.meshes.front();
   if (look.triangles != seen.triangles || look.in_micrometres != seen.in_micrometres ||
       from.pieces.size() != to.turns.size() || !Copy(look.vertices, seen.vertices) ||
@@ -111,12 +111,12 @@ bool Refill(const solid::Solid& from, Made& to) {
     return false;
   auto primitive = to.primitives.begin();
   for (std::size_t i = 0; i < from.pieces.size(); ++i) {
-    const solid::Piece& piece = from.pieces[i];
+    const solid::ConvexPiece& piece = from.pieces[i];
     TriangleMesh& mesh = to.meshes[i + 1];
-    if (piece.triangles != mesh.triangles || !Copy(piece.vertices, mesh.vertices) ||
+    if (piece.mesh.triangles != mesh.triangles || !Copy(piece.mesh.vertices, mesh.vertices) ||
         !Copy(piece.turns, to.turns[i]))
       return false;
-    if (piece.type == solid::Piece::Type::kMesh) continue;
+    if (piece.type == solid::ConvexPiece::Type::kMesh) continue;
     if (primitive == to.primitives.end() || primitive->type != TypeOf(piece.type)) return false;
     *primitive++ = {TypeOf(piece.type), piece.size, piece.p, piece.q};
   }

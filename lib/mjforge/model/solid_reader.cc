@@ -7,7 +7,7 @@ namespace mjforge::model {
 namespace {
 
 using spec::Key;
-using ShapeOf = std::function<solid::Shape(std::span<const double>)>;
+using ShapeOf = std::function<solid::SolidShape(std::span<const double>)>;
 
 /// Collects the numbers of a shape, in the order in which its function takes them.
 class SolidReader {
@@ -125,7 +125,7 @@ std::vector<Eigen::Vector2d> PointsIn(std::span<const double> numbers) {
   return points;
 }
 
-ShapeOf LatheOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf LatheOf(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Lathe lathe;
   const bool has_wall = read.Find(Key::kWall) != nullptr;
   read.Add(Key::kWall, 0);
@@ -144,7 +144,7 @@ ShapeOf LatheOf(SolidReader& read, const solid::Texture& texture) {
   };
 }
 
-ShapeOf PrismOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf PrismOf(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Prism prism;
   read.AddNumbers(Key::kHeight, "height", 1);
   read.Add(Key::kRound, 0);
@@ -175,18 +175,18 @@ ShapeOf PrismOf(SolidReader& read, const solid::Texture& texture) {
   };
 }
 
-ShapeOf HullOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf HullOf(SolidReader& read, const solid::TextureMapping& texture) {
   read.Add(Key::kRound, 0);
   read.AddPoints(Key::kPoints, "points");
   return [texture](std::span<const double> numbers) {
-    solid::Hull hull{.points = {}, .round = numbers[0], .texture = texture};
+    solid::ConvexHull hull{.points = {}, .round = numbers[0], .texture = texture};
     for (std::size_t i = 1; i + 2 < numbers.size(); i += 3)
       hull.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
     return hull;
   };
 }
 
-ShapeOf TubeOf(SolidReader& read, const solid::Texture& texture) {
+ShapeOf TubeOf(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Tube tube;
   const bool has_wall = read.Find(Key::kWall) != nullptr;
   tube.smooth = read.Flag(Key::kSmooth, false);
@@ -214,7 +214,7 @@ ShapeOf TubeOf(SolidReader& read, const solid::Texture& texture) {
   };
 }
 
-ShapeOf BoxOf(SolidReader& read, const solid::Texture& texture,
+ShapeOf BoxOf(SolidReader& read, const solid::TextureMapping& texture,
               const std::optional<Traced<double>>& half_length) {
   solid::RoundedBox box;
   box.texture = texture;
@@ -228,7 +228,7 @@ ShapeOf BoxOf(SolidReader& read, const solid::Texture& texture,
   };
 }
 
-ShapeOf CylinderOf(SolidReader& read, const solid::Texture& texture,
+ShapeOf CylinderOf(SolidReader& read, const solid::TextureMapping& texture,
                    const std::optional<Traced<double>>& half_length) {
   solid::RoundedCylinder cylinder;
   cylinder.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
@@ -256,7 +256,7 @@ bool IsSolid(std::string_view type, const spec::Entry& entry) {
 std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
                                            std::string_view type,
                                            const std::optional<Traced<double>>& half_length,
-                                           const solid::Texture& texture, Assets& assets,
+                                           const solid::TextureMapping& texture, Assets& assets,
                                            Part& part) {
   SolidReader read(reader, entry, part.mark);
   ShapeOf shape_of = type == "lathe"   ? LatheOf(read, texture)
