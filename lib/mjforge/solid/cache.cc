@@ -1,4 +1,4 @@
-// Least recently used cache of solids, limited by memory.
+// Least recently used cache of solids, limited by memory and by the number of entries.
 
 #include <algorithm>
 #include <utility>
@@ -10,6 +10,8 @@ namespace {
 
 // Enough for a variant of most families; more would not fit into the processor's caches.
 constexpr std::size_t kMostBytes = 600'000;
+// Limits the time of the linear search for a shape.
+constexpr std::size_t kMostEntries = 64;
 
 template <typename T>
 std::size_t BytesOf(const std::vector<T>& vector) {
@@ -42,7 +44,8 @@ std::shared_ptr<const Solid> Cache::Make(const SolidShape& shape, Fault& fault) 
   entries_.push_front({shape, std::make_shared<const Solid>(*std::move(made)), bytes});
   bytes_ += bytes;
   std::shared_ptr<const Solid> solid = entries_.front().solid;
-  for (; bytes_ > kMostBytes; entries_.pop_back()) bytes_ -= entries_.back().bytes;
+  for (; bytes_ > kMostBytes || entries_.size() > kMostEntries; entries_.pop_back())
+    bytes_ -= entries_.back().bytes;
   return solid;
 }
 

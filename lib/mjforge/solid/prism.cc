@@ -85,11 +85,35 @@ std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {
   return pieces;
 }
 
+/// Returns a convex prism with sharp edges as a single piece, nothing for any other prism.
+std::optional<Solid> PlainPrism(const Prism& prism) {
+  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return std::nullopt;
+  std::optional<TriangleMesh> mesh = MakeConvexPrism(prism.polygon, prism.height);
+  if (!mesh) return std::nullopt;
+  std::vector<Point2> corners;
+  for (std::size_t i = 0; i < mesh->vertices.size() / 2; ++i)
+    corners.emplace_back(mesh->vertices[i].head<2>());
+  const double height = prism.height;
+  const AreaMoments base = MomentsOf(NodesOf(corners));
+  Moments moments;
+  moments.volume = height * base.area;
+  moments.first.head<2>() = height * base.first;
+  moments.second.topLeftCorner<2, 2>() = height * base.second;
+  moments.second(2, 2) = height * height * height / 12 * base.area;
+  Solid solid;
+  solid.pieces.push_back({.mesh = *std::move(mesh)});
+  solid.mass = MassOf(moments, Eigen::Vector3d::Zero());
+  return solid;
+}
+
 }  // namespace
 
 std::optional<Solid> Make(const Prism& prism, Fault& fault) {
+  std::optional<Solid> plain = PlainPrism(prism);
+  // MuJoCo also renders the piece, but without texture coordinates.
+  if (plain && prism.texture.unit == TextureMapping::Unit::kNone) return plain;
   const std::optional<BasePolygon> base = BasePolygonOf(prism, fault);
-  if (!base) return std::nullopt;
+  if (!base) return plain;
   Solid solid;
   const PrismSections sections = base->SectionsAt(prism.bevel, CornerSegments(prism), false);
   solid.render_mesh = MakeExtrusionMesh(prism, sections);

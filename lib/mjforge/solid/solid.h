@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -111,8 +112,14 @@ struct Prism {
   bool operator==(const Prism&) const = default;
 };
 /// The pieces never protrude from the solid. Pieces of a bevelled prism that is not convex omit the
-/// bevelled edges.
+/// bevelled edges. A plain convex prism without a texture is one piece, made by MakeConvexPrism.
 std::optional<Solid> Make(const Prism& prism, Fault& fault);
+
+/// Extrudes a convex polygon, given in either direction, along z, centred on z = 0. Repeated
+/// corners and corners on straight sides are removed. Returns nothing if the polygon is not convex
+/// or has no area.
+std::optional<TriangleMesh> MakeConvexPrism(std::span<const Eigen::Vector2d> polygon,
+                                            double height);
 
 /// The volume swept by a disc that moves along a path, perpendicular to it.
 struct Tube {
