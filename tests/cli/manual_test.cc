@@ -1,4 +1,4 @@
-// The man pages that the program makes of itself (app/manual_page.h).
+// Tests of the man pages that the program makes from its help texts (app/manual_page.h).
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ class ManualTest : public harness::ProgramTest {
     REQUIRE(Run({"__man", "man"}).status == 0);
   }
 
-  // As a reader sees it, 80 columns wide. Groff has nothing to complain of.
+  // Returns the formatted page, 80 columns wide. Fails the test if groff reports a problem.
   std::string Read(const std::string& page) const {
     const harness::Command groff{.program = "groff",
                                  .arguments = {"-man", "-ww", "-Tascii", "-P-cbou", "man/" + page},
