@@ -85,8 +85,7 @@ class ExtrusionMesher {
       const Point2 direction = side(i).normalized();
       return Point2(direction.y(), -direction.x());
     };
-    // Returns true if the corner where side i begins is shaded smoothly.
-    const auto is_smooth = [&, count = count](std::size_t i) {
+    const auto is_smooth = [&, count = count](std::size_t i) {  // corner at the start of side i
       return outward(i + count - 1).dot(outward(i)) >= std::cos(prism_.crease);
     };
     double along = 0;
