@@ -107,8 +107,8 @@ class RoundedMesher {
     }
   }
 
-  /// Returns true if any two face normals are so far apart that the great arc between them is
-  /// nearly undefined.
+  /// Returns true if any two face normals are more than 104 degrees apart, too far for patches that
+  /// are interpolated between them.
   bool IsSharp(const std::vector<int>& faces) const {
     constexpr double kCosine = -0.25;
     return std::ranges::any_of(faces, [&](int a) {
