@@ -27,7 +27,7 @@ Mass RevolvedMass(std::span<const QuadratureNode> boundary, double angle);
 struct Moments {
   double volume = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // of x x^T
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T
 };
 /// Returns the mass properties of the solid that has these moments about `origin`.
 Mass MassOf(const Moments& moments, const Eigen::Vector3d& origin);

@@ -11,7 +11,7 @@ namespace mjforge::solid {
 
 /// A corner of an outline, or the arc that replaces it.
 struct RoundedCorner {
-  Point2 place;       // of a sharp corner; otherwise the centre of the arc
+  Point2 place;       // sharp corner, or centre of the arc
   double radius = 0;  // m; 0 for a sharp corner
   double from = 0;    // angle at which the arc begins, rad
   double sweep = 0;   // angle of the arc, rad, positive to the left

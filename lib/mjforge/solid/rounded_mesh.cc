@@ -89,7 +89,7 @@ class RoundedMesher {
   }
 
   void AddEdge(int a, int b) {
-    // Both arcs run from right to left, seen from outside with b above a.
+    // The arcs run from right to left, seen from outside with b above a.
     const int left = edges_.FaceAt(a, b);
     const int right = edges_.FaceAt(b, a);
     const std::vector<int> below = Arc(a, right, left);

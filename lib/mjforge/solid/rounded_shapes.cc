@@ -12,7 +12,7 @@
 namespace mjforge::solid {
 namespace {
 
-constexpr int kPieceSegments = 8;  // of the edges of pieces, in a whole turn
+constexpr int kPieceSegments = 8;  // segments of a piece's edge in a whole turn
 
 bool IsTooRound(double round, double least, Fault& fault) {
   fault = {};

@@ -65,7 +65,7 @@ struct Solid {
 struct Fault {
   std::string message;  // "crosses itself", as the end of a sentence
   std::optional<std::size_t> point = std::nullopt;
-  std::size_t loop = 0;  // of a prism: 0 for the polygon, 1 for the first hole
+  std::size_t loop = 0;  // 0 for the outline, 1 for a prism's first hole
 };
 
 /// Scale of texture coordinates. MuJoCo ignores `texrepeat` for meshes with texture coordinates.
@@ -104,8 +104,8 @@ struct Prism {
   std::vector<std::vector<Eigen::Vector2d>> holes = {};
   double height = 0;
   double round = 0;  // radius of the polygon's corners
-  double bevel = 0;  // of all edges at both ends: width of the cut, along z and across
-  int facets = 16;   // of rounded corners of the pieces, in a whole turn
+  double bevel = 0;  // width of the cut at all edges of both ends, along z and across
+  int facets = 16;   // segments of the pieces' rounded corners in a whole turn
   double crease = kDefaultCrease;
   TextureMapping texture = {};
 
@@ -124,7 +124,7 @@ std::optional<TriangleMesh> MakeConvexPrism(std::span<const Eigen::Vector2d> pol
 /// The volume swept by a disc that moves along a path, perpendicular to it.
 struct Tube {
   std::vector<Eigen::Vector3d> path = {};
-  std::vector<double> radii = {};  // one per point, interpolated linearly
+  std::vector<double> radii = {};  // radius at each point, interpolated linearly
   double bend = 0;                 // radius of the arcs in place of the corners; 0: sharp corners
   bool smooth = false;             // interpolates the points by a smooth curve
   bool closed = false;             // joins the last point to the first

@@ -12,8 +12,8 @@ namespace mjforge::solid {
 /// one segment ends and the next begins.
 struct SweepFrame {
   Eigen::Vector3d p;
-  Eigen::Vector3d tangent;  // of length 1
-  Eigen::Vector3d x;        // across, of length 1
+  Eigen::Vector3d tangent;  // unit vector
+  Eigen::Vector3d x;        // unit vector across the path
   Eigen::Vector3d cut;  // normal of the plane that cuts the tube: differs from `tangent` at corners
   double radius = 0;
   double slope = 0;       // change of the radius per length

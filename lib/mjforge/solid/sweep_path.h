@@ -20,7 +20,7 @@ struct PathSegment {
   Eigen::Vector3d b;   // end; unused by arcs
   Eigen::Vector3d da;  // derivative at a; of an arc: from the centre to its start
   Eigen::Vector3d db;  // derivative at b; of an arc: from the centre, a quarter turn after `da`
-  double angle = 0;    // of an arc, rad
+  double angle = 0;    // angle of an arc, rad
   double radius_a = 0;
   double radius_b = 0;
   std::size_t point = 0;  // index of the path's point at the start, or at the arc's corner
