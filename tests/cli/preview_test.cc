@@ -1,3 +1,5 @@
+// Tests of `mjforge preview`: pictures, contact sheets, animations.
+
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -20,7 +22,7 @@ class PreviewTest : public CrateTest {
  protected:
   PreviewTest() { folder().Write("chest.xml", kChest); }
 
-  // One run that does as it is told.
+  // Returns the picture of a run that must succeed without messages.
   std::string Draw(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "preview");
     arguments.insert(arguments.end(), {"-o", "-"});
@@ -54,7 +56,7 @@ TEST_CASE_METHOD(PreviewTest, "a contact sheet has a picture and a caption for e
   CHECK(four.height > 2 * 112 + 12);
   const harness::Png six = DecodePng(Draw({"crate.yaml", "-n", "6", "--size", "100x60"}));
   CHECK(six.width == 3 * 112 + 12);
-  // Each row has its objects: edges in each of the four tiles.
+  // Each of the four tiles has an object, and so edges.
   for (int tile = 0; tile < 4; ++tile) {
     int dark = 0;
     const int left = 12 + tile % 2 * 112;
@@ -100,7 +102,7 @@ TEST_CASE_METHOD(PreviewTest, "the camera stands where --azimuth, --elevation, -
     return DecodePng(Draw(camera));
   };
   CHECK(seen({"--azimuth", "90"}).Seen() != seen({"--azimuth", "180"}).Seen());
-  // From above a box is a rectangle of its own proportions, twice as long as wide.
+  // Seen from above, the box is a rectangle twice as long as wide.
   const harness::Png above = seen({"--azimuth", "90", "--elevation", "-90"});
   CHECK(above.At(32, 4)[3] > 200);
   CHECK(above.At(4, 32)[3] < 100);
@@ -126,8 +128,8 @@ TEST_CASE_METHOD(PreviewTest,
   const harness::Png joints = DecodePng(
       Draw({"chest.xml", "--size", "300", "--layer", "joints", "--background", "transparent"}));
   CHECK(joints.height == 300);
-  CHECK(seen_in(joints, 280, 300) > 300);  // one line of text
-  CHECK(seen_in(joints, 272, 280) < 300);  // the margin between
+  CHECK(seen_in(joints, 280, 300) > 300);  // a line of text
+  CHECK(seen_in(joints, 272, 280) < 300);  // the margin above the text
   const harness::Png bounds = DecodePng(
       Draw({"chest.xml", "--size", "300", "--layer", "visual", "--background", "transparent"}));
   CHECK(seen_in(bounds, 290, 300) == 0);
@@ -265,7 +267,7 @@ TEST_CASE_METHOD(PreviewTest, "EGL and OSMesa both draw") {
     INFO(name);
     const auto result =
         Run({"preview", "chest.xml", "--size", "64", "--background", "transparent", "-o", "-"}, {},
-            {{"MUJOCO_GL", name}, {"ASAN_OPTIONS", "detect_leaks=0"}});  // Mesa's, by EGL
+            {{"MUJOCO_GL", name}, {"ASAN_OPTIONS", "detect_leaks=0"}});  // Mesa leaks with EGL
     CHECK(result.status == 0);
     CHECK(DecodePng(result.out).Seen() > 1000);
   }

@@ -45,16 +45,17 @@ std::vector<std::array<int, 3>> HullOf(const std::vector<double>& numbers, std::
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   solid::Fault fault;
   const std::optional<solid::Solid> hull = solid::Make(
-      solid::Hull{.points = points, .texture = {.unit = solid::Texture::Unit::kNone}}, fault);
+      solid::ConvexHull{.points = points, .texture = {.unit = solid::TextureMapping::Unit::kNone}},
+      fault);
   if (!hull) {
     why_not = fault.message;
     return {};
   }
-  const solid::Piece& piece = hull->pieces.front();
+  const solid::TriangleMesh& mesh = hull->pieces.front().mesh;
   std::vector<int> numbers_of;
-  for (const Eigen::Vector3d& vertex : piece.vertices)
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
     numbers_of.push_back(static_cast<int>(std::ranges::find(points, vertex) - points.begin()));
-  std::vector<std::array<int, 3>> triangles = piece.triangles;
+  std::vector<std::array<int, 3>> triangles = mesh.triangles;
   for (std::array<int, 3>& triangle : triangles) {
     for (int& corner : triangle) corner = numbers_of[static_cast<std::size_t>(corner)];
   }

@@ -32,10 +32,10 @@ SharedSolid PlainPrism(const solid::Prism& prism) {
   return std::make_shared<const solid::Solid>(std::move(plain));
 }
 
-SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Fault& fault) {
+SharedSolid SolidOf(const solid::SolidShape& shape, solid::Cache& solids, solid::Fault& fault) {
   if (const auto* prism = std::get_if<solid::Prism>(&shape)) {
     if (SharedSolid plain = PlainPrism(*prism)) {
-      const bool has_texture = prism->texture.unit != solid::Texture::Unit::kNone;
+      const bool has_texture = prism->texture.unit != solid::TextureMapping::Unit::kNone;
       SharedSolid whole = has_texture ? solids.Make(shape, fault) : nullptr;
       return whole ? whole : plain;
     }
@@ -43,17 +43,17 @@ SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Faul
   return solids.Make(shape, fault);
 }
 
-GeomType TypeOf(solid::Piece::Type type) {
+GeomType TypeOf(solid::ConvexPiece::Type type) {
   switch (type) {
-    case solid::Piece::Type::kSphere:
+    case solid::ConvexPiece::Type::kSphere:
       return GeomType::kSphere;
-    case solid::Piece::Type::kCapsule:
+    case solid::ConvexPiece::Type::kCapsule:
       return GeomType::kCapsule;
-    case solid::Piece::Type::kCylinder:
+    case solid::ConvexPiece::Type::kCylinder:
       return GeomType::kCylinder;
-    case solid::Piece::Type::kBox:
+    case solid::ConvexPiece::Type::kBox:
       return GeomType::kBox;
-    case solid::Piece::Type::kMesh:
+    case solid::ConvexPiece::Type::kMesh:
       break;
   }
   return GeomType::kMesh;
@@ -65,7 +65,7 @@ MassProperties PropertiesOf(const solid::Mass& mass) {
 
 }  // namespace
 
-void Assets::AddLook(const solid::Surface& look, Part& part) {
+void Assets::AddLook(const TriangleMesh& look, Part& part) {
   AddInline({.vertices = look.vertices,
              .triangles = look.triangles,
              .normals = look.normals,
@@ -74,8 +74,8 @@ void Assets::AddLook(const solid::Surface& look, Part& part) {
             part);
 }
 
-void Assets::SetPieceShape(const solid::Piece& piece, Part& part) {
-  if (piece.type == solid::Piece::Type::kMesh) {
+void Assets::SetPieceShape(const solid::ConvexPiece& piece, Part& part) {
+  if (piece.type == solid::ConvexPiece::Type::kMesh) {
     AddInline({.vertices = piece.vertices, .triangles = piece.triangles}, part);
   } else {
     part.shape = {.type = TypeOf(piece.type), .size = piece.size};
@@ -97,13 +97,13 @@ std::vector<Part> Assets::AddSolid(const solid::Solid& solid, Part& part) {
   if (part.role != Role::kCollision) AddLook(solid.look, part);
   if (part.role == Role::kVisual) return {};
   std::vector<Part> pieces;
-  for (const solid::Piece& made : solid.pieces) {
+  for (const solid::ConvexPiece& made : solid.pieces) {
     Part piece;
     piece.piece_of = part.name;
     piece.mark = part.mark;
     piece.name = fmt::format("{}_{}", part.name, pieces.size());
     SetPieceShape(made, piece);
-    const bool is_mesh = made.type == solid::Piece::Type::kMesh;
+    const bool is_mesh = made.type == solid::ConvexPiece::Type::kMesh;
     for (const double turn : made.turns) {
       piece.name = fmt::format("{}_{}", part.name, pieces.size());
       if (is_mesh)

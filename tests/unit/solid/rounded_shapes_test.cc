@@ -1,11 +1,12 @@
-// Hulls, rounded boxes and cylinders, tubes: against closed forms, quadrature and finer meshes.
+// Tests of hulls, rounded boxes and cylinders, and tubes against closed forms, quadrature and
+// meshes.
 
 #include <catch2/catch.hpp>
 
 #include <fmt/format.h>
 
 #include "harness/effort.h"
-#include "measured.h"
+#include "reference_geometry.h"
 
 namespace mjforge::solid {
 namespace {
@@ -19,7 +20,7 @@ Solid Made(const Shape& shape) {
   return *std::move(solid);
 }
 
-/// Integrals by points and weights; `Finished` gives the mass.
+/// Sums of moments over weighted points; `Finished` returns the mass properties.
 struct Sum {
   double volume = 0;
   Vector3d first = Vector3d::Zero();
@@ -51,28 +52,29 @@ TEST_CASE("a hull has the mass of what its triangles enclose, and all points in 
   Random random(31);
   for (int i = 0; i < harness::Effort(500); ++i) {
     CAPTURE(i);
-    const Hull hull = {.points = RandomPoints(random), .texture = {.unit = Texture::Unit::kNone}};
+    const ConvexHull hull = {.points = RandomPoints(random),
+                             .texture = {.unit = TextureMapping::Unit::kNone}};
     const Solid solid = Made(hull);
     REQUIRE(solid.pieces.size() == 1);
-    const Piece& piece = solid.pieces[0];
-    CHECK(Difference(solid.mass, Enclosed(piece.vertices, piece.triangles)) < 1e-9);
+    const ConvexPiece& piece = solid.pieces[0];
+    CHECK(Difference(solid.mass, Enclosed(piece.mesh)) < 1e-9);
     for (const Vector3d& p : hull.points)
       CHECK(Contains(piece, p * (1 - 1e-9) + 1e-9 * solid.mass.center));
   }
 }
 
-// Steiner's formula needs the mean width; a mesh of the surface, whose error goes with the square
-// of its steps, checks all moments.
+// The mesh checks all moments; its error is proportional to the square of its segments' length.
+// Steiner's formula would need the mean width.
 TEST_CASE("a rounded hull's mass is that of its surface, up to the surface's steps") {
   Random random(32);
   for (int i = 0; i < harness::Effort(50); ++i) {
     CAPTURE(i);
-    const Hull hull = {.points = RandomPoints(random), .round = random.Uniform(0.1, 1)};
+    const ConvexHull hull = {.points = RandomPoints(random), .round = random.Uniform(0.1, 1)};
     const Solid solid = Made(hull);
-    const Mass seen = Enclosed(solid.look.vertices, solid.look.triangles);
+    const Mass seen = Enclosed(solid.render_mesh);
     CHECK(seen.volume < solid.mass.volume);
     CHECK(Difference(solid.mass, seen) < 0.1);
-    const Mass collides = Enclosed(solid.pieces[0].vertices, solid.pieces[0].triangles);
+    const Mass collides = Enclosed(solid.pieces[0].mesh);
     CHECK(collides.volume < seen.volume);
   }
 }
@@ -80,7 +82,7 @@ TEST_CASE("a rounded hull's mass is that of its surface, up to the surface's ste
 TEST_CASE("a hull that is turned and moved has the same mass, turned and moved") {
   Random random(33);
   for (int i = 0; i < harness::Effort(100); ++i) {
-    Hull hull = {.points = RandomPoints(random), .round = random.Uniform(0.01, 1)};
+    ConvexHull hull = {.points = RandomPoints(random), .round = random.Uniform(0.01, 1)};
     const Mass mass = Made(hull).mass;
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1), 1)
@@ -99,17 +101,17 @@ TEST_CASE("a rounded box has the mass of its core, slabs, quarters of cylinders 
     const Vector3d half(random.Uniform(0.1, 1), random.Uniform(0.1, 1), random.Uniform(0.1, 1));
     const double r = random.Uniform(0.01, 0.95) * half.minCoeff();
     const Vector3d c = half.array() - r;
-    // Slices across z: rectangles whose corners are rounded with s.
+    // Slices across z are rectangles whose corners are rounded with s.
     Sum sum;
     const auto slice = [&](double z, double s, double dz) {
       static const auto nodes = Gauss(12);
-      // By symmetry a quarter: the rectangle, two strips and the quarter of a disc.
+      // A quarter of the slice: the rectangle, two strips and a quarter of a disc.
       const double area = c.x() * c.y() + (c.x() + c.y()) * s + kPi / 4 * s * s;
       double xx = c.x() * c.x() * c.x() / 3 * (c.y() + s);
       double yy = c.y() * c.y() * c.y() / 3 * (c.x() + s);
       for (const auto& [a, wa] : nodes) {
         for (const auto& [b, wb] : nodes) {
-          // The strips beside the rectangle, then the corner.
+          // Strips beside the rectangle, then the corner.
           xx += wa * wb * s * c.y() * std::pow(c.x() + a * s, 2);
           yy += wa * wb * s * c.x() * std::pow(c.y() + a * s, 2);
           const double angle = b * kPi / 2;
@@ -133,9 +135,10 @@ TEST_CASE("a rounded box has the mass of its core, slabs, quarters of cylinders 
     }
     const Solid solid = Made(RoundedBox{.half = half, .round = r});
     CHECK(Difference(solid.mass, sum.Finished()) < 1e-9);
-    for (const Vector3d& p : solid.look.vertices) CHECK((p.cwiseAbs() - half).maxCoeff() < 1e-5);
+    for (const Vector3d& p : solid.render_mesh.vertices)
+      CHECK((p.cwiseAbs() - half).maxCoeff() < 1e-5);
     const auto plain = Made(RoundedBox{.half = half, .round = r, .piece_is_plain = true});
-    CHECK(plain.pieces[0].type == Piece::Type::kBox);
+    CHECK(plain.pieces[0].type == ConvexPiece::Type::kBox);
     CHECK(plain.pieces[0].size == half);
   }
 }
@@ -165,11 +168,11 @@ TEST_CASE("a rounded cylinder has the mass of its rings") {
     const Solid solid = Made(cylinder);
     CHECK(Difference(solid.mass, sum.Finished()) < 1e-9);
     REQUIRE(solid.pieces.size() == 1);
-    CHECK(VolumeOf(solid.pieces[0].vertices, solid.pieces[0].triangles) < solid.mass.volume);
+    CHECK(VolumeOf(solid.pieces[0].mesh) < solid.mass.volume);
   }
 }
 
-// Two lines and the arc between them, in coordinates around the line.
+// Quadrature over two lines and the arc between them, in coordinates about the path.
 TEST_CASE("a bent tube has the mass of quadrature around its line") {
   Random random(36);
   for (int i = 0; i < harness::Effort(200); ++i) {
@@ -213,13 +216,13 @@ TEST_CASE("a bent tube has the mass of quadrature around its line") {
 }
 
 TEST_CASE("tubes with corners, cones and rings have the mass of closed forms") {
-  // Cut at half the angle, the two halves of a corner are one straight tube, turned over.
+  // A corner is cut at half its angle: its two halves, one of them flipped, are a straight tube.
   const Mass corner =
       Made(Tube{.path = {{-2, 0, 0}, {0, 0, 0}, {0, 3, 0}}, .radii = {0.5, 0.5, 0.5}}).mass;
   CHECK(corner.volume == Approx(kPi * 0.25 * 5).epsilon(1e-12));
-  const Solid look =
+  const Solid solid =
       Made(Tube{.path = {{-2, 0, 0}, {0, 0, 0}, {0, 3, 0}}, .radii = {0.5, 0.5, 0.5}});
-  CHECK(Difference(Enclosed(look.look.vertices, look.look.triangles), corner) < 0.03);
+  CHECK(Difference(Enclosed(solid.render_mesh), corner) < 0.03);
   const Mass cone = Made(Tube{.path = {{0, 0, 0}, {0, 0, 3}}, .radii = {1, 2}}).mass;
   CHECK(cone.volume == Approx(kPi * (1 + 2 + 4)).epsilon(1e-12));
   CHECK(cone.center.z() == Approx(3.0 / 4 * (1 + 4 + 12) / 7).epsilon(1e-12));
@@ -233,7 +236,7 @@ TEST_CASE("tubes with corners, cones and rings have the mass of closed forms") {
   CHECK(ring.mass.inertia(2, 2) == Approx(volume * (4 + 0.75 * 0.25)).epsilon(1e-12));
   CHECK(ring.mass.inertia(0, 0) == Approx(volume * (2 + 0.625 * 0.25)).epsilon(1e-12));
   CHECK(ring.pieces.size() == 16);
-  for (const Piece& piece : ring.pieces) CHECK(piece.type == Piece::Type::kCapsule);
+  for (const ConvexPiece& piece : ring.pieces) CHECK(piece.type == ConvexPiece::Type::kCapsule);
 }
 
 TEST_CASE("a smooth tube goes through its points, and its mass is that of its surface") {
@@ -248,8 +251,8 @@ TEST_CASE("a smooth tube goes through its points, and its mass is that of its su
       tube.radii.push_back(random.Uniform(0.04, 0.06));
     }
     const Solid solid = Made(tube);
-    CHECK(Difference(Enclosed(solid.look.vertices, solid.look.triangles), solid.mass) < 0.03);
-    // (Not at the flat ends of an open one.)
+    CHECK(Difference(Enclosed(solid.render_mesh), solid.mass) < 0.03);
+    // Skip the flat ends of an open tube.
     for (std::size_t k = 1; k + 1 < tube.path.size(); ++k)
       CHECK(ContainsAny(solid, 0.999 * tube.path[k]));
   }
@@ -286,9 +289,9 @@ TEST_CASE("round things that cannot be are told why, at the point") {
   Tube curve = tube({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 1);
   curve.smooth = true;
   CHECK(FaultOf(curve).find("less than the tube's of 1 m") != std::string::npos);
-  CHECK(FaultOf(Hull{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}) ==
+  CHECK(FaultOf(ConvexHull{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}) ==
         "has no volume: all points lie in a plane");
-  CHECK(FaultOf(Hull{.points = {{0, 0, 0}}}) == "needs at least 4 points");
+  CHECK(FaultOf(ConvexHull{.points = {{0, 0, 0}}}) == "needs at least 4 points");
   CHECK(FaultOf(RoundedBox{.half = {1, 2, 3}, .round = 1}) ==
         "is rounded with 1 m, no less than its smallest half size of 1 m");
 }

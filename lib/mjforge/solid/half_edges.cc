@@ -1,10 +1,12 @@
-#include "mjforge/solid/edges.h"
+// Construction and queries of the half-edge table.
+
+#include "mjforge/solid/half_edges.h"
 
 #include <algorithm>
 
 namespace mjforge::solid {
 
-Edges::Edges(const Polytope& polytope) : some_neighbour_(polytope.vertices.size(), -1) {
+HalfEdges::HalfEdges(const Polytope& polytope) : some_neighbour_(polytope.vertices.size(), -1) {
   for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
     const std::vector<int>& corners = polytope.faces[face].corners;
     const std::size_t count = corners.size();
@@ -17,7 +19,7 @@ Edges::Edges(const Polytope& polytope) : some_neighbour_(polytope.vertices.size(
   }
 }
 
-std::vector<std::pair<int, int>> Edges::All() const {
+std::vector<std::pair<int, int>> HalfEdges::All() const {
   std::vector<std::pair<int, int>> all;
   for (const auto& [edge, unused] : next_) {
     if (edge.first < edge.second) all.push_back(edge);
@@ -25,13 +27,13 @@ std::vector<std::pair<int, int>> Edges::All() const {
   return all;
 }
 
-std::vector<int> Edges::FacesAround(int vertex) const {
+std::vector<int> HalfEdges::FacesAround(int vertex) const {
   std::vector<int> faces;
   const int start = some_neighbour_[static_cast<std::size_t>(vertex)];
   int neighbour = start;
   do {
     faces.push_back(FaceAt(vertex, neighbour));
-    // Across the edge, on its right, the next edge of that face leaves the vertex again.
+    // The face across the edge continues from this vertex along its next half-edge.
     neighbour = next_.at({neighbour, vertex}).second;
   } while (neighbour != start);
   std::ranges::reverse(faces);

@@ -1,6 +1,6 @@
-#pragma once
+// Reference computations for tests of solids: quadrature, containment, enclosed mass.
 
-// Solids, measured.
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ inline constexpr double kPi = std::numbers::pi;
 
 using harness::Random;
 
-/// Nodes and weights of Gauss and Legendre on 0 .. 1, by Newton's method.
+/// Returns nodes and weights of Gauss-Legendre quadrature on 0 .. 1, found by Newton's method.
 inline std::vector<std::pair<double, double>> Gauss(int count) {
   std::vector<std::pair<double, double>> nodes;
   for (int i = 0; i < count; ++i) {
@@ -53,53 +53,53 @@ inline bool Contains(const std::vector<Vector2d>& outline, double x, double y) {
   return inside;
 }
 
-inline bool ContainsPrimitive(const Piece& piece, const Vector3d& q) {
+inline bool ContainsPrimitive(const ConvexPiece& piece, const Vector3d& q) {
   const double r = piece.size.x();
   const double beyond = std::abs(q.z()) - piece.size.y();
   switch (piece.type) {
-    case Piece::Type::kSphere:
+    case ConvexPiece::Type::kSphere:
       return q.norm() <= r;
-    case Piece::Type::kCylinder:
+    case ConvexPiece::Type::kCylinder:
       return q.head<2>().norm() <= r && beyond <= 0;
-    case Piece::Type::kCapsule:
+    case ConvexPiece::Type::kCapsule:
       return Vector3d(q.x(), q.y(), std::max(beyond, 0.0)).norm() <= r;
     default:
       return (q.cwiseAbs() - piece.size).maxCoeff() <= 0;
   }
 }
 
-inline bool Contains(const Piece& piece, const Vector3d& p) {
-  if (piece.type != Piece::Type::kMesh)
+inline bool Contains(const ConvexPiece& piece, const Vector3d& p) {
+  if (piece.type != ConvexPiece::Type::kMesh)
     return ContainsPrimitive(piece, piece.q.conjugate() * (p - piece.p));
   return std::ranges::any_of(piece.turns, [&](double turn) {
     const Vector3d q = Eigen::AngleAxisd(-turn, Vector3d::UnitZ()) * p;
-    return std::ranges::all_of(piece.triangles, [&](const std::array<int, 3>& corners) {
-      const Vector3d& a = piece.vertices[std::size_t(corners[0])];
-      const Vector3d normal = (piece.vertices[std::size_t(corners[1])] - a)
-                                  .cross(piece.vertices[std::size_t(corners[2])] - a);
+    return std::ranges::all_of(piece.mesh.triangles, [&](const std::array<int, 3>& corners) {
+      const Vector3d& a = piece.mesh.vertices[std::size_t(corners[0])];
+      const Vector3d normal = (piece.mesh.vertices[std::size_t(corners[1])] - a)
+                                  .cross(piece.mesh.vertices[std::size_t(corners[2])] - a);
       return normal.dot(q - a) <= 0;
     });
   });
 }
 
 inline bool ContainsAny(const Solid& solid, const Vector3d& p) {
-  return std::ranges::any_of(solid.pieces, [&](const Piece& piece) { return Contains(piece, p); });
+  return std::ranges::any_of(solid.pieces,
+                             [&](const ConvexPiece& piece) { return Contains(piece, p); });
 }
 
-/// Of what triangles enclose: its mass as that of tetrahedra from the origin.
-inline Mass Enclosed(const std::vector<Vector3d>& vertices,
-                     const std::vector<std::array<int, 3>>& triangles) {
+/// Returns the mass enclosed by a mesh, as the sum of tetrahedra from the origin.
+inline Mass Enclosed(const TriangleMesh& mesh) {
   Mass mass;
   Vector3d first = Vector3d::Zero();
   Matrix3d second = Matrix3d::Zero();
-  for (const std::array<int, 3>& t : triangles) {
-    const Vector3d& a = vertices[std::size_t(t[0])];
-    const Vector3d& b = vertices[std::size_t(t[1])];
-    const Vector3d& c = vertices[std::size_t(t[2])];
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    const Vector3d& a = mesh.vertices[std::size_t(t[0])];
+    const Vector3d& b = mesh.vertices[std::size_t(t[1])];
+    const Vector3d& c = mesh.vertices[std::size_t(t[2])];
     const double six = a.dot(b.cross(c));
     mass.volume += six / 6;
     first += six / 24 * (a + b + c);
-    // Exact for squares: -1 / 20 of the volume at each corner, 1 / 5 in the middle of each edge.
+    // Exact for quadratic functions: weights -1 / 20 at each corner, 1 / 5 at each edge's middle.
     for (const Vector3d& p : {a, b, c}) second -= six / 120 * p * p.transpose();
     for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       second += six / 6 / 5 * (p + q) / 2 * (p + q).transpose() / 2;
@@ -111,24 +111,21 @@ inline Mass Enclosed(const std::vector<Vector3d>& vertices,
   return mass;
 }
 
-/// Whether triangles enclose the point: the solid angles that they take of what is seen from it.
-inline bool Encloses(const Surface& surface, const Vector3d& p) {
+/// Returns true if the mesh encloses the point, by the sum of the solid angles of its triangles.
+inline bool Encloses(const TriangleMesh& mesh, const Vector3d& p) {
   double angle = 0;
-  for (const std::array<int, 3>& t : surface.triangles) {
-    const Vector3d a = (surface.vertices[std::size_t(t[0])] - p).normalized();
-    const Vector3d b = (surface.vertices[std::size_t(t[1])] - p).normalized();
-    const Vector3d c = (surface.vertices[std::size_t(t[2])] - p).normalized();
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    const Vector3d a = (mesh.vertices[std::size_t(t[0])] - p).normalized();
+    const Vector3d b = (mesh.vertices[std::size_t(t[1])] - p).normalized();
+    const Vector3d c = (mesh.vertices[std::size_t(t[2])] - p).normalized();
     angle += 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
   }
   return angle > 2 * kPi;
 }
 
-inline double VolumeOf(const std::vector<Vector3d>& vertices,
-                       const std::vector<std::array<int, 3>>& triangles) {
-  return Enclosed(vertices, triangles).volume;
-}
+inline double VolumeOf(const TriangleMesh& mesh) { return Enclosed(mesh).volume; }
 
-/// The largest difference, relative to the whole.
+/// Returns the largest relative difference of volume, centre and inertia.
 inline double Difference(const Mass& a, const Mass& b) {
   const double size = std::cbrt(b.volume);
   return std::max({std::abs(a.volume / b.volume - 1), (a.center - b.center).norm() / size,

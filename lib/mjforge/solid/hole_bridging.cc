@@ -1,4 +1,6 @@
-#include "mjforge/solid/bridges.h"
+// Hole bridging: finds a visible corner for each hole and inserts the detour.
+
+#include "mjforge/solid/hole_bridging.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,18 +10,18 @@
 namespace mjforge::solid {
 namespace {
 
-class Bridger {
+class HoleBridger {
  public:
-  explicit Bridger(const Area& area) : area_(area) {
+  explicit HoleBridger(const Area& area) : area_(area) {
     ring_.resize(area.ends.front());
     std::iota(ring_.begin(), ring_.end(), 0);
   }
 
-  /// Goes from the ring into a hole at its rightmost corner, and back.
+  /// Inserts the detour around a hole, from its rightmost corner. Returns the bridge's two corners.
   std::pair<int, int> Add(std::size_t hole) {
     const auto [first, count] = area_.Loop(hole);
     const std::size_t start = Rightmost(hole);
-    const std::size_t bridge = Facing(area_.corners[start]);
+    const std::size_t bridge = VisibleFrom(area_.corners[start]);
     std::vector<int> detour;
     for (std::size_t i = 0; i <= count; ++i)
       detour.push_back(static_cast<int>(first + (start - first + i) % count));
@@ -42,65 +44,67 @@ class Bridger {
   std::vector<int> Take() { return std::move(ring_); }
 
  private:
-  const Point& At(std::size_t i) const {
+  const Point2& At(std::size_t i) const {
     return area_.corners[static_cast<std::size_t>(ring_[i % ring_.size()])];
   }
 
-  /// The place in the ring of a corner that can be seen from `from`, a corner of a hole that all
-  /// others are left of.
-  std::size_t Facing(const Point& from) const {
-    // The side that the ray to the right meets first.
+  /// Returns the position in the ring of a corner that is visible from `from`, the rightmost corner
+  /// of a hole.
+  std::size_t VisibleFrom(const Point2& from) const {
+    // Find the side that a ray to the right hits first.
     std::size_t side = 0;
     double x = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const std::optional<double> meeting = Meeting(from, At(i), At(i + 1));
-      if (meeting && *meeting < x) {
-        x = *meeting;
+      const std::optional<double> hit = RayHit(from, At(i), At(i + 1));
+      if (hit && *hit < x) {
+        x = *hit;
         side = i;
       }
     }
     const std::size_t next = (side + 1) % ring_.size();
     const std::size_t end = At(side).x() > At(next).x() ? side : next;
-    return Nearest(from, Point(x, from.y()), end);
+    return Nearest(from, Point2(x, from.y()), end);
   }
 
-  /// Where a side of the ring that goes up meets the ray.
-  static std::optional<double> Meeting(const Point& from, const Point& a, const Point& b) {
+  /// Returns the x at which a ray to the right from `from` hits side ab of the ring, if the side
+  /// goes upwards and is hit.
+  static std::optional<double> RayHit(const Point2& from, const Point2& a, const Point2& b) {
     if (!(a.y() <= from.y() && b.y() >= from.y() && a.y() < b.y())) return std::nullopt;
     const double x = a.x() + (from.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     return x >= from.x() ? std::optional(x) : std::nullopt;
   }
 
-  /// `end`, unless corners of the ring lie in the triangle: then the one nearest to the ray.
-  std::size_t Nearest(const Point& from, const Point& meeting, std::size_t end) const {
-    const Point corner = At(end);
-    if (corner == meeting) return end;
+  /// Returns `end` or, if corners of the ring are within the triangle `from`, `hit`, `end`, the
+  /// corner with the smallest angle to the ray.
+  std::size_t Nearest(const Point2& from, const Point2& hit, std::size_t end) const {
+    const Point2 corner = At(end);
+    if (corner == hit) return end;
     const bool is_up = corner.y() > from.y();
-    const Point& b = is_up ? meeting : corner;
-    const Point& c = is_up ? corner : meeting;
+    const Point2& b = is_up ? hit : corner;
+    const Point2& c = is_up ? corner : hit;
     std::size_t best = end;
     double slope = std::numeric_limits<double>::infinity();
     double length = slope;
     for (std::size_t i = 0; i < ring_.size(); ++i) {
-      const Point& p = At(i);
+      const Point2& p = At(i);
       if (p.x() <= from.x() || Turn(from, b, p) < 0 || Turn(b, c, p) < 0 || Turn(c, from, p) < 0)
         continue;
       if (!IsInCone(i, from)) continue;
-      const Point way = p - from;
-      const double tangent = std::abs(way.y()) / way.x();
-      if (tangent > slope || (tangent == slope && way.x() >= length)) continue;
+      const Point2 bridge = p - from;
+      const double tangent = std::abs(bridge.y()) / bridge.x();
+      if (tangent > slope || (tangent == slope && bridge.x() >= length)) continue;
       slope = tangent;
-      length = way.x();
+      length = bridge.x();
       best = i;
     }
     return best;
   }
 
-  /// Whether the way from a corner of the ring to a point begins inside of the ring.
-  bool IsInCone(std::size_t i, const Point& p) const {
-    const Point& a = At(i + ring_.size() - 1);
-    const Point& b = At(i);
-    const Point& c = At(i + 1);
+  /// Returns true if the line from a corner of the ring to `p` begins inside the ring.
+  bool IsInCone(std::size_t i, const Point2& p) const {
+    const Point2& a = At(i + ring_.size() - 1);
+    const Point2& b = At(i);
+    const Point2& c = At(i + 1);
     const bool left_of_in = Turn(a, b, p) > 0;
     const bool left_of_out = Turn(b, c, p) > 0;
     return Turn(a, b, c) >= 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
@@ -112,11 +116,11 @@ class Bridger {
 
 }  // namespace
 
-std::vector<int> RingOf(const Area& area, std::vector<std::pair<int, int>>& cuts) {
-  Bridger bridger(area);
+std::vector<int> BridgeHoles(const Area& area, std::vector<std::pair<int, int>>& cuts) {
+  HoleBridger bridger(area);
   std::vector<std::size_t> holes(area.ends.size() - 1);
   std::iota(holes.begin(), holes.end(), 1);
-  // The rightmost first: what its ray meets is in the ring already.
+  // Begin with the rightmost hole, so that its ray hits a side that is already in the ring.
   std::ranges::stable_sort(holes, std::ranges::greater(), [&](std::size_t hole) {
     return area.corners[bridger.Rightmost(hole)].x();
   });
