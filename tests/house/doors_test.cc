@@ -33,7 +33,7 @@ const std::array kRooms = {
     Room{"solid", {}},
     Room{"model", {"bytes", "diag", "expr", "spec", "sample", "solid"}},
     Room{"expect", {"diag", "expr", "sample", "model"}},
-    Room{"mjcf", {"bytes", "diag", "expr", "model"}},
+    Room{"mjcf", {"bytes", "diag", "expr", "solid", "model"}},
     Room{"files", {"bytes", "diag", "expr", "model", "engine", "solid", "mjcf"}},
     Room{"compiled", {"diag", "sample", "model", "engine"}},
     Room{"attach",

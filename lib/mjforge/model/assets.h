@@ -76,8 +76,6 @@ class Assets {
 
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<Part> AddSolid(const solid::Solid& solid, Part& part);
-  void AddLook(const TriangleMesh& look, Part& part);
-  void SetPieceShape(const solid::ConvexPiece& piece, Part& part);
   /// A mesh that is written as text; one without normals is a convex hull.
   void AddInline(TriangleMesh mesh, Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,

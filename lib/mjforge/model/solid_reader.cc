@@ -93,7 +93,8 @@ class SolidReader {
     return scale ? Eigen::Vector2d(scale->data()) : Eigen::Vector2d::Ones();
   }
 
-  std::optional<std::vector<Part>> Make(const solid::SolidShape& shape, Assets& assets, Part& part) {
+  std::optional<std::vector<Part>> Make(const solid::SolidShape& shape, Assets& assets,
+                                        Part& part) {
     if (!is_good_) return std::nullopt;
     return assets.AddShape(reader_, {.shape = shape, .field = *field_, .marks = marks_}, part);
   }
@@ -192,8 +193,9 @@ solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::TextureMappi
   return cylinder;
 }
 
-solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type, const solid::TextureMapping& texture,
-                            const std::optional<double>& half_length) {
+solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type,
+                                 const solid::TextureMapping& texture,
+                                 const std::optional<double>& half_length) {
   if (type == "lathe") return ReadLathe(read, texture);
   if (type == "prism") return ReadPrism(read, texture);
   if (type == "tube") return ReadTube(read, texture);
