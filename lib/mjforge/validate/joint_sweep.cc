@@ -1,4 +1,5 @@
-#include "mjforge/validate/sweep.h"
+// Joint sweep: one joint after the other, and low-discrepancy combinations of all joints.
+#include "mjforge/validate/joint_sweep.h"
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>
@@ -14,22 +15,22 @@
 #include <vector>
 
 #include "mjforge/compiled/compiled.h"
-#include "mjforge/validate/contacts.h"
+#include "mjforge/validate/contact_finder.h"
 
 namespace mjforge::validate {
 namespace {
 
-// In place of a joint: several at once. It comes after all joints.
+// Stands for several joints at once; sorts after all joint ids.
 constexpr int kTogether = std::numeric_limits<int>::max();
-// With so many numbers all combinations of the ends of ranges are tried, too.
+// Largest number of dimensions for which all combinations of the ends of ranges are tried.
 constexpr std::size_t kMostCorners = 8;
-// Of two depths that differ by less the first one stays.
+// Smaller differences of depth are rounding errors.
 constexpr double kSameDepth = 1e-9;  // m
-// Numbers one point of Boost's Sobol sequence can have.
+// Largest dimension of a point of Boost's Sobol sequence.
 constexpr std::size_t kMostDimensions = boost::random::default_sobol_table::max_dimension;
 
-/// Directions a ball joint is turned about: edges, faces and corners of a cube,
-/// one of each opposite pair.
+/// Axes about which a ball joint turns: directions to faces, edges and corners of a cube, one of
+/// each opposite pair.
 constexpr int kBallAxes[][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0},
                                 {1, 0, 1},  {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
                                 {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
@@ -37,12 +38,13 @@ constexpr int kBallAxes[][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {
 struct MovedJoint {
   int id = 0;
   bool ball = false;
-  double low = 0;  // rad or m; of a ball joint 0
+  double low = 0;  // rad or m; 0 for a ball joint
   double high = 0;
+  /// Number of coordinates of a point that determine its position.
   std::size_t dimensions() const { return ball ? 3 : 1; }
 };
 
-/// The unlimited slides, which have no range to move through, go to `held`.
+/// Returns the joints with a range; adds the names of unlimited slides to `held`.
 std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& held) {
   std::vector<MovedJoint> joints;
   for (int i = 0; i < m.njnt; ++i) {
@@ -59,7 +61,7 @@ class Sweeper {
  public:
   Sweeper(mjModel& m, int frame) : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.held)) {
     X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
-    // Where nothing collides the looks are the body, as for model::Bounds.
+    // If nothing collides, visual geoms count, as for model::Bounds.
     for (int i = 0; i < m.ngeom; ++i) {
       any_collides_ |= m.geom_bodyid[i] != 0 && compiled::Collides(m, i);
     }
@@ -73,7 +75,7 @@ class Sweeper {
   }
 
   Sweep Run() {
-    Look(kTogether, 0);
+    Measure(kTogether, 0);
     for (const MovedJoint& joint : joints_) {
       if (joint.ball) {
         TurnBall(joint);
@@ -88,7 +90,7 @@ class Sweeper {
   }
 
  private:
-  struct Deepest {
+  struct DeepestContact {
     BodyContact contact;
     double value = 0;
   };
@@ -99,7 +101,7 @@ class Sweeper {
 
   void Reset() { std::copy_n(m_.qpos0, m_.nq, finder_.qpos().begin()); }
 
-  /// Bodies are numbered depth first: those a joint moves have a row of numbers.
+  /// Bodies moved by a joint have consecutive ids, because MuJoCo numbers bodies depth first.
   bool Moves(int joint, int body) const {
     const int first = m_.jnt_bodyid[joint];
     return body >= first && body < body_end_[static_cast<std::size_t>(first)];
@@ -110,7 +112,7 @@ class Sweeper {
       const double share = static_cast<double>(i) / (Sweep::kSteps - 1);
       const double value = std::lerp(joint.low, joint.high, share);
       *QposOf(joint) = value;
-      Look(joint.id, value);
+      Measure(joint.id, value);
     }
   }
 
@@ -119,7 +121,7 @@ class Sweeper {
       for (int i = 0; i < Sweep::kSteps; ++i) {
         const double angle = joint.high * (2.0 * i / (Sweep::kSteps - 1) - 1);
         SetBall(joint, Eigen::Vector3d(x, y, z).normalized(), angle);
-        Look(joint.id, std::abs(angle));
+        Measure(joint.id, std::abs(angle));
       }
     }
   }
@@ -128,7 +130,7 @@ class Sweeper {
     std::ranges::copy(compiled::BallAt(m_, joint.id, axis, angle), QposOf(joint));
   }
 
-  /// All joints at once: `point` has numbers from 0 to 1.
+  /// Moves all joints to the position of a point in the unit cube.
   void SetAll(std::span<const double> point) {
     std::size_t at = 0;
     const auto next = [&] { return point[at++ % point.size()]; };
@@ -151,37 +153,37 @@ class Sweeper {
     std::vector<double> point(std::min(dimensions, kMostDimensions));
     boost::random::sobol sequence(point.size());
     for (int i = 0; i < Sweep::kCombinations; ++i) {
-      // The sequence keeps this far from 0 and 1, which are worth a look.
+      // Scale the points so that some reach 0 and 1, from which the sequence keeps this distance.
       constexpr double kEdge = 0.5 / Sweep::kCombinations;
       for (double& number : point) {
         const double share = std::ldexp(static_cast<double>(sequence()), -64);
         number = std::clamp((share - kEdge) / (1 - 2 * kEdge), 0.0, 1.0);
       }
       SetAll(point);
-      Look(kTogether, 0);
+      Measure(kTogether, 0);
     }
     if (point.size() > kMostCorners) return;
     for (std::size_t corner = 0; corner < std::size_t{1} << point.size(); ++corner) {
       for (std::size_t i = 0; i < point.size(); ++i) point[i] = corner >> i & 1 ? 1 : 0;
       SetAll(point);
-      Look(kTogether, 0);
+      Measure(kTogether, 0);
     }
   }
 
-  /// Adds what is to be seen with the joints as they are.
-  void Look(int joint, double value) {
+  /// Adds boxes and contacts at the present joint positions.
+  void Measure(int joint, double value) {
     finder_.Move();
     const int first = joint == kTogether ? 1 : m_.jnt_bodyid[joint];
     const int end = joint == kTogether ? m_.nbody : body_end_[static_cast<std::size_t>(first)];
     for (int body = first; body < end; ++body) AddBoxOf(body);
     for (const BodyContact& contact : finder_.Find()) {
-      // Two bodies a joint moves alike, or not at all, are as they were before.
+      // Skip pairs whose relative pose this joint does not change.
       if (joint != kTogether && Moves(joint, contact.body1) == Moves(joint, contact.body2)) {
         continue;
       }
-      if (contact.distance > 0) continue;  // within a margin, not inside
-      const auto [found, is_new] =
-          deepest_.try_emplace({joint, contact.body1, contact.body2}, Deepest{contact, value});
+      if (contact.distance > 0) continue;  // within a margin, without penetration
+      const auto [found, is_new] = deepest_.try_emplace({joint, contact.body1, contact.body2},
+                                                        DeepestContact{contact, value});
       if (is_new || contact.distance >= found->second.contact.distance - kSameDepth) continue;
       found->second = {contact, value};
     }
@@ -197,18 +199,18 @@ class Sweeper {
     }
   }
 
-  /// What several joints do to a pair is told only of pairs that no joint alone
-  /// brings together.
+  /// Adds the contacts to the result. Contacts due to several joints are left out if one joint
+  /// alone brings the same bodies together.
   void Collect() {
-    std::set<std::pair<int, int>> told;
+    std::set<std::pair<int, int>> reported;
     for (const auto& [key, deepest] : deepest_) {
       const auto [joint, body1, body2] = key;
-      const bool is_new = told.emplace(body1, body2).second;
-      if (is_new || joint != kTogether) sweep_.contacts.push_back(Told(joint, deepest));
+      const bool is_new = reported.emplace(body1, body2).second;
+      if (is_new || joint != kTogether) sweep_.contacts.push_back(ContactOf(joint, deepest));
     }
   }
 
-  Sweep::Contact Told(int joint, const Deepest& deepest) const {
+  Sweep::Contact ContactOf(int joint, const DeepestContact& deepest) const {
     const BodyContact& contact = deepest.contact;
     const auto name = [&](const int* names, int id) { return std::string(m_.names + names[id]); };
     return {joint == kTogether ? std::string() : name(m_.name_jntadr, joint),
@@ -226,8 +228,8 @@ class Sweeper {
   std::vector<MovedJoint> joints_;
   model::Pose X_AW_;
   bool any_collides_ = false;
-  std::vector<int> body_end_;                             // one past the last body below each body
-  std::map<std::tuple<int, int, int>, Deepest> deepest_;  // joint, bodies
+  std::vector<int> body_end_;  // end of each body's subtree, which is a range of ids
+  std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // joint, bodies
 };
 
 }  // namespace

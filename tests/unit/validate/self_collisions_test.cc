@@ -1,4 +1,5 @@
-#include "mjforge/validate/collisions.h"
+// Findings about bodies that touch each other.
+#include "mjforge/validate/self_collisions.h"
 
 #include <string>
 #include <vector>
@@ -174,7 +175,7 @@ TEST_CASE("under a nameless body, a host's, only what is no parent and child cou
 
 TEST_CASE("the second of two bodies is the later one in the spec, whatever MuJoCo's order") {
   model::Object object = TwoBalls(0.1);
-  // Depth first it comes before block_right.
+  // MuJoCo numbers this body before block_right, because it goes depth first.
   AddBall(object, "block_tip", 1, {0.085, 0, 0}, "hinge", 40);
   CHECK(Texts(Validated(object)) ==
         Strings{"40: mujoco/self-collision: bodies 'block_right' and 'block_tip' touch with all "
@@ -198,7 +199,7 @@ TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
                 "within the margin"});
   object.bodies[1].parts[0].attributes.push_back(
       hand_made::Numbers("gap", spec::Applies::kCollision, {0.001}));
-  // What the gap takes from the margin is not pushed; in later releases it lies around the margin.
+  // The gap reduces the distance of contact forces; since MuJoCo 3.9 it is added to the margin.
   CHECK(Texts(Validated(object)).empty() == (mjVERSION_HEADER < 3009000));
 }
 

@@ -1,4 +1,5 @@
-#include "mjforge/validate/contacts.h"
+// Contacts between bodies, with room for contacts that grows when needed.
+#include "mjforge/validate/contact_finder.h"
 
 #include <algorithm>
 #include <tuple>
@@ -9,11 +10,12 @@
 namespace mjforge::validate {
 namespace {
 
-// MuJoCo's contact has about 600 bytes: at most some 120 MB.
+// Limits the memory to about 120 MB, because a contact has about 600 bytes.
 constexpr int kMostContacts = 200'000;
 
-/// What mj_kinematics to mj_collision (2.2.2) use at most: three lists with a
-/// number for each pair of bodies, and some numbers a body.
+/// Returns the stack size, in numbers, that the functions from mj_kinematics to mj_collision
+/// (2.2.2) need at most: three lists with a number for each pair of bodies, and some numbers per
+/// body.
 double StackSize(const mjModel& m) {
   const auto bodies = static_cast<double>(m.nbody);
   return 1.5 * bodies * bodies + 200 * bodies + 20'000;
@@ -22,7 +24,7 @@ double StackSize(const mjModel& m) {
 }  // namespace
 
 ContactFinder::ContactFinder(mjModel& model) : model_(model) {
-  // No constraint is made here, and rows for them are most of the memory.
+  // Constraint rows, which are most of the memory, are not needed for collision detection.
   engine::SetRoom(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
   data_ = compiled::MakeData(model_);
   Move();
@@ -48,12 +50,12 @@ void ContactFinder::Collide() {
 
 const std::vector<BodyContact>& ContactFinder::Find() {
   contacts_.clear();
-  // With fewer bodies there is nothing to touch but the world.
+  // With fewer bodies there are only contacts with the world.
   if (model_.nbody <= 2) return contacts_;
   Collide();
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
-    // MuJoCo excludes a contact at distance 0, or within the gap; the first touches.
+    // Skip contacts within the gap. MuJoCo also excludes contacts at distance 0, which count here.
     if (contact.dist > 0 && contact.exclude != 0) continue;
     BodyContact found = {model_.geom_bodyid[contact.geom1],
                          model_.geom_bodyid[contact.geom2],

@@ -1,4 +1,5 @@
-#include "mjforge/validate/collisions.h"
+// Bodies of an object that touch each other with all joints at zero or in the start pose.
+#include "mjforge/validate/self_collisions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +10,16 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
-#include "mjforge/validate/contacts.h"
+#include "mjforge/validate/contact_finder.h"
 
 namespace mjforge::validate {
 namespace {
 
-// What touches everywhere need not be listed to the end.
+// Only this many pairs of bodies are reported.
 constexpr std::size_t kMostPairs = 50;
-constexpr double kRounding = 1e-12;  // m; less is rounding
+constexpr double kRounding = 1e-12;  // m, rounding error of a distance
 
 class SelfCollisions {
  public:
@@ -26,19 +28,19 @@ class SelfCollisions {
 
   bool Check() {
     ContactFinder finder(m_);
-    std::size_t found = Look(finder, "with all joints at zero");
+    std::size_t found = ReportTouching(finder, "with all joints at zero");
     const std::span<const mjtNum> start = compiled::StartOf(m_);
     if (found == 0 && start.data() != m_.qpos0) {
       std::ranges::copy(start, finder.qpos().begin());
       finder.Move();
-      found = Look(finder, "in the start pose");
+      found = ReportTouching(finder, "in the start pose");
     }
     return found > 0;
   }
 
  private:
-  /// How many pairs touch where the joints stand.
-  std::size_t Look(ContactFinder& finder, std::string_view when) {
+  /// Reports pairs that touch at the present joint positions; returns their number.
+  std::size_t ReportTouching(ContactFinder& finder, std::string_view when) {
     std::size_t found = 0;
     for (const BodyContact& contact : finder.Find()) {
       if (contact.margin - contact.distance < object_.checks.self_collision) continue;
@@ -57,7 +59,7 @@ class SelfCollisions {
     return object_.bodies[static_cast<std::size_t>(order_[static_cast<std::size_t>(id - 1)])];
   }
 
-  /// The first body of those that move as one with it.
+  /// Returns the first body that is rigidly connected with a body.
   int RigidGroup(int id) const {
     while (m_.body_jntnum[id] == 0 && m_.body_parentid[id] != 0) id = m_.body_parentid[id];
     return id;
@@ -75,8 +77,8 @@ class SelfCollisions {
 
   bool InHost() const { return object_.bodies.front().name.empty(); }
 
-  /// As the author of the spec names it: without the object's prefix, and the
-  /// root by the object's name, whatever a host calls it.
+  /// Returns a body's name as written in the spec: without the object's prefix. The root has the
+  /// object's name, whatever a host calls it.
   std::string_view AuthorsName(const model::Body& body) const {
     if (InHost() && body.parent == 0) return object_.name;
     std::string_view name = body.name;
@@ -86,8 +88,8 @@ class SelfCollisions {
     return name;
   }
 
-  /// Both come from one attached file, which may mean it so.
-  bool OfOneFile(const model::Body& first, const model::Body& second) const {
+  /// Returns true if both bodies are from one attached file, in which the contact may be intended.
+  bool AreFromOneFile(const model::Body& first, const model::Body& second) const {
     return first.attached >= 0 && first.attached == second.attached;
   }
 
@@ -96,7 +98,7 @@ class SelfCollisions {
     const model::Body* second = &BodyOf(contact.body2);
     int first_geom = contact.geom1;
     int second_geom = contact.geom2;
-    if (second < first) {  // MuJoCo goes depth first, a spec need not
+    if (second < first) {  // the spec's order may differ from MuJoCo's depth-first order
       std::swap(first, second);
       std::swap(first_geom, second_geom);
     }
@@ -105,7 +107,7 @@ class SelfCollisions {
                     second->name, when, m_.names + m_.name_geomadr[first_geom],
                     m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
     if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
-    // Things that are free would pass through each other.
+    // An exclude would let free bodies pass through each other.
     std::string hint =
         m_.body_rootid[contact.body1] != m_.body_rootid[contact.body2]
             ? "move them apart"
@@ -113,7 +115,7 @@ class SelfCollisions {
                           AuthorsName(*first), AuthorsName(*second));
     constexpr auto kCode = diag::Code::kMujocoSelfCollision;
     diag::Finding& finding =
-        related || OfOneFile(*first, *second)
+        related || AreFromOneFile(*first, *second)
             ? findings_.Warn(kCode, second->mark, std::move(message), std::move(hint))
             : findings_.Add(kCode, second->mark, std::move(message), std::move(hint));
     if (first->mark) finding.notes.push_back({first->mark, fmt::format("'{}'", first->name)});
@@ -122,15 +124,15 @@ class SelfCollisions {
   mjModel& m_;
   const model::Object& object_;
   diag::Findings& findings_;
-  const std::vector<int> order_;  // MuJoCo's body number less one -> place in the object
+  const std::vector<int> order_;  // index in the object of the body with MuJoCo's id i + 1
 };
 
 }  // namespace
 
 std::string DepthText(double distance) {
   const double mm = std::abs(distance) < kRounding ? 0 : 1000 * std::abs(distance);
-  const std::string text = mm < 100 ? fmt::format("{:.3g}", mm) : fmt::format("{:.0f}", mm);
-  return text + (distance > kRounding ? " mm apart, within the margin" : " mm deep");
+  return expr::RoundedText(mm) +
+         (distance > kRounding ? " mm apart, within the margin" : " mm deep");
 }
 
 bool CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings& findings) {

@@ -1,4 +1,5 @@
-#include "mjforge/validate/sweep.h"
+// Contacts and bounds of joint sweeps.
+#include "mjforge/validate/joint_sweep.h"
 
 #include <cmath>
 #include <fstream>
@@ -8,16 +9,18 @@
 
 #include <catch2/catch.hpp>
 
+#include "harness/temporary_folder.h"
 #include "jointed.h"
 #include "mjforge/validate/validate.h"
-#include "temporary_folder.h"
 
 namespace mjforge::validate {
 namespace {
 
+using harness::TemporaryFolder;
+
 using std::numbers::pi;
 
-/// The sweep of an MJCF file with these bodies.
+/// Returns the sweep of an MJCF file with these bodies.
 Sweep SweepOf(const std::string& bodies, const std::string& sections = {}) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "m.xml") << "<mujoco><compiler angle=\"radian\"/><worldbody>"
@@ -121,7 +124,7 @@ TEST_CASE("a ball joint turns about several axes up to its range") {
 TEST_CASE("a ball joint's value is the angle from its zero") {
   const std::string arm = Body(
       "arm", "0 0 0", Joint("shoulder", "type=\"ball\"" + Range("0 1")) + Ball("fist", "1 0 0"));
-  REQUIRE(2 * std::sin(0.5 / 2) > 0.2);  // half a radian away they are apart
+  REQUIRE(2 * std::sin(0.5 / 2) > 0.2);  // no contact half a radian away
   const Sweep sweep = SweepOf(
       Body("base", "0 0 0", kBase + arm) +
       Body("wall", std::to_string(std::cos(0.5)) + " " + std::to_string(std::sin(0.5)) + " 0",
@@ -133,7 +136,7 @@ TEST_CASE("a ball joint's value is the angle from its zero") {
 }
 
 TEST_CASE("only what a joint changes is told of it") {
-  // Both fingers touch at zero; the tail's joint has no part in that.
+  // The fingers touch at zero, independently of the tail's joint.
   const Sweep sweep = SweepOf(
       Body("base", "0 0 0",
            kBase +
