@@ -32,8 +32,8 @@ constexpr double kLift = 0.3;    // s
 constexpr double kShake = 0.2;   // s along each axis
 constexpr double kHold = 2;      // s
 constexpr double kOpen = 0.3;    // s
-// While the jaws close, free bodies move as if on a table: at kGiving for the force of the jaws,
-// and turn at the rate of the same force and speed with a lever of kArm.
+// While the jaws close, free bodies are damped as if on a table: the force of the jaws moves them
+// at kGiving, and turns them at kGiving / kArm if its lever is kArm.
 constexpr double kGiving = 0.02;    // m/s
 constexpr double kArm = 0.05;       // m
 constexpr double kLifting = 1.5;    // multiple of gravity

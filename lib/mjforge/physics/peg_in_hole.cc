@@ -225,7 +225,7 @@ class PegTests {
     return Peg{*body, compiled::PoseAt(m.site_pos, m.site_quat, *tip)};
   }
 
-  /// Reports a peg that does not fit.
+  /// Returns true if the peg fits; otherwise reports why not.
   bool Fits(const model::Fitting& fitting, const Peg& peg, int hole) {
     const engine::Model copy(mj_copyModel(nullptr, &test_.m));
     RemoveOtherPegs(*copy, peg.body);

@@ -172,7 +172,7 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
                              engine::ParseRefusal(loaded.error).reason));
     return std::nullopt;
   }
-  // The floor of a fixed object with free bodies is level, too.
+  // A fixed object may have free bodies, so that its floor must be below all of them, too.
   const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
   if (floor >= 0 && !document.host_frees && loaded.model->body_dofnum[1] == 0)
     LevelFloor(*loaded.model, floor);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kDirections = 72;
 constexpr double kStep = 0.5 * std::numbers::pi / 180;
-constexpr double kFlat =
-    1e-9;  // rounding, as a share of the height: the centre of a ball does not rise
+// Rounding error as a share of the height, because the centre of a ball does not rise.
+constexpr double kFlat = 1e-9;
 constexpr double kUneven = 10 * std::numbers::pi / 180;  // largest tilt due to uneven sinking
 
 /// Convex hull of the colliding geoms of a tree of bodies, relative to its centre of mass.

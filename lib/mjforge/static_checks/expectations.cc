@@ -25,7 +25,7 @@ using PlacedParts = std::vector<PlacedPart>;
 constexpr double kTolerance = 1e-5;  // m, of bodies that must touch or be apart
 constexpr int kDigits = 3;
 
-// "0.132 mm".
+// Formats the absolute value of a length: "0.132 mm".
 std::string LengthText(double length, int digits = kDigits) {
   return expr::RoundedText(1000 * std::abs(length), digits) + " mm";
 }

@@ -16,8 +16,8 @@ void ShareMasses(const model::Body& body, std::vector<model::Part>& parts) {
     if (!part.piece_of.empty()) volumes[part.piece_of] += model::Volume(part.shape);
   }
   if (volumes.empty()) return;
-  std::map<std::string_view, double>
-      masses;  // shapes' masses, in a visual part or in one of the pieces
+  // The mass of a shape is in its visual part or in one of its pieces.
+  std::map<std::string_view, double> masses;
   for (const model::Part& part : body.parts)
     masses[part.piece_of.empty() ? part.name : part.piece_of] += part.mass;
   for (model::Part& part : parts) {
