@@ -43,6 +43,8 @@ Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id);
 Eigen::Matrix3d MatrixAt(const mjtNum* array, int id);
 /// Pose `id` from an array of positions and an array of quaternions.
 model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id);
+/// Writes a position and a quaternion.
+void WritePose(const model::Pose& X, mjtNum* pos, mjtNum* quat);
 
 /// Returns nothing for planes and height fields, which belong to scenes.
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom);

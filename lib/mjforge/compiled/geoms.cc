@@ -41,6 +41,14 @@ model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id) {
   return {VectorAt(pos, id), QuaternionAt(quat, id)};
 }
 
+void WritePose(const model::Pose& X, mjtNum* pos, mjtNum* quat) {
+  const Eigen::Vector3d p = X.p;
+  const Eigen::Quaterniond q = X.q;
+  const mjtNum wxyz[] = {q.w(), q.x(), q.y(), q.z()};
+  mju_copy3(pos, p.data());
+  mju_copy4(quat, wxyz);
+}
+
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom) {
   const auto found = std::ranges::find(kGeomTypes, mjtgeom);
   if (found == kGeomTypes.end()) return std::nullopt;

@@ -152,8 +152,7 @@ class Behaviour {
         Code::kPhysicsJointRests, off_range.check->mark,
         fmt::format("joint '{}' is at {} and still moves, by {} in a second: it leaves "
                     "where `rests` has it, {} to {}",
-                    compiled::NameOf(m_, mjOBJ_JOINT, off_range.joint),
-                    Distance(off_range.joint, off_range.position),
+                    JointName(off_range.joint), Distance(off_range.joint, off_range.position),
                     Distance(off_range.joint, off_range.speed),
                     Distance(off_range.joint, off_range.low),
                     Distance(off_range.joint, off_range.high)),
@@ -163,7 +162,7 @@ class Behaviour {
 
   void ReportOffRange(const JointOffRange& off_range) {
     if (off_range.speed != 0) return ReportMoving(off_range);
-    const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, off_range.joint);
+    const std::string name = JointName(off_range.joint);
     const bool is_asked = off_range.check != nullptr;
     reporter_.Error(
         Code::kPhysicsJointRests, is_asked ? off_range.check->mark : MarkOf(name),
@@ -188,7 +187,7 @@ class Behaviour {
     const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
     for (int joint = 0; joint < m_.njnt; ++joint) {
       if (m_.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
-      const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, joint);
+      const std::string name = JointName(joint);
       const double range =
           (m_.jnt_range[2 * joint + 1] - m_.jnt_range[2 * joint]) * (1 - kSameRange);
       if (m_.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
@@ -216,14 +215,13 @@ class Behaviour {
                     initial.check != nullptr ? initial.check->mark : mark_,
                     fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
                                 "is driven",
-                                compiled::NameOf(m_, mjOBJ_BODY, initial.body1),
-                                compiled::NameOf(m_, mjOBJ_BODY, initial.body2),
+                                BodyName(initial.body1), BodyName(initial.body2),
                                 RoundedText(1000 * initial.depth)),
                     initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
   }
 
   void ReportUnsupported(const UnsupportedLink& link) {
-    const std::string body = compiled::NameOf(m_, mjOBJ_BODY, link.body);
+    const std::string body = BodyName(link.body);
     reporter_.Warning(Code::kPhysicsLoose, MarkOf(m_.body_jntadr[link.body]),
                       fmt::format("body '{}' hangs in the air: {} mm from all else of '{}'", body,
                                   RoundedText(1000 * link.distance), object_.name),
@@ -231,15 +229,13 @@ class Behaviour {
   }
 
   void ReportParentPenetration(const ParentPenetration& penetration) {
-    const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, penetration.joint);
+    const std::string name = JointName(penetration.joint);
     reporter_.Warning(
         Code::kPhysicsJointPasses, MarkOf(name),
         fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
                     "not let the two collide",
-                    name, compiled::NameOf(m_, mjOBJ_BODY, penetration.body),
-                    RoundedText(1000 * penetration.depth),
-                    compiled::NameOf(m_, mjOBJ_BODY, penetration.parent),
-                    Distance(penetration.joint, penetration.where)),
+                    name, BodyName(penetration.body), RoundedText(1000 * penetration.depth),
+                    BodyName(penetration.parent), Distance(penetration.joint, penetration.where)),
         "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
@@ -354,9 +350,10 @@ class Behaviour {
                     : "it is held back by something that an equality or a tendon couples it to");
   }
 
-  diag::SourceMark MarkOf(int joint) const {
-    return MarkOf(compiled::NameOf(m_, mjOBJ_JOINT, joint));
-  }
+  std::string BodyName(int id) const { return compiled::NameOf(m_, mjOBJ_BODY, id); }
+  std::string JointName(int id) const { return compiled::NameOf(m_, mjOBJ_JOINT, id); }
+
+  diag::SourceMark MarkOf(int joint) const { return MarkOf(JointName(joint)); }
   diag::SourceMark MarkOf(const std::string& joint) const {
     for (const model::Body& body : object_.bodies) {
       const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);

@@ -116,12 +116,10 @@ class DropSimulation {
     lean_ = Eigen::AngleAxisd(nudge_.tilt, Eigen::Vector3d::UnitZ().cross(way));
     for (const Root& root : roots_) {
       const int joint = m_.body_jntadr[root.body];
-      Eigen::Map<Eigen::Vector3d> p(d_.qpos + m_.jnt_qposadr[joint]);
+      mjtNum* const qpos = d_.qpos + m_.jnt_qposadr[joint];
       const Eigen::Vector3d center = VectorAt(d_.subtree_com, root.body);
-      p = (center + lean_ * (p - center)).eval();
-      const Eigen::Quaterniond q = lean_ * TurnOf(root.body);
-      const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
-      std::ranges::copy(quat, d_.qpos + m_.jnt_qposadr[joint] + 3);
+      const Eigen::Vector3d p = center + lean_ * (VectorAt(qpos, 0) - center);
+      compiled::WritePose({p, lean_ * TurnOf(root.body)}, qpos, qpos + 3);
       Eigen::Map<Eigen::Vector3d>(d_.qvel + m_.jnt_dofadr[joint]) = nudge_.speed * way;
     }
     mj_kinematics(&m_, &d_);

@@ -72,11 +72,8 @@ void Gripper::Place(mjData& d, std::span<const mjtNum> start, const model::Pose&
                     double opening) const {
   mj_resetData(&m_, &d);
   PlaceObject(m_, d, start, joint_, 2);
-  const Eigen::Quaterniond q = X_WJ.q;
-  const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
   const int mocap = m_.body_mocapid[base_];
-  mju_copy3(d.mocap_pos + 3 * mocap, X_WJ.p.value().data());
-  mju_copy4(d.mocap_quat + 4 * mocap, quat);
+  compiled::WritePose(X_WJ, d.mocap_pos + 3 * mocap, d.mocap_quat + 4 * mocap);
   // At position 0 of their joints the faces of the fingers meet in the middle.
   for (int side = 0; side < 2; ++side)
     d.qpos[m_.jnt_qposadr[joint_ + side]] = -std::min(opening, width_) / 2;

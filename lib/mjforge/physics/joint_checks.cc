@@ -61,13 +61,10 @@ bool JointChecks::Verify(static_checks::Reporter& reporter) const {
   };
   const auto exists = [&](const model::JointCheck& check, const std::string& name) {
     if (Find(name)) return true;
-    std::vector<std::string> names;
-    names.reserve(static_cast<std::size_t>(m_.njnt));
-    for (int joint = 0; joint < m_.njnt; ++joint)
-      names.push_back(OwnName(m_, mjOBJ_JOINT, joint, object_));
-    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::vector<std::string> names = OwnNames(m_, mjOBJ_JOINT, object_);
     wrong(diag::Code::kModelUnknownReference, check,
-          fmt::format("the object has no joint '{}'", name), diag::DidYouMean(name, known));
+          fmt::format("the object has no joint '{}'", name),
+          diag::DidYouMean(name, std::vector<std::string_view>(names.begin(), names.end())));
     return false;
   };
   for (const model::JointCheck& check : checks_.joints) {
@@ -115,11 +112,7 @@ bool JointChecks::CanBeDriven(int joint) const {
 }
 
 std::optional<int> JointChecks::Find(const std::string& joint) const {
-  for (const std::string& full : {fmt::format("{}_{}", object_, joint), joint}) {
-    const int id = mj_name2id(&m_, mjOBJ_JOINT, full.c_str());
-    if (id >= 0) return id;
-  }
-  return std::nullopt;
+  return IdOf(m_, mjOBJ_JOINT, object_, joint);
 }
 
 bool JointChecks::Names(const model::JointCheck& check, int joint) const {

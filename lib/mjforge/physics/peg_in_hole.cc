@@ -37,6 +37,8 @@ constexpr double kLeastCosine = 0.3;  // between a push and the normal of a cont
 
 std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kProbePrefix, fitting); }
 
+Vector3d ZAxis(const model::Pose& X) { return Eigen::Quaterniond(X.q) * Vector3d::UnitZ(); }
+
 double LengthOf(const model::Fitting& fitting) { return kLengthPerDepth * fitting.depth; }
 
 /// Body that must go into a hole, and the pose of its tip in the body's frame.
@@ -64,7 +66,7 @@ class PegDrop {
   std::optional<Insertion> Run(const Peg& peg, int hole, double depth) {
     const model::Pose X_WH = SitePose(d_, hole);
     Place(peg, X_WH);
-    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const Vector3d way = ZAxis(X_WH);
     Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * way;
     double deepest = -kStartDistance;
     for (double time = 0; time < kLongestFall && deepest < depth; time += m_.opt.timestep) {
@@ -85,14 +87,12 @@ class PegDrop {
  private:
   /// Places the peg in front of the hole, and holds everything else in place.
   void Place(const Peg& peg, const model::Pose& X_WH) {
-    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const Vector3d way = ZAxis(X_WH);
     const model::Pose X_WT = {X_WH.p - kStartDistance * way, X_WH.q};
     const model::Pose X_WB = X_WT * peg.X_BT.Inverse();
-    const Eigen::Quaterniond q = X_WB.q;
-    const mjtNum quat[] = {q.w(), q.x(), q.y(), q.z()};
     const int joint = m_.body_jntadr[peg.body];
-    mju_copy3(d_.qpos + m_.jnt_qposadr[joint], X_WB.p.value().data());
-    mju_copy4(d_.qpos + m_.jnt_qposadr[joint] + 3, quat);
+    mjtNum* const qpos = d_.qpos + m_.jnt_qposadr[joint];
+    compiled::WritePose(X_WB, qpos, qpos + 3);
     HoldOthers(m_, m_.jnt_dofadr[joint], 6);
   }
 
@@ -144,7 +144,7 @@ class PegDrop {
 
   /// Returns true if a contact behind the mouth resists the push.
   bool IsPressed(const Peg& peg, const model::Pose& X_WH, const Vector3d& push) const {
-    const Vector3d way = X_WH.q.value() * Vector3d::UnitZ();
+    const Vector3d way = ZAxis(X_WH);
     return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
       const bool touches = IsOf(peg.body, contact.geom1) || IsOf(peg.body, contact.geom2);
       const Vector3d p = Eigen::Map<const Vector3d>(contact.pos);
