@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "mjforge/engine/engine.h"
-#include "mjforge/physics/settle.h"
+#include "mjforge/physics/drop.h"
 #include "mjforge/physics/simulation.h"
 #include "recipes.h"
 
@@ -33,7 +33,7 @@ void BM_Settle(benchmark::State& state) {
   std::int64_t steps = 0;
   for (auto _ : state) {
     physics::Result result;
-    physics::Settle(*model, workspace.For(*model), {}, {}, result);
+    physics::SimulateDrop(*model, workspace.For(*model), {}, {}, result);
     steps += std::llround(result.time / model->opt.timestep);
   }
   state.SetItemsProcessed(steps);
@@ -44,7 +44,7 @@ void BM_BareSteps(benchmark::State& state) {
   engine::Model model = HammerOnFloor();
   physics::Workspace workspace;
   physics::Result result;
-  physics::Settle(*model, workspace.For(*model), {}, {}, result);
+  physics::SimulateDrop(*model, workspace.For(*model), {}, {}, result);
   const std::int64_t steps = std::llround(result.time / model->opt.timestep);
   mjData& d = workspace.For(*model);
   for (auto _ : state) {

@@ -14,6 +14,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/dimension.h"
 #include "mjforge/expr/names.h"
+#include "mjforge/expr/rounded_text.h"
 
 namespace mjforge::expr {
 
