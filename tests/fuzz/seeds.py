@@ -1,9 +1,11 @@
 """The inputs that fuzzing starts from: files of the tests, and small batches made for it."""
 
+import fnmatch
 import hashlib
 import io
 import json
 import pathlib
+import re
 import struct
 import subprocess
 import tarfile
@@ -13,27 +15,37 @@ import tempfile
 MOST_BYTES = 16_000
 
 
-def texts(folders, *patterns):
-    """The contents of files, in a fixed order."""
-    for folder in folders:
+# A file on a page: tests/docs/page.h.
+BLOCK = re.compile(r"^```(?:\w+ (\S+)|yaml\n# file: (\S+))\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def texts(places, *patterns):
+    """The contents of files in folders and on pages, in a fixed order."""
+    for place in places:
+        pages = [place] if place.suffix == ".md" else sorted(place.rglob("*.md"))
+        blocks = [block for page in pages for block in BLOCK.findall(page.read_text())]
         for pattern in patterns:
-            for path in sorted(folder.rglob(pattern)):
+            for path in sorted(place.rglob(pattern)):
                 if path.is_file() and path.stat().st_size <= MOST_BYTES:
                     yield path.read_bytes()
+            for *names, text in blocks:
+                if fnmatch.fnmatch("".join(names), pattern):
+                    yield text.encode()
 
 
 def specs(project, _):
     """Target, sampler, size of the batch, seed, whether to resample; then the spec."""
-    folders = [project / "tests/golden", project / "specs", project / "tests/parity",
-               project / "tests/property"]
-    for number, text in enumerate(texts(folders, "*.yaml")):
+    places = [project / "tests/golden", project / "docs/errors.md", project / "specs",
+              project / "tests/parity", project / "tests/property"]
+    for number, text in enumerate(texts(places, "*.yaml")):
         yield bytes([number % 5, number // 5 % 4, 20, 1, number % 2]) + text
 
 
 def expressions(project, _):
     """Values of the variables; then what stands between brackets and colons of specs."""
     found = set()
-    for text in texts([project / "tests/golden", project / "specs"], "*.yaml"):
+    for text in texts([project / "tests/golden", project / "docs/errors.md", project / "specs"],
+                      "*.yaml"):
         for line in text.decode(errors="replace").splitlines():
             for piece in line.partition(": ")[2].strip(" []{}").split(", "):
                 found.add(piece.strip(" []{}'\""))
