@@ -47,7 +47,7 @@ std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
     return std::nullopt;
   }
   expr::Error error;
-  const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::Names(), error);
+  const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::SymbolTable(), error);
   if (!value || !value->constant() || value->type() != expr::Type::kNumber ||
       !std::isfinite(*value->constant())) {
     why_not = fmt::format("--joint {}: {}", text, value ? "it is not a number" : error.message);

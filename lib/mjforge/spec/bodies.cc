@@ -63,7 +63,7 @@ class BodyEntryReader {
   void DeclareProperties(BodyEntry& body) {
     const auto name = LiteralText(body.head.name);
     if (!name || !expr::IsName(*name)) return;
-    expr::Names& names = context_.spec.names;
+    expr::SymbolTable& names = context_.spec.names;
     const std::string prefix = std::string(*name) + ".";
     if (names.Find(prefix + "top") != nullptr) return;  // declared for another body of this name
     for (const std::string_view property : BodyPropertyNames()) {

@@ -76,7 +76,7 @@ void ReadFunctions(const YamlNode& functions, Context& context);
 void CheckFunctions(Context& context);
 /// Returns `names` and, for each function among them, the names in the function's body.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
-                                              const expr::Names& known);
+                                              const expr::SymbolTable& known);
 
 /// A setting: the name of a parameter or `checks.KEY`, and the new value.
 struct NamedNode {

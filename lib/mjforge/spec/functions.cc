@@ -77,7 +77,7 @@ diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
 // Reports functions that call each other in a circle or in a chain that is too long, and replaces
 // their bodies by a constant, so that expansion ends.
 void BreakCircles(Context& context) {
-  expr::Names& names = context.spec.names;
+  expr::SymbolTable& names = context.spec.names;
   std::vector<const Formula*> all;
   for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
   const Dependencies uses = UsesOf(all);
@@ -144,7 +144,7 @@ void ReadFunctions(const YamlNode& functions, Context& context) {
 }
 
 void CheckFunctions(Context& context) {
-  expr::Names& names = context.spec.names;
+  expr::SymbolTable& names = context.spec.names;
   for (const auto& [name, mark] : context.spec.functions) {
     const Formula& formula = *names.FindFormula(name);
     const auto hidden = std::ranges::find_if(
@@ -162,7 +162,7 @@ void CheckFunctions(Context& context) {
 }
 
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
-                                              const expr::Names& known) {
+                                              const expr::SymbolTable& known) {
   std::set<std::string, std::less<>> seen(names.begin(), names.end());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Formula* formula = known.FindFormula(names[i]);

@@ -249,7 +249,7 @@ class SpecLoader : public NestedLoader {
 
   // Reads materials and defaults of an imported file. They cannot use parameters of the importer.
   void ReadImported(const ImportedFile& from, Context& context) {
-    expr::Names names;
+    expr::SymbolTable names;
     DeclareIndex(names);
     Context inner{state_.sources, state_.findings, context.spec, *this,
                   ValueReader(names, state_.sources, state_.findings)};

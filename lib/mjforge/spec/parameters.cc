@@ -45,7 +45,7 @@ std::string SourceText(const YamlNode& node) {
 
 // Returns the indices of the parameters that each parameter uses, directly or through functions.
 // The names come from the text, because expressions are compiled only after the order is known.
-Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Names& names) {
+Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::SymbolTable& names) {
   std::map<std::string, std::size_t, std::less<>> position;
   for (const ParameterNode& parameter : declared) position.emplace(parameter.name, position.size());
   Dependencies uses;

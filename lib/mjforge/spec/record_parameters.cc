@@ -148,7 +148,7 @@ class RecordParameterReader {
         key = expr::TextKey(cell.text);
       } else {
         expr::Error error;
-        const auto number = expr::Expression::Compile(cell.text, expr::Names(), error);
+        const auto number = expr::Expression::Compile(cell.text, expr::SymbolTable(), error);
         if (number && number->type() == expr::Type::kNumber) key = number->constant();
       }
       if (!key || !rows->numbers.emplace(*key, rows->names.size()).second) return nullptr;

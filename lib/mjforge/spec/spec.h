@@ -29,7 +29,7 @@ struct Parameter {
   std::string unit;
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
-  int list = -1;  // see expr::Names::Variable::list
+  int list = -1;  // see expr::SymbolTable::Variable::list
   /// Name of the record, only for the key of a record. Expressions may use it instead of the key's
   /// name ("style" for "style.name").
   std::string record;
@@ -71,7 +71,7 @@ struct ObjectSpec {
   /// The applied settings, from files and from the caller: name, YAML flow text.
   std::vector<std::pair<std::string, std::string>> settings;
 
-  expr::Names names;  // parameters, loop variables; slot 0 is `index`
+  expr::SymbolTable names;  // parameters, loop variables; slot 0 is `index`
   std::vector<std::pair<std::string, diag::SourceMark>> functions;  // in `names`; in file order
   std::vector<Parameter> parameters;                                // in file order
   std::vector<int> evaluation_order;                                // indices into parameters

@@ -101,7 +101,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
       break;
     }
     const std::string_view inner = std::string_view(node.text).substr(open + 2, close - open - 2);
-    const expr::Names::Variable* variable = names_.Find(Trim(inner));
+    const expr::SymbolTable::Variable* variable = names_.Find(Trim(inner));
     if (variable != nullptr && variable->type == Type::kText && !variable->is_list()) {
       uses_.AddName(variable->name);
       text.pieces.push_back({.literal = {}, .expression = {}, .text_slot = variable->slot});

@@ -61,7 +61,7 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
   if (b.empty()) return a;
   Dimensions both(std::max(a.size(), b.size()));
   for (std::size_t i = 0; i < both.size(); ++i) {
-    const auto one = expr::Common(DimensionAt(a, i), DimensionAt(b, i));
+    const auto one = expr::CommonDimension(DimensionAt(a, i), DimensionAt(b, i));
     if (!one) return std::nullopt;
     both[i] = *one;
   }
@@ -77,7 +77,7 @@ std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
     const auto at = static_cast<std::size_t>(i);
     const Dimension own = list != nullptr ? DimensionAt(list->items[at].dimensions, 0)
                                           : DimensionAt(value.dimensions, at);
-    const auto both = i % 3 == 0 ? own : expr::Common(common, own);
+    const auto both = i % 3 == 0 ? own : expr::CommonDimension(common, own);
     if (!both) return fmt::format("in {} and in {}", common.Text(), own.Text());
     common = *both;
   }

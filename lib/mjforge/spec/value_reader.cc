@@ -267,12 +267,12 @@ Value ValueReader::ReadNumber(const YamlNode& node) {
   return value;
 }
 
-const expr::Names::Variable* ValueReader::LoneName(const YamlNode& node) const {
+const expr::SymbolTable::Variable* ValueReader::LoneName(const YamlNode& node) const {
   if (node.kind != YamlNode::Kind::kScalar || node.quoted) return nullptr;
   return names_.Find(Trim(node.text));
 }
 
-Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNode& node) {
+Value ValueReader::Reference(const expr::SymbolTable::Variable& variable, const YamlNode& node) {
   uses_.AddName(variable.name);
   return Value{.mark = node.mark,
                .type = variable.type,

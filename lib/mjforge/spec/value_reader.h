@@ -31,7 +31,7 @@ struct UsedNames {
 /// that passes all later checks, so that reading continues.
 class ValueReader {
  public:
-  ValueReader(expr::Names& names, const diag::Sources& sources, diag::Findings& findings)
+  ValueReader(expr::SymbolTable& names, const diag::Sources& sources, diag::Findings& findings)
       : names_(names), sources_(sources), findings_(findings) {}
 
   /// Reads the value of a field whose kind is a value, not structure. `motion` is that of the joint
@@ -135,9 +135,9 @@ class ValueReader {
   Value ReadExpression(const YamlNode& node, expr::Expression::Result result = {});
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
                                           std::size_t length, expr::Expression::Result result = {});
-  Value Reference(const expr::Names::Variable& variable, const YamlNode& node);
+  Value Reference(const expr::SymbolTable::Variable& variable, const YamlNode& node);
   void NoteMaterials(const Value& value);
-  const expr::Names::Variable* LoneName(const YamlNode& node) const;
+  const expr::SymbolTable::Variable* LoneName(const YamlNode& node) const;
   bool LooksLikeText(const YamlNode& node) const;
   // Returns the common dimensions of values. Returns nothing known, and adds a finding, if they
   // differ.
@@ -155,7 +155,7 @@ class ValueReader {
   void Report(expr::Error error, diag::SourceMark mark, std::size_t begin);
   diag::SourceMark At(diag::SourceMark mark, std::size_t offset) const;
 
-  expr::Names& names_;
+  expr::SymbolTable& names_;
   const diag::Sources& sources_;
   diag::Findings& findings_;
   bool has_exact_choice_ = false;

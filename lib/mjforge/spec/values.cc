@@ -69,11 +69,12 @@ bool IsSameKind(const Value& a, const Value& b) {
   return a.type == b.type && a.components == b.components && a.is_list == b.is_list;
 }
 
-void DeclareIndex(expr::Names& names) {
+void DeclareIndex(expr::SymbolTable& names) {
   names.Declare("index", expr::Type::kNumber, 1, {expr::Dimension::Count()});
 }
 
-const expr::Names::Variable& Declare(expr::Names& names, std::string name, const Value& value) {
+const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, std::string name,
+                                           const Value& value) {
   return value.is_list ? names.DeclareList(std::move(name), value.type, value.dimensions)
                        : names.Declare(std::move(name), value.type,
                                        std::clamp(value.components, 1, 4), value.dimensions);

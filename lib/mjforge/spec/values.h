@@ -36,7 +36,7 @@ struct Text {
 struct VariableReference {
   std::string name;
   int slot = 0;
-  int list = -1;  // see expr::Names::Variable::list
+  int list = -1;  // see expr::SymbolTable::Variable::list
 };
 
 /// A list of numbers, texts, points or outlines.
@@ -147,9 +147,10 @@ bool IsMeasured(const expr::Dimensions& dimensions);
 std::optional<expr::Dimensions> DimensionsOf(std::string_view units);
 
 /// Declares the variable `index`, the number of a variant.
-void DeclareIndex(expr::Names& names);
+void DeclareIndex(expr::SymbolTable& names);
 /// Declares a variable with the type of `value`.
-const expr::Names::Variable& Declare(expr::Names& names, std::string name, const Value& value);
+const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, std::string name,
+                                           const Value& value);
 
 /// Returns true if any part of the value is drawn.
 bool HasDraw(const Value& value);

@@ -36,7 +36,7 @@ struct Formula {
 /// variables passed to Evaluate(). A vector `v` of n components fills n slots (`v.x v.y v.z v.w`);
 /// booleans are 0 and 1; texts are TextKey()s. The slot of a list contains its length; the list
 /// itself has a number among the lists. Slots are not reused after Forget().
-class Names {
+class SymbolTable {
  public:
   struct Variable {
     std::string name;

@@ -52,8 +52,8 @@ std::string_view TypeName(Type type) {
   return {};
 }
 
-const Names::Variable& Names::Declare(const std::string& name, Type type, int components,
-                                      Dimensions dimensions) {
+const SymbolTable::Variable& SymbolTable::Declare(const std::string& name, Type type,
+                                                  int components, Dimensions dimensions) {
   const int slot = std::exchange(slot_count_, slot_count_ + components);
   const Variable variable{.name = name,
                           .type = type,
@@ -63,8 +63,8 @@ const Names::Variable& Names::Declare(const std::string& name, Type type, int co
   return variables_.insert_or_assign(name, variable).first->second;
 }
 
-const Names::Variable& Names::DeclareList(const std::string& name, Type type,
-                                          Dimensions dimensions) {
+const SymbolTable::Variable& SymbolTable::DeclareList(const std::string& name, Type type,
+                                                      Dimensions dimensions) {
   const Variable list{.name = name,
                       .type = type,
                       .slot = slot_count_++,
@@ -73,12 +73,12 @@ const Names::Variable& Names::DeclareList(const std::string& name, Type type,
   return variables_.insert_or_assign(name, list).first->second;
 }
 
-void Names::Forget(std::string_view name) {
+void SymbolTable::Forget(std::string_view name) {
   const auto found = variables_.find(name);
   if (found != variables_.end()) variables_.erase(found);
 }
 
-const Names::Variable* Names::Find(std::string_view name) const {
+const SymbolTable::Variable* SymbolTable::Find(std::string_view name) const {
   const auto found = variables_.find(name);
   if (found != variables_.end()) return &found->second;
   const std::size_t dot = name.find('.');
@@ -89,14 +89,16 @@ std::string Formula::Usage() const {
   return fmt::format("{}({})", name, fmt::join(arguments, ", "));
 }
 
-void Names::Define(const Formula& formula) { formulas_.insert_or_assign(formula.name, formula); }
+void SymbolTable::Define(const Formula& formula) {
+  formulas_.insert_or_assign(formula.name, formula);
+}
 
-const Formula* Names::FindFormula(std::string_view name) const {
+const Formula* SymbolTable::FindFormula(std::string_view name) const {
   const auto found = formulas_.find(name);
   return found == formulas_.end() ? nullptr : &found->second;
 }
 
-std::vector<const Names::Variable*> Names::variables() const {
+std::vector<const SymbolTable::Variable*> SymbolTable::variables() const {
   std::vector<const Variable*> sorted;
   sorted.reserve(variables_.size());
   for (const auto& [name, variable] : variables_) sorted.push_back(&variable);

@@ -6,7 +6,7 @@
 using namespace mjforge::expr;
 
 TEST_CASE("each name gets slots of its own, a vector one for each component") {
-  Names names;
+  SymbolTable names;
   CHECK(names.Declare("index", Type::kNumber).slot == 0);
   CHECK(names.Declare("size", Type::kNumber, 3).slot == 1);
   CHECK(names.Declare("shape", Type::kText).slot == 4);
@@ -19,7 +19,7 @@ TEST_CASE("each name gets slots of its own, a vector one for each component") {
 }
 
 TEST_CASE("a forgotten name leaves a hole and can be declared anew") {
-  Names names;
+  SymbolTable names;
   names.Declare("i", Type::kNumber);
   names.Declare("r", Type::kNumber);
   names.Forget("i");
