@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/static_checks/static_checks.h"
 #include "mjforge/forge/forge.h"
+#include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::forge {
 namespace {
@@ -129,7 +129,7 @@ bool Generator::Assemble(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
   std::optional<model::Object> object = assembler_.Assemble(
-      values, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
+      values, {.name = record.name, .prefix = rules.has_prefix, .root = std::string(rules.root)},
       variant.findings);
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
@@ -171,8 +171,8 @@ bool Generator::HashAssets(Variant& variant) {
 void Generator::Describe(const model::Object& object, manifest::Record& record) const {
   record.mass_properties = object.mass_properties;
   record.bounds = object.bounds;
-  record.nbody = 1;                                             // the world
-  record.ngeom = mjcf::RulesOf(options_.target).scene ? 1 : 0;  // the floor
+  record.nbody = 1;                                                 // the world
+  record.ngeom = mjcf::RulesOf(options_.target).has_scene ? 1 : 0;  // the floor
   for (const model::Body& body : object.bodies) {
     ++record.nbody;
     record.njnt += static_cast<int>(body.joints.size());

@@ -106,7 +106,7 @@ TEST_CASE("bodies nest depth first, children in their order") {
     object.bodies.emplace_back().name = name;
     object.bodies.back().parent = parent;
   }
-  CHECK(DepthFirst(object) == std::vector<int>{0, 1, 3, 5, 2, 4});
+  CHECK(DepthFirstOrder(object) == std::vector<int>{0, 1, 3, 5, 2, 4});
   MjcfDocument document;
   WriteMjcf(object, Target::kMujoco, {}, document);
   pugi::xml_document parsed;
