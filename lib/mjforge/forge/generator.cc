@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/static_checks/static_checks.h"
 #include "mjforge/forge/mould.h"
+#include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::forge {
 namespace {
