@@ -195,7 +195,7 @@ class GraspTests {
     m_.opt.cone = mjCONE_ELLIPTIC;
     m_.opt.impratio = kImpratio;
     engine::EnableMultipleContacts(m_.opt);
-    engine::SolveClosely(m_.opt);
+    engine::TightenTolerance(m_.opt);
     // The object hangs in the air, so that planes do not collide.
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       if (m_.geom_type[geom] == mjGEOM_PLANE) m_.geom_contype[geom] = m_.geom_conaffinity[geom] = 0;
