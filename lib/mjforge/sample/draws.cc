@@ -77,7 +77,7 @@ double Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId p
   double value = Quantile(draw.distribution, arguments, limits, Uniforms(path)[0]);
   if (IsRounded(draw.distribution)) {
     const Interval support = Support(draw.distribution, arguments, limits);
-    value = Rounding(support.lo, support.hi)(value);
+    value = RoundWithin(support.lo, support.hi, value);
   }
   if (std::isfinite(value)) return value;
   return Fail(Code::kSampleBadArgument, mark,

@@ -46,19 +46,18 @@ double RoundByText(double value, int digits) {
 
 }  // namespace
 
-Rounding::Rounding(double lo, double hi) : lo_(lo), hi_(hi), places_(PlacesFor(hi - lo)) {}
-
-double Rounding::operator()(double value) const {
+double RoundWithin(double lo, double hi, double value) {
   if (!std::isfinite(value)) return value;
-  if (value <= lo_) return lo_;
-  if (value >= hi_) return hi_;
+  if (value <= lo) return lo;
+  if (value >= hi) return hi;
   if (value == 0) return 0;
   const double exponent = std::floor(std::log10(std::abs(value)));
-  const int places = static_cast<int>(std::max(kSignificantDigits - 1 - exponent, places_));
+  const int places =
+      static_cast<int>(std::max(kSignificantDigits - 1 - exponent, PlacesFor(hi - lo)));
   const double rounded = std::abs(places) <= kMaxExactPower
                              ? RoundByScaling(value, places)
                              : RoundByText(value, places + static_cast<int>(exponent));
-  return std::clamp(rounded, lo_, hi_) + 0.0;  // + 0.0: no negative zero
+  return std::clamp(rounded, lo, hi) + 0.0;  // + 0.0: no negative zero
 }
 
 }  // namespace mjforge::sample

@@ -21,18 +21,9 @@ using Numbers = boost::container::small_vector<double, 6>;
 using ParameterValue =
     std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// Rounds what is drawn from [lo, hi]: to 6 significant digits, never coarser than a millionth of
-/// hi - lo, never outside. Infinite bounds mean "no bound".
-class Rounding {
- public:
-  Rounding(double lo, double hi);
-  double operator()(double value) const;
-
- private:
-  double lo_;
-  double hi_;
-  double places_;  // decimal ones that a millionth of the range has
-};
+/// Rounds a number drawn from [lo, hi] to 6 significant digits, or to a millionth of hi - lo if
+/// that is finer. The result is never outside [lo, hi]. Infinite bounds mean "no bound".
+double RoundWithin(double lo, double hi, double value);
 
 /// The values of a list.
 struct Items {

@@ -64,8 +64,8 @@ TEST_CASE("the items of a vector draw from streams of their own") {
   const DrawKey key = {.seed = 2, .index = 6};
   const StreamId stream = Child(Child(Child(kRootStream, "t"), "params"), "v");
   const auto v = std::get<Vector>(family.Parameter("v", key));
-  CHECK(v == Vector{Rounding(0, 1)(Uniforms(key, Child(stream, "0"))[0]), 5,
-                    Rounding(0, 1)(Uniforms(key, Child(stream, "2"))[0])});
+  CHECK(v == Vector{RoundWithin(0, 1, Uniforms(key, Child(stream, "0"))[0]), 5,
+                    RoundWithin(0, 1, Uniforms(key, Child(stream, "2"))[0])});
 }
 
 TEST_CASE("points are given one after the other, each with its own streams") {
@@ -77,7 +77,7 @@ TEST_CASE("points are given one after the other, each with its own streams") {
   const PointList made = evaluator.Points(family.PartValue("polygon"), 50);
   const Vector points(made.numbers.begin(), made.numbers.end());
   const double drawn =
-      Rounding(0, 1)(Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0]);
+      RoundWithin(0, 1, Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0]);
   CHECK(points == Vector{0, 1, 4, 5, drawn, 3});
 }
 

@@ -107,7 +107,7 @@ TEST_CASE("an object within an object draws from its own root") {
   Evaluator evaluator(*family.spec, {}, root, family.findings);
   REQUIRE(evaluator.SampleParameters());
   const double u = Uniforms({}, Child(Child(root, "params"), "r"))[0];
-  CHECK(evaluator.Parameter(0) == ParameterValue(Rounding(1, 2)(std::lerp(1, 2, u))));
+  CHECK(evaluator.Parameter(0) == ParameterValue(RoundWithin(1, 2, std::lerp(1, 2, u))));
 }
 
 TEST_CASE("overrides of every type replace the parameters' values") {
