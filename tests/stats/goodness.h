@@ -1,7 +1,7 @@
-#pragma once
+// Goodness-of-fit tests, moments and correlation. Seeds are fixed, so that each test computes the
+// same probability every time; a test fails at the level of 0.001.
 
-// How well a sample fits a distribution. With fixed seeds each test gives the
-// same probability every time; 0.001 is the level at which it fails.
+#pragma once
 
 #include <functional>
 #include <span>
@@ -9,13 +9,13 @@
 
 inline constexpr double kLevel = 1e-3;
 
-/// Kolmogorov and Smirnov: the probability of a larger distance between the
-/// sample and the continuous distribution `below`. Source: Numerical Recipes,
-/// 3rd edition, section 14.3.3 (Stephens' correction for finite samples).
+/// Kolmogorov-Smirnov test: returns the probability of a larger distance between a sample and the
+/// continuous distribution function `below`. Source: Numerical Recipes, 3rd edition, section 14.3.3
+/// (Stephens' correction for finite samples).
 double KolmogorovSmirnov(std::vector<double> sample, const std::function<double(double)>& below);
 
-/// Pearson's chi-square: the probability of a larger deviation of the counts
-/// from those expected. Classes that expect fewer than 5 join the next one.
+/// Pearson's chi-square test: returns the probability of a larger deviation of the counts from the
+/// expected counts. A class with an expected count below 5 is joined with the next class.
 double ChiSquare(std::span<const double> counts, std::span<const double> expected);
 
 struct Moments {
@@ -24,5 +24,5 @@ struct Moments {
 };
 Moments MomentsOf(std::span<const double> sample);
 
-/// Pearson's correlation of two samples of one size.
+/// Returns Pearson's correlation of two samples of equal size.
 double Correlation(std::span<const double> a, std::span<const double> b);

@@ -1,4 +1,4 @@
-// The tests' own instruments: a good fit passes, a slightly wrong one does not.
+// Goodness-of-fit tests on samples of known fit, and their critical values.
 
 #include "goodness.h"
 

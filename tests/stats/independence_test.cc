@@ -1,4 +1,4 @@
-// Neighbouring seeds, indices, attempts and streams must not know of each other.
+// Independence of the draws of neighbouring seeds, indices, attempts and streams.
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,10 +11,10 @@ namespace mjforge::sample {
 namespace {
 
 constexpr std::uint64_t kPairs = 20000;
-// Five standard errors of the correlation of independent samples.
+// Bound of a correlation: five standard errors for independent samples.
 const double kNoCorrelation = 5 / std::sqrt(static_cast<double>(kPairs));
 
-// Uniformity of the pairs over a 10 x 10 board, besides no correlation.
+// Checks that there is no correlation and that the pairs are uniform over 10 x 10 cells.
 void CheckIndependent(const std::vector<double>& a, const std::vector<double>& b) {
   CHECK(std::abs(Correlation(a, b)) < kNoCorrelation);
   std::vector<double> counts(100);

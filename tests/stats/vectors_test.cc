@@ -1,4 +1,4 @@
-// Rotations are uniform on SO(3), directions on the sphere.
+// Uniformity of rotations on SO(3) and of directions on the sphere.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
