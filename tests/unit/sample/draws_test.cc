@@ -1,3 +1,5 @@
+// Draws of a spec: pinned values, choices, cycles, errors, rotations, spheres and colours.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 

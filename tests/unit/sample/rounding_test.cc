@@ -1,3 +1,5 @@
+// Rounding of draws: digits, narrow ranges, ends of ranges.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
