@@ -169,12 +169,12 @@ std::string CountsText(const batch::Summary& summary, Clock::time_point start) {
   std::string text = fmt::format("{} ok", summary.ok);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.skipped > 0) text += fmt::format(", {} skipped", summary.skipped);
-  if (summary.kept > 0) text += fmt::format(", {} of them kept", summary.kept);
+  if (summary.resumed > 0) text += fmt::format(", {} of them kept", summary.resumed);
   if (summary.interrupted) text += ", interrupted";
   if (summary.files_failed) text += ", stopped";
   const double seconds = Seconds(Clock::now() - start).count();
   text += fmt::format(" ({:.1f} s", seconds);
-  const auto made = static_cast<double>(summary.done() - summary.kept);
+  const auto made = static_cast<double>(summary.done() - summary.resumed);
   if (seconds >= 1 && made >= 100) text += fmt::format(", {:.0f}/s", made / seconds);
   return text + ")";
 }
@@ -268,10 +268,10 @@ class Generation {
     batch::Request request = request_;
     if (request.destination.kind == Kind::kFolder) request.destination.path = FolderOf(recipe);
     ProgressBar bar(!console_.quiet());
-    batch::Watch watch;
+    batch::Observer watch;
     watch.progress = [&](const batch::Summary& summary) { bar.Show(summary); };
     if (options_.verbose) {
-      watch.variant = [&](const batch::Done& done) {
+      watch.variant = [&](const batch::FinishedVariant& done) {
         bar.Clear();
         PrintVariant(done, request.destination);
       };
@@ -292,7 +292,7 @@ class Generation {
     return status;
   }
 
-  void PrintVariant(const batch::Done& done, const output::Destination& destination) {
+  void PrintVariant(const batch::FinishedVariant& done, const output::Destination& destination) {
     std::string place = fmt::format("{} {}", done.name, done.index);
     if (!done.place.empty())
       place =

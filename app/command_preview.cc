@@ -60,7 +60,7 @@ class Preview {
   }
 
   void ChoosePlace(const std::string& name) {
-    place_ = options_.output.empty() ? name + ".png" : options_.output;
+    place_ = options_.output.empty() ? name + (options_.sweep ? ".gif" : ".png") : options_.output;
   }
 
   std::vector<PreviewObject> LoadFile() {
@@ -141,13 +141,11 @@ class Preview {
       joint = object.subject->FindJoint(options_.swept, findings_);
       if (!joint) return std::nullopt;
     }
-    const std::vector<picture::Pose> poses = object.subject->Sweep(joint, findings_);
+    const std::vector<picture::JointPositions> poses = object.subject->Sweep(joint, findings_);
     if (poses.empty()) return std::nullopt;
     const auto frames = renderer.DrawMotion(*object.subject, poses, options_.picture, findings_);
     if (!frames) return std::nullopt;
-    const picture::Texts texts = TextsOf(object.record, "");
-    return place_.extension() == ".gif" ? picture::EncodeGif(*frames, kDelay, texts)
-                                        : picture::EncodeApng(*frames, kDelay, texts);
+    return picture::EncodeGif(*frames, kDelay, TextsOf(object.record, ""));
   }
 
   std::optional<std::string> DrawSheet(picture::Renderer& renderer,

@@ -12,7 +12,7 @@ namespace mjforge::app {
 namespace {
 
 ExitStatus Verify(const std::string& place, Console& console) {
-  const batch::Verified verified = batch::Verify(place, console.sources, console.findings);
+  const batch::VerifyResult verified = batch::Verify(place, console.sources, console.findings);
   const bool is_good = !console.findings.HasErrors();
   const ExitStatus status = StatusOf(console.findings);
   console.Show(console.findings, console.sources, verified.more_findings);

@@ -207,9 +207,9 @@ void AddParameters(const std::string& before, const std::string& spec_name,
 }
 
 void AddThresholds(const std::string& before, Completions& completions) {
-  for (const spec::FieldInfo& field : spec::ChecksElement().fields) {
-    if (!spec::HoldsValue(field.slot)) continue;
-    const bool is_boolean = field.slot == spec::Slot::kBoolean;
+  for (const spec::FieldInfo& field : spec::kChecksElement.fields) {
+    if (!spec::HoldsValue(field.kind)) continue;
+    const bool is_boolean = field.kind == spec::FieldKind::kBoolean;
     const auto words = expr::WordsOf(field.words);
     AddSetting(before, fmt::format("checks.{}", field.key), std::string(field.doc),
                is_boolean ? kBooleans : std::vector<std::string>(words.begin(), words.end()),

@@ -13,9 +13,9 @@ namespace mjforge::app {
 namespace {
 
 using manifest::Record;
-using report::Gathered;
-using report::Numbers;
+using report::ManifestSummary;
 using report::ParameterTally;
+using report::Statistics;
 
 constexpr std::size_t kShownValues = 12;  // largest number of values in a line of a table
 
@@ -28,9 +28,9 @@ bool IsSpecName(const std::string& what) {
   return false;
 }
 
-std::string StatusesText(const Gathered& batch) {
+std::string StatusesText(const ManifestSummary& batch) {
   std::string text;
-  for (const manifest::Status status : manifest::kByName) {
+  for (const manifest::Status status : manifest::kStatusesByName) {
     if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(status));
   }
@@ -62,7 +62,7 @@ std::string ValuesText(const ParameterTally& parameter) {
   return text;
 }
 
-void AddRow(TextTable& table, const std::string& name, const Numbers& numbers,
+void AddRow(TextTable& table, const std::string& name, const Statistics& numbers,
             const std::string& values = {}) {
   const auto text = [&](double value) {
     return numbers.count == 0 ? "" : fmt::format("{:.6g}", value);
@@ -71,13 +71,13 @@ void AddRow(TextTable& table, const std::string& name, const Numbers& numbers,
              text(numbers.StandardDeviation()), values});
 }
 
-void AddMeasures(const Gathered& batch, TextTable& table) {
-  const Numbers& mass = batch.Of(report::MeasureId::kMass).good;
-  const Numbers& attempts = batch.Of(report::MeasureId::kAttempts).good;
+void AddMeasures(const ManifestSummary& batch, TextTable& table) {
+  const Statistics& mass = batch.Of(report::MeasureId::kMass).good;
+  const Statistics& attempts = batch.Of(report::MeasureId::kAttempts).good;
   if (mass.count > 0) AddRow(table, "(mass, kg)", mass);
   if (attempts.max > 0) AddRow(table, "(attempt)", attempts);
   for (const report::Measure& measure : report::Measures()) {
-    const Numbers& numbers = batch.Of(measure.id).good;
+    const Statistics& numbers = batch.Of(measure.id).good;
     if (!measure.is_physics || numbers.count == 0) continue;
     AddRow(table,
            fmt::format("({}{}{})", measure.key, measure.unit.empty() ? "" : ", ", measure.unit),
@@ -85,7 +85,7 @@ void AddMeasures(const Gathered& batch, TextTable& table) {
   }
 }
 
-std::string Tables(const Gathered& batch) {
+std::string Tables(const ManifestSummary& batch) {
   std::string text;
   if (const std::optional<Record>& first = batch.first) {
     text += fmt::format("batch of {}, seed {}, target {}, validate {}{}{}\n", first->spec,
@@ -112,7 +112,7 @@ std::string Tables(const Gathered& batch) {
   return table.empty() ? text : text + "\n" + table.Render();
 }
 
-void Write(JsonOutput& json, const Numbers& numbers) {
+void Write(JsonOutput& json, const Statistics& numbers) {
   json.Member("count", numbers.count);
   json.Member("min", numbers.min);
   json.Member("mean", numbers.mean);
@@ -120,7 +120,7 @@ void Write(JsonOutput& json, const Numbers& numbers) {
   json.Member("std", numbers.StandardDeviation());
 }
 
-void Write(JsonOutput& json, std::string_view key, const Numbers& numbers) {
+void Write(JsonOutput& json, std::string_view key, const Statistics& numbers) {
   json.Object(key, [&] { Write(json, numbers); });
 }
 
@@ -134,10 +134,10 @@ void Write(JsonOutput& json, const ParameterTally& parameter) {
   json.Member("more_values", parameter.more_texts);
 }
 
-void WriteCounts(JsonOutput& json, const Gathered& batch) {
+void WriteCounts(JsonOutput& json, const ManifestSummary& batch) {
   json.Member("variants", batch.variants);
   json.Object("status", [&] {
-    for (const manifest::Status status : manifest::kByName) {
+    for (const manifest::Status status : manifest::kStatusesByName) {
       if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
         json.Member(NameOf(status), count);
     }
@@ -147,7 +147,7 @@ void WriteCounts(JsonOutput& json, const Gathered& batch) {
   });
 }
 
-std::string AsJson(const Gathered& batch) {
+std::string AsJson(const ManifestSummary& batch) {
   return JsonLine([&](JsonOutput& json) {
     if (const std::optional<Record>& first = batch.first) {
       json.Member("spec", first->spec);
@@ -164,7 +164,7 @@ std::string AsJson(const Gathered& batch) {
     Write(json, "attempt", batch.Of(report::MeasureId::kAttempts).good);
     json.Object("physics", [&] {
       for (const report::Measure& measure : report::Measures()) {
-        const Numbers& numbers = batch.Of(measure.id).good;
+        const Statistics& numbers = batch.Of(measure.id).good;
         if (measure.is_physics && numbers.count > 0) Write(json, measure.key, numbers);
       }
     });
@@ -191,7 +191,8 @@ ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Consol
   diag::Sources sources;
   diag::Findings findings;
   std::uint64_t bad_lines = 0;
-  const std::optional<Gathered> batch = report::Gather(manifest, 0, sources, findings, bad_lines);
+  const std::optional<ManifestSummary> batch =
+      report::Summarize(manifest, 0, sources, findings, bad_lines);
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
   if (!batch || bad_lines > 0) return status;

@@ -47,7 +47,7 @@ std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
     return std::nullopt;
   }
   expr::Error error;
-  const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::Names(), error);
+  const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::SymbolTable(), error);
   if (!value || !value->constant() || value->type() != expr::Type::kNumber ||
       !std::isfinite(*value->constant())) {
     why_not = fmt::format("--joint {}: {}", text, value ? "it is not a number" : error.message);
@@ -64,12 +64,9 @@ std::string CheckBackground(const std::string& text) {
 // Returns the message for a file name whose ending does not match the picture's format.
 std::string CheckFileName(const PreviewOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
-  if (options.output == "-" || ending.empty() || ending == ".png") return {};
-  if (ending == ".gif" || ending == ".apng") {
-    if (options.sweep) return {};
-    return fmt::format("-o {}: a picture is a .png; {} is for --sweep", options.output, ending);
-  }
-  return fmt::format("-o {}: pictures are .png, with --sweep also .apng and .gif", options.output);
+  if (options.output == "-" || ending.empty() || ending == (options.sweep ? ".gif" : ".png"))
+    return {};
+  return fmt::format("-o {}: a picture is a .png, and with --sweep a .gif", options.output);
 }
 
 std::string CheckPixels(const PreviewOptions& options) {
@@ -153,7 +150,9 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   AddWholeNumber(command, "-n,--count", options.count, "Variants; several make a contact sheet", 1);
   AddWholeNumber(command, "--first", options.first, "Index of the first variant");
   AddSpecOptions(command, options.spec);
-  command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
+  command
+      .add_option("-o,--output", options.output,
+                  "A file [./NAME.png; --sweep: ./NAME.gif] or - for standard output")
       ->option_text("OUT")
       ->check(Offers(".png .gif"));
   AddWord(command, "--layer", options.layer, picture::LayerNames(), "Show");

@@ -37,7 +37,7 @@ std::string ProgressLine(const batch::Summary& summary, double seconds, std::siz
   const auto done = static_cast<double>(summary.done());
   const double share = summary.count == 0 ? 1 : done / static_cast<double>(summary.count);
   const auto filled = static_cast<std::size_t>(share * kBarWidth);
-  const double made = done - static_cast<double>(summary.kept);
+  const double made = done - static_cast<double>(summary.resumed);
   const double rate = seconds > 0 ? made / seconds : 0;
   std::string line =
       fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {} of {}", "", filled, "", kBarWidth - filled,

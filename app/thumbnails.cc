@@ -19,7 +19,7 @@ constexpr int kQuality = 75;  // about 5 kB; lower qualities have visible blocks
 Thumbnails::Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources)
     : manifest_(std::move(manifest)), spec_(std::move(spec)), sources_(sources) {}
 
-std::optional<std::string> Thumbnails::Draw(const manifest::Record& record) {
+std::optional<report::Thumbnail> Thumbnails::Draw(const manifest::Record& record) {
   if (!Open()) return std::nullopt;
   const std::unique_ptr<picture::Subject> subject = Load(record);
   if (subject == nullptr) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<std::string> Thumbnails::Draw(const manifest::Record& record) {
   const std::optional<picture::Image> image =
       renderer_->Draw(*subject, {.width = kWidth, .height = kHeight}, ignored);
   if (!image) return std::nullopt;
-  return picture::EncodeWebp(*image, kQuality);
+  return report::Thumbnail{picture::EncodeWebp(*image, kQuality), kWidth, kHeight};
 }
 
 // Opens the renderer when the first picture is drawn, because pages without pictures need none.

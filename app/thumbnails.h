@@ -9,6 +9,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/picture/picture.h"
+#include "mjforge/report/report.h"
 
 namespace mjforge::app {
 
@@ -21,7 +22,7 @@ class Thumbnails {
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
   /// Returns nothing if the file is missing or the object cannot be made or drawn.
-  std::optional<std::string> Draw(const manifest::Record& record);
+  std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
   /// Returns the reason if no pictures can be drawn at all.
   diag::Findings TakeFindings() { return std::move(findings_); }

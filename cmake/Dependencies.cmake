@@ -13,12 +13,10 @@ set(mjforge_dependencies
   "LibArchive 3.6"
   "tinyobjloader"
   "PNG 1.6"
-  "ZLIB 1.2"
   "GIF 5.2"
   "WebP"
   "ccd 2"
   "Qhull 8 CONFIG"
-  "csv"
   "Random123"
   "xxhash"
   "ctemplate")  # HTML templates with automatic escaping

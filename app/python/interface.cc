@@ -23,7 +23,6 @@ struct MjforgeMaker {
   std::optional<forge::Recipe> recipe;
   std::unique_ptr<forge::Generator> generator;
   forge::Variant variant;
-  manifest::RecordWriter writer;
   // Texts returned by the last calls.
   std::string record;
   std::string findings_json;
@@ -123,7 +122,7 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   forge::Variant& variant = maker.variant;
   maker.generator->Make(index, variant);
   maker.record.clear();
-  maker.writer.Append(maker.record, variant.record);
+  manifest::AppendRecord(maker.record, variant.record);
   maker.record.pop_back();  // removes the line end
   made.record = View(maker.record);
   if (!variant.findings.empty()) {

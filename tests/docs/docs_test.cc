@@ -60,7 +60,10 @@ void CheckPage(const fs::path& page) {
 }
 
 TEST_CASE("every command on the pages gives the output that is shown") {
-  for (const fs::path& page : Pages()) CheckPage(page);
+  for (const fs::path& page : Pages()) {
+    // golden_test runs the examples of errors.md, with other MuJoCos, too.
+    if (page.filename() != "errors.md") CheckPage(page);
+  }
 }
 
 TEST_CASE("there are pages with commands to run") {

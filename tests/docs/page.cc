@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kFileComment = "# file: ";
 constexpr std::string_view kPrompt = "$ ";
+constexpr std::string_view kHeading = "## ";
 
 std::vector<std::string> Lines(const std::string& text) {
   std::vector<std::string> lines;
@@ -40,12 +41,13 @@ class Reader {
     for (const std::string& line : Lines(text)) {
       ++line_;
       if (line.starts_with("```")) {
-        block_ = block_.empty() ? line : "";
-        is_file_ = false;
+        Fence(line);
+      } else if (block_.empty() && line.starts_with(kHeading)) {
+        chapter_ = line.substr(kHeading.size());
       } else if (block_ == "```console") {
         ConsoleLine(line);
-      } else if (block_ == "```yaml") {
-        YamlLine(line);
+      } else {
+        FileLine(line);
       }
       previous_ = line;
     }
@@ -61,7 +63,14 @@ class Reader {
     }
   }
 
-  void YamlLine(const std::string& line) {
+  void Fence(const std::string& line) {
+    block_ = block_.empty() ? line : "";
+    const std::size_t name = block_.find(' ');
+    is_file_ = name != std::string::npos;
+    if (is_file_) Add(Step::Kind::kFile, block_.substr(name + 1));
+  }
+
+  void FileLine(const std::string& line) {
     if (previous_ == "```yaml" && line.starts_with(kFileComment)) {
       Add(Step::Kind::kFile, line.substr(kFileComment.size()));
       is_file_ = true;
@@ -70,11 +79,13 @@ class Reader {
   }
 
   void Add(Step::Kind kind, std::string name) {
-    steps_.push_back({.kind = kind, .line = line_, .name = std::move(name), .text = {}});
+    steps_.push_back(
+        {.kind = kind, .line = line_, .name = std::move(name), .text = {}, .chapter = chapter_});
   }
 
   std::vector<Step> steps_;
   int line_ = 0;
+  std::string chapter_;
   std::string block_;  // the fence that opened it
   std::string previous_;
   bool is_file_ = false;

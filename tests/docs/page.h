@@ -7,16 +7,17 @@
 
 namespace mjforge::docs {
 
-/// Something on a page that the test does, in the page's order.
+/// A file or a command on a page, in the page's order.
 struct Step {
   enum class Kind { kFile, kCommand } kind = Kind::kFile;
-  int line = 0;      // on the page, from 1
-  std::string name;  // the file's name or the command line
-  std::string text;  // the file's whole text or the command's output
+  int line = 0;         // on the page, from 1
+  std::string name;     // the file's name or the command line
+  std::string text;     // the file's whole text or the command's output
+  std::string chapter;  // heading of the second level that it is below: "yaml/empty"
 };
 
-/// ```yaml blocks that open with `# file: NAME` are files; in ```console blocks
-/// each `$ LINE` is a command and what follows is its output.
+/// A block that begins with "```LANGUAGE NAME" is a file, and so is a ```yaml block whose first
+/// line is `# file: NAME`. In ```console blocks each `$ LINE` is a command, with its output below.
 std::vector<Step> ReadSteps(const std::filesystem::path& page);
 
 /// Puts other outputs below the commands at these lines, and leaves the rest.

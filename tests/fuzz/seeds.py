@@ -1,44 +1,51 @@
 """The inputs that fuzzing starts from: files of the tests, and small batches made for it."""
 
+import fnmatch
 import hashlib
 import io
 import json
 import pathlib
+import re
 import struct
 import subprocess
 import tarfile
 import tempfile
 
-# From tests/faults: the smallest PNG, one white pixel.
-PNG = bytes.fromhex(
-    "89504e470d0a1a0a0000000d49484452000000010000000108020000009077 53de"
-    "0000000c49444154789c63f8cfc00000030101 00c9fe92ef0000000049454e44ae426082")
-
 # Longer ones make every run slow, and say nothing that shorter ones do not.
 MOST_BYTES = 16_000
 
 
-def texts(folders, *patterns):
-    """The contents of files, in a fixed order."""
-    for folder in folders:
+# A file on a page: tests/docs/page.h.
+BLOCK = re.compile(r"^```(?:\w+ (\S+)|yaml\n# file: (\S+))\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def texts(places, *patterns):
+    """The contents of files in folders and on pages, in a fixed order."""
+    for place in places:
+        pages = [place] if place.suffix == ".md" else sorted(place.rglob("*.md"))
+        blocks = [block for page in pages for block in BLOCK.findall(page.read_text())]
         for pattern in patterns:
-            for path in sorted(folder.rglob(pattern)):
+            for path in sorted(place.rglob(pattern)):
                 if path.is_file() and path.stat().st_size <= MOST_BYTES:
                     yield path.read_bytes()
+            for *names, text in blocks:
+                if fnmatch.fnmatch("".join(names), pattern):
+                    yield text.encode()
 
 
 def specs(project, _):
     """Target, sampler, size of the batch, seed, whether to resample; then the spec."""
-    folders = [project / "tests/golden", project / "specs", project / "tests/parity",
-               project / "tests/property"]
-    for number, text in enumerate(texts(folders, "*.yaml")):
+    places = [project / "tests/golden", project / "docs/errors.md", project / "specs",
+              project / "tests/parity", project / "tests/property"]
+    for number, text in enumerate(texts(places, "*.yaml")):
         yield bytes([number % 5, number // 5 % 4, 20, 1, number % 2]) + text
 
 
 def expressions(project, _):
     """Values of the variables; then what stands between brackets and colons of specs."""
     found = set()
-    for text in texts([project / "tests/golden", project / "specs"], "*.yaml"):
+    for text in texts([project / "tests/golden", project / "docs/errors.md", project / "specs"],
+                      "*.yaml"):
         for line in text.decode(errors="replace").splitlines():
             for piece in line.partition(": ")[2].strip(" []{}").split(", "):
                 found.add(piece.strip(" []{}'\""))
@@ -72,12 +79,6 @@ def meshes(project, _):
                    b"vertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
     triangle = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
     yield b"\0" + bytes(80) + struct.pack("<I", 2) + 2 * triangle
-
-
-def pictures(project, _):
-    yield PNG
-    for form in (b"VP8 ", b"VP8L", b"VP8X"):
-        yield b"RIFF\x20\0\0\0WEBP" + form + bytes(range(24))
 
 
 class Batches:
@@ -171,8 +172,10 @@ def closed(files, kind, name, archive):
     """The same, when the archive had got its name and the manifest had not."""
     sections = begun(files, kind, name, archive)
     sections["archive"] = sections.pop("archivepart")
+    records, size = sections["part"].count(b"\n"), len(sections["part"])
     sections["journal"] = (sections["journal"].replace(b"@archivepart:", b"@archive:") +
-                           f"closed {len(files[archive])} @archive:@ {archive}\n".encode())
+                           f"closed {len(files[archive])} @archive:@ {archive}\n"
+                           f"at {records} {size} @part:@ 1 0 -\n".encode())
     return sections
 
 
@@ -202,8 +205,7 @@ def resumed(_, batches):
 
 
 SEEDS = {"archive": archives, "expression": expressions, "manifest": manifests, "mesh": meshes,
-         "mjcf": mjcf, "picture": pictures, "resume": resumed, "seal": seals, "spec": specs,
-         "xml": xml}
+         "mjcf": mjcf, "resume": resumed, "seal": seals, "spec": specs, "xml": xml}
 
 
 def write(target, project, program, folder):

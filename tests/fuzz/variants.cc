@@ -1,6 +1,6 @@
 #include "fuzz/variants.h"
 
-#include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::fuzz {
 namespace {
@@ -18,7 +18,7 @@ std::string LineOf(const manifest::Record& record) {
 
 void CheckFile(const forge::Variant& variant) {
   const std::string& text = variant.document.text;
-  const auto fault = engine::WhyNotMjcf(text);
+  const auto fault = xml::FindMjcfFault(text);
   Must(!fault, fault ? "the file is no MJCF: " + fault->message : "");
   const std::optional<mjcf::Provenance> provenance = mjcf::ReadProvenance(text);
   Must(provenance.has_value(), "the file does not say how it was made");

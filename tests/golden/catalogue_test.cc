@@ -1,16 +1,15 @@
-// The error catalogue: docs/errors.md, the golden cases and the program know the
-// same codes.
+// The error catalogue: docs/errors.md, other cases and the program have the same codes.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <map>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "golden/golden_case.h"
+#include "golden/error_pages.h"
 #include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 #include "mjforge/diag/diag.h"
@@ -31,7 +30,7 @@ struct Unreachable {
 const std::vector<Unreachable> kUnreachable = {
     {"mujoco/mismatch", "tests/unit/validate/mismatch_test.cc",
      "another mass, centre or inertia of a body is found"},
-    {"physics/inertia", "tests/unit/physics/proportions_test.cc",
+    {"physics/inertia", "tests/unit/static_checks/proportions_test.cc",
      "an inertia that no solid has is an error"},
 };
 
@@ -59,28 +58,21 @@ std::vector<std::string> Matches(const std::string& text, const std::regex& patt
   return found;
 }
 
-// "errors/spec-bad-value-number/zero" -> "spec/bad-value"; the longest code that fits.
-std::string CodeOf(const GoldenCase& golden) {
-  const std::string name = golden.name.substr(std::string("errors/").size());
-  std::string best;
-  for (const std::string& code : Codes()) {
-    std::string folder = code;
-    std::ranges::replace(folder, '/', '-');
-    if (name.starts_with(folder) && code.size() > best.size()) best = code;
-  }
-  return best;
+std::vector<ErrorCase> AllCases() {
+  std::vector<ErrorCase> cases = ReadCases(ErrorCatalogue());
+  for (const fs::path& page : CasePages())
+    std::ranges::move(ReadCases(page), std::back_inserter(cases));
+  return cases;
 }
 
-std::vector<GoldenCase> ErrorCases() { return FindCases("errors", {}); }
-
 TEST_CASE("the error catalogue has one chapter for each code, in the program's order") {
-  const std::string page = harness::ReadFile(kRoot / "docs/errors.md");
+  const std::string page = harness::ReadFile(ErrorCatalogue());
   CHECK(Matches(page, std::regex("(?:^|\n)## ([^\n]+)")) == Codes());
 }
 
-TEST_CASE("each code has a golden case, or a unit test where no command provokes it") {
+TEST_CASE("each code has an example, or a unit test where no command provokes it") {
   std::set<std::string> seen;
-  for (const GoldenCase& golden : ErrorCases()) seen.insert(CodeOf(golden));
+  for (const ErrorCase& example : ReadCases(ErrorCatalogue())) seen.insert(example.Code());
   std::set<std::string> listed;
   for (const Unreachable& each : kUnreachable) {
     INFO(each.code << " in " << each.file);
@@ -95,21 +87,41 @@ TEST_CASE("each code has a golden case, or a unit test where no command provokes
   }
 }
 
-TEST_CASE("each error case shows the code its folder is named after, with its place") {
+TEST_CASE("each case shows the code that its heading names, with its place") {
   const std::vector<std::string> codes = Codes();
-  for (const GoldenCase& golden : ErrorCases()) {
-    INFO(golden.name);
-    const std::string code = CodeOf(golden);
-    CHECK(code != "");
-    const std::string output = harness::ReadFile(golden.folder / "expected.txt");
+  for (const ErrorCase& example : AllCases()) {
+    INFO(example.heading);
+    const std::string code = example.Code();
+    CHECK(std::ranges::find(codes, code) != codes.end());
     const std::string place = kWithoutPlace.contains(code) ? "" : "[^\\s:][^:\n]*:[0-9]+:[0-9]+: ";
     const std::regex line("(?:^|\n)" + place + "[^\n]*(?:error|warning): [^\n]*\\[(" + code +
                           ")\\]");
+    std::string output;
+    for (const docs::Step& step : example.steps) {
+      if (step.kind == docs::Step::Kind::kCommand) output += step.text;
+    }
     CHECK(std::regex_search(output, line));
     for (const std::string& other : Matches(output, std::regex("\\[([a-z]+/[a-z-]+)\\]"))) {
       INFO(other);
       CHECK(std::ranges::find(codes, other) != codes.end());
     }
+  }
+}
+
+TEST_CASE("each output of another MuJoCo belongs to a case") {
+  std::set<std::string> cases;
+  for (const ErrorCase& example : ReadCases(ErrorCatalogue())) {
+    cases.insert("docs/errors.md: " + example.heading);
+  }
+  for (const fs::path& page : CasePages()) {
+    for (const ErrorCase& example : ReadCases(page)) {
+      INFO(example.heading);
+      CHECK(cases.insert(page.lexically_relative(kRoot).string() + ": " + example.heading).second);
+    }
+  }
+  for (const ErrorCase& other : ReadCases(kRoot / "tests/golden/with-mujoco-4.md")) {
+    INFO(other.heading);
+    CHECK(cases.contains(other.heading));
   }
 }
 

@@ -30,4 +30,11 @@ std::string WithoutTimes(const std::string& text) {
   return std::regex_replace(text, kSeconds, "(N s)");
 }
 
+bool HasAnotherMujoco() {
+  static const bool has_another =
+      RunLine("mjforge --version", std::filesystem::temp_directory_path(), true)
+          .out.find("\nMuJoCo 2.") == std::string::npos;
+  return has_another;
+}
+
 }  // namespace mjforge::golden

@@ -16,4 +16,7 @@ harness::CommandResult RunLine(const std::string& line, const std::filesystem::p
 /// becomes "(N s)".
 std::string WithoutTimes(const std::string& text);
 
+/// Returns true if the mjforge under test has a MuJoCo of 3.0 or later.
+bool HasAnotherMujoco();
+
 }  // namespace mjforge::golden

@@ -1,4 +1,4 @@
-// Goodness-of-fit tests, moments and correlation.
+// Implementation of Kolmogorov-Smirnov, chi-square, moments and correlation.
 
 #include "goodness.h"
 
@@ -21,7 +21,7 @@ double KolmogorovSmirnov(std::vector<double> sample, const std::function<double(
   for (int k = 1; k <= 100; ++k, sign = -sign) {
     probability += 2 * sign * std::exp(-2 * k * k * x * x);
   }
-  return std::clamp(x < 0.2 ? 1 : probability, 0.0, 1.0);  // 0.2: slow convergence below
+  return std::clamp(x < 0.2 ? 1 : probability, 0.0, 1.0);  // the series needs x of some size
 }
 
 double ChiSquare(std::span<const double> counts, std::span<const double> expected) {

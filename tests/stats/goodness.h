@@ -1,5 +1,4 @@
-// Goodness-of-fit tests, moments and correlation. Seeds are fixed, so that each test computes the
-// same probability every time; a test fails at the level of 0.001.
+// Goodness-of-fit tests of samples, and sample moments.
 
 #pragma once
 
@@ -7,15 +6,16 @@
 #include <span>
 #include <vector>
 
+/// Significance level of the tests. Because seeds are fixed, a test has the same result every time.
 inline constexpr double kLevel = 1e-3;
 
-/// Kolmogorov-Smirnov test: returns the probability of a larger distance between a sample and the
-/// continuous distribution function `below`. Source: Numerical Recipes, 3rd edition, section 14.3.3
-/// (Stephens' correction for finite samples).
+/// Returns the p-value of the Kolmogorov-Smirnov test of a sample against the continuous cumulative
+/// distribution function `below`. Source: Numerical Recipes, 3rd edition, section 14.3.3 (Stephens'
+/// correction for finite samples).
 double KolmogorovSmirnov(std::vector<double> sample, const std::function<double(double)>& below);
 
-/// Pearson's chi-square test: returns the probability of a larger deviation of the counts from the
-/// expected counts. A class with an expected count below 5 is joined with the next class.
+/// Returns the p-value of Pearson's chi-square test. A class with an expected count below 5 is
+/// merged with the next class.
 double ChiSquare(std::span<const double> counts, std::span<const double> expected);
 
 struct Moments {

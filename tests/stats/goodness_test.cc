@@ -1,4 +1,4 @@
-// Goodness-of-fit tests on samples of known fit, and their critical values.
+// Tests of the goodness-of-fit tests: a good fit passes, a slightly wrong fit fails.
 
 #include "goodness.h"
 

@@ -1,4 +1,4 @@
-// Discrepancy of batches by sampling method, and distributions under each method.
+// Tests that samplers spread a batch more evenly than random draws and keep every distribution.
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -95,7 +95,7 @@ TEST_CASE("sobol and latin batches have a lower discrepancy than random ones") {
         sobol += other;
         latin += CentredDiscrepancy(Rows(*spec, Method::kLatin, seed, count));
       }
-      // Latin evens out each dimension by itself, which matters less in many dimensions.
+      // Latin evens out each dimension by itself, which helps less in many dimensions.
       CHECK(latin < 0.95 * random);
       CHECK(sobol < 0.7 * random);
       if (dimensions > 1) CHECK(sobol < latin);
@@ -130,7 +130,8 @@ TEST_CASE("every method leaves the distributions what they are") {
   }
 }
 
-// Takes one item of each of many seeds. A planned batch must still be uniform for each item.
+// Collects one item of the batches of many seeds: each item is uniform although the batch is
+// planned.
 TEST_CASE("over the seeds, each item of a planned batch is uniform") {
   const auto spec = Load(UniformParameters(2));
   const auto identity = [](double x) { return x; };

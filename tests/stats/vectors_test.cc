@@ -1,4 +1,4 @@
-// Uniformity of rotations on SO(3) and of directions on the sphere.
+// Tests that rotations are uniform on SO(3) and directions uniform on the sphere.
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -92,7 +92,7 @@ std::string Dimension::Text() const {
   return text;
 }
 
-std::optional<Dimension> Common(const Dimension& a, const Dimension& b) {
+std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b) {
   if (a == b) return a;
   if (a.is_plain() && b.is_plain()) return Dimension();
   if (a.is_plain()) return b;

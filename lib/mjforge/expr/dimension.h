@@ -47,7 +47,7 @@ class Dimension {
 
 /// Returns the common dimension of two operands that are added or compared, or nothing if their
 /// dimensions differ.
-std::optional<Dimension> Common(const Dimension& a, const Dimension& b);
+std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b);
 
 /// Dimensions of the components of a vector, in order. A single entry applies to all components; an
 /// empty list means unknown.

@@ -64,7 +64,7 @@ class DimensionChecker {
     const Argument* known = &arguments.front();
     common_ = known->dimension();
     for (const Argument& argument : arguments.subspan(1)) {
-      const auto both = Common(common_, argument.dimension());
+      const auto both = CommonDimension(common_, argument.dimension());
       if (!both) return Differ(*known, argument);
       if (known->dimension().is_plain()) known = &argument;
       common_ = *both;

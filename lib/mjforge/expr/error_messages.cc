@@ -17,7 +17,7 @@ std::string Quoted(const Token& token) {
                                           : fmt::format("'{}'", token.text);
 }
 
-std::string OperatorHint(const Token& before, const Token& token, const Names& names) {
+std::string OperatorHint(const Token& before, const Token& token, const SymbolTable& names) {
   if (token.kind == Token::Kind::kName && FindUnitSuffix(token.text) != nullptr &&
       names.Find(token.text) == nullptr) {
     if (before.kind == Token::Kind::kNumber && before.unit.empty()) {
@@ -31,7 +31,7 @@ std::string OperatorHint(const Token& before, const Token& token, const Names& n
   return fmt::format("write {} * {}", before.text, token.text);
 }
 
-std::string ClosestName(std::string_view token, const Names& names) {
+std::string ClosestName(std::string_view token, const SymbolTable& names) {
   std::vector<std::string_view> candidates;
   for (const auto* variable : names.variables()) candidates.push_back(variable->name);
   for (const Function& function : Functions()) candidates.push_back(function.name);
@@ -39,7 +39,7 @@ std::string ClosestName(std::string_view token, const Names& names) {
   return diag::DidYouMean(token, candidates);
 }
 
-std::string ComponentList(const Names::Variable& variable) {
+std::string ComponentList(const SymbolTable::Variable& variable) {
   const std::size_t count =
       std::min(static_cast<std::size_t>(variable.components), kComponents.size());
   std::string list;
@@ -81,7 +81,7 @@ Error MissingValue(std::span<const Token> tokens, std::size_t at) {
   return Syntax(token, fmt::format("a value is expected before '{}'", token.text), std::move(hint));
 }
 
-Error Unexpected(std::span<const Token> tokens, std::size_t at, const Names& names) {
+Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTable& names) {
   const Token& token = tokens[at];
   const Token& before = tokens[at - 1];  // exists, because an operand was read
   if (token.kind != Token::Kind::kSign || token.text == "(" || token.text == "!") {
@@ -111,7 +111,7 @@ Error Unexpected(std::span<const Token> tokens, std::size_t at, const Names& nam
   return Syntax(token, fmt::format("'{}' has no '(' before it", token.text));
 }
 
-Error UnknownName(const Token& token, const Names& names, bool beside_text) {
+Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text) {
   if (FindBuiltin(token.text) != nullptr) {
     return Syntax(token, fmt::format("'{}' is a function", token.text),
                   fmt::format("write {}", UsageOf(token.text)));
@@ -129,7 +129,7 @@ Error UnknownName(const Token& token, const Names& names, bool beside_text) {
           std::move(hint)};
 }
 
-Error NotAFunction(const Token& token, const Names& names) {
+Error NotAFunction(const Token& token, const SymbolTable& names) {
   if (names.Find(token.text) != nullptr) {
     return Syntax(token, fmt::format("'{}' is not a function", token.text),
                   fmt::format("write {} * (...)", token.text));
@@ -146,7 +146,7 @@ Error NotAFunction(const Token& token, const Names& names) {
           diag::DidYouMean(token.text, candidates)};
 }
 
-Error UnknownUnit(const Token& token, const Names& names) {
+Error UnknownUnit(const Token& token, const SymbolTable& names) {
   std::vector<std::string_view> candidates;
   std::string list;
   for (const Unit& unit : Units()) {
@@ -161,7 +161,7 @@ Error UnknownUnit(const Token& token, const Names& names) {
           fmt::format("unknown unit '{}'", token.unit), std::move(hint)};
 }
 
-Error WrongComponent(const Token& token, const Names::Variable& variable,
+Error WrongComponent(const Token& token, const SymbolTable::Variable& variable,
                      std::string_view component) {
   const std::string_view name = variable.name;
   if (variable.components == 1) {

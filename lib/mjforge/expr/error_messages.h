@@ -16,16 +16,16 @@ inline constexpr std::string_view kSplitHint =
 /// Returns the error for a token in the place of an operand.
 Error MissingValue(std::span<const Token> tokens, std::size_t at);
 /// Returns the error for a token that cannot follow the one before it.
-Error Unexpected(std::span<const Token> tokens, std::size_t at, const Names& names);
+Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTable& names);
 /// Returns the error for an undefined name, or for a function's name without parentheses.
 /// `beside_text`: the name is compared with a text.
-Error UnknownName(const Token& token, const Names& names, bool beside_text);
+Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text);
 /// Returns the error for a name with parentheses that is not a function.
-Error NotAFunction(const Token& token, const Names& names);
-Error UnknownUnit(const Token& token, const Names& names);
+Error NotAFunction(const Token& token, const SymbolTable& names);
+Error UnknownUnit(const Token& token, const SymbolTable& names);
 /// Returns the error for a component that a variable does not have. `component` is empty for a
 /// vector without a component.
-Error WrongComponent(const Token& token, const Names::Variable& variable,
+Error WrongComponent(const Token& token, const SymbolTable::Variable& variable,
                      std::string_view component);
 
 /// Returns the error for a list in the place of a single value.

@@ -13,7 +13,8 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/dimension.h"
-#include "mjforge/expr/names.h"
+#include "mjforge/expr/rounded_text.h"
+#include "mjforge/expr/symbol_table.h"
 
 namespace mjforge::expr {
 
@@ -96,22 +97,22 @@ class Expression {
   /// The value, if the expression has no inputs.
   std::optional<double> constant() const { return constant_; }
 
-  /// Computes the value from the variables, in the slots given by the Names of Compile, and from
-  /// the lists. The result may be NaN or infinite; the caller reports that with the values of the
-  /// inputs. NaN operands give NaN, unless `and`, `or` or `?:` do not use them.
+  /// Computes the value from the variables, in the slots given by the SymbolTable of Compile, and
+  /// from the lists. The result may be NaN or infinite; the caller reports that with the values of
+  /// the inputs. NaN operands give NaN, unless `and`, `or` or `?:` do not use them.
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }
   /// Describes the first access beyond the end of a list ("there is no widths[7]: 'widths' has 5
   /// values"); empty if there is none.
-  std::string WhatIsMissing(std::span<const double> variables,
-                            std::span<const Sequence> lists) const;
+  std::string DescribeMissingItem(std::span<const double> variables,
+                                  std::span<const Sequence> lists) const;
 
   enum class Result { kNoText, kAny };
   /// Compiles `text`; on failure returns nothing and sets `error`. The language is described in
   /// docs/manual.md, "Expressions".
-  static std::optional<Expression> Compile(std::string_view text, const Names& names, Error& error,
-                                           Result result = Result::kNoText);
+  static std::optional<Expression> Compile(std::string_view text, const SymbolTable& names,
+                                           Error& error, Result result = Result::kNoText);
 
  private:
   Expression() = default;

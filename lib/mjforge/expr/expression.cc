@@ -12,8 +12,8 @@ double Expression::Run(std::span<const double> variables, std::span<const Sequen
   return program_->Run(variables, lists);
 }
 
-std::string Expression::WhatIsMissing(std::span<const double> variables,
-                                      std::span<const Sequence> lists) const {
+std::string Expression::DescribeMissingItem(std::span<const double> variables,
+                                            std::span<const Sequence> lists) const {
   const auto access = program_->FindOutOfRange(variables, lists);
   if (!access) return {};
   const auto input = std::ranges::find_if(inputs_, [&](const Input& one) {
@@ -32,7 +32,7 @@ std::string Expression::WhatIsMissing(std::span<const double> variables,
   return fmt::format("'{}' has no values, so there is no {} of them", name, access->builtin->name);
 }
 
-std::optional<Expression> Expression::Compile(std::string_view text, const Names& names,
+std::optional<Expression> Expression::Compile(std::string_view text, const SymbolTable& names,
                                               Error& error, Result result) {
   ParsedExpression parsed;
   if (!Parse(text, names, result, parsed, error)) return std::nullopt;

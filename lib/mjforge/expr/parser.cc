@@ -379,7 +379,7 @@ class Parser : ProgramBuilder {
 
 }  // namespace
 
-bool Parse(std::string_view text, const Names& names, Expression::Result wanted,
+bool Parse(std::string_view text, const SymbolTable& names, Expression::Result wanted,
            ParsedExpression& parsed, Error& error) {
   if (text.size() > kMaxBytes) {
     error = TooLong(text.size(), kMaxBytes);

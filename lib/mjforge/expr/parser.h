@@ -49,7 +49,7 @@ struct ParseState {
   using Call =
       std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
 
-  const Names& names;
+  const SymbolTable& names;
   ParsedExpression& parsed;
   Error& error;
   int depth = 0;
@@ -60,7 +60,7 @@ struct ParseState {
 };
 
 /// Parses and checks `text`. On failure returns false and sets `error`.
-bool Parse(std::string_view text, const Names& names, Expression::Result wanted,
+bool Parse(std::string_view text, const SymbolTable& names, Expression::Result wanted,
            ParsedExpression& parsed, Error& error);
 
 }  // namespace mjforge::expr

@@ -13,7 +13,7 @@ namespace mjforge::expr {
 namespace {
 
 // Returns the dimension of every value of a list or a vector; unknown if they differ.
-Dimension DimensionOfItems(const Names::Variable& variable) {
+Dimension DimensionOfItems(const SymbolTable::Variable& variable) {
   const bool is_one = variable.dimensions.size() == 1;
   return is_one ? variable.dimensions.front() : Dimension();
 }
@@ -68,7 +68,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::ResolveName(const Token& token, 
   if (const auto argument = arguments_.find(token.text); argument != arguments_.end())
     return TypedOperand{argument->second.value, argument->second.type, at_ - 1,
                         argument->second.dimension};
-  if (const Names::Variable* variable = names_.Find(token.text)) {
+  if (const SymbolTable::Variable* variable = names_.Find(token.text)) {
     if (variable->is_list()) return Fail(WholeList(token));
     if (variable->components > 1) return Fail(WrongComponent(token, *variable, {}));
     return AddInput(token, *variable, 0);
@@ -79,7 +79,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::ResolveName(const Token& token, 
   }
   const std::size_t dot = token.text.rfind('.');
   if (dot != std::string_view::npos) {
-    if (const Names::Variable* vector = names_.Find(token.text.substr(0, dot))) {
+    if (const SymbolTable::Variable* vector = names_.Find(token.text.substr(0, dot))) {
       return AddComponent(token, *vector, token.text.substr(dot + 1));
     }
   }
@@ -87,7 +87,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::ResolveName(const Token& token, 
 }
 
 ProgramBuilder::OptionalOperand ProgramBuilder::AddComponent(const Token& token,
-                                                             const Names::Variable& vector,
+                                                             const SymbolTable::Variable& vector,
                                                              std::string_view component) {
   const std::size_t index = kComponents.find(component);
   if (component.size() != 1 || index == std::string_view::npos || vector.components == 1 ||
@@ -97,7 +97,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddComponent(const Token& token,
   return AddInput(token, vector, static_cast<int>(index));
 }
 
-TypedOperand ProgramBuilder::AddInput(const Token& token, const Names::Variable& variable,
+TypedOperand ProgramBuilder::AddInput(const Token& token, const SymbolTable::Variable& variable,
                                       int component) {
   const int slot = variable.slot + component;
   RecordInput(token.text, variable, slot);
@@ -105,12 +105,13 @@ TypedOperand ProgramBuilder::AddInput(const Token& token, const Names::Variable&
           DimensionAt(variable.dimensions, static_cast<std::size_t>(component))};
 }
 
-void ProgramBuilder::RecordInput(std::string_view name, const Names::Variable& variable, int slot) {
+void ProgramBuilder::RecordInput(std::string_view name, const SymbolTable::Variable& variable,
+                                 int slot) {
   if (std::ranges::find(parsed_.inputs, slot, &Expression::Input::slot) == parsed_.inputs.end())
     parsed_.inputs.push_back({std::string(name), slot, variable.type, variable.list});
 }
 
-void ProgramBuilder::RecordItem(const Names::Variable& variable, int item) {
+void ProgramBuilder::RecordItem(const SymbolTable::Variable& variable, int item) {
   std::string name = variable.name;
   if (!variable.is_list() && item < 4) name += {'.', kComponents[static_cast<std::size_t>(item)]};
   RecordInput(name, variable, variable.slot + item);
@@ -118,11 +119,11 @@ void ProgramBuilder::RecordItem(const Names::Variable& variable, int item) {
 
 bool ProgramBuilder::IsListAt(std::size_t token) const {
   if (tokens_[token].kind != Token::Kind::kName) return false;
-  const Names::Variable* variable = names_.Find(tokens_[token].text);
+  const SymbolTable::Variable* variable = names_.Find(tokens_[token].text);
   return variable != nullptr && (variable->is_list() || variable->components > 1);
 }
 
-ListSource ProgramBuilder::AddList(const Names::Variable& variable) {
+ListSource ProgramBuilder::AddList(const SymbolTable::Variable& variable) {
   for (int i = 0; i < variable.components; ++i) RecordItem(variable, i);
   return {.slot = variable.slot,
           .list = variable.list,
@@ -131,7 +132,7 @@ ListSource ProgramBuilder::AddList(const Names::Variable& variable) {
 
 ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
                                                            const Argument& argument) {
-  const Names::Variable& variable = *names_.Find(list.text);
+  const SymbolTable::Variable& variable = *names_.Find(list.text);
   const std::size_t token = static_cast<std::size_t>(&list - tokens_.data());
   const TypedOperand& index = argument.operand;
   if (!CheckCount(argument, "the number of a value in a list", list.offset, error_))
@@ -154,7 +155,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
 ProgramBuilder::OptionalOperand ProgramBuilder::AddListCall(const ListBuiltin& builtin,
                                                             std::size_t token,
                                                             const Argument* count) {
-  const Names::Variable& variable = *names_.Find(tokens_[token].text);
+  const SymbolTable::Variable& variable = *names_.Find(tokens_[token].text);
   const ListBuiltin& length = *FindListBuiltin("len");
   const ListSource source = AddList(variable);
   const Operand all = variable.is_list() ? parsed_.program.Apply(length, source, {})

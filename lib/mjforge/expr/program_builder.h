@@ -42,17 +42,17 @@ class ProgramBuilder : protected TokenCursor {
   /// the call to the first values; null means all.
   OptionalOperand AddListCall(const ListBuiltin& builtin, std::size_t token, const Argument* count);
 
-  const Names& names_;
+  const SymbolTable& names_;
   ParsedExpression& parsed_;
   Error& error_;
 
  private:
-  OptionalOperand AddComponent(const Token& token, const Names::Variable& vector,
+  OptionalOperand AddComponent(const Token& token, const SymbolTable::Variable& vector,
                                std::string_view component);
-  TypedOperand AddInput(const Token& token, const Names::Variable& variable, int component);
-  ListSource AddList(const Names::Variable& variable);
-  void RecordItem(const Names::Variable& variable, int item);
-  void RecordInput(std::string_view name, const Names::Variable& variable, int slot);
+  TypedOperand AddInput(const Token& token, const SymbolTable::Variable& variable, int component);
+  ListSource AddList(const SymbolTable::Variable& variable);
+  void RecordItem(const SymbolTable::Variable& variable, int item);
+  void RecordInput(std::string_view name, const SymbolTable::Variable& variable, int slot);
 
   Arguments arguments_;  // arguments of the function whose body is parsed
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/expect/expect.h"
+#include "mjforge/static_checks/static_checks.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
@@ -142,7 +142,7 @@ bool Generator::Assemble(sample::Evaluator& values, Variant& variant) {
 }
 
 void Generator::Judge(Variant& variant) {
-  expect::CheckExpectations(*variant.object, variant.findings);
+  static_checks::CheckExpectations(*variant.object, variant.findings);
   if (loader_ && loader_->Validate(variant.document, *variant.object, variant.findings) &&
       laboratory_) {
     variant.record.physics =

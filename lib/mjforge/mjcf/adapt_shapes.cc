@@ -28,14 +28,13 @@ using model::TriangleMesh;
 constexpr int kSides = 16;
 
 TriangleMesh Prism(const Eigen::Vector3d& size) {
-  std::array<double, 2 * kSides> polygon;
+  std::array<Eigen::Vector2d, kSides> polygon;
   for (std::size_t i = 0; i < kSides; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kSides;
-    polygon[2 * i] = size.x() * WithoutNoise(std::cos(angle));
-    polygon[2 * i + 1] = size.x() * WithoutNoise(std::sin(angle));
+    polygon[i] = {size.x() * WithoutNoise(std::cos(angle)),
+                  size.x() * WithoutNoise(std::sin(angle))};
   }
-  std::string why_not;
-  return model::MakePrism(polygon, 2 * size.y(), why_not).value_or(TriangleMesh());
+  return solid::MakeConvexPrism(polygon, 2 * size.y()).value_or(TriangleMesh());
 }
 
 // Points of edges cut in half, each made once.

@@ -97,10 +97,14 @@ class BodyWriter {
 
   void Part(const model::Part& part) {
     if (part.as_is) return AsItIs(part);
+    std::size_t shape = 0;  // bytes of the text
+    std::size_t shape_end = 0;
     if (part.role != Role::kVisual) {
       writer_.Open("geom", part.mark);
       writer_.Text("name", part.name);
+      shape = writer_.size();
       Shape(part);
+      shape_end = writer_.size();
       Mass(part);
       CollisionRest(part);
       writer_.Close();
@@ -108,7 +112,11 @@ class BodyWriter {
     if (part.role == Role::kCollision) return;
     writer_.Open("geom", part.mark);
     writer_.Text("name", part.name, kVisualSuffix);
-    Shape(part);
+    if (shape_end > 0) {
+      writer_.Repeat(shape, shape_end);
+    } else {
+      Shape(part);
+    }
     VisualRest(part);
     writer_.Close();
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -24,6 +26,16 @@ constexpr auto kNeedsEscape = [] {
 }();
 
 bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
+
+template <typename T>
+char* WriteInteger(char* out, T number) {
+  return std::to_chars(out, out + expr::kLongestNumber, number).ptr;
+}
+
+// The nearest whole number of micrometres. (std::round is a call.)
+std::int64_t Micrometres(double metres) {
+  return static_cast<std::int64_t>(metres * 1e6 + std::copysign(0.5, metres));
+}
 
 }  // namespace
 
@@ -111,17 +123,33 @@ void ElementWriter::Number(std::string_view name, double value) { Numbers(name, 
 void ElementWriter::Numbers(std::string_view name, std::span<const double> values,
                             Spelling spelling) {
   Begin(name);
-  for (double value : values) Append(value, spelling);
+  AppendAll(values, [spelling](char* out, double number) {
+    if (spelling == Spelling::kMicrometres) return WriteInteger(out, Micrometres(number));
+    return expr::WriteNumber(out, spelling == Spelling::kNumber ? number : WithoutNoise(number));
+  });
   text_ += '"';
 }
 
-void ElementWriter::Append(double number, Spelling spelling) {
-  if (text_.back() != '"') text_ += ' ';
-  if (spelling == Spelling::kMicrometres)
-    number = std::round(number * 1e6);
-  else if (spelling == Spelling::kWithoutNoise)
-    number = WithoutNoise(number);
-  expr::AppendNumber(text_, number);
+void ElementWriter::Integers(std::string_view name, std::span<const int> values) {
+  Begin(name);
+  AppendAll(values, WriteInteger<int>);
+  text_ += '"';
+}
+
+// Through a buffer, because appending number by number takes a third of a mesh's time.
+template <typename T, typename Write>
+void ElementWriter::AppendAll(std::span<const T> values, const Write& write) {
+  constexpr std::size_t kMost = 64;  // numbers in the buffer
+  std::array<char, kMost*(expr::kLongestNumber + 1)> buffer;
+  for (std::size_t i = 0; i < values.size(); i += kMost) {
+    char* out = buffer.data();
+    for (const T& value : values.subspan(i, std::min(kMost, values.size() - i))) {
+      out = write(out, value);
+      *out++ = ' ';
+    }
+    text_.append(buffer.data(), out);
+  }
+  if (!values.empty()) text_.pop_back();
 }
 
 void ElementWriter::Pose(const model::Pose& pose) {

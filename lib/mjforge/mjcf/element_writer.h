@@ -55,11 +55,15 @@ class ElementWriter {
   void Point(std::string_view name, const Eigen::Vector3d& value) {
     Vector(name, value, 3, Spelling::kWithoutNoise);
   }
-  /// One more number of the attribute at hand.
-  void Append(double number, Spelling spelling = Spelling::kNumber);
+  /// An attribute of whole numbers.
+  void Integers(std::string_view name, std::span<const int> values);
   /// `pos`, and `quat` where it is not the identity.
   void Pose(const model::Pose& pose);
   void Attribute(const model::Attribute& attribute);
+
+  /// The text from `begin` to `end`, written once more.
+  void Repeat(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
+  std::size_t size() const { return text_.size(); }
 
  private:
   void Indent();
@@ -67,6 +71,9 @@ class ElementWriter {
   void Begin(std::string_view name);
   void Finish(std::string_view end);
   void Escaped(std::string_view value);
+  /// Appends the numbers, one space apart; `write` writes one and returns its end.
+  template <typename T, typename Write>
+  void AppendAll(std::span<const T> values, const Write& write);
 
   std::string& text_;
   std::vector<LineOrigin>& origins_;

@@ -22,7 +22,7 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
 
 /// A shape of the room `solid` and its places in the spec, for findings.
 struct SolidInput {
-  const solid::Shape& shape;
+  const solid::SolidShape& shape;
   const spec::Field& field;  // the main outline, path or size
   /// Places of the points of each outline: the main one, then the holes.
   const std::vector<std::vector<diag::SourceMark>>& marks;
@@ -76,8 +76,6 @@ class Assets {
 
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<Part> AddSolid(const solid::Solid& solid, Part& part);
-  void AddLook(const solid::Surface& look, Part& part);
-  void SetPieceShape(const solid::Piece& piece, Part& part);
   /// A mesh that is written as text; one without normals is a convex hull.
   void AddInline(TriangleMesh mesh, Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,

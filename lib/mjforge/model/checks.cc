@@ -138,7 +138,7 @@ void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entr
     check.joints.emplace_back(scope.values.Text(joint, root).value_or(""));
   FieldReader reader(scope.values, findings_, "joint check", check.joints.front(), root);
   for (const spec::Field& field : entry.entry.fields) ReadJointField(field, reader, check);
-  for (const spec::Position& at : entry.at) {
+  for (const spec::JointPosition& at : entry.at) {
     sample::Numbers numbers;
     scope.values.Vector(at.value, root, numbers);
     auto& [joint, position] = check.positions.emplace_back();

@@ -67,7 +67,7 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
   FieldReader reader(scope.values, findings_, "expectation", "gap", scope.values.root());
   if (const spec::Field* min = entry.entry.Find(Key::kMin)) expectation.min = reader.Number(*min);
   if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
-  for (const spec::Position& at : entry.at) {
+  for (const spec::JointPosition& at : entry.at) {
     Position position;
     position.shown = scope.values.Text(at.joint, scope.values.root()).value_or("");
     position.joint = scope.prefix + position.shown;

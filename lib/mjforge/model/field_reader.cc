@@ -117,16 +117,16 @@ bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
   out.name = field.info->key;
   out.applies = field.info->applies;
   out.refers = field.info->refers;
-  switch (field.info->slot) {
-    case spec::Slot::kNumber:
-    case spec::Slot::kInteger: {
+  switch (field.info->kind) {
+    case spec::FieldKind::kNumber:
+    case spec::FieldKind::kInteger: {
       const std::optional<double> number = Number(field);
       if (number) out.numbers.push_back(*number);
       return number.has_value();
     }
-    case spec::Slot::kNumbers:
+    case spec::FieldKind::kNumbers:
       return Numbers(field, out.numbers);
-    case spec::Slot::kBoolean: {
+    case spec::FieldKind::kBoolean: {
       const std::optional<bool> value = Boolean(field);
       if (value) out.text = *value ? "true" : "false";
       return value.has_value();

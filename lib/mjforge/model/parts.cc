@@ -50,9 +50,9 @@ void HardenContacts(std::vector<Attribute>& attributes) {
 }
 
 // What a material's texture asks for.
-solid::Texture TextureOf(const Object& object, int index) {
-  using Unit = solid::Texture::Unit;
-  solid::Texture texture = {.unit = Unit::kNone};
+solid::TextureMapping TextureOf(const Object& object, int index) {
+  using Unit = solid::TextureMapping::Unit;
+  solid::TextureMapping texture = {.unit = Unit::kNone};
   if (index < 0) return texture;
   const Material& material = object.materials[static_cast<std::size_t>(index)];
   if (material.texture < 0) return texture;

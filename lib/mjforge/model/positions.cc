@@ -31,7 +31,7 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
 
 void Assembly::ReadPositions(Scope& scope) {
   const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
-  for (const spec::Position& entry : scope.values.spec().pose) {
+  for (const spec::JointPosition& entry : scope.values.spec().pose) {
     Position& position = positions_.emplace_back();
     position.shown = scope.values.Text(entry.joint, pose).value_or("");
     position.joint = scope.prefix + position.shown;

@@ -64,7 +64,8 @@ GeomType TypeOf(std::string_view word) {
 
 std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                      const std::filesystem::path& folder,
-                                     const solid::Texture& texture, Assets& assets, Part& part) {
+                                     const solid::TextureMapping& texture, Assets& assets,
+                                     Part& part) {
   const spec::Field* type = Required(reader, entry, Key::kType, "type", part.mark);
   if (type == nullptr) return std::nullopt;
   const std::optional<std::string> word = reader.Word(*type);

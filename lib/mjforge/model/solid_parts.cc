@@ -16,44 +16,17 @@ using spec::Key;
 
 constexpr std::size_t kManyPieces = 100;
 
-using SharedSolid = std::shared_ptr<const solid::Solid>;
-
-// MuJoCo makes a convex prism's look of the piece itself, but without texture coordinates.
-SharedSolid PlainPrism(const solid::Prism& prism) {
-  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return nullptr;
-  std::vector<double> corners;
-  for (const Eigen::Vector2d& p : prism.polygon) corners.insert(corners.end(), {p.x(), p.y()});
-  std::string why_not;
-  std::optional<TriangleMesh> mesh = MakePrism(corners, prism.height, why_not);
-  if (!mesh) return nullptr;
-  solid::Solid plain;
-  plain.pieces.push_back(
-      {.vertices = std::move(mesh->vertices), .triangles = std::move(mesh->triangles)});
-  return std::make_shared<const solid::Solid>(std::move(plain));
-}
-
-SharedSolid SolidOf(const solid::Shape& shape, solid::Cache& solids, solid::Fault& fault) {
-  if (const auto* prism = std::get_if<solid::Prism>(&shape)) {
-    if (SharedSolid plain = PlainPrism(*prism)) {
-      const bool has_texture = prism->texture.unit != solid::Texture::Unit::kNone;
-      SharedSolid whole = has_texture ? solids.Make(shape, fault) : nullptr;
-      return whole ? whole : plain;
-    }
-  }
-  return solids.Make(shape, fault);
-}
-
-GeomType TypeOf(solid::Piece::Type type) {
+GeomType TypeOf(solid::ConvexPiece::Type type) {
   switch (type) {
-    case solid::Piece::Type::kSphere:
+    case solid::ConvexPiece::Type::kSphere:
       return GeomType::kSphere;
-    case solid::Piece::Type::kCapsule:
+    case solid::ConvexPiece::Type::kCapsule:
       return GeomType::kCapsule;
-    case solid::Piece::Type::kCylinder:
+    case solid::ConvexPiece::Type::kCylinder:
       return GeomType::kCylinder;
-    case solid::Piece::Type::kBox:
+    case solid::ConvexPiece::Type::kBox:
       return GeomType::kBox;
-    case solid::Piece::Type::kMesh:
+    case solid::ConvexPiece::Type::kMesh:
       break;
   }
   return GeomType::kMesh;
@@ -65,49 +38,29 @@ MassProperties PropertiesOf(const solid::Mass& mass) {
 
 }  // namespace
 
-void Assets::AddLook(const solid::Surface& look, Part& part) {
-  AddInline({.vertices = look.vertices,
-             .triangles = look.triangles,
-             .normals = look.normals,
-             .texcoords = look.texcoords,
-             .in_micrometres = look.in_micrometres},
-            part);
-}
-
-void Assets::SetPieceShape(const solid::Piece& piece, Part& part) {
-  if (piece.type == solid::Piece::Type::kMesh) {
-    AddInline({.vertices = piece.vertices, .triangles = piece.triangles}, part);
-  } else {
-    part.shape = {.type = TypeOf(piece.type), .size = piece.size};
-    part.X_BG = {piece.p, piece.q};
-  }
-}
-
 std::vector<Part> Assets::AddSolid(const solid::Solid& solid, Part& part) {
-  if (solid.pieces.empty()) {
-    AddLook(solid.look, part);
-    return {};
-  }
-  // A convex solid of one mesh is one geom, as MuJoCo's own are.
-  if (solid.look.vertices.empty()) {
-    SetPieceShape(solid.pieces.back(), part);
+  // A convex solid of one mesh is a single geom, like MuJoCo's own shapes.
+  if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
+    AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
     return {};
   }
   part.solid = PropertiesOf(solid.mass);
-  if (part.role != Role::kCollision) AddLook(solid.look, part);
+  if (part.role != Role::kCollision) AddInline(solid.render_mesh, part);
   if (part.role == Role::kVisual) return {};
   std::vector<Part> pieces;
-  for (const solid::Piece& made : solid.pieces) {
+  for (const solid::ConvexPiece& convex : solid.pieces) {
     Part piece;
     piece.piece_of = part.name;
     piece.mark = part.mark;
-    piece.name = fmt::format("{}_{}", part.name, pieces.size());
-    SetPieceShape(made, piece);
-    const bool is_mesh = made.type == solid::Piece::Type::kMesh;
-    for (const double turn : made.turns) {
+    for (const double turn : convex.turns) {
       piece.name = fmt::format("{}_{}", part.name, pieces.size());
-      if (is_mesh)
+      if (convex.type != solid::ConvexPiece::Type::kMesh) {
+        piece.shape = {.type = TypeOf(convex.type), .size = convex.size};
+        piece.X_BG = {convex.p, convex.q};
+      } else {
+        if (piece.mesh < 0) AddInline(convex.mesh, piece);  // shared by all turns
         piece.X_BG.q = Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+      }
       pieces.push_back(piece);
     }
   }
@@ -134,7 +87,7 @@ void Assets::Report(const FieldReader& reader, const SolidInput& input, const so
 std::optional<std::vector<Part>> Assets::AddShape(const FieldReader& reader,
                                                   const SolidInput& input, Part& part) {
   solid::Fault fault;
-  const SharedSolid solid = SolidOf(input.shape, assembler_.solids(), fault);
+  const std::shared_ptr<const solid::Solid> solid = assembler_.solids().Make(input.shape, fault);
   if (solid == nullptr) {
     Report(reader, input, fault);
     return std::nullopt;

@@ -93,7 +93,8 @@ class SolidReader {
     return scale ? Eigen::Vector2d(scale->data()) : Eigen::Vector2d::Ones();
   }
 
-  std::optional<std::vector<Part>> Make(const solid::Shape& shape, Assets& assets, Part& part) {
+  std::optional<std::vector<Part>> Make(const solid::SolidShape& shape, Assets& assets,
+                                        Part& part) {
     if (!is_good_) return std::nullopt;
     return assets.AddShape(reader_, {.shape = shape, .field = *field_, .marks = marks_}, part);
   }
@@ -115,7 +116,7 @@ std::vector<Eigen::Vector2d> PointsIn(const sample::PointList& list,
   return points;
 }
 
-solid::Lathe ReadLathe(SolidReader& read, const solid::Texture& texture) {
+solid::Lathe ReadLathe(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Lathe lathe;
   lathe.wall = read.Wall();
   lathe.angle = read.Number(Key::kAngle, lathe.angle);
@@ -126,7 +127,7 @@ solid::Lathe ReadLathe(SolidReader& read, const solid::Texture& texture) {
   return lathe;
 }
 
-solid::Prism ReadPrism(SolidReader& read, const solid::Texture& texture) {
+solid::Prism ReadPrism(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Prism prism;
   prism.height = read.Numbers(Key::kHeight, "height", 1)[0];
   prism.round = read.Number(Key::kRound, 0);
@@ -141,14 +142,14 @@ solid::Prism ReadPrism(SolidReader& read, const solid::Texture& texture) {
   return prism;
 }
 
-solid::Hull ReadHull(SolidReader& read, const solid::Texture& texture) {
-  solid::Hull hull{.points = {}, .round = read.Number(Key::kRound, 0), .texture = texture};
+solid::ConvexHull ReadHull(SolidReader& read, const solid::TextureMapping& texture) {
+  solid::ConvexHull hull{.points = {}, .round = read.Number(Key::kRound, 0), .texture = texture};
   const sample::Numbers numbers = read.Points(Key::kPoints, "points").numbers;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) hull.points.emplace_back(&numbers[i]);
   return hull;
 }
 
-solid::Tube ReadTube(SolidReader& read, const solid::Texture& texture) {
+solid::Tube ReadTube(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Tube tube;
   tube.smooth = read.Flag(Key::kSmooth, false);
   tube.closed = read.Flag(Key::kClosed, false);
@@ -168,7 +169,7 @@ solid::Tube ReadTube(SolidReader& read, const solid::Texture& texture) {
   return tube;
 }
 
-solid::RoundedBox ReadBox(SolidReader& read, const solid::Texture& texture,
+solid::RoundedBox ReadBox(SolidReader& read, const solid::TextureMapping& texture,
                           const std::optional<double>& half_length) {
   solid::RoundedBox box;
   box.texture = texture;
@@ -178,7 +179,7 @@ solid::RoundedBox ReadBox(SolidReader& read, const solid::Texture& texture,
   return box;
 }
 
-solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::Texture& texture,
+solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::TextureMapping& texture,
                                     const std::optional<double>& half_length) {
   solid::RoundedCylinder cylinder;
   cylinder.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
@@ -192,8 +193,9 @@ solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::Texture& tex
   return cylinder;
 }
 
-solid::Shape ReadSolidShape(SolidReader& read, std::string_view type, const solid::Texture& texture,
-                            const std::optional<double>& half_length) {
+solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type,
+                                 const solid::TextureMapping& texture,
+                                 const std::optional<double>& half_length) {
   if (type == "lathe") return ReadLathe(read, texture);
   if (type == "prism") return ReadPrism(read, texture);
   if (type == "tube") return ReadTube(read, texture);
@@ -212,10 +214,10 @@ bool IsSolid(std::string_view type, const spec::Entry& entry) {
 std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
                                            std::string_view type,
                                            const std::optional<double>& half_length,
-                                           const solid::Texture& texture, Assets& assets,
+                                           const solid::TextureMapping& texture, Assets& assets,
                                            Part& part) {
   SolidReader read(reader, entry, part.mark);
-  const solid::Shape shape = ReadSolidShape(read, type, texture, half_length);
+  const solid::SolidShape shape = ReadSolidShape(read, type, texture, half_length);
   return read.Make(shape, assets, part);
 }
 

@@ -16,7 +16,7 @@ bool IsSolid(std::string_view type, const spec::Entry& entry);
 std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
                                            std::string_view type,
                                            const std::optional<double>& half_length,
-                                           const solid::Texture& texture, Assets& assets,
+                                           const solid::TextureMapping& texture, Assets& assets,
                                            Part& part);
 
 }  // namespace mjforge::model

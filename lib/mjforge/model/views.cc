@@ -76,7 +76,7 @@ void MoveView(const Pose& X_AB, Element& view) {
 void Assembly::AddViews(Scope& scope, const std::vector<spec::Entry>& entries,
                         sample::StreamId path) {
   for (const spec::Entry& entry : entries) {
-    const bool is_camera = entry.element == &spec::CameraElement();
+    const bool is_camera = entry.element == &spec::kCameraElement;
     const sample::StreamId list = sample::Child(path, is_camera ? "cameras" : "lights");
     if (!repetition_.Count(entry, scope.values, body().elements.size())) continue;
     repetition_.ForEach(entry, scope.values, list, [&] { AddView(scope, entry, list); });

@@ -80,7 +80,7 @@ const spec::Draw* Evaluator::ChoiceOf(const spec::Value& value) {
 }
 
 const spec::Value* Evaluator::ChooseRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {
-  const spec::Rows& rows = *draw.rows;
+  const spec::RecordRows& rows = *draw.rows;
   const double key = Variable(draw.key_slot);
   const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
   if (row == rows.numbers.end()) {

@@ -73,7 +73,7 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
                 std::string(kLeftOutHint));
   }
   const std::string inputs = InputsText(expression);
-  if (std::string missing = expression.WhatIsMissing(variables_, lists_); !missing.empty())
+  if (std::string missing = expression.DescribeMissingItem(variables_, lists_); !missing.empty())
     return Fail(Code::kExprOutOfRange, mark, std::move(missing),
                 inputs.empty() ? "" : "here " + inputs);
   return Fail(Code::kExprNotFinite, mark,

@@ -63,7 +63,7 @@ bool Evaluator::Holds(const spec::Requirement& requirement) {
   const expr::Expression& expression = requirement.expression;
   const double value = expression.Evaluate(variables_, lists_);
   if (std::isfinite(value)) return value != 0;
-  const bool lacks_items = !expression.WhatIsMissing(variables_, lists_).empty();
+  const bool lacks_items = !expression.DescribeMissingItem(variables_, lists_).empty();
   if (lacks_items || std::isinf(value)) EvaluateExpression(expression, requirement.mark);
   return false;
 }

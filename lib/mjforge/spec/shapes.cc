@@ -1,3 +1,5 @@
+// The table of part types and the keys that each type takes.
+
 #include "mjforge/spec/shapes.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ TEST_CASE("the functions are listed in order, each with its use and an explanati
 }
 
 TEST_CASE("every function that is listed works as its use shows") {
-  Names names;
+  SymbolTable names;
   for (const char* name : {"x", "y", "a", "b", "t", "lo", "hi"}) {
     names.Declare(name, Type::kNumber);
   }

@@ -12,7 +12,7 @@ namespace {
 
 double Value(const std::string& text) {
   Error error;
-  const auto expression = Expression::Compile(text, Names(), error);
+  const auto expression = Expression::Compile(text, SymbolTable(), error);
   REQUIRE(expression.has_value());
   REQUIRE(expression->constant().has_value());
   return *expression->constant();
