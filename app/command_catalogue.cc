@@ -1,21 +1,22 @@
+// `mjforge catalogue`: the specs that can be used by name.
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <set>
 
 #include "commands.h"
-#include "json.h"
+#include "json_output.h"
 #include "mjforge/forge/forge.h"
-#include "table.h"
+#include "text_table.h"
 
 namespace mjforge::app {
 namespace {
 
-// Names and descriptions.
+// Returns the descriptions of all specs in the search path, by name.
 std::map<std::string, std::string> ListItems(Console& console) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
-  std::set<std::string> seen;  // the first folder of the search path wins
+  std::set<std::string> seen;  // the first folder of the search path has priority
   std::map<std::string, std::string> items;
   for (const std::filesystem::path& folder : load.search_path) {
     for (const std::string& name : spec::ListSpecs(folder)) {
@@ -28,13 +29,13 @@ std::map<std::string, std::string> ListItems(Console& console) {
 }
 
 std::string Text(const std::map<std::string, std::string>& items) {
-  Table table({"spec", "description"});
+  TextTable table({"spec", "description"});
   for (const auto& [name, description] : items) table.Add({name, description});
   return table.Render();
 }
 
 std::string JsonText(const std::map<std::string, std::string>& items) {
-  Json json;
+  JsonOutput json;
   json.StartArray();
   for (const auto& [name, description] : items) {
     json.StartObject();
@@ -43,7 +44,7 @@ std::string JsonText(const std::map<std::string, std::string>& items) {
     json.EndObject();
   }
   json.EndArray();
-  return json.Line();
+  return json.Take() + "\n";
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ Action AddCatalogue(CLI::App& command) {
   command.add_flag("--json", *json, "One JSON array");
   return [json](Console& console) {
     const auto items = ListItems(console);
-    const ExitStatus status = console.Tell();
+    const ExitStatus status = console.Report();
     return Worse(status, Print(*json ? JsonText(items) : Text(items)));
   };
 }

@@ -1,3 +1,4 @@
+// `mjforge check`: makes variants of specs without writing them.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,7 @@
 namespace mjforge::app {
 namespace {
 
-struct CheckOptions : ManyOptions {
+struct CheckOptions : BatchOptions {
   bool physics = false;
 };
 
@@ -19,13 +20,13 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Conso
     const LoadLimit limit(spec, options.request.time_limit, console);
     return LoadRecipe(spec, options.spec, console);
   }();
-  const ExitStatus status = console.Tell();
+  const ExitStatus status = console.Report();
   if (!recipe) return status;
   batch::Request request = RequestOf(options);
   if (options.physics) request.variant.validation = forge::Validation::kPhysics;
   const batch::Summary summary = batch::Run(*recipe, console.sources, request, {});
   console.Show(summary.findings, console.sources, summary.more_findings);
-  console.Say(
+  console.PrintLine(
       fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok, request.count));
   return Worse(status, StatusOf(summary));
 }
@@ -35,7 +36,7 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Conso
 Action AddCheck(CLI::App& command) {
   auto options = std::make_shared<CheckOptions>();
   options->request.count = 20;
-  AddManyOptions(command, *options);
+  AddBatchOptions(command, *options);
   command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddProfile(command, options->spec.settings, [options] { options->physics = true; });
   return [options](Console& console) {

@@ -1,3 +1,4 @@
+// `mjforge generate`: writes variants of specs to files, folders and archives.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -23,8 +24,7 @@ namespace {
 using Kind = output::Destination::Kind;
 using Clock = std::chrono::steady_clock;
 
-// The options of `generate`.
-struct GenerateOptions : ManyOptions {
+struct GenerateOptions : BatchOptions {
   std::string output;
   std::uint64_t per_archive = 10'000;
   std::string shard;
@@ -38,17 +38,16 @@ struct GenerateOptions : ManyOptions {
   MakeOptions make;
 };
 
-// As many digits as a shard's manifest has in its name.
-constexpr std::uint64_t kMostShards = 99'999;
+constexpr std::uint64_t kMaxShards = 99'999;  // file names have five digits for a shard
 
-// "3/8"
+// Parses "3/8".
 std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_not) {
   const std::size_t slash = text.find('/');
   const std::optional<std::uint64_t> index = ParseWhole(text.substr(0, slash));
   const std::optional<std::uint64_t> count =
       slash == text.npos ? std::nullopt : ParseWhole(text.substr(slash + 1));
-  if (!index || !count || *count == 0 || *count > kMostShards) {
-    why_not = fmt::format("--shard: '{}' is not of the form I/N, N up to {}", text, kMostShards);
+  if (!index || !count || *count == 0 || *count > kMaxShards) {
+    why_not = fmt::format("--shard: '{}' is not of the form I/N, N up to {}", text, kMaxShards);
     return std::nullopt;
   }
   if (*index >= *count) {
@@ -59,8 +58,8 @@ std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_
   return output::Shard{*index, *count};
 }
 
-// Options that one object's destination or a folder has no use for.
-std::string Misplaced(const GenerateOptions& options, const batch::Request& request) {
+// Returns the message for an option that the destination does not support; empty if there is none.
+std::string FindConflict(const GenerateOptions& options, const batch::Request& request) {
   const Kind kind = request.destination.kind;
   const bool is_one = kind == Kind::kFile || kind == Kind::kStandardOutput;
   if (is_one && request.count > 1)
@@ -81,7 +80,7 @@ std::string Misplaced(const GenerateOptions& options, const batch::Request& requ
   return {};
 }
 
-std::string MisplacedMake(const GenerateOptions& options, const batch::Request& request) {
+std::string FindMakeConflict(const GenerateOptions& options, const batch::Request& request) {
   const MakeOptions& make = options.make;
   if (!make.wanted()) return {};
   if (options.specs.size() > 1) return "-MD takes one spec";
@@ -112,7 +111,7 @@ void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
 }
 
 void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
-  AddManyOptions(command, options);
+  AddBatchOptions(command, options);
   AddWholeNumber(command, "--first", options.request.first, "Index of the first variant");
   AddOutputOptions(command, options);
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
@@ -130,10 +129,10 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   command.add_flag("-v,--verbose", options.verbose, "Print a line per variant");
 }
 
-// The options as a batch takes them, except a folder's name that comes from the spec; nothing, and
-// why, if they contradict each other.
+// Converts the options to a request; the folder is set later if its name comes from the spec.
+// Returns nothing and sets `why_not` if options contradict each other.
 std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
-  batch::Request request = RequestOf(static_cast<const ManyOptions&>(options));
+  batch::Request request = RequestOf(static_cast<const BatchOptions&>(options));
   request.variant.target = *mjcf::FindTarget(options.target);
   request.variant.assets = *manifest::Find<mjcf::AssetForm>(options.assets);
   request.variant.sampler = *sample::FindMethod(options.sampler);
@@ -153,34 +152,34 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     if (!shard) return std::nullopt;
     request.shard = *shard;
   }
-  // The index after the last one must be a number, too.
+  // The index after the last one must not overflow.
   if (request.count > std::numeric_limits<std::uint64_t>::max() - request.first) {
     why_not = "--first and -n go beyond the largest index";
   } else if (request.variant.batch > sample::kMaxBatch) {
     why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
   } else {
-    why_not = Misplaced(options, request);
-    if (why_not.empty()) why_not = MisplacedMake(options, request);
+    why_not = FindConflict(options, request);
+    if (why_not.empty()) why_not = FindMakeConflict(options, request);
   }
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }
 
-// "97 ok, 3 failed (0.2 s)"
-std::string Counts(const batch::Summary& summary, Clock::time_point start) {
+// Returns "97 ok, 3 failed (0.2 s)".
+std::string CountsText(const batch::Summary& summary, Clock::time_point start) {
   std::string text = fmt::format("{} ok", summary.ok);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.skipped > 0) text += fmt::format(", {} skipped", summary.skipped);
-  if (summary.kept > 0) text += fmt::format(", {} of them kept", summary.kept);
+  if (summary.resumed > 0) text += fmt::format(", {} of them kept", summary.resumed);
   if (summary.interrupted) text += ", interrupted";
   if (summary.files_failed) text += ", stopped";
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = Seconds(Clock::now() - start).count();
   text += fmt::format(" ({:.1f} s", seconds);
-  const auto made = static_cast<double>(summary.done() - summary.kept);
+  const auto made = static_cast<double>(summary.done() - summary.resumed);
   if (seconds >= 1 && made >= 100) text += fmt::format(", {:.0f}/s", made / seconds);
   return text + ")";
 }
 
-// A signal handler can reach nothing but a global.
+// Global, because a signal handler has no other access to it.
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -191,8 +190,8 @@ extern "C" void OnInterrupt(int signal) {
   }
 }
 
-// From now on the first SIGINT or SIGTERM only sets the flag; a second one, of either kind, ends
-// the program.
+// Installs handlers: the first SIGINT or SIGTERM sets the returned flag, the second one ends the
+// program.
 const std::atomic<bool>& CatchInterrupts() {
   struct sigaction action = {};
   action.sa_handler = OnInterrupt;
@@ -202,7 +201,7 @@ const std::atomic<bool>& CatchInterrupts() {
   return interrupted;
 }
 
-// The run of one `generate`.
+// A run of the command.
 class Generation {
  public:
   Generation(const GenerateOptions& options, batch::Request request, Console& console)
@@ -222,19 +221,20 @@ class Generation {
   }
 
  private:
-  // Buffers of some hundred kilobytes come and go with every chunk. Given back to the
-  // system each time, their pages cost as much as what is in them.
+  // Keeps freed memory in the process: every chunk allocates buffers of some hundred kilobytes, and
+  // mapping their pages again costs as much time as filling them.
   static void KeepMemory() {
     constexpr int kKept = 64 << 20;
     ::mallopt(M_MMAP_THRESHOLD, kKept);
     ::mallopt(M_TRIM_THRESHOLD, kKept);
   }
 
-  // All specs first: a mistake in the last one must not show after an hour.
+  // Loads all specs before the first variant is made, so that errors in the last spec are reported
+  // at once.
   ExitStatus Load() {
     if (!request_.variant.name.empty() &&
         !forge::CheckName(request_.variant.name, console_.findings)) {
-      console_.Tell();
+      console_.Report();
       return ExitStatus::kUsage;
     }
     std::set<std::string> names;
@@ -251,7 +251,7 @@ class Generation {
       }
       recipes_.push_back(*std::move(recipe));
     }
-    return console_.Tell();
+    return console_.Report();
   }
 
   std::filesystem::path FolderOf(const forge::Recipe& recipe) const {
@@ -268,12 +268,12 @@ class Generation {
     batch::Request request = request_;
     if (request.destination.kind == Kind::kFolder) request.destination.path = FolderOf(recipe);
     ProgressBar bar(!console_.quiet());
-    batch::Watch watch;
+    batch::Observer watch;
     watch.progress = [&](const batch::Summary& summary) { bar.Show(summary); };
     if (options_.verbose) {
-      watch.variant = [&](const batch::Done& done) {
+      watch.variant = [&](const batch::FinishedVariant& done) {
         bar.Clear();
-        Say(done, request.destination);
+        PrintVariant(done, request.destination);
       };
     }
     batch::Summary summary = batch::Run(recipe, console_.sources, request, watch);
@@ -288,29 +288,29 @@ class Generation {
     console_.Show(summary.findings, console_.sources, summary.more_findings);
     if (request.destination.kind == Kind::kStandardOutput)
       return Worse(status, Print(summary.text));
-    Say(recipe, request, summary, start);
+    PrintSummary(recipe, request, summary, start);
     return status;
   }
 
-  void Say(const batch::Done& done, const output::Destination& destination) {
+  void PrintVariant(const batch::FinishedVariant& done, const output::Destination& destination) {
     std::string place = fmt::format("{} {}", done.name, done.index);
     if (!done.place.empty())
       place =
           destination.kind == Kind::kFolder ? (destination.path / done.place).string() : done.place;
-    console_.Say(fmt::format("{}: {}, attempt {}", place, NameOf(done.status), done.attempt));
+    console_.PrintLine(fmt::format("{}: {}, attempt {}", place, NameOf(done.status), done.attempt));
   }
 
-  void Say(const forge::Recipe& recipe, const batch::Request& request,
-           const batch::Summary& summary, Clock::time_point start) {
+  void PrintSummary(const forge::Recipe& recipe, const batch::Request& request,
+                    const batch::Summary& summary, Clock::time_point start) {
     std::string place = request.destination.path.string();
     if (request.destination.kind == Kind::kFolder && !place.ends_with('/')) place += '/';
     if (!request.shard.IsWhole()) place += fmt::format(", shard {}", options_.shard);
-    console_.Say(fmt::format("{} variant{} of {} in {}: {}", summary.count,
-                             summary.count == 1 ? "" : "s", recipe.spec->name, place,
-                             Counts(summary, start)));
+    console_.PrintLine(fmt::format("{} of {} in {}: {}",
+                                   Counted(summary.count, "variant", "variants"), recipe.spec->name,
+                                   place, CountsText(summary, start)));
     const bool is_batch = request.destination.kind != Kind::kFile;
     if (is_batch && (summary.interrupted || summary.files_failed) && summary.done() > 0)
-      console_.Say("  hint: the same command with --resume continues from there");
+      console_.PrintLine("  hint: the same command with --resume continues from there");
   }
 
   std::set<std::string> FilesOf(const forge::Recipe& recipe, const batch::Summary& summary) const {

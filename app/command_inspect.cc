@@ -1,3 +1,4 @@
+// `mjforge inspect`: parameters and one variant, an MJCF file, or a batch.
 #include "inspect.h"
 
 #include <fmt/format.h>
@@ -5,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "child.h"
+#include "child_process.h"
 #include "commands.h"
-#include "json.h"
+#include "json_output.h"
 #include "mjforge/expr/expr.h"
 #include "options.h"
 #include "usage.h"
@@ -15,14 +16,14 @@
 namespace mjforge::app {
 namespace {
 
-struct InspectOptions : OneOptions {
+struct InspectOptions : ObjectOptions {
   std::string contains;
   Seconds time_limit{60};
   bool sweep = false;
   bool json = false;
 };
 
-// "0.1,-2,3e-1"
+// Parses "0.1,-2,3e-1".
 std::optional<Eigen::Vector3d> ParsePoint(std::string_view text) {
   Eigen::Vector3d point;
   for (int i = 0; i < 3; ++i) {
@@ -39,27 +40,23 @@ std::optional<Eigen::Vector3d> ParsePoint(std::string_view text) {
 ExitStatus PrintContains(const model::Object& object, const InspectOptions& options) {
   const bool inside = model::Contains(object, *ParsePoint(options.contains));
   if (!options.json) return Print(inside ? "inside\n" : "outside\n");
-  Json json;
-  json.StartObject();
-  json.Member("contains", inside);
-  json.EndObject();
-  return Print(json.Line());
+  return Print(JsonLine([&](JsonOutput& json) { json.Member("contains", inside); }));
 }
 
 ExitStatus InspectSpec(const InspectOptions& options, Console& console) {
   const std::optional<forge::Recipe> recipe = LoadRecipe(options.what, options.spec, console);
   forge::Variant variant;
   if (recipe) {
-    forge::Options how;
-    how.seed = options.spec.seed;
-    how.validation = forge::Validation::kNone;
-    forge::Generator(*recipe, console.sources, how).Make(options.index, variant);
+    forge::Options generation;
+    generation.seed = options.spec.seed;
+    generation.validation = forge::Validation::kNone;
+    forge::Generator(*recipe, console.sources, generation).Make(options.index, variant);
     console.findings.Append(variant.findings);
   }
   std::optional<validate::Sweep> sweep;
   if (options.sweep && variant.object)
     sweep = validate::Loader().SweepJoints(variant.document, *variant.object, console.findings);
-  const ExitStatus status = console.Tell();
+  const ExitStatus status = console.Report();
   if (!variant.object) return status;
   if (!options.contains.empty()) return Worse(status, PrintContains(*variant.object, options));
   return Worse(status, Print(options.json ? InspectJson(*recipe, variant, sweep)
@@ -73,7 +70,7 @@ ExitStatus InspectFile(const InspectOptions& options, Console& console) {
   std::optional<validate::Sweep> sweep;
   if (options.sweep && model && console.findings.empty())
     sweep = loader.SweepJoints(options.what, console.sources, console.findings);
-  const ExitStatus status = console.Tell();
+  const ExitStatus status = console.Report();
   if (!model) return Worse(status, ExitStatus::kFindings);
   return Worse(status,
                Print(options.json ? InspectJson(*model, sweep) : InspectTables(*model, sweep)));
@@ -89,7 +86,7 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
       return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
     return InspectBatch(*manifest, options.json, console);
   }
-  return InChild(options.what, options.time_limit, console, [&] {
+  return RunInChild(options.what, options.time_limit, console, [&] {
     return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
   });
 }
@@ -98,7 +95,7 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
 
 Action AddInspect(CLI::App& command) {
   auto options = std::make_shared<InspectOptions>();
-  AddOneOptions(command, *options, "A spec, a FILE.xml, or the folder of a batch");
+  AddObjectOptions(command, *options, "A spec, a FILE.xml, or the folder of a batch");
   CLI::Option* contains =
       command
           .add_option("--contains", options->contains, "Say whether a point (m) is inside a part")

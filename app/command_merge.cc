@@ -1,3 +1,4 @@
+// `mjforge merge`: joins the manifests of all shards of a batch.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -21,20 +22,20 @@ ExitStatus Merge(const std::string& place, bool verify, Console& console) {
                       "merge");
   }
   const auto count = batch::Merge(*destination, verify, console.sources, console.findings);
-  const ExitStatus status = console.Tell();
+  const ExitStatus status = console.Report();
   if (count)
-    console.Say(fmt::format("{} variants in {}", *count, destination->Manifest({}).string()));
+    console.PrintLine(fmt::format("{} variants in {}", *count, destination->Manifest({}).string()));
   return status;
 }
 
 }  // namespace
 
 Action AddMerge(CLI::App& command) {
-  struct Options {
+  struct MergeOptions {
     std::string output;
     bool verify = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   command.add_option("OUT", options->output, "Where the shards went: the value of generate's -o")
       ->required()
       ->option_text(" ")

@@ -1,10 +1,11 @@
+// `mjforge preview`: pictures, contact sheets and animations of objects.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "child.h"
+#include "child_process.h"
 #include "commands.h"
 #include "mjforge/forge/forge.h"
 #include "preview_captions.h"
@@ -14,10 +15,10 @@
 namespace mjforge::app {
 namespace {
 
-// Whether nothing would be lost by writing a picture there. Else a finding.
+// Returns true if `file` does not exist, is a picture made by mjforge, or `force` is set; otherwise
+// adds a finding.
 bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  // Pictures say so before what they show.
-  constexpr std::size_t kStart = 8192;
+  constexpr std::size_t kStart = 8192;  // contains the metadata, which precede the pixels
   const auto is_ours = [](std::string_view start) {
     const bool picture = start.starts_with("\x89PNG\r\n") || start.starts_with("GIF89a");
     return picture && start.substr(0, kStart).find("mjforge ") != start.npos;
@@ -25,10 +26,10 @@ bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Find
   return output::MayReplace(file, force, kStart, is_ours, findings);
 }
 
-// One object that is to be drawn, and what its picture says of it.
-struct Sight {
+// An object to draw, and the record for the picture's caption and metadata.
+struct PreviewObject {
   std::unique_ptr<picture::Subject> subject;
-  manifest::Record record;  // empty for a file
+  manifest::Record record;  // empty for an MJCF file
 };
 
 class Preview {
@@ -41,54 +42,53 @@ class Preview {
     const bool printed = options_.output == "-";
     if (bytes && !printed && MayReplacePicture(place_, options_.force, findings_))
       output::WriteFile(place_, *bytes, false, findings_);
-    const ExitStatus status = console_.Tell();
+    const ExitStatus status = console_.Report();
     return bytes && printed ? Worse(status, Print(*bytes)) : status;
   }
 
  private:
   std::optional<std::string> Make() {
-    std::vector<Sight> sights = options_.is_file ? LoadFile() : LoadVariants();
-    if (sights.empty() || !Pose(sights)) return std::nullopt;
-    // Before the work that would be in vain.
+    std::vector<PreviewObject> objects = options_.is_file ? LoadFile() : LoadVariants();
+    if (objects.empty() || !Pose(objects)) return std::nullopt;
+    // Checked before drawing, which may take long.
     if (options_.output != "-" && !MayReplacePicture(place_, options_.force, findings_))
       return std::nullopt;
     const auto renderer = picture::Renderer::Open(findings_);
     if (!renderer) return std::nullopt;
-    if (options_.sweep) return DrawSweep(*renderer, sights.front());
-    return options_.count > 1 ? DrawSheet(*renderer, sights) : DrawOne(*renderer, sights.front());
+    if (options_.sweep) return DrawSweep(*renderer, objects.front());
+    return options_.count > 1 ? DrawSheet(*renderer, objects) : DrawOne(*renderer, objects.front());
   }
 
   void ChoosePlace(const std::string& name) {
-    place_ = options_.output.empty() ? name + ".png" : options_.output;
+    place_ = options_.output.empty() ? name + (options_.sweep ? ".gif" : ".png") : options_.output;
   }
 
-  std::vector<Sight> LoadFile() {
+  std::vector<PreviewObject> LoadFile() {
     ChoosePlace(options_.what == "-" ? "stdin"
                                      : std::filesystem::path(options_.what).stem().string());
-    std::vector<Sight> sights;
-    // Says what is wrong with it, and where.
+    std::vector<PreviewObject> objects;
+    // Reports errors with their places in the file.
     if (!validate::Loader().Load(options_.what, console_.sources, findings_) ||
         findings_.HasErrors())
-      return sights;
+      return objects;
     std::string why_not;
     auto subject = picture::Loader().LoadFile(options_.what, why_not);
     if (subject) {
-      sights.push_back({std::move(subject), {}});
+      objects.push_back({std::move(subject), {}});
     } else {
       findings_.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
     }
-    return sights;
+    return objects;
   }
 
-  std::vector<Sight> LoadVariants() {
-    std::vector<Sight> sights;
+  std::vector<PreviewObject> LoadVariants() {
+    std::vector<PreviewObject> objects;
     recipe_ = LoadRecipe(options_.what, options_.spec, console_);
-    if (!recipe_) return sights;
+    if (!recipe_) return objects;
     ChoosePlace(recipe_->spec->name);
     forge::Options options;
     options.seed = options_.spec.seed;
     options.validation = forge::Validation::kNone;
-    options.moulds = options_.count > 1;
     forge::Generator generator(*recipe_, console_.sources, options);
     picture::Loader loader;
     forge::Variant variant;
@@ -99,15 +99,15 @@ class Preview {
       std::string why_not;
       auto subject = loader.LoadText(variant.document.text, variant.document.assets, why_not);
       if (subject) {
-        sights.push_back({std::move(subject), variant.record});
+        objects.push_back({std::move(subject), variant.record});
       } else {
         Explain(variant, why_not);
       }
     }
-    return sights;
+    return objects;
   }
 
-  // MuJoCo's refusal, at the place in the spec.
+  // Reports an error of MuJoCo at its place in the spec.
   void Explain(const forge::Variant& variant, const std::string& why_not) {
     diag::Findings found;
     validate::Loader().Validate(variant.document, *variant.object, found);
@@ -117,63 +117,62 @@ class Preview {
     findings_.Append(std::move(found));
   }
 
-  bool Pose(std::vector<Sight>& sights) {
-    for (Sight& sight : sights) {
+  bool Pose(std::vector<PreviewObject>& objects) {
+    for (PreviewObject& object : objects) {
       for (const auto& [name, value] : options_.poses) {
-        const std::optional<int> joint = sight.subject->FindJoint(name, findings_);
-        if (joint) sight.subject->SetJoint(*joint, value, findings_);
+        const std::optional<int> joint = object.subject->FindJoint(name, findings_);
+        if (joint) object.subject->SetJoint(*joint, value, findings_);
       }
       if (findings_.HasErrors() && !options_.poses.empty()) return false;
     }
     return true;
   }
 
-  std::optional<std::string> DrawOne(picture::Renderer& renderer, Sight& sight) {
-    const auto image = renderer.Draw(*sight.subject, options_.picture, findings_);
+  std::optional<std::string> DrawOne(picture::Renderer& renderer, PreviewObject& object) {
+    const auto image = renderer.Draw(*object.subject, options_.picture, findings_);
     if (!image) return std::nullopt;
-    return picture::EncodePng(*image, TextsOf(sight.record, ""));
+    return picture::EncodePng(*image, TextsOf(object.record, ""));
   }
 
-  std::optional<std::string> DrawSweep(picture::Renderer& renderer, Sight& sight) {
+  std::optional<std::string> DrawSweep(picture::Renderer& renderer, PreviewObject& object) {
     constexpr int kDelay = 50;  // ms
     std::optional<int> joint;
     if (!options_.swept.empty()) {
-      joint = sight.subject->FindJoint(options_.swept, findings_);
+      joint = object.subject->FindJoint(options_.swept, findings_);
       if (!joint) return std::nullopt;
     }
-    const std::vector<picture::Pose> poses = sight.subject->Sweep(joint, findings_);
+    const std::vector<picture::JointPositions> poses = object.subject->Sweep(joint, findings_);
     if (poses.empty()) return std::nullopt;
-    const auto frames = renderer.DrawMotion(*sight.subject, poses, options_.picture, findings_);
+    const auto frames = renderer.DrawMotion(*object.subject, poses, options_.picture, findings_);
     if (!frames) return std::nullopt;
-    const picture::Texts texts = TextsOf(sight.record, "");
-    return place_.extension() == ".gif" ? picture::EncodeGif(*frames, kDelay, texts)
-                                        : picture::EncodeApng(*frames, kDelay, texts);
+    return picture::EncodeGif(*frames, kDelay, TextsOf(object.record, ""));
   }
 
-  std::optional<std::string> DrawSheet(picture::Renderer& renderer, std::vector<Sight>& sights) {
+  std::optional<std::string> DrawSheet(picture::Renderer& renderer,
+                                       std::vector<PreviewObject>& objects) {
     picture::Options tile = options_.picture;
     tile.background.transparent = true;
     std::vector<manifest::Record> records;
     std::vector<picture::Tile> tiles;
-    for (Sight& sight : sights) {
+    for (PreviewObject& object : objects) {
       diag::Findings found;
-      auto image = renderer.Draw(*sight.subject, tile, found);
-      found.SetVariant(options_.spec.seed, sight.record.index);
+      auto image = renderer.Draw(*object.subject, tile, found);
+      found.SetVariant(options_.spec.seed, object.record.index);
       findings_.Append(std::move(found));
-      sight.subject.reset();
+      object.subject.reset();
       if (!image) continue;
       tiles.push_back({*std::move(image), {}});
-      records.push_back(sight.record);
+      records.push_back(object.record);
     }
     if (tiles.empty()) return std::nullopt;
-    const auto captions = Captions(records, *recipe_->spec);
+    const auto captions = MakeCaptions(records, *recipe_->spec);
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];
     const picture::Image sheet =
         picture::ContactSheet(renderer, tiles, options_.picture.background);
     return picture::EncodePng(sheet, TextsOf(records.front(), fmt::format("+{}", options_.count)));
   }
 
-  // So that a picture can be traced to what it shows.
+  // Returns the metadata that identify the object in the picture.
   picture::Texts TextsOf(const manifest::Record& record, const std::string& count) const {
     const std::string shown =
         recipe_ ? fmt::format("spec={} sha256={} seed={} index={}{}", record.spec,
@@ -184,7 +183,7 @@ class Preview {
 
   const PreviewOptions& options_;
   Console& console_;
-  diag::Findings& findings_;  // the console's
+  diag::Findings& findings_;  // findings of the console
   std::optional<forge::Recipe> recipe_;
   std::filesystem::path place_;
 };
@@ -195,12 +194,12 @@ Action AddPreview(CLI::App& command) {
   auto options = std::make_shared<PreviewOptions>();
   AddPreviewOptions(command, *options);
   return [options](Console& console) {
-    const std::string why_not = Understand(*options);
+    const std::string why_not = ResolvePreviewOptions(*options);
     if (!why_not.empty()) return WrongUsage(why_not, "preview");
     if (options->output == "-" && ::isatty(STDOUT_FILENO) != 0)
       return WrongUsage("-o -: a terminal cannot show a picture", "preview");
-    return InChild(options->what, options->time_limit, console,
-                   [&] { return Preview(*options, console)(); });
+    return RunInChild(options->what, options->time_limit, console,
+                      [&] { return Preview(*options, console)(); });
   };
 }
 

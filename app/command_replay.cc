@@ -1,3 +1,4 @@
+// `mjforge replay`: makes a variant again and compares the bytes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,9 +13,9 @@ namespace {
 
 ExitStatus Replay(const forge::ReplayRequest& request, Console& console) {
   const bool same = forge::Replay(request, console.sources, console.findings);
-  const ExitStatus status = console.Tell();
+  const ExitStatus status = console.Report();
   if (!same) return Worse(status, ExitStatus::kFindings);
-  console.Say(fmt::format("{}: regenerated, same bytes", request.what));
+  console.PrintLine(fmt::format("{}: regenerated, same bytes", request.what));
   return status;
 }
 

@@ -1,3 +1,4 @@
+// `mjforge report`: an HTML page about a batch.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -19,15 +20,14 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// A suggestion of more is a list to read through.
-constexpr std::size_t kMaxSuggestions = 3;
+constexpr std::size_t kMaxSuggestions = 3;  // manifests named in a hint
 
 bool IsFile(const Path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored);
 }
 
-// Manifests in the folder, done or not, and those of the folders in it.
+// Returns the complete and partial manifests in the folder, and the manifests of its subfolders.
 std::vector<std::string> ManifestsNear(const Path& folder) {
   std::vector<std::string> found;
   std::error_code ignored;
@@ -51,8 +51,8 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
   return text + "?";
 }
 
-// The manifest of a batch as it is named on a command line: a manifest, the folder or the archives
-// it went to. Nothing, and a finding that says what was probably meant, if there is none.
+// Finds the manifest of a batch, which is named by its manifest, folder or archives. If there is
+// none, returns nothing and adds a finding with suggestions.
 std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings) {
   std::error_code ignored;
   if (std::filesystem::is_directory(what, ignored)) {
@@ -78,8 +78,8 @@ std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings)
   return std::nullopt;
 }
 
-// Where a page goes unless told: beside its manifest, "out/manifest.jsonl" -> "out/report.html",
-// "mugs.manifest.jsonl" -> "mugs.report.html".
+// Returns the default file of a page, beside its manifest: "out/manifest.jsonl" ->
+// "out/report.html", "mugs.manifest.jsonl" -> "mugs.report.html".
 Path PageOf(const Path& manifest) {
   constexpr std::string_view kManifest = "manifest";
   std::string name = manifest.filename().string();
@@ -94,8 +94,7 @@ Path PageOf(const Path& manifest) {
   return manifest.parent_path() / (name + ".html");
 }
 
-// A page with more of them is full before.
-constexpr std::uint64_t kMostThumbnails = 10'000;
+constexpr std::uint64_t kMaxThumbnails = 10'000;  // the size limit of a page is reached earlier
 
 struct PageOptions {
   std::string what;
@@ -113,13 +112,13 @@ std::string SizeText(std::size_t bytes) {
 ExitStatus Report(const PageOptions& options, Console& console) {
   diag::Findings& findings = console.findings;
   const auto manifest = FindBatch(options.what, findings);
-  if (!manifest) return console.Tell();
+  if (!manifest) return console.Report();
   std::error_code ignored;
   if (std::filesystem::equivalent(*manifest, options.output, ignored))
     return WrongUsage("-o names the manifest itself", "report");
   const bool is_printed = options.output == "-";
   const Path file = options.output.empty() ? PageOf(*manifest) : Path(options.output);
-  if (!is_printed && !report::MayReplace(file, options.force, findings)) return console.Tell();
+  if (!is_printed && !report::MayReplace(file, options.force, findings)) return console.Report();
   Thumbnails thumbnails(*manifest, options.spec, console.sources);
   const report::Request request{*manifest, options.spec,
                                 static_cast<std::size_t>(options.thumbnails)};
@@ -129,11 +128,11 @@ ExitStatus Report(const PageOptions& options, Console& console) {
   findings.Append(thumbnails.TakeFindings());
   const bool is_written =
       page && !is_printed && output::WriteFile(file, page->html, false, findings);
-  const ExitStatus status = console.Tell();
+  const ExitStatus status = console.Report();
   if (page && is_printed) return Worse(status, Print(page->html));
   if (is_written) {
-    console.Say(fmt::format("{} of {} variants shown, {} in {}", page->shown, page->variants,
-                            SizeText(page->html.size()), file.string()));
+    console.PrintLine(fmt::format("{} of {} variants shown, {} in {}", page->shown, page->variants,
+                                  SizeText(page->html.size()), file.string()));
   }
   return status;
 }
@@ -155,8 +154,8 @@ Action AddReport(CLI::App& command) {
       ->check(Offers(kSpecs));
   command.add_flag("--force", options->force, "Overwrite a file that is not a report");
   return [options](Console& console) {
-    if (options->thumbnails > kMostThumbnails)
-      return WrongUsage(fmt::format("--thumbnails: at most {}", kMostThumbnails), "report");
+    if (options->thumbnails > kMaxThumbnails)
+      return WrongUsage(fmt::format("--thumbnails: at most {}", kMaxThumbnails), "report");
     return Report(*options, console);
   };
 }

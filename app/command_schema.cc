@@ -1,3 +1,4 @@
+// `mjforge schema`: JSON Schemas of specs and manifests.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <memory>

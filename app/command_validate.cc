@@ -1,3 +1,4 @@
+// `mjforge validate`: loads MJCF files in MuJoCo and simulates them with --physics.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,10 +7,10 @@
 #include <memory>
 #include <numbers>
 
-#include "child.h"
+#include "child_process.h"
 #include "commands.h"
 #include "completion.h"
-#include "json.h"
+#include "json_output.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
 
@@ -24,8 +25,8 @@ struct ValidateOptions {
   bool json = false;
 };
 
-/// What is known of a file.
-struct Verdict {
+// Result of loading and simulating a file.
+struct FileResult {
   std::optional<validate::CompiledModel> model;
   std::optional<physics::Result> physics;
   diag::Findings findings;
@@ -33,11 +34,8 @@ struct Verdict {
   bool ok() const { return model.has_value() && !findings.HasErrors(); }
 };
 
-std::string Count(std::integral auto count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-// "; at rest after 0.19 s, tilt 0.1 deg, drift 0.2 mm, 4 contacts, 16 rows; 2 joints driven"
+// Returns "; at rest after 0.19 s, tilt 0.1 deg, drift 0.2 mm, 4 contacts, 16 rows; 2 joints
+// driven".
 std::string Behaviour(const physics::Result& result) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   std::string text = "; not dropped";
@@ -47,21 +45,21 @@ std::string Behaviour(const physics::Result& result) {
                        kDegrees * result.tilt, 1000 * result.drift);
   }
   if (result.dropped || result.nefc > 0)
-    text += fmt::format(", at most {} and {}", Count(result.ncon, "contact", "contacts"),
-                        Count(result.nefc, "row", "rows"));
+    text += fmt::format(", at most {} and {}", Counted(result.ncon, "contact", "contacts"),
+                        Counted(result.nefc, "row", "rows"));
   if (!result.joints.empty())
-    text += fmt::format("; {} driven", Count(result.joints.size(), "joint", "joints"));
+    text += fmt::format("; {} driven", Counted(result.joints.size(), "joint", "joints"));
   if (result.stability)
     text += fmt::format("; topples beyond {:.3g} deg", kDegrees * result.stability->angle);
   if (result.holds)
     text += fmt::format("; holds {} of {}", result.holds->held,
-                        Count(result.holds->balls, "ball", "balls"));
+                        Counted(result.holds->balls, "ball", "balls"));
   if (result.fits)
     text += fmt::format("; {} of {} into place", result.fits->fit,
-                        Count(result.fits->tried, "thing goes", "things go"));
+                        Counted(result.fits->tried, "thing goes", "things go"));
   if (!result.grasps.empty()) {
     const auto held = std::ranges::count(result.grasps, true, &physics::Result::Grasp::held);
-    text += fmt::format("; held in {} of {}", held, Count(result.grasps.size(), "way", "ways"));
+    text += fmt::format("; held in {} of {}", held, Counted(result.grasps.size(), "way", "ways"));
   }
   if (const auto& tests = result.simready) {
     text += fmt::format("; ground_drop {}, slope_drop {}, full_range_sweep {}, self_collision {}",
@@ -71,86 +69,85 @@ std::string Behaviour(const physics::Result& result) {
   return text;
 }
 
-std::string Line(const std::string& file, const Verdict& verdict) {
-  const auto& model = verdict.model;
+std::string Line(const std::string& file, const FileResult& result) {
+  const auto& model = result.model;
   if (!model) return fmt::format("{}: failed\n", file);
-  return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg{}\n", file, verdict.ok() ? "ok" : "failed",
-                     Count(model->object.bodies.size(), "body", "bodies"),
-                     Count(model->joints, "joint", "joints"), Count(model->geoms, "geom", "geoms"),
-                     model->object.mass_properties.mass,
-                     verdict.physics ? Behaviour(*verdict.physics) : "");
+  return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg{}\n", file, result.ok() ? "ok" : "failed",
+                     Counted(model->object.bodies.size(), "body", "bodies"),
+                     Counted(model->joints, "joint", "joints"),
+                     Counted(model->geoms, "geom", "geoms"), model->object.mass_properties.mass,
+                     result.physics ? Behaviour(*result.physics) : "");
 }
 
-std::string JsonLine(const std::string& file, const Verdict& verdict,
+std::string FileJson(const std::string& file, const FileResult& result,
                      const diag::Sources& sources) {
-  Json json;
-  json.StartObject();
-  json.Member("file", file);
-  json.Member("ok", verdict.ok());
-  if (verdict.model) {
-    json.Member("nbody", verdict.model->object.bodies.size() + 1);
-    json.Member("njnt", verdict.model->joints);
-    json.Member("ngeom", verdict.model->geoms);
-    json.Member("mass", verdict.model->object.mass_properties.mass);
-  }
-  if (verdict.physics) {
-    json.Key("physics");
-    json.Raw(manifest::PhysicsJson(*verdict.physics));
-  }
-  json.Key("findings");
-  json.StartArray();
-  for (const diag::Finding& finding : verdict.findings)
-    json.Raw(diag::RenderJson(finding, sources));
-  json.EndArray();
-  json.EndObject();
-  return json.Line();
+  return JsonLine([&](JsonOutput& json) {
+    json.Member("file", file);
+    json.Member("ok", result.ok());
+    if (result.model) {
+      json.Member("nbody", result.model->object.bodies.size() + 1);
+      json.Member("njnt", result.model->joints);
+      json.Member("ngeom", result.model->geoms);
+      json.Member("mass", result.model->object.mass_properties.mass);
+    }
+    if (result.physics) {
+      json.Key("physics");
+      json.Raw(manifest::PhysicsJson(*result.physics));
+    }
+    json.Key("findings");
+    json.StartArray();
+    for (const diag::Finding& finding : result.findings)
+      json.Raw(diag::RenderJson(finding, sources));
+    json.EndArray();
+  });
 }
 
-/// Who looks at the files; the laboratory only where it was asked for.
-struct Judges {
+// Checks that all files share. `laboratory` is empty without --physics.
+struct Validators {
   validate::Loader loader;
   std::optional<physics::Laboratory> laboratory;
   model::Checks checks;
 };
 
-ExitStatus Tell(const std::string& file, Verdict verdict, const diag::Sources& sources,
-                const ValidateOptions& options, const Console& console) {
-  ExitStatus status = StatusOf(verdict.findings);
-  if (!verdict.model) status = Worse(status, ExitStatus::kFindings);
+ExitStatus ReportFile(const std::string& file, FileResult result, const diag::Sources& sources,
+                      const ValidateOptions& options, const Console& console) {
+  ExitStatus status = StatusOf(result.findings);
+  if (!result.model) status = Worse(status, ExitStatus::kFindings);
   const std::string name = file == "-" ? "<stdin>" : file;
-  if (options.json) return Worse(status, Print(JsonLine(name, verdict, sources)));
-  if (!console.quiet()) status = Worse(status, Print(Line(name, verdict)));
-  console.Show(std::move(verdict.findings), sources);
+  if (options.json) return Worse(status, Print(FileJson(name, result, sources)));
+  if (!console.quiet()) status = Worse(status, Print(Line(name, result)));
+  console.Show(std::move(result.findings), sources);
   return status;
 }
 
-ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options, Judges& judges,
-                        const Console& console) {
+ExitStatus ValidateFile(const std::string& file, const ValidateOptions& options,
+                        Validators& validators, const Console& console) {
   diag::Sources sources;
-  Verdict verdict;
-  verdict.model = judges.loader.Load(file, sources, verdict.findings);
-  if (verdict.ok() && judges.laboratory)
-    verdict.physics = judges.laboratory->Examine(file, judges.checks, sources, verdict.findings);
-  return Tell(file, std::move(verdict), sources, options, console);
+  FileResult result;
+  result.model = validators.loader.Load(file, sources, result.findings);
+  if (result.ok() && validators.laboratory)
+    result.physics =
+        validators.laboratory->Examine(file, validators.checks, sources, result.findings);
+  return ReportFile(file, std::move(result), sources, options, console);
 }
 
 ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
-  Judges judges;
-  if (options.physics) judges.laboratory.emplace();
+  Validators validators;
+  if (options.physics) validators.laboratory.emplace();
   const auto checks =
       forge::LoadChecks(MakeSettings(options.settings), console.sources, console.findings);
-  if (!checks) return Worse(console.Tell(), ExitStatus::kFindings);
-  judges.checks = *checks;
+  if (!checks) return Worse(console.Report(), ExitStatus::kFindings);
+  validators.checks = *checks;
   const auto validate = [&](std::size_t i) {
     const std::string& file = options.files[i];
-    return ValidateFile(file, options, judges, console);
+    return ValidateFile(file, options, validators, console);
   };
   const auto crashed = [&](std::size_t i, const std::string& end) {
-    Verdict verdict;
-    AddCrash(options.files[i], end, verdict.findings);
-    return Tell(options.files[i], std::move(verdict), {}, options, console);
+    FileResult result;
+    AddCrashFinding(options.files[i], end, result.findings);
+    return ReportFile(options.files[i], std::move(result), {}, options, console);
   };
-  return InChild(options.files.size(), options.time_limit, validate, crashed);
+  return RunInChild(options.files.size(), options.time_limit, validate, crashed);
 }
 
 }  // namespace

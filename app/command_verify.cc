@@ -1,3 +1,4 @@
+// `mjforge verify`: compares the files of a batch with its manifest.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,20 +11,17 @@
 namespace mjforge::app {
 namespace {
 
-std::string Counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 ExitStatus Verify(const std::string& place, Console& console) {
-  const batch::Verified verified = batch::Verify(place, console.sources, console.findings);
+  const batch::VerifyResult verified = batch::Verify(place, console.sources, console.findings);
   const bool is_good = !console.findings.HasErrors();
   const ExitStatus status = StatusOf(console.findings);
   console.Show(console.findings, console.sources, verified.more_findings);
   if (is_good) {
-    const std::string variants =
-        verified.variants == 0 ? std::string() : ", " + Counted(verified.variants, "variant");
-    console.Say(fmt::format("{}: {}{}: as they were when they were made", place,
-                            Counted(verified.files, "file"), variants));
+    const std::string variants = verified.variants == 0
+                                     ? std::string()
+                                     : ", " + Counted(verified.variants, "variant", "variants");
+    console.PrintLine(fmt::format("{}: {}{}: as they were when they were made", place,
+                                  Counted(verified.files, "file", "files"), variants));
   }
   return status;
 }

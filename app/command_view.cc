@@ -1,3 +1,4 @@
+// `mjforge view`: opens an object in MuJoCo's own viewer.
 #include <fmt/format.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -20,7 +21,7 @@ namespace {
 
 using diag::Code;
 
-constexpr int kCannotRun = 127;  // as shells say it
+constexpr int kCannotRun = 127;  // exit status of shells for a command that cannot be run
 
 std::filesystem::path FindInPath(std::string_view program) {
   const char* variable = std::getenv("PATH");
@@ -43,9 +44,9 @@ sigset_t WatchedSignals() {
   return signals;
 }
 
-// In the new process; does not return.
-[[noreturn]] void Become(const std::filesystem::path& viewer, const std::filesystem::path& file,
-                         const std::filesystem::path& folder, const sigset_t& signals) {
+// Replaces the child process by the viewer; does not return.
+[[noreturn]] void ExecViewer(const std::filesystem::path& viewer, const std::filesystem::path& file,
+                             const std::filesystem::path& folder, const sigset_t& signals) {
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGXFSZ, SIG_DFL);
   ::sigprocmask(SIG_SETMASK, &signals, nullptr);
@@ -53,8 +54,8 @@ sigset_t WatchedSignals() {
   ::_exit(kCannotRun);
 }
 
-// Until the process ends; its status as waitpid says it. `interrupted` is set if a
-// signal came.
+// Waits until the process ends and returns its wait status. Passes signals on to the process; sets
+// `interrupted` if there was one.
 int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
   int status = 0;
   while (::waitpid(process, &status, WNOHANG) == 0) {
@@ -66,14 +67,14 @@ int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
   return status;
 }
 
-std::string HowItEnded(int status) {
+std::string DescribeExit(int status) {
   if (WIFSIGNALED(status)) return fmt::format("signal {} killed it", WTERMSIG(status));
   if (WEXITSTATUS(status) == kCannotRun) return "it cannot be run";
   return fmt::format("exit status {}", WEXITSTATUS(status));
 }
 
-// A new temporary folder, removed at the end with everything in it. Null, and a finding, if it
-// cannot be made.
+// Makes a temporary folder, which is removed with its last pointer. Returns null and adds a finding
+// on failure.
 std::shared_ptr<const std::filesystem::path> MakeTemporaryFolder(diag::Findings& findings) {
   std::error_code error;
   const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
@@ -91,8 +92,8 @@ std::shared_ptr<const std::filesystem::path> MakeTemporaryFolder(diag::Findings&
           }};
 }
 
-// MuJoCo's own viewer, by its name in Debian, else by its name in MuJoCo's own archives. Nothing,
-// and a finding, if PATH has neither or there is no display.
+// Finds MuJoCo's viewer in PATH, by its name in Debian or by its name in MuJoCo's releases. Returns
+// nothing and adds a finding if there is no viewer or no display.
 std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
   for (const std::string_view program : {"mujoco-simulate", "simulate"}) {
     const std::filesystem::path file = FindInPath(program);
@@ -110,15 +111,15 @@ std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
   return std::nullopt;
 }
 
-// Shows a file, with `folder` as its working folder, and waits until the viewer ends. SIGINT,
-// SIGTERM and SIGHUP are passed on to it, the second one as SIGKILL.
+// Runs the viewer in `folder` and waits until it ends. Passes SIGINT, SIGTERM and SIGHUP on to the
+// viewer, the second signal as SIGKILL.
 ExitStatus RunViewer(const std::filesystem::path& viewer, const std::filesystem::path& file,
                      const std::filesystem::path& folder, diag::Findings& findings) {
   const sigset_t watched = WatchedSignals();
   sigset_t before;
   ::sigprocmask(SIG_BLOCK, &watched, &before);
   const pid_t process = ::fork();
-  if (process == 0) Become(viewer, file, folder, before);
+  if (process == 0) ExecViewer(viewer, file, folder, before);
   bool interrupted = false;
   const int status = process < 0 ? 0 : WaitFor(process, watched, interrupted);
   if (process < 0) {
@@ -128,9 +129,9 @@ ExitStatus RunViewer(const std::filesystem::path& viewer, const std::filesystem:
   } else if (status != 0 && !interrupted) {
     findings.Add(Code::kPictureNoViewer, {},
                  fmt::format("MuJoCo's viewer '{}' failed: {}", viewer.filename().string(),
-                             HowItEnded(status)));
+                             DescribeExit(status)));
   }
-  // Signals stay blocked: what is left to do is quick.
+  // Signals stay blocked, because the program ends soon.
   return interrupted ? ExitStatus::kInterrupted : StatusOf(findings);
 }
 
@@ -149,14 +150,14 @@ ExitStatus ViewFile(const std::string& file, Console& console) {
   return RunViewer(*viewer, shown, *folder, console.findings);
 }
 
-ExitStatus ViewVariant(const OneOptions& options, Console& console) {
+ExitStatus ViewVariant(const ObjectOptions& options, Console& console) {
   const std::optional<forge::Recipe> recipe = LoadRecipe(options.what, options.spec, console);
   if (!recipe) return ExitStatus::kFindings;
-  forge::Options how;
-  how.seed = options.spec.seed;
-  how.target = mjcf::Target::kScene;
+  forge::Options generation;
+  generation.seed = options.spec.seed;
+  generation.target = mjcf::Target::kScene;
   forge::Variant variant;
-  forge::Generator(*recipe, console.sources, how).Make(options.index, variant);
+  forge::Generator(*recipe, console.sources, generation).Make(options.index, variant);
   console.findings.Append(variant.findings);
   if (!variant.ok()) return ExitStatus::kFindings;
   const auto viewer = FindViewer(console.findings);
@@ -171,8 +172,8 @@ ExitStatus ViewVariant(const OneOptions& options, Console& console) {
 }  // namespace
 
 Action AddView(CLI::App& command) {
-  auto options = std::make_shared<OneOptions>();
-  AddOneOptions(command, *options, "A spec or a FILE.xml");
+  auto options = std::make_shared<ObjectOptions>();
+  AddObjectOptions(command, *options, "A spec or a FILE.xml");
   return [options](Console& console) {
     const bool is_file = options->what.ends_with(".xml");
     if (is_file && (options->spec.given() || options->index != 0))
@@ -180,7 +181,7 @@ Action AddView(CLI::App& command) {
                         "view");
     const ExitStatus status =
         is_file ? ViewFile(options->what, console) : ViewVariant(*options, console);
-    return Worse(status, console.Tell());
+    return Worse(status, console.Report());
   };
 }
 

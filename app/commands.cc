@@ -1,3 +1,4 @@
+// Names, descriptions and examples of the commands.
 #include "commands.h"
 
 #include <CLI/CLI.hpp>
@@ -65,12 +66,12 @@ constexpr Command kCommands[] = {
 
 }  // namespace
 
-std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, ReportOptions& report) {
+std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, MessageOptions& report) {
   std::vector<std::pair<CLI::App*, Action>> commands;
   for (const Command& row : kCommands) {
     CLI::App& command = *app.add_subcommand(row.name, row.description);
     commands.emplace_back(&command, row.add(command));
-    AddReportOptions(command, report);
+    AddMessageOptions(command, report);
     command.footer(std::string("Examples:\n") + row.examples);
   }
   return commands;

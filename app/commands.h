@@ -1,3 +1,4 @@
+// The commands of the program.
 #pragma once
 
 #include <functional>
@@ -12,10 +13,10 @@ class App;
 
 namespace mjforge::app {
 
-/// What a command does once its options are parsed.
+/// Runs a command after its options were parsed.
 using Action = std::function<ExitStatus(Console&)>;
 
-// Each adds its options to its command and returns what it does.
+// Each function adds the options of its command and returns the action that runs it.
 Action AddGenerate(CLI::App& command);
 Action AddCheck(CLI::App& command);
 Action AddInspect(CLI::App& command);
@@ -29,7 +30,7 @@ Action AddReport(CLI::App& command);
 Action AddCatalogue(CLI::App& command);
 Action AddSchema(CLI::App& command);
 
-/// All of them, in the order of the help, with the options that all have.
-std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, ReportOptions& report);
+/// Adds all commands, in the order of the help, with their common options.
+std::vector<std::pair<CLI::App*, Action>> AddCommands(CLI::App& app, MessageOptions& report);
 
 }  // namespace mjforge::app

@@ -1,3 +1,4 @@
+// Completion of command lines: options, values, specs, parameters and joints.
 #include "completion.h"
 
 #include <fmt/format.h>
@@ -7,34 +8,29 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <iterator>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "joint_names.h"
 #include "make_options.h"
+#include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::app {
 namespace {
 
-// In the name of a validator is what it offers: its description would be part of error messages.
+// Prefix of the names of validators that declare completions. (The descriptions of validators
+// appear in error messages.)
 constexpr std::string_view kOffered = "offered: ";
 
-std::vector<std::string> WordsOf(std::string text) {
-  std::istringstream stream(std::move(text));
-  return {std::istream_iterator<std::string>(stream), {}};
-}
-
-std::vector<std::string> OfferedBy(CLI::Option& option) {
-  std::vector<std::string> values;
+std::vector<std::string_view> OfferedBy(CLI::Option& option) {
+  std::vector<std::string_view> values;
   try {
     for (int i = 0;; ++i) {
-      const std::string& name = option.get_validator(i)->get_name();
-      if (name.starts_with(kOffered)) values = WordsOf(name.substr(kOffered.size()));
+      const std::string_view name = option.get_validator(i)->get_name();
+      if (name.starts_with(kOffered)) values = expr::WordsOf(name.substr(kOffered.size()));
     }
-  } catch (const CLI::OptionNotFound&) {  // that was the last one
+  } catch (const CLI::OptionNotFound&) {  // there are no more validators
   }
   return values;
 }
@@ -42,21 +38,21 @@ std::vector<std::string> OfferedBy(CLI::Option& option) {
 bool TakesValue(const CLI::Option& option) { return option.get_items_expected_min() > 0; }
 bool MayRepeat(const CLI::Option& option) { return option.get_items_expected_max() > 1; }
 
-// What the words of a command that are complete say about the next one.
-class WordsBefore {
+// The complete words of a command line before the cursor: options, arguments and settings.
+class CommandLine {
  public:
-  WordsBefore(CLI::App& command, const std::vector<std::string>& words) : command_(command) {
+  CommandLine(CLI::App& command, const std::vector<std::string>& words) : command_(command) {
     for (const std::string& word : words) Read(word);
   }
 
-  /// The option whose value comes next.
+  /// The option whose value is next; null if there is none.
   CLI::Option* pending() const { return pending_; }
   bool options_ended() const { return options_ended_; }
-  /// Whether it was given, and once is enough.
+  /// Returns true if the option was given and cannot be repeated.
   bool IsSpent(const CLI::Option& option) const {
     return given_.contains(&option) && !MayRepeat(option);
   }
-  /// The next argument; null if there is none.
+  /// Returns the next positional argument; null if there is none.
   CLI::Option* Argument() const {
     std::size_t before = arguments_.size();
     for (CLI::Option* option : command_.get_options()) {
@@ -64,14 +60,15 @@ class WordsBefore {
     }
     return nullptr;
   }
-  /// The spec that settings are for; empty if there is none.
+  /// Returns the spec to which settings apply; empty if there is none.
   std::string Spec() const {
     const std::string what = What();
     return what.ends_with(".xml") ? "" : what;
   }
-  /// The spec or file that is looked at; empty if there is none.
+  /// Returns the spec or file of the command; empty if there is none.
   std::string What() const {
-    const bool is_there = !arguments_.empty() && arguments_[0] != "-";  // it can be read once
+    // Standard input is ignored, because it can be read only once.
+    const bool is_there = !arguments_.empty() && arguments_[0] != "-";
     return is_there ? arguments_[0] : "";
   }
   const std::vector<std::string>& settings() const { return settings_; }
@@ -121,7 +118,7 @@ class WordsBefore {
   bool options_ended_ = false;
 };
 
-// A text as one line, without what separates it from others.
+// Replaces line ends and tabs, which separate candidates, by spaces.
 std::string OneLine(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\t'; }, ' ');
@@ -129,10 +126,10 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-class Answer {
+class Completions {
  public:
-  /// `word`: the one under the cursor.
-  explicit Answer(std::string word) : word_(std::move(word)) {}
+  /// `word`: the word under the cursor.
+  explicit Completions(std::string word) : word_(std::move(word)) {}
 
   const std::string& word() const { return word_; }
   void Add(const std::string& candidate, const std::string& meaning = {}) {
@@ -148,7 +145,7 @@ class Answer {
   std::string files_;
 };
 
-std::unique_ptr<spec::ObjectSpec> LoadInSilence(const std::string& name) {
+std::unique_ptr<spec::ObjectSpec> LoadQuietly(const std::string& name) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
   diag::Sources sources;
@@ -156,8 +153,8 @@ std::unique_ptr<spec::ObjectSpec> LoadInSilence(const std::string& name) {
   return spec::LoadSpec(name, load, sources, findings);
 }
 
-// Names of the catalogue: whole ones, and the last word alone where it begins as `start`.
-void AddSpecs(const std::string& before, const std::string& start, Answer& answer) {
+// Adds the names in the catalogue that begin with `start`, and the last words of names that do.
+void AddSpecs(const std::string& before, const std::string& start, Completions& completions) {
   std::set<std::string> names;
   for (const std::filesystem::path& folder : forge::SearchPath()) {
     for (std::string& name : spec::ListSpecs(folder)) {
@@ -170,12 +167,12 @@ void AddSpecs(const std::string& before, const std::string& start, Answer& answe
     }
   }
   for (const std::string& name : names) {
-    const auto spec = LoadInSilence(name);
-    answer.Add(before + name, spec ? spec->description : "");
+    const auto spec = LoadQuietly(name);
+    completions.Add(before + name, spec ? spec->description : "");
   }
 }
 
-// The values of a choice of texts.
+// Returns the texts among which a parameter is chosen; empty for other parameters.
 std::vector<std::string> ChoicesOf(const spec::Value& value) {
   std::vector<std::string> choices;
   const auto* draw = std::get_if<spec::Draw>(&value.form);
@@ -187,98 +184,102 @@ std::vector<std::string> ChoicesOf(const spec::Value& value) {
   return choices;
 }
 
-// "NAME=", or the values of a NAME that is complete.
+// Adds "NAME=", or if the word already contains that, the values.
 void AddSetting(const std::string& before, const std::string& name, const std::string& meaning,
-                const std::vector<std::string>& values, Answer& answer) {
+                const std::vector<std::string>& values, Completions& completions) {
   const std::string start = before + name + "=";
-  if (!answer.word().starts_with(start)) return answer.Add(start, meaning);
-  for (const std::string& value : values) answer.Add(start + value);
+  if (!completions.word().starts_with(start)) return completions.Add(start, meaning);
+  for (const std::string& value : values) completions.Add(start + value);
 }
 
-const std::vector<std::string> kTruths = {"true", "false"};
+const std::vector<std::string> kBooleans = {"true", "false"};
 
-void AddParameters(const std::string& before, const std::string& spec_name, Answer& answer) {
-  const auto spec = spec_name.empty() ? nullptr : LoadInSilence(spec_name);
+void AddParameters(const std::string& before, const std::string& spec_name,
+                   Completions& completions) {
+  const auto spec = spec_name.empty() ? nullptr : LoadQuietly(spec_name);
   if (spec == nullptr) return;
   for (const spec::Parameter& parameter : spec->parameters) {
-    const bool is_truth = parameter.value.type == expr::Type::kBoolean;
+    const bool is_boolean = parameter.value.type == expr::Type::kBoolean;
     AddSetting(before, parameter.record.empty() ? parameter.name : parameter.record,
                parameter.doc.empty() ? parameter.source : parameter.doc,
-               is_truth ? kTruths : ChoicesOf(parameter.value), answer);
+               is_boolean ? kBooleans : ChoicesOf(parameter.value), completions);
   }
 }
 
-void AddThresholds(const std::string& before, Answer& answer) {
-  for (const spec::FieldInfo& field : spec::ChecksElement().fields) {
-    if (!spec::HoldsValue(field.slot)) continue;
-    const bool is_truth = field.slot == spec::Slot::kBoolean;
+void AddThresholds(const std::string& before, Completions& completions) {
+  for (const spec::FieldInfo& field : spec::kChecksElement.fields) {
+    if (!spec::HoldsValue(field.kind)) continue;
+    const bool is_boolean = field.kind == spec::FieldKind::kBoolean;
+    const auto words = expr::WordsOf(field.words);
     AddSetting(before, fmt::format("checks.{}", field.key), std::string(field.doc),
-               is_truth ? kTruths : WordsOf(std::string(field.words)), answer);
+               is_boolean ? kBooleans : std::vector<std::string>(words.begin(), words.end()),
+               completions);
   }
 }
 
-// Without the object's prefix, unless the word begins with it.
-void AddJoints(const std::string& before, const WordsBefore& line, Answer& answer) {
+// Adds the names of joints, with the object's prefix only if the word begins with it.
+void AddJoints(const std::string& before, const CommandLine& line, Completions& completions) {
   if (line.What().empty()) return;
-  const std::string start = answer.word().substr(before.size());
+  const std::string start = completions.word().substr(before.size());
   for (const JointName& joint : NamesOfJoints(line.What(), line.settings())) {
     const std::string& name = joint.short_name.starts_with(start) ? joint.short_name : joint.name;
-    answer.Add(before + name + (line.IsGiven("--sweep") ? "" : "="), joint.meaning);
+    completions.Add(before + name + (line.IsGiven("--sweep") ? "" : "="), joint.meaning);
   }
 }
 
-// `before` is what stands before the value in the word: "--target=".
-void AddValues(CLI::Option& option, const std::string& before, const WordsBefore& line,
-               Answer& answer) {
-  for (const std::string& value : OfferedBy(option)) {
+// `before`: the part of the word before the value ("--target=").
+void AddValues(CLI::Option& option, const std::string& before, const CommandLine& line,
+               Completions& completions) {
+  for (const std::string_view value : OfferedBy(option)) {
     if (value == "<spec>") {
-      AddSpecs(before, answer.word().substr(before.size()), answer);
+      AddSpecs(before, completions.word().substr(before.size()), completions);
     } else if (value == "<setting>") {
-      AddParameters(before, line.Spec(), answer);
-      // There are more of them than of parameters.
-      if (line.Spec().empty() || answer.word() != before) AddThresholds(before, answer);
+      AddParameters(before, line.Spec(), completions);
+      // Thresholds are many, so they are added only without a spec, or after a first character.
+      if (line.Spec().empty() || completions.word() != before) AddThresholds(before, completions);
     } else if (value == "<joint>") {
-      AddJoints(before, line, answer);
+      AddJoints(before, line, completions);
     } else if (value[0] == '.') {
-      answer.AddFiles(value);
+      completions.AddFiles(std::string(value));
     } else {
-      answer.Add(before + value);
+      completions.Add(before + std::string(value));
     }
   }
 }
 
-void AddOptions(CLI::App& command, const WordsBefore& line, Answer& answer) {
+void AddOptions(CLI::App& command, const CommandLine& line, Completions& completions) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional() || line.IsSpent(*option)) continue;
     const std::string name = option->get_lnames().empty() ? "-" + option->get_snames().front()
                                                           : "--" + option->get_lnames().front();
-    answer.Add(WithShortMakeOptions(name), option->get_description());
+    completions.Add(WithShortMakeOptions(name), option->get_description());
   }
 }
 
-void CompleteCommand(CLI::App& command, const std::vector<std::string>& before, Answer& answer) {
-  const WordsBefore line(command, WithLongMakeOptions(before));
-  const std::string& word = answer.word();
+void CompleteCommand(CLI::App& command, const std::vector<std::string>& before,
+                     Completions& completions) {
+  const CommandLine line(command, WithLongMakeOptions(before));
+  const std::string& word = completions.word();
   const std::size_t equals = word.find('=');
   if (line.pending() != nullptr) {
-    AddValues(*line.pending(), "", line, answer);
+    AddValues(*line.pending(), "", line, completions);
   } else if (line.options_ended() || !word.starts_with('-')) {
-    if (CLI::Option* argument = line.Argument()) AddValues(*argument, "", line, answer);
+    if (CLI::Option* argument = line.Argument()) AddValues(*argument, "", line, completions);
   } else if (equals == word.npos) {
-    AddOptions(command, line, answer);
+    AddOptions(command, line, completions);
   } else if (CLI::Option* option = command.get_option_no_throw(word.substr(0, equals))) {
-    AddValues(*option, word.substr(0, equals + 1), line, answer);
+    AddValues(*option, word.substr(0, equals + 1), line, completions);
   }
 }
 
-void AddCommands(CLI::App& app, Answer& answer) {
+void AddCommands(CLI::App& app, Completions& completions) {
   for (const CLI::App* command : app.get_subcommands({}))
-    answer.Add(command->get_name(), command->get_description());
+    completions.Add(command->get_name(), command->get_description());
 }
 
-// A spec that takes long to load leaves the user alone.
+// Ends the program without completions if loading a spec takes too long.
 void LimitTime() {
-  constexpr ::rlim_t kSeconds = 1;  // of the processor
+  constexpr ::rlim_t kSeconds = 1;  // CPU time
   const ::rlimit limit = {kSeconds, kSeconds + 1};
   ::setrlimit(RLIMIT_CPU, &limit);
   std::signal(SIGXCPU, [](int) { ::_exit(0); });
@@ -303,19 +304,19 @@ CLI::Validator IsOneOf(std::span<const std::string_view> words) {
 
 ExitStatus Complete(CLI::App& app, const std::vector<std::string>& words) {
   LimitTime();
-  Answer answer(words.empty() ? "" : words.back());
+  Completions completions(words.empty() ? "" : words.back());
   if (words.size() < 2) {
-    AddCommands(app, answer);
-    answer.Add("help", "Explain a command");
-    if (answer.word().starts_with('-')) AddOptions(app, WordsBefore(app, {}), answer);
+    AddCommands(app, completions);
+    completions.Add("help", "Explain a command");
+    if (completions.word().starts_with('-')) AddOptions(app, CommandLine(app, {}), completions);
   } else if (words[0] == "help") {
-    if (words.size() == 2) AddCommands(app, answer);
+    if (words.size() == 2) AddCommands(app, completions);
   } else {
     const auto is_meant = [&](const CLI::App* command) { return command->get_name() == words[0]; };
     for (CLI::App* command : app.get_subcommands(is_meant))
-      CompleteCommand(*command, {words.begin() + 1, words.end() - 1}, answer);
+      CompleteCommand(*command, {words.begin() + 1, words.end() - 1}, completions);
   }
-  return Print(answer.Text());
+  return Print(completions.Text());
 }
 
 }  // namespace mjforge::app

@@ -1,6 +1,5 @@
+// Completion of command lines for shells.
 #pragma once
-
-// What shells ask the program when its user presses Tab.
 
 #include <span>
 #include <string>
@@ -16,22 +15,24 @@ class Validator;
 
 namespace mjforge::app {
 
-/// Names of specs, and the files of specs.
+/// For Offers: names of specs, and YAML files.
 inline constexpr const char* kSpecs = "<spec> .yaml .yml";
 
-/// For `check` of an option: accepts any value, and says how a shell may complete it. `values`:
-/// words one space apart, each a value, except "<spec>" (names of the catalogue), "<setting>"
-/// (NAME=VALUE for the spec on the line), "<joint>" (the same for its joints or those of a file,
-/// NAME alone with --sweep), ".xml" (files whose names end so) and "." (any file).
+/// Returns a validator for the `check` of an option that accepts every value and declares its
+/// completions. `values` contains words separated by spaces: values, or "<spec>" (names of the
+/// catalogue), "<setting>" (NAME=VALUE for the spec on the line), "<joint>" (NAME=VALUE, or NAME
+/// with --sweep, for the joints of the spec or file on the line), ".xml" (files with this ending),
+/// "." (all files).
 CLI::Validator Offers(const std::string& values);
-/// The same of a fixed list; accepts nothing else. The words' letters live as long as the program.
+/// Returns a validator that accepts only `words` and declares them as completions. The characters
+/// of `words` must live as long as the program.
 CLI::Validator IsOneOf(std::span<const std::string_view> words);
 
 inline constexpr std::string_view kComplete = "__complete";
-/// `mjforge __complete WORD...`: the words after the program's name up to the cursor, the last one
-/// as far as it is written, maybe empty. Prints a line for each word that may stand there: the
-/// word, a tab, what it means. The last line is a colon and the endings of files that may stand
-/// there, too, one space apart; "." is any. Says nothing of mistakes.
+/// `mjforge __complete WORD...`: completes the last of `words`, which are the words between the
+/// program's name and the cursor. Prints one line per candidate: the word, a tab, its meaning. The
+/// last line is a colon and the endings of files that are candidates, too, separated by spaces; "."
+/// means all files. Does not report errors.
 ExitStatus Complete(CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace mjforge::app

@@ -1,3 +1,4 @@
+// Standard output, standard error and exit status of the program.
 #include "console.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 namespace mjforge::app {
 namespace {
 
-// False, with errno set, if not all could be written.
+// Returns false and sets errno if not all bytes could be written.
 bool WriteAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -43,10 +44,10 @@ bool IsTerminal() {
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
-Console::Console(const ReportOptions& options)
+Console::Console(const MessageOptions& options)
     : json_(options.findings == "json"), color_(UseColor(options.color)), quiet_(options.quiet) {}
 
-ExitStatus Console::Tell() {
+ExitStatus Console::Report() {
   const ExitStatus status = StatusOf(findings);
   Show(std::exchange(findings, {}), sources);
   return status;
@@ -72,8 +73,12 @@ std::string Console::TextOf(diag::Findings found, const diag::Sources& places,
   return text;
 }
 
-void Console::Say(std::string_view line) const {
+void Console::PrintLine(std::string_view line) const {
   if (!quiet_) WriteAll(STDERR_FILENO, fmt::format("{}\n", line));
+}
+
+std::string Counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 ExitStatus Print(std::string_view bytes) {

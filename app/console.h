@@ -1,5 +1,7 @@
+// Standard output, standard error and exit status of the program.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,14 +10,16 @@
 
 namespace mjforge::app {
 
-/// What the shell sees. Of several, the largest counts.
+using Seconds = std::chrono::duration<double>;
+
+/// Exit status of the program. If several apply, the largest is used.
 enum class ExitStatus {
   kDone = 0,
   kFindings = 1,       // a spec has errors, a variant failed
-  kUsage = 2,          // wrong words on the command line
-  kInputOutput = 3,    // reading or writing failed, memory is short
-  kBug = 70,           // sysexits.h: EX_SOFTWARE
-  kInterrupted = 130,  // 128 + SIGINT, as shells count
+  kUsage = 2,          // the command line is wrong
+  kInputOutput = 3,    // reading or writing failed, or not enough memory
+  kBug = 70,           // EX_SOFTWARE of sysexits.h
+  kInterrupted = 130,  // 128 + SIGINT, like shells
 };
 
 inline ExitStatus Worse(ExitStatus a, ExitStatus b) { return a < b ? b : a; }
@@ -30,31 +34,31 @@ inline ExitStatus StatusOf(const diag::Findings& findings) {
   return status;
 }
 
-/// How to speak.
-struct ReportOptions {
-  std::string findings = "text";  // text json
-  std::string color = "auto";     // auto always never
+/// Format of messages.
+struct MessageOptions {
+  std::string findings = "text";  // text, json
+  std::string color = "auto";     // auto, always, never
   bool quiet = false;
 };
 
-/// What a command has read and found, and where it reports it. Results go to standard output,
-/// messages to standard error.
+/// Sources and findings of a command, and the output of messages to standard error. (Results go to
+/// standard output: see Print.)
 class Console {
  public:
-  explicit Console(const ReportOptions& options);
+  explicit Console(const MessageOptions& options);
 
   diag::Sources sources;
-  diag::Findings findings;  // not shown yet
+  diag::Findings findings;  // not yet reported
 
-  /// Shows `findings` and clears them; returns the exit status that they call for.
-  ExitStatus Tell();
-  /// Findings in file order, the first 50; `more` were left out before.
+  /// Prints and clears `findings`; returns their exit status.
+  ExitStatus Report();
+  /// Prints the first 50 findings, in file order, and the number of other findings plus `more`.
   void Show(diag::Findings found, const diag::Sources& places, std::uint64_t more = 0) const;
-  /// What Show writes.
+  /// Returns the text that Show prints.
   std::string TextOf(diag::Findings found, const diag::Sources& places,
                      std::uint64_t more = 0) const;
-  /// One line of words; not with --quiet.
-  void Say(std::string_view line) const;
+  /// Prints a line, unless --quiet was given.
+  void PrintLine(std::string_view line) const;
   bool quiet() const { return quiet_; }
 
  private:
@@ -63,14 +67,16 @@ class Console {
   bool quiet_;
 };
 
-/// Whether a variable of the environment has a value that is not empty.
+/// Returns true if an environment variable is set and not empty.
 bool IsSet(const char* variable);
 
-/// Whether standard error is a terminal that understands control sequences.
+/// Returns true if standard error is a terminal with control sequences.
 bool IsTerminal();
 
-/// Writes a result to standard output at once. On failure says why:
-/// kInputOutput, else kDone.
+/// Returns "1 body", "2 bodies".
+std::string Counted(std::uint64_t count, std::string_view one, std::string_view many);
+
+/// Writes a result to standard output. On failure prints the reason and returns kInputOutput.
 ExitStatus Print(std::string_view bytes);
 
 }  // namespace mjforge::app

@@ -1,3 +1,4 @@
+// Results of `mjforge inspect` as tables and as JSON.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +10,24 @@
 
 namespace mjforge::app {
 
-/// The variant must have an object; `sweep` is only there if it was requested.
+/// Describes a variant, which must have an object, and the sweep of its joints, if one was
+/// requested.
 std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,
                         const std::optional<validate::Sweep>& sweep);
 
+/// Describes the model of an MJCF file.
 std::string InspectTables(const validate::CompiledModel& model,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep);
 
-/// The manifest that WHAT names: WHAT itself, the one beside an archive, or the one in a folder. A
-/// name that is both a folder's and a spec's means the spec; with a slash at its end, the folder.
+/// Returns the manifest of a batch, if `what` is a manifest, an archive or a folder. If a folder
+/// and a spec have this name, `what` is the spec, unless it ends with a slash.
 std::optional<std::filesystem::path> FindManifest(const std::string& what);
 
-/// What a batch achieved: how often each choice was drawn, the range and mean of each
-/// number.
+/// Prints statistics of a batch: how often each choice was drawn, range and mean of each number.
 ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console);
 
 }  // namespace mjforge::app

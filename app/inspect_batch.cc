@@ -1,23 +1,23 @@
+// `mjforge inspect` of a batch: statistics of its manifest.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "inspect.h"
-#include "json.h"
+#include "json_output.h"
 #include "mjforge/report/report.h"
 #include "options.h"
-#include "table.h"
+#include "text_table.h"
 
 namespace mjforge::app {
 namespace {
 
 using manifest::Record;
-using report::Gathered;
-using report::Numbers;
+using report::ManifestSummary;
 using report::ParameterTally;
+using report::Statistics;
 
-// More values than this are too many for a line of a table.
-constexpr std::size_t kShownValues = 12;
+constexpr std::size_t kShownValues = 12;  // largest number of values in a line of a table
 
 bool IsSpecName(const std::string& what) {
   for (const std::filesystem::path& folder : forge::SearchPath()) {
@@ -28,16 +28,16 @@ bool IsSpecName(const std::string& what) {
   return false;
 }
 
-std::string StatusesText(const Gathered& batch) {
+std::string StatusesText(const ManifestSummary& batch) {
   std::string text;
-  for (const manifest::Status status : manifest::kByName) {
+  for (const manifest::Status status : manifest::kStatusesByName) {
     if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(status));
   }
   return text.empty() ? "none" : text;
 }
 
-// Of the variants that are ok.
+// Returns the values that were drawn for variants that are ok, with their counts.
 std::vector<std::pair<std::string, std::uint64_t>> ValuesOf(const ParameterTally& parameter) {
   std::vector<std::pair<std::string, std::uint64_t>> values;
   for (const auto& [value, counts] : parameter.Values()) {
@@ -62,7 +62,7 @@ std::string ValuesText(const ParameterTally& parameter) {
   return text;
 }
 
-void AddRow(Table& table, const std::string& name, const Numbers& numbers,
+void AddRow(TextTable& table, const std::string& name, const Statistics& numbers,
             const std::string& values = {}) {
   const auto text = [&](double value) {
     return numbers.count == 0 ? "" : fmt::format("{:.6g}", value);
@@ -71,13 +71,13 @@ void AddRow(Table& table, const std::string& name, const Numbers& numbers,
              text(numbers.StandardDeviation()), values});
 }
 
-void AddMeasures(const Gathered& batch, Table& table) {
-  const Numbers& mass = batch.Of(report::MeasureId::kMass).good;
-  const Numbers& attempts = batch.Of(report::MeasureId::kAttempts).good;
+void AddMeasures(const ManifestSummary& batch, TextTable& table) {
+  const Statistics& mass = batch.Of(report::MeasureId::kMass).good;
+  const Statistics& attempts = batch.Of(report::MeasureId::kAttempts).good;
   if (mass.count > 0) AddRow(table, "(mass, kg)", mass);
   if (attempts.max > 0) AddRow(table, "(attempt)", attempts);
   for (const report::Measure& measure : report::Measures()) {
-    const Numbers& numbers = batch.Of(measure.id).good;
+    const Statistics& numbers = batch.Of(measure.id).good;
     if (!measure.is_physics || numbers.count == 0) continue;
     AddRow(table,
            fmt::format("({}{}{})", measure.key, measure.unit.empty() ? "" : ", ", measure.unit),
@@ -85,7 +85,7 @@ void AddMeasures(const Gathered& batch, Table& table) {
   }
 }
 
-std::string Tables(const Gathered& batch) {
+std::string Tables(const ManifestSummary& batch) {
   std::string text;
   if (const std::optional<Record>& first = batch.first) {
     text += fmt::format("batch of {}, seed {}, target {}, validate {}{}{}\n", first->spec,
@@ -93,11 +93,11 @@ std::string Tables(const Gathered& batch) {
                         first->sampler.empty() ? "" : ", sampler ", first->sampler);
   }
   text += fmt::format("{} variants: {}\n", batch.variants, StatusesText(batch));
-  Table codes({"finding", "variants"});
+  TextTable codes({"finding", "variants"});
   for (const auto& [code, tally] : batch.codes)
     codes.Add({code, fmt::format("{}", tally.variants)});
   if (!codes.empty()) text += "\n" + codes.Render();
-  Table table({"parameter", "min", "mean", "max", "std", "drawn"});
+  TextTable table({"parameter", "min", "mean", "max", "std", "drawn"});
   for (const ParameterTally& parameter : batch.params.list()) {
     const std::string values = ValuesText(parameter);
     const std::size_t count = parameter.numbers.size();
@@ -112,7 +112,7 @@ std::string Tables(const Gathered& batch) {
   return table.empty() ? text : text + "\n" + table.Render();
 }
 
-void Write(Json& json, const Numbers& numbers) {
+void Write(JsonOutput& json, const Statistics& numbers) {
   json.Member("count", numbers.count);
   json.Member("min", numbers.min);
   json.Member("mean", numbers.mean);
@@ -120,64 +120,55 @@ void Write(Json& json, const Numbers& numbers) {
   json.Member("std", numbers.StandardDeviation());
 }
 
-void Write(Json& json, std::string_view key, const Numbers& numbers) {
-  json.Key(key);
-  json.StartObject();
-  Write(json, numbers);
-  json.EndObject();
+void Write(JsonOutput& json, std::string_view key, const Statistics& numbers) {
+  json.Object(key, [&] { Write(json, numbers); });
 }
 
-void Write(Json& json, const ParameterTally& parameter) {
+void Write(JsonOutput& json, const ParameterTally& parameter) {
   json.Member("name", parameter.name);
   json.Each("numbers", parameter.numbers,
             [&](const report::NumberTally& numbers) { Write(json, numbers.good); });
-  json.Key("values");
-  json.StartObject();
-  for (const auto& [value, count] : ValuesOf(parameter)) json.Member(value, count);
-  json.EndObject();
+  json.Object("values", [&] {
+    for (const auto& [value, count] : ValuesOf(parameter)) json.Member(value, count);
+  });
   json.Member("more_values", parameter.more_texts);
 }
 
-void WriteCounts(Json& json, const Gathered& batch) {
+void WriteCounts(JsonOutput& json, const ManifestSummary& batch) {
   json.Member("variants", batch.variants);
-  json.Key("status");
-  json.StartObject();
-  for (const manifest::Status status : manifest::kByName) {
-    if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
-      json.Member(NameOf(status), count);
-  }
-  json.EndObject();
-  json.Key("findings");
-  json.StartObject();
-  for (const auto& [code, tally] : batch.codes) json.Member(code, tally.variants);
-  json.EndObject();
+  json.Object("status", [&] {
+    for (const manifest::Status status : manifest::kStatusesByName) {
+      if (const std::uint64_t count = batch.statuses.Of(status); count > 0)
+        json.Member(NameOf(status), count);
+    }
+  });
+  json.Object("findings", [&] {
+    for (const auto& [code, tally] : batch.codes) json.Member(code, tally.variants);
+  });
 }
 
-std::string AsJson(const Gathered& batch) {
-  Json json;
-  json.StartObject();
-  if (const std::optional<Record>& first = batch.first) {
-    json.Member("spec", first->spec);
-    json.Member("spec_sha256", first->spec_sha256);
-    json.Member("seed", first->seed);
-    json.Member("target", first->target);
-    json.Member("validate", NameOf(first->validate));
-    json.Member("sampler", first->sampler.empty() ? "random" : first->sampler);
-  }
-  WriteCounts(json, batch);
-  json.Each("parameters", batch.params.list(),
-            [&](const ParameterTally& parameter) { Write(json, parameter); });
-  Write(json, "mass", batch.Of(report::MeasureId::kMass).good);
-  Write(json, "attempt", batch.Of(report::MeasureId::kAttempts).good);
-  json.Key("physics");
-  json.StartObject();
-  for (const report::Measure& measure : report::Measures()) {
-    const Numbers& numbers = batch.Of(measure.id).good;
-    if (measure.is_physics && numbers.count > 0) Write(json, measure.key, numbers);
-  }
-  json.EndObject();
-  json.EndObject();
-  return json.Line();
+std::string AsJson(const ManifestSummary& batch) {
+  return JsonLine([&](JsonOutput& json) {
+    if (const std::optional<Record>& first = batch.first) {
+      json.Member("spec", first->spec);
+      json.Member("spec_sha256", first->spec_sha256);
+      json.Member("seed", first->seed);
+      json.Member("target", first->target);
+      json.Member("validate", NameOf(first->validate));
+      json.Member("sampler", first->sampler.empty() ? "random" : first->sampler);
+    }
+    WriteCounts(json, batch);
+    json.Each("parameters", batch.params.list(),
+              [&](const ParameterTally& parameter) { Write(json, parameter); });
+    Write(json, "mass", batch.Of(report::MeasureId::kMass).good);
+    Write(json, "attempt", batch.Of(report::MeasureId::kAttempts).good);
+    json.Object("physics", [&] {
+      for (const report::Measure& measure : report::Measures()) {
+        const Statistics& numbers = batch.Of(measure.id).good;
+        if (measure.is_physics && numbers.count > 0) Write(json, measure.key, numbers);
+      }
+    });
+  });
 }
 
 }  // namespace
@@ -187,7 +178,7 @@ std::optional<std::filesystem::path> FindManifest(const std::string& what) {
   std::error_code ignored;
   std::string why_not;
   const auto archive = output::ParseDestination(what, 1, why_not);
-  if (archive && archive->IsArchive()) {  // its manifest stands beside it
+  if (archive && archive->IsArchive()) {  // the manifest is in the same folder
     const std::filesystem::path manifest = archive->Manifest({});
     if (std::filesystem::exists(manifest, ignored)) return manifest;
   }
@@ -200,7 +191,8 @@ ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Consol
   diag::Sources sources;
   diag::Findings findings;
   std::uint64_t bad_lines = 0;
-  const std::optional<Gathered> batch = report::Gather(manifest, 0, sources, findings, bad_lines);
+  const std::optional<ManifestSummary> batch =
+      report::Summarize(manifest, 0, sources, findings, bad_lines);
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
   if (!batch || bad_lines > 0) return status;

@@ -1,10 +1,11 @@
+// `mjforge inspect --json`: one JSON object about a variant or an MJCF file.
 #include "inspect.h"
-#include "json.h"
+#include "json_output.h"
 
 namespace mjforge::app {
 namespace {
 
-void Parameters(Json& json, const forge::Recipe& recipe, const forge::Variant& variant) {
+void WriteParameters(JsonOutput& json, const forge::Recipe& recipe, const forge::Variant& variant) {
   auto drawn = variant.record.params.begin();
   json.Each("parameters", recipe.spec->parameters, [&](const spec::Parameter& parameter) {
     json.Member("name", parameter.name);
@@ -15,24 +16,24 @@ void Parameters(Json& json, const forge::Recipe& recipe, const forge::Variant& v
   });
 }
 
-void Pose(Json& json, const model::Pose& pose) {
+void WritePose(JsonOutput& json, const model::Pose& pose) {
   json.Member("pos", pose.p);
   json.Member("quat", Eigen::Vector4d(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()));
 }
 
-void Parts(Json& json, const model::Body& body) {
+void WriteParts(JsonOutput& json, const model::Body& body) {
   json.Each("parts", body.parts, [&](const model::Part& part) {
     json.Member("name", part.name);
     json.Member("type", model::GeomTypeName(part.shape.type));
     json.Member("collides", part.role != model::Role::kVisual);
     json.Member("visible", part.role != model::Role::kCollision);
     json.Member("size", part.shape.size.head(model::SizeCount(part.shape.type)));
-    Pose(json, part.X_BG);
+    WritePose(json, part.X_BG);
     json.Member("mass", part.mass);
   });
 }
 
-void Joints(Json& json, const model::Body& body) {
+void WriteJoints(JsonOutput& json, const model::Body& body) {
   json.Each("joints", body.joints, [&](const model::Joint& joint) {
     json.Member("name", joint.name);
     json.Member("type", joint.type);
@@ -42,23 +43,22 @@ void Joints(Json& json, const model::Body& body) {
   });
 }
 
-void Sites(Json& json, const model::Body& body) {
+void WriteSites(JsonOutput& json, const model::Body& body) {
   json.Each("sites", body.sites, [&](const model::Site& site) {
     json.Member("name", site.name);
-    Pose(json, site.X_BS);
+    WritePose(json, site.X_BS);
   });
 }
 
-void Box(Json& json, const model::Box3& aabb) {
-  json.Key("aabb");
-  json.StartObject();
-  json.Member("min", aabb.min);
-  json.Member("max", aabb.max);
-  json.EndObject();
+void WriteBox(JsonOutput& json, const model::Box3& aabb) {
+  json.Object("aabb", [&] {
+    json.Member("min", aabb.min);
+    json.Member("max", aabb.max);
+  });
 }
 
-// Inertia as in the manifest: xx yy zz xy xz yz.
-void Mass(Json& json, const model::MassProperties& properties) {
+// The order of the inertia is that of the manifest: xx yy zz xy xz yz.
+void WriteMass(JsonOutput& json, const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   json.Member("mass", properties.mass);
   json.Member("com", properties.p_FCm);
@@ -66,53 +66,51 @@ void Mass(Json& json, const model::MassProperties& properties) {
               Eigen::Vector<double, 6>(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
 }
 
-void Elements(Json& json, std::string_view key, const std::vector<model::Element>& elements) {
+void WriteElements(JsonOutput& json, std::string_view key,
+                   const std::vector<model::Element>& elements) {
   json.Each(key, elements, [&](const model::Element& element) {
     json.Member("kind", element.tag);
     json.Member("name", element.name);
   });
 }
 
-void Sections(Json& json, const model::Object& object) {
-  json.Key("sections");
-  json.StartObject();
-  for (const model::Section& section : object.sections) {
-    Elements(json, section.info->name, section.elements);
-  }
-  json.EndObject();
+void WriteSections(JsonOutput& json, const model::Object& object) {
+  json.Object("sections", [&] {
+    for (const model::Section& section : object.sections)
+      WriteElements(json, section.info->name, section.elements);
+  });
 }
 
-void BodyHead(Json& json, const model::Object& object, const model::Body& body) {
+void WriteBodyHead(JsonOutput& json, const model::Object& object, const model::Body& body) {
   json.Member("name", body.name);
   json.Member("parent", body.parent < 0
                             ? std::string_view("world")
                             : object.bodies[static_cast<std::size_t>(body.parent)].name);
-  Pose(json, body.X_PB);
-  Mass(json, body.mass_properties);
+  WritePose(json, body.X_PB);
+  WriteMass(json, body.mass_properties);
 }
 
-// What several joints do has neither joint nor value.
-void Sweep(Json& json, const std::optional<validate::Sweep>& sweep) {
+// Contacts that several joints cause together have neither joint nor value.
+void WriteSweep(JsonOutput& json, const std::optional<validate::Sweep>& sweep) {
   if (!sweep) return;
-  json.Key("sweep");
-  json.StartObject();
-  json.Each("contacts", sweep->contacts, [&](const validate::Sweep::Contact& contact) {
-    if (contact.joint.empty()) {
-      json.Member("joint", nullptr);
-      json.Member("value", nullptr);
-    } else {
-      json.Member("joint", contact.joint);
-      json.Member("value", contact.value);
-    }
-    json.Member("body1", contact.body1);
-    json.Member("geom1", contact.geom1);
-    json.Member("body2", contact.body2);
-    json.Member("geom2", contact.geom2);
-    json.Member("depth", contact.depth);
+  json.Object("sweep", [&] {
+    json.Each("contacts", sweep->contacts, [&](const validate::Sweep::Contact& contact) {
+      if (contact.joint.empty()) {
+        json.Member("joint", nullptr);
+        json.Member("value", nullptr);
+      } else {
+        json.Member("joint", contact.joint);
+        json.Member("value", contact.value);
+      }
+      json.Member("body1", contact.body1);
+      json.Member("geom1", contact.geom1);
+      json.Member("body2", contact.body2);
+      json.Member("geom2", contact.geom2);
+      json.Member("depth", contact.depth);
+    });
+    json.Member("held", sweep->held);
+    WriteBox(json, sweep->aabb);
   });
-  json.Member("held", sweep->held);
-  Box(json, sweep->aabb);
-  json.EndObject();
 }
 
 }  // namespace
@@ -121,72 +119,68 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
                         const std::optional<validate::Sweep>& sweep) {
   const model::Object& object = *variant.object;
   const manifest::Record& record = variant.record;
-  Json json;
-  json.StartObject();
-  json.Member("name", recipe.spec->name);
-  json.Member("description", recipe.spec->description);
-  json.Member("spec", recipe.reference);
-  json.Member("spec_sha256", recipe.spec->sha256);
-  Parameters(json, recipe, variant);
-  json.Member("seed", record.seed);
-  json.Member("index", record.index);
-  json.Member("attempt", record.attempt);
-  json.Each("bodies", object.bodies, [&](const model::Body& body) {
-    BodyHead(json, object, body);
-    Parts(json, body);
-    Joints(json, body);
-    Sites(json, body);
-    Elements(json, "elements", body.elements);
+  return JsonLine([&](JsonOutput& json) {
+    json.Member("name", recipe.spec->name);
+    json.Member("description", recipe.spec->description);
+    json.Member("spec", recipe.reference);
+    json.Member("spec_sha256", recipe.spec->sha256);
+    WriteParameters(json, recipe, variant);
+    json.Member("seed", record.seed);
+    json.Member("index", record.index);
+    json.Member("attempt", record.attempt);
+    json.Each("bodies", object.bodies, [&](const model::Body& body) {
+      WriteBodyHead(json, object, body);
+      WriteParts(json, body);
+      WriteJoints(json, body);
+      WriteSites(json, body);
+      WriteElements(json, "elements", body.elements);
+    });
+    WriteSections(json, object);
+    WriteBox(json, object.bounds.aabb);
+    WriteMass(json, object.mass_properties);
+    json.Member("top_offset", object.bounds.top_offset);
+    json.Member("bottom_offset", object.bounds.bottom_offset);
+    json.Member("horizontal_radius", object.bounds.horizontal_radius);
+    json.Member("text_bytes", variant.document.text.size());
+    json.Member("mesh_bytes", mjcf::MeshBytes(variant.document.text));
+    WriteSweep(json, sweep);
   });
-  Sections(json, object);
-  Box(json, object.bounds.aabb);
-  Mass(json, object.mass_properties);
-  json.Member("top_offset", object.bounds.top_offset);
-  json.Member("bottom_offset", object.bounds.bottom_offset);
-  json.Member("horizontal_radius", object.bounds.horizontal_radius);
-  json.Member("text_bytes", variant.document.text.size());
-  json.Member("mesh_bytes", mjcf::MeshBytes(variant.document.text));
-  Sweep(json, sweep);
-  json.EndObject();
-  return json.Line();
 }
 
 std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep) {
-  Json json;
-  json.StartObject();
-  const model::Object& object = model.object;
-  json.Member("name", object.name);
-  auto geoms = model.body_geoms.begin();
-  json.Each("bodies", object.bodies, [&](const model::Body& body) {
-    BodyHead(json, object, body);
-    json.Member("geoms", *geoms++);
-  });
-  json.Key("joints");
-  json.StartArray();
-  for (const model::Body& body : object.bodies) {
-    for (const model::Joint& joint : body.joints) {
-      json.StartObject();
-      json.Member("name", joint.name);
-      json.Member("body", body.name);
-      json.Member("type", joint.type);
-      json.Member("axis", joint.axis);
-      if (joint.range) json.Member("range", *joint.range);
-      json.EndObject();
+  return JsonLine([&](JsonOutput& json) {
+    const model::Object& object = model.object;
+    json.Member("name", object.name);
+    auto geoms = model.body_geoms.begin();
+    json.Each("bodies", object.bodies, [&](const model::Body& body) {
+      WriteBodyHead(json, object, body);
+      json.Member("geoms", *geoms++);
+    });
+    json.Key("joints");
+    json.StartArray();
+    for (const model::Body& body : object.bodies) {
+      for (const model::Joint& joint : body.joints) {
+        json.StartObject();
+        json.Member("name", joint.name);
+        json.Member("body", body.name);
+        json.Member("type", joint.type);
+        json.Member("axis", joint.axis);
+        if (joint.range) json.Member("range", *joint.range);
+        json.EndObject();
+      }
     }
-  }
-  json.EndArray();
-  json.Each("elements", model.elements, [&](const validate::CompiledModel::Element& element) {
-    json.Member("kind", element.kind);
-    json.Member("name", element.name);
+    json.EndArray();
+    json.Each("elements", model.elements, [&](const validate::CompiledModel::Element& element) {
+      json.Member("kind", element.kind);
+      json.Member("name", element.name);
+    });
+    json.Member("ngeom", model.geoms);
+    json.Member("nsite", model.sites);
+    WriteBox(json, object.bounds.aabb);
+    WriteMass(json, object.mass_properties);
+    WriteSweep(json, sweep);
   });
-  json.Member("ngeom", model.geoms);
-  json.Member("nsite", model.sites);
-  Box(json, object.bounds.aabb);
-  Mass(json, object.mass_properties);
-  Sweep(json, sweep);
-  json.EndObject();
-  return json.Line();
 }
 
 }  // namespace mjforge::app

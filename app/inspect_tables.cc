@@ -1,13 +1,14 @@
+// `mjforge inspect`: tables about a variant or an MJCF file.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "inspect.h"
-#include "table.h"
+#include "text_table.h"
 
 namespace mjforge::app {
 namespace {
 
-// Tables are for eyes: fewer digits than the files have.
+// Returns the number with six digits; files have more.
 std::string Number(double value) { return fmt::format("{:.6g}", value + 0.0); }
 
 template <typename Numbers>
@@ -29,7 +30,7 @@ std::string ValueText(const sample::ParameterValue& value) {
   return NumbersText(std::get<std::vector<double>>(value));
 }
 
-// A geom of an attached file is one geom: it does not come with a visual twin.
+// Geoms of attached files (`as_is`) have no separate visual geom.
 std::string_view RoleName(const model::Part& part) {
   return part.role == model::Role::kVisual                ? "visual"
          : part.role == model::Role::kBoth && !part.as_is ? "both"
@@ -41,8 +42,8 @@ std::string SizeText(const model::Shape& shape) {
   return NumbersText(shape.size.head(model::SizeCount(shape.type)));
 }
 
-std::string Parameters(const forge::Recipe& recipe, const forge::Variant& variant) {
-  Table table({"parameter", "spec", "here", "unit", "doc"});
+std::string ParametersText(const forge::Recipe& recipe, const forge::Variant& variant) {
+  TextTable table({"parameter", "spec", "here", "unit", "doc"});
   for (std::size_t i = 0; i < recipe.spec->parameters.size(); ++i) {
     const spec::Parameter& parameter = recipe.spec->parameters[i];
     table.Add({parameter.name, parameter.source, ValueText(variant.record.params[i].second),
@@ -51,7 +52,7 @@ std::string Parameters(const forge::Recipe& recipe, const forge::Variant& varian
   return table.empty() ? "" : table.Render() + "\n";
 }
 
-// Sums of numbers of the size `scale` that cancel leave rounding errors behind.
+// Sets components to zero that are rounding errors of sums of numbers of magnitude `scale`.
 Eigen::Vector3d WithoutNoise(const Eigen::Vector3d& vector, double scale) {
   return (vector.array().abs() < 1e-12 * scale).select(0, vector);
 }
@@ -62,27 +63,27 @@ std::string ComText(const model::MassProperties& properties, const model::Box3& 
   return NumbersText(WithoutNoise(properties.p_FCm, LengthOf(aabb)));
 }
 
-// xx yy zz  xy xz yz
+// Returns "xx yy zz  xy xz yz".
 std::string InertiaText(const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   const Eigen::Vector3d products = WithoutNoise({I(0, 1), I(0, 2), I(1, 2)}, I.trace());
   return fmt::format("{}  {}", NumbersText(I.diagonal()), NumbersText(products));
 }
 
-// Empty where the axes are the parent's.
+// Returns an empty text if the axes are parallel to those of the parent.
 std::string QuatText(const Eigen::Quaterniond& q) {
   if (q.vec().norm() < 1e-12) return "";
   return fmt::format("{} {}", Number(q.w()), NumbersText(q.vec()));
 }
 
-// What tells the bodies of an object apart, if there are several.
+// Returns the body's name if the object has several bodies.
 std::string BodyText(const model::Object& object, const model::Body& body) {
   return object.bodies.size() > 1 ? body.name : "";
 }
 
-// `geoms`: how many each body of a file has; none for an object, whose root has no parent to name.
-std::string Bodies(const model::Object& object, std::span<const int> geoms) {
-  Table table({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
+// `geoms`: numbers of geoms of the bodies of a file; empty for an object, whose root has no parent.
+std::string BodiesText(const model::Object& object, std::span<const int> geoms) {
+  TextTable table({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
   for (const int number : mjcf::DepthFirst(object)) {
     const auto i = static_cast<std::size_t>(number);
     const model::Body& body = object.bodies[i];
@@ -100,8 +101,8 @@ std::string Bodies(const model::Object& object, std::span<const int> geoms) {
   return table.Render() + "\n";
 }
 
-std::string Parts(const model::Object& object) {
-  Table table({"part", "body", "type", "role", "size", "pos", "kg"});
+std::string PartsText(const model::Object& object) {
+  TextTable table({"part", "body", "type", "role", "size", "pos", "kg"});
   for (const model::Body& body : object.bodies) {
     for (const model::Part& part : body.parts) {
       table.Add({part.name, BodyText(object, body),
@@ -112,8 +113,8 @@ std::string Parts(const model::Object& object) {
   return table.Render() + "\n";
 }
 
-std::string Joints(const model::Object& object, bool always_bodies) {
-  Table table({"joint", "body", "type", "axis", "range", "start"});
+std::string JointsText(const model::Object& object, bool always_bodies) {
+  TextTable table({"joint", "body", "type", "axis", "range", "start"});
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
       const bool has_axis = joint.type == "hinge" || joint.type == "slide";
@@ -125,8 +126,8 @@ std::string Joints(const model::Object& object, bool always_bodies) {
   return table.empty() ? "" : table.Render() + "\n";
 }
 
-std::string Sites(const model::Object& object) {
-  Table table({"site", "body", "pos"});
+std::string SitesText(const model::Object& object) {
+  TextTable table({"site", "body", "pos"});
   for (const model::Body& body : object.bodies) {
     for (const model::Site& site : body.sites) {
       table.Add({site.name, BodyText(object, body), NumbersText(site.X_BS.p)});
@@ -135,9 +136,9 @@ std::string Sites(const model::Object& object) {
   return table.empty() ? "" : table.Render() + "\n";
 }
 
-// Cameras and lights of bodies, then the sections.
-std::string Elements(const model::Object& object) {
-  Table table({"element", "kind", "of"});
+// Lists cameras and lights of bodies, then the elements of sections.
+std::string ElementsText(const model::Object& object) {
+  TextTable table({"element", "kind", "of"});
   for (const model::Body& body : object.bodies) {
     for (const model::Element& element : body.elements) {
       table.Add({element.name, std::string(element.tag), body.name});
@@ -151,7 +152,7 @@ std::string Elements(const model::Object& object) {
   return table.empty() ? "" : table.Render() + "\n";
 }
 
-std::string Totals(const model::MassProperties& properties, const model::Box3& aabb) {
+std::string TotalsText(const model::MassProperties& properties, const model::Box3& aabb) {
   std::string text;
   if (!aabb.empty()) {
     text += fmt::format("bounds   {} to {} m\n", NumbersText(aabb.min), NumbersText(aabb.max));
@@ -162,16 +163,16 @@ std::string Totals(const model::MassProperties& properties, const model::Box3& a
   return text;
 }
 
-std::string TextSize(const mjcf::MjcfDocument& document) {
+std::string SizeOfText(const mjcf::MjcfDocument& document) {
   const std::size_t meshes = mjcf::MeshBytes(document.text);
   return fmt::format("text     {} bytes of MJCF{}\n", document.text.size(),
                      meshes > 0 ? fmt::format(", {} of them in meshes", meshes) : "");
 }
 
-// What the joints do: contacts of bodies, deepest first seen, and the box of all poses.
+// Lists contacts between bodies during the sweep of the joints, and the bounds of all poses.
 std::string SweepText(const std::optional<validate::Sweep>& sweep) {
   if (!sweep) return "";
-  Table table({"joint", "at", "body", "geom", "body", "geom", "mm deep"});
+  TextTable table({"joint", "at", "body", "geom", "body", "geom", "mm deep"});
   for (const validate::Sweep::Contact& contact : sweep->contacts) {
     const bool alone = !contact.joint.empty();
     table.Add({alone ? contact.joint : "several", alone ? Number(contact.value) : "", contact.body1,
@@ -200,25 +201,26 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   std::string text = spec.description.empty()
                          ? fmt::format("{}\n\n", spec.name)
                          : fmt::format("{}: {}\n\n", spec.name, spec.description);
-  text += Parameters(recipe, variant);
+  text += ParametersText(recipe, variant);
   text +=
       fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
-  if (object.bodies.size() > 1) text += Bodies(object, {});
-  text += Parts(object) + Joints(object, false) + Sites(object) + Elements(object);
-  text += Totals(object.mass_properties, object.bounds.aabb);
+  if (object.bodies.size() > 1) text += BodiesText(object, {});
+  text += PartsText(object) + JointsText(object, false) + SitesText(object) + ElementsText(object);
+  text += TotalsText(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
-  text += TextSize(variant.document);
+  text += SizeOfText(variant.document);
   return text + SweepText(sweep);
 }
 
 std::string InspectTables(const validate::CompiledModel& model,
                           const std::optional<validate::Sweep>& sweep) {
   const model::Object& object = model.object;
-  Table elements({"element", "kind"});
+  TextTable elements({"element", "kind"});
   for (const auto& [kind, name] : model.elements) elements.Add({name, kind});
-  std::string text = object.name + "\n\n" + Bodies(object, model.body_geoms) + Joints(object, true);
+  std::string text =
+      object.name + "\n\n" + BodiesText(object, model.body_geoms) + JointsText(object, true);
   if (!elements.empty()) text += elements.Render() + "\n";
-  return text + Totals(object.mass_properties, object.bounds.aabb) + SweepText(sweep);
+  return text + TotalsText(object.mass_properties, object.bounds.aabb) + SweepText(sweep);
 }
 
 }  // namespace mjforge::app

@@ -1,3 +1,4 @@
+// Names of joints, for completion.
 #include "joint_names.h"
 
 #include <fmt/format.h>
@@ -11,24 +12,21 @@
 namespace mjforge::app {
 namespace {
 
-struct Loaded {
+struct LoadedSubject {
   std::unique_ptr<picture::Subject> subject;
-  std::string prefix;  // of its names
+  std::string prefix;  // prefix of the names of its joints
 };
 
-Loaded LoadVariant(const std::string& what, const std::vector<std::string>& settings) {
-  spec::LoadOptions load;
-  load.settings = MakeSettings(settings);
-  load.search_path = forge::SearchPath();
-  diag::Sources sources;
-  diag::Findings findings;
-  const std::optional<forge::Recipe> recipe = forge::LoadRecipe(what, load, sources, findings);
-  if (!recipe || findings.HasErrors()) return {};
+LoadedSubject LoadVariant(const std::string& what, const std::vector<std::string>& settings) {
+  Console console{MessageOptions()};
+  SpecOptions options;
+  options.settings = settings;
+  const std::optional<forge::Recipe> recipe = LoadRecipe(what, options, console);
+  if (!recipe || console.findings.HasErrors()) return {};
   forge::Options how;
   how.validation = forge::Validation::kNone;
-  how.moulds = false;
   forge::Variant variant;
-  forge::Generator(*recipe, sources, how).Make(0, variant);
+  forge::Generator(*recipe, console.sources, how).Make(0, variant);
   if (!variant.ok()) return {};
   std::string why_not;
   return {picture::Loader().LoadText(variant.document.text, variant.document.assets, why_not),
@@ -48,9 +46,9 @@ std::string MeaningOf(const picture::Joint& joint) {
 std::vector<JointName> NamesOfJoints(const std::string& what,
                                      const std::vector<std::string>& settings) {
   std::string why_not;
-  const Loaded loaded = what.ends_with(".xml")
-                            ? Loaded{picture::Loader().LoadFile(what, why_not), {}}
-                            : LoadVariant(what, settings);
+  const LoadedSubject loaded = what.ends_with(".xml")
+                                   ? LoadedSubject{picture::Loader().LoadFile(what, why_not), {}}
+                                   : LoadVariant(what, settings);
   std::vector<JointName> names;
   if (!loaded.subject) return names;
   for (const picture::Joint& joint : loaded.subject->joints()) {
@@ -59,8 +57,8 @@ std::vector<JointName> NamesOfJoints(const std::string& what,
     if (!moves || joint.name.empty()) continue;
     const bool prefixed = joint.name.starts_with(loaded.prefix);
     const std::string rest = joint.name.substr(prefixed ? loaded.prefix.size() : 0);
-    diag::Findings of_others;
-    const bool enough = loaded.subject->FindJoint(rest, of_others).has_value();
+    diag::Findings ignored;
+    const bool enough = loaded.subject->FindJoint(rest, ignored).has_value();
     names.push_back({joint.name, enough ? rest : joint.name, MeaningOf(joint)});
   }
   return names;

@@ -1,3 +1,4 @@
+// Names of joints, for completion.
 #pragma once
 
 #include <string>
@@ -5,15 +6,15 @@
 
 namespace mjforge::app {
 
-/// A hinge or slide, for completion.
+/// A hinge or slide.
 struct JointName {
   std::string name;
-  std::string short_name;  // without the object's prefix, if that is enough
+  std::string short_name;  // without the object's prefix, if the short name is unique
   std::string meaning;     // "hinge, 0 to 1.92 rad"
 };
 
-/// Those of the first variant of a spec with these settings (NAME=VALUE), or of an MJCF file. None
-/// where anything is wrong.
+/// Returns the joints of the first variant of a spec with these settings (NAME=VALUE), or of an
+/// MJCF file; empty if there is an error.
 std::vector<JointName> NamesOfJoints(const std::string& what,
                                      const std::vector<std::string>& settings);
 

@@ -1,3 +1,4 @@
+// Limit of the CPU time for loading a spec.
 #include "load_limit.h"
 
 #include <fmt/format.h>
@@ -9,16 +10,16 @@
 namespace mjforge::app {
 namespace {
 
-// What the handler says: it may not make memory.
-std::string last_words;
+// Message of the signal handler, prepared because the handler cannot allocate memory.
+std::string limit_message;
 
 extern "C" void OnLimit(int) {
   [[maybe_unused]] const ssize_t written =
-      ::write(STDERR_FILENO, last_words.data(), last_words.size());
+      ::write(STDERR_FILENO, limit_message.data(), limit_message.size());
   ::_exit(static_cast<int>(ExitStatus::kFindings));
 }
 
-// Of the CPU time of the process; 0 ends it.
+// Sets the timer of the process's CPU time; 0 stops it.
 void SetTimer(double seconds) {
   ::itimerval timer = {};
   timer.it_value.tv_sec = static_cast<::time_t>(seconds);
@@ -31,13 +32,12 @@ void SetTimer(double seconds) {
 
 }  // namespace
 
-LoadLimit::LoadLimit(const std::string& what, std::chrono::duration<double> limit,
-                     const Console& console) {
+LoadLimit::LoadLimit(const std::string& what, Seconds limit, const Console& console) {
   diag::Findings findings;
   findings.Add(diag::Code::kBatchTooSlow, {},
                fmt::format("loading '{}' took more than {:g} s of CPU time", what, limit.count()),
                "raise --time-limit, or see what the spec and what it imports have so much of");
-  last_words = console.TextOf(std::move(findings), {});
+  limit_message = console.TextOf(std::move(findings), {});
   std::signal(SIGPROF, OnLimit);
   SetTimer(limit.count());
 }

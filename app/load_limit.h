@@ -1,17 +1,18 @@
+// Limit of the CPU time for loading a spec.
 #pragma once
 
-#include <chrono>
 #include <string>
 
 #include "console.h"
 
 namespace mjforge::app {
 
-/// While it lives, the program ends with a finding once it has taken more CPU time than `limit`:
-/// for the loading of the spec `what`, before anything is written. One at a time.
+/// Ends the program with a finding if loading the spec `what` takes more CPU time than `limit`
+/// during the lifetime of this object. Nothing must have been written yet. Only one instance at a
+/// time.
 class LoadLimit {
  public:
-  LoadLimit(const std::string& what, std::chrono::duration<double> limit, const Console& console);
+  LoadLimit(const std::string& what, Seconds limit, const Console& console);
   LoadLimit(const LoadLimit&) = delete;
   LoadLimit& operator=(const LoadLimit&) = delete;
   ~LoadLimit();

@@ -1,5 +1,4 @@
-// The program: words in, words out, exit status.
-
+// The main function: parses the command line and runs a command.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -10,7 +9,6 @@
 #include "commands.h"
 #include "completion.h"
 #include "make_options.h"
-#include "manual_page.h"
 #include "usage.h"
 
 namespace mjforge::app {
@@ -21,11 +19,10 @@ ExitStatus Run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", VersionText, "Print versions and exit");
   app.footer("'mjforge help COMMAND' explains a command and has examples.");
-  ReportOptions report;
+  MessageOptions report;
   const auto commands = AddCommands(app, report);
   std::vector<std::string> words = WithLongMakeOptions({argv + 1, argv + argc});
   if (argc > 1 && argv[1] == kComplete) return Complete(app, {argv + 2, argv + argc});
-  if (argc == 3 && argv[1] == kWriteManual) return WriteManualPages(app, argv[2]);
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
     const auto is_meant = [&](const auto& row) { return row.first->get_name() == words[0]; };
@@ -33,7 +30,8 @@ ExitStatus Run(int argc, char** argv) {
       words.emplace_back("--help");
   }
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them
+    app.parse(std::vector<std::string>(words.rbegin(),
+                                       words.rend()));  // CLI11 takes the words in reverse order
   } catch (const CLI::ParseError& error) {
     return ExplainParseError(app, error, words.empty() ? "" : words[0]);
   }

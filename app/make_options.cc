@@ -1,3 +1,4 @@
+// Options -MD, -MF, -MT and -MP, and the Make rule that they write.
 #include "make_options.h"
 
 #include <CLI/CLI.hpp>
@@ -12,7 +13,8 @@ using Kind = output::Destination::Kind;
 
 constexpr std::array<std::string_view, 4> kNames = {"-MD", "-MF", "-MT", "-MP"};
 
-// What a rule is about: a folder and a series are there when their manifest is.
+// Returns the target of the rule; a folder or a series of archives is complete when its manifest
+// exists.
 std::filesystem::path TargetOf(const output::Destination& destination) {
   const bool is_file = destination.kind == Kind::kFile || destination.kind == Kind::kArchive;
   return is_file ? destination.path : destination.Manifest({});
@@ -24,8 +26,7 @@ std::filesystem::path DependencyFile(const output::Destination& destination) {
   return file.replace_extension(".d");
 }
 
-// As a makefile names it: Make knows a file by one name alone, and one that a rule
-// makes has the name of that rule.
+// Returns the normalized name of a file, because Make compares files by their names.
 std::string NameForMake(const std::filesystem::path& file, bool absolute) {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::current_path(error);
@@ -36,10 +37,9 @@ std::string NameForMake(const std::filesystem::path& file, bool absolute) {
   return (absolute || !below ? whole : relative).string();
 }
 
-// Targets are not longer, together.
-constexpr std::size_t kRuleStart = std::size_t{64} << 10;
+constexpr std::size_t kRuleStart = std::size_t{64} << 10;  // limit of the length of the targets
 
-// Whether a file that starts so is a rule, as WriteDependencies writes it, or empty.
+// Returns true if a file with this start is empty or has the form of WriteDependencies.
 bool IsRule(std::string_view start) {
   const std::string_view line = start.substr(0, start.find('\n'));
   return start.empty() || line.ends_with(": \\") || line.ends_with(':');
@@ -78,7 +78,7 @@ std::string WithShortMakeOptions(std::string text) {
   for (const std::string_view name : kNames) {
     const std::string wide = "-" + std::string(name);
     for (std::size_t at = text.find(wide); at != text.npos; at = text.find(wide, at)) {
-      // The column after it stays where it is.
+      // Keep the column of the descriptions.
       text.replace(at, wide.size(), name);
       const std::size_t gap = text.find("  ", at);
       const std::size_t end = text.find('\n', at);

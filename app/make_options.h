@@ -1,6 +1,5 @@
+// Options -MD, -MF, -MT and -MP, which write a Make rule like those of compilers.
 #pragma once
-
-// -MD -MF -MT -MP, as compilers have them.
 
 #include <set>
 #include <string>
@@ -26,14 +25,14 @@ struct MakeOptions {
 
 void AddMakeOptions(CLI::App& command, MakeOptions& options);
 
-/// The words of a command line with those options as the parser takes them:
-/// "-MF", "x.d" and "-MFx.d" become "--MF", "x.d" and "--MF=x.d".
+/// Converts these options of a command line for CLI11: "-MF", "x.d" and "-MFx.d" become "--MF",
+/// "x.d" and "--MF=x.d".
 std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words);
-/// The reverse, in a help text.
+/// Converts "--MF" to "-MF" in a help text.
 std::string WithShortMakeOptions(std::string text);
 
-/// Writes the rule. Files below the current folder get relative paths, or all get absolute ones if
-/// `absolute`. False and a finding if it cannot be written.
+/// Writes the rule. Paths of files below the current folder are relative, unless `absolute`.
+/// Returns false and adds a finding on failure.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
                        const std::set<std::string>& files, bool absolute, bool force,
                        diag::Findings& findings);

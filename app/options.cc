@@ -1,3 +1,4 @@
+// Options that several commands share.
 #include "options.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ using namespace std::string_literals;
 
 namespace {
 
-constexpr std::uint64_t kMostJobs = 1024;
+constexpr std::uint64_t kMaxJobs = 1024;
 
 constexpr std::array<std::string_view, 2> kFindings = {"text", "json"};
 constexpr std::array<std::string_view, 3> kColors = {"auto", "always", "never"};
@@ -30,7 +31,8 @@ std::string CheckSetting(const std::string& text) {
   return fmt::format("'{}' is not of the form name=value", text);
 }
 
-// An option that takes a number from `least` to `most`, as `parse` reads it; errors call it `what`.
+// Adds an option for a number from `least` to `most`, read by `parse`; `what` describes the number
+// in errors.
 template <typename Number, typename Assign>
 CLI::Option* AddBounded(CLI::App& command, const std::string& flags,
                         std::optional<Number> (*parse)(std::string_view), const Assign& assign,
@@ -96,12 +98,12 @@ bool IsMjcf(const std::string& what) {
   if (what != "-") return what.ends_with(".xml");
   std::string why_not;
   const auto text = bytes::ReadStart(what, bytes::kMaxMjcf, why_not);
-  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // and the mark of UTF-8
+  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // and the byte-order mark
   const std::size_t first = text ? text->find_first_not_of(kBlank) : std::string::npos;
   return first != std::string::npos && (*text)[first] == '<';
 }
 
-void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& doc) {
+void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::string& doc) {
   command.add_option("WHAT", options.what, doc)
       ->required()
       ->option_text(" ")
@@ -110,13 +112,13 @@ void AddOneOptions(CLI::App& command, OneOptions& options, const std::string& do
   AddSpecOptions(command, options.spec);
 }
 
-void AddTimeLimit(CLI::App& command, std::chrono::duration<double>& limit, const std::string& doc) {
-  const auto set_limit = [&limit](double s) { limit = std::chrono::duration<double>(s); };
+void AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {
+  const auto set_limit = [&limit](double s) { limit = Seconds(s); };
   AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0", doc)
       ->option_text(fmt::format("S [{:g}]", limit.count()));
 }
 
-void AddManyOptions(CLI::App& command, ManyOptions& options) {
+void AddBatchOptions(CLI::App& command, BatchOptions& options) {
   batch::Request& request = options.request;
   command.add_option("SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)")
       ->required()
@@ -125,14 +127,14 @@ void AddManyOptions(CLI::App& command, ManyOptions& options) {
   AddWholeNumber(command, "-n,--count", request.count, "Variants to make", 1);
   AddSpecOptions(command, options.spec);
   const auto set_jobs = [&request](std::uint64_t jobs) { request.jobs = jobs; };
-  AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMostJobs,
-                            fmt::format("a number of processes from 1 to {}", kMostJobs),
+  AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMaxJobs,
+                            fmt::format("a number of processes from 1 to {}", kMaxJobs),
                             "Processes that make variants")
       ->option_text("N [cores]");
   AddTimeLimit(command, request.time_limit, "CPU time per variant, s; wall time 10 S + 5");
 }
 
-batch::Request RequestOf(const ManyOptions& options) {
+batch::Request RequestOf(const BatchOptions& options) {
   batch::Request request = options.request;
   request.variant.seed = options.spec.seed;
   if (request.variant.batch == 0) request.variant.batch = request.count;
@@ -155,7 +157,7 @@ std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
   return settings;
 }
 
-// CLI11 would read "010" as eight.
+// CLI11's own conversion reads "010" as eight.
 std::optional<std::uint64_t> ParseWhole(std::string_view text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
@@ -164,7 +166,7 @@ std::optional<std::uint64_t> ParseWhole(std::string_view text) {
   return value;
 }
 
-void AddReportOptions(CLI::App& command, ReportOptions& options) {
+void AddMessageOptions(CLI::App& command, MessageOptions& options) {
   AddWord(command, "--findings", options.findings, kFindings, "Format of errors");
   AddWord(command, "--color", options.color, kColors, "Color of errors");
   command.add_flag("-q,--quiet", options.quiet, "Print errors only");

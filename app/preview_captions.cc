@@ -1,3 +1,4 @@
+// Captions of the variants on a contact sheet: choice and format of the parameters.
 #include "preview_captions.h"
 
 #include <fmt/format.h>
@@ -10,16 +11,18 @@
 #include <utility>
 #include <variant>
 
+#include "mjforge/expr/expr.h"
+
 namespace mjforge::app {
 namespace {
 
 using manifest::Record;
 using sample::ParameterValue;
 
-constexpr std::size_t kMostLines = 3;
+constexpr std::size_t kMaxParameters = 3;
 
-// The unit of a parameter's numbers; one that the spec does not name may be seen in the text of
-// its value, as in "22cm .. 30cm".
+// Returns the SI unit of a parameter's numbers. If the spec declares no unit, it is inferred from
+// the text of the value ("22cm .. 30cm").
 std::string_view UnitOf(const spec::Parameter* parameter) {
   if (parameter == nullptr) return "";
   if (parameter->unit == "1") return "";
@@ -28,13 +31,13 @@ std::string_view UnitOf(const spec::Parameter* parameter) {
   for (const auto& [unit, si] :
        {std::pair("mm", "m"), std::pair("cm", "m"), std::pair("deg", "rad")}) {
     for (std::size_t at = text.find(unit); at != text.npos; at = text.find(unit, at + 1)) {
-      if (at > 0 && text[at - 1] >= '0' && text[at - 1] <= '9') return si;
+      if (at > 0 && expr::IsDigit(text[at - 1])) return si;
     }
   }
   return "";
 }
 
-// "28.1 cm", "45 deg"
+// Returns "28.1 cm", "45 deg".
 std::string NumberText(double number, std::string_view unit) {
   const double size = std::abs(number);
   if (unit == "rad") return fmt::format("{:.3g} deg", number * 180 / std::numbers::pi);
@@ -49,12 +52,12 @@ std::string TextOf(const ParameterValue& value, std::string_view unit) {
   return std::get<std::string>(value);
 }
 
-// How well a parameter is seen to differ: first words, then lengths and angles, by the width of
-// their range, then other numbers without a unit, by that width over the largest; last mass,
-// friction and what else no picture shows. Lists are too long to show.
+// Visibility of a parameter's differences. Ranks: 0 for words, 1 for lengths, 2 for angles, 3 for
+// numbers without a unit, 4 for mass and others that no picture shows. Lists are too long for
+// captions and have no spread.
 struct Difference {
   int rank = 0;
-  double spread = 0;  // 0: none
+  double spread = 0;  // orders parameters of one rank; 0: all values are equal
 };
 
 Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
@@ -80,18 +83,19 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
   return {unit.empty() ? 3 : 4, width / std::max(std::abs(*max), std::abs(*min))};
 }
 
-// What is computed from others says less than those.
+// Returns false for parameters that are computed from others or looked up in a table.
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
   if (parameter == nullptr) return false;
   if (const auto* shared = std::get_if<spec::SharedParameter>(&parameter->value.form))
     parameter = &spec.shared[shared->file]->parameters[shared->position];
   const auto* draw = std::get_if<spec::Draw>(&parameter->value.form);
-  return draw != nullptr && draw->rows == nullptr;  // not looked up
+  return draw != nullptr && draw->rows == nullptr;
 }
 
-std::vector<std::size_t> MostDifferent(std::span<const Record> records,
-                                       const spec::ObjectSpec& spec) {
+// Returns the parameters with the most visible differences, as (rank, -spread, index).
+std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const Record> records,
+                                                                const spec::ObjectSpec& spec) {
   const auto& params = records.front().params;
   const bool any_drawn = std::any_of(params.begin(), params.end(),
                                      [&](const auto& param) { return IsDrawn(spec, param.first); });
@@ -103,24 +107,21 @@ std::vector<std::size_t> MostDifferent(std::span<const Record> records,
     if (spread > 0) found.emplace_back(rank, -spread, i);
   }
   std::sort(found.begin(), found.end());
-  found.resize(std::min(found.size(), kMostLines));
-  std::vector<std::size_t> parameters;
-  parameters.reserve(found.size());
-  for (const auto& [rank, spread, parameter] : found) parameters.push_back(parameter);
-  return parameters;
+  found.resize(std::min(found.size(), kMaxParameters));
+  return found;
 }
 
 }  // namespace
 
-std::vector<std::vector<std::string>> Captions(std::span<const Record> records,
-                                               const spec::ObjectSpec& spec) {
+std::vector<std::vector<std::string>> MakeCaptions(std::span<const Record> records,
+                                                   const spec::ObjectSpec& spec) {
   std::vector<std::vector<std::string>> captions;
   if (records.empty()) return captions;
-  const std::vector<std::size_t> parameters = MostDifferent(records, spec);
+  const auto parameters = MostDifferent(records, spec);
   for (const Record& record : records) {
     std::vector<std::string>& lines = captions.emplace_back();
     lines.push_back(fmt::format("#{}", record.index));
-    for (const std::size_t parameter : parameters) {
+    for (const auto& [rank, spread, parameter] : parameters) {
       const auto& [name, value] = record.params[parameter];
       lines.push_back(fmt::format("{} {}", name, TextOf(value, UnitOf(spec.FindParameter(name)))));
     }

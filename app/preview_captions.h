@@ -1,3 +1,4 @@
+// Captions of the variants on a contact sheet.
 #pragma once
 
 #include <span>
@@ -9,10 +10,10 @@
 
 namespace mjforge::app {
 
-/// The lines below each variant of a contact sheet: its index, and the parameters in which these
-/// variants visibly differ most: words first, then sizes. Only drawn parameters, or any if the spec
-/// draws none.
-std::vector<std::vector<std::string>> Captions(std::span<const manifest::Record> records,
-                                               const spec::ObjectSpec& spec);
+/// Returns the caption lines of each variant: its index, and the parameters that differ most
+/// visibly between these variants (words first, then sizes). Only drawn parameters are used, unless
+/// the spec has none.
+std::vector<std::vector<std::string>> MakeCaptions(std::span<const manifest::Record> records,
+                                                   const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::app

@@ -1,3 +1,4 @@
+// Options of `mjforge preview`: declaration, conversion and checks.
 #include "preview_options.h"
 
 #include <fmt/format.h>
@@ -18,13 +19,13 @@ namespace {
 constexpr std::array<std::string_view, 5> kBackgrounds = {"studio", "transparent", "white", "gray",
                                                           "black"};
 constexpr int kSizeOfOne = 640;
-constexpr int kSizeOfTile = 320;  // and of an animation
-// What is in memory at the same time: frames, and the tiles of a sheet.
-constexpr int kLargestFrame = 800;
-constexpr std::uint64_t kMostPixels = 64'000'000;
-constexpr std::uint64_t kMostTiles = 400;
+constexpr int kSizeOfTile = 320;  // also of the frames of an animation
+// Limits of memory: all frames of an animation, or all tiles of a sheet, are in memory together.
+constexpr int kMaxFrameSize = 800;
+constexpr std::uint64_t kMaxPixels = 64'000'000;
+constexpr std::uint64_t kMaxTiles = 400;
 
-// "640", "640x480"
+// Parses "640" or "640x480".
 std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
   const std::size_t cross = text.find('x');
   const std::optional<std::uint64_t> width = ParseWhole(text.substr(0, cross));
@@ -37,7 +38,7 @@ std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
   return std::pair(static_cast<int>(*width), static_cast<int>(*height));
 }
 
-// "hinge=45deg"
+// Parses "hinge=45deg".
 std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
                                                          std::string& why_not) {
   const std::size_t equals = text.find('=');
@@ -46,7 +47,7 @@ std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
     return std::nullopt;
   }
   expr::Error error;
-  const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::Names(), error);
+  const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::SymbolTable(), error);
   if (!value || !value->constant() || value->type() != expr::Type::kNumber ||
       !std::isfinite(*value->constant())) {
     why_not = fmt::format("--joint {}: {}", text, value ? "it is not a number" : error.message);
@@ -60,35 +61,32 @@ std::string CheckBackground(const std::string& text) {
   return fmt::format("'{}' is not one of studio, transparent, white, gray, black, #rrggbb", text);
 }
 
-// The file's name says what is in it.
-std::string WrongName(const PreviewOptions& options) {
+// Returns the message for a file name whose ending does not match the picture's format.
+std::string CheckFileName(const PreviewOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
-  if (options.output == "-" || ending.empty() || ending == ".png") return {};
-  if (ending == ".gif" || ending == ".apng") {
-    if (options.sweep) return {};
-    return fmt::format("-o {}: a picture is a .png; {} is for --sweep", options.output, ending);
-  }
-  return fmt::format("-o {}: pictures are .png, with --sweep also .apng and .gif", options.output);
+  if (options.output == "-" || ending.empty() || ending == (options.sweep ? ".gif" : ".png"))
+    return {};
+  return fmt::format("-o {}: a picture is a .png, and with --sweep a .gif", options.output);
 }
 
-std::string TooLarge(const PreviewOptions& options) {
+std::string CheckPixels(const PreviewOptions& options) {
   const picture::Options& picture = options.picture;
   const auto pixels = options.count * static_cast<std::uint64_t>(picture.width) *
                       static_cast<std::uint64_t>(picture.height);
-  if (options.count > 1 && pixels > kMostPixels)
+  if (options.count > 1 && pixels > kMaxPixels)
     return fmt::format("--size {}: {} pictures of that size are too large for one sheet",
                        options.size, options.count);
-  if (options.sweep && std::max(picture.width, picture.height) > kLargestFrame)
+  if (options.sweep && std::max(picture.width, picture.height) > kMaxFrameSize)
     return fmt::format("--size {}: with --sweep at most {} pixels a side", options.size,
-                       kLargestFrame);
+                       kMaxFrameSize);
   return {};
 }
 
-std::string Contradiction(const PreviewOptions& options) {
-  if (options.count > kMostTiles)
-    return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMostTiles);
+std::string FindConflict(const PreviewOptions& options) {
+  if (options.count > kMaxTiles)
+    return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMaxTiles);
   if (options.sweep && options.count > 1) return "--sweep takes one object, not a sheet";
-  if (std::string wrong = WrongName(options); !wrong.empty()) return wrong;
+  if (std::string wrong = CheckFileName(options); !wrong.empty()) return wrong;
   if (!options.is_file) return {};
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
@@ -98,7 +96,7 @@ std::string Contradiction(const PreviewOptions& options) {
   return {};
 }
 
-// Without a text the usual size. Returns what is wrong, or nothing.
+// Sets the size of the picture, or the default size. Returns an error message, or an empty text.
 std::string SetSize(PreviewOptions& options) {
   const int usual = options.count > 1 || options.sweep ? kSizeOfTile : kSizeOfOne;
   const auto size = options.size.empty() ? std::pair(usual, usual) : ParseSize(options.size);
@@ -107,10 +105,11 @@ std::string SetSize(PreviewOptions& options) {
                        picture::kMinSize, picture::kMaxSize);
   }
   std::tie(options.picture.width, options.picture.height) = *size;
-  return TooLarge(options);
+  return CheckPixels(options);
 }
 
-// With --sweep a name alone says what is swept. Returns what is wrong, or nothing.
+// Sets the positions of joints; with --sweep, a name without position is the joint to sweep.
+// Returns an error message, or an empty text.
 std::string SetJoints(PreviewOptions& options) {
   std::string why_not;
   for (const std::string& text : options.joints) {
@@ -151,7 +150,9 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   AddWholeNumber(command, "-n,--count", options.count, "Variants; several make a contact sheet", 1);
   AddWholeNumber(command, "--first", options.first, "Index of the first variant");
   AddSpecOptions(command, options.spec);
-  command.add_option("-o,--output", options.output, "A file [./NAME.png] or - for standard output")
+  command
+      .add_option("-o,--output", options.output,
+                  "A file [./NAME.png; --sweep: ./NAME.gif] or - for standard output")
       ->option_text("OUT")
       ->check(Offers(".png .gif"));
   AddWord(command, "--layer", options.layer, picture::LayerNames(), "Show");
@@ -173,11 +174,11 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
 }
 
-std::string Understand(PreviewOptions& options) {
+std::string ResolvePreviewOptions(PreviewOptions& options) {
   options.is_file = IsMjcf(options.what);
   options.picture.layer = *picture::ParseLayer(options.layer);
   options.picture.background = *picture::ParseBackground(options.background);
-  std::string why_not = Contradiction(options);
+  std::string why_not = FindConflict(options);
   if (why_not.empty()) why_not = SetSize(options);
   return why_not.empty() ? SetJoints(options) : why_not;
 }

@@ -1,6 +1,6 @@
+// Options of `mjforge preview`.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -11,7 +11,6 @@
 
 namespace mjforge::app {
 
-/// The options of `preview`.
 struct PreviewOptions {
   std::string what;  // a spec or a file
   std::uint64_t count = 1;
@@ -20,22 +19,23 @@ struct PreviewOptions {
   std::string size;
   std::string layer = "visual";
   std::string background = "studio";
-  std::vector<std::string> joints;  // name=expression
+  std::vector<std::string> joints;  // NAME=EXPRESSION
   bool sweep = false;
-  std::chrono::duration<double> time_limit{600};
+  Seconds time_limit{600};
   bool force = false;
   SpecOptions spec;
 
-  // Filled in by Understand.
+  // Set by ResolvePreviewOptions.
   bool is_file = false;
-  picture::Options picture;                           // `view` is told
-  std::vector<std::pair<std::string, double>> poses;  // of joints, rad, m
-  std::string swept;                                  // a joint; empty: each of them
+  picture::Options picture;                           // `view` is set by the command line
+  std::vector<std::pair<std::string, double>> poses;  // joints with positions, rad or m
+  std::string swept;                                  // the joint to sweep; empty: all joints
 };
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options);
 
-/// Returns how the options contradict each other, or nothing.
-std::string Understand(PreviewOptions& options);
+/// Parses the texts of the options. Returns the message for wrong or contradictory options; empty
+/// if there are none.
+std::string ResolvePreviewOptions(PreviewOptions& options);
 
 }  // namespace mjforge::app

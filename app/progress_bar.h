@@ -1,3 +1,4 @@
+// Progress bar of a batch.
 #pragma once
 
 #include <chrono>
@@ -6,12 +7,12 @@
 
 namespace mjforge::app {
 
-/// One line that shows how far a batch is; only on a terminal.
+/// A line on a terminal with the progress of a batch.
 class ProgressBar {
  public:
   /// Shows nothing unless `enabled` and standard error is a terminal.
   explicit ProgressBar(bool enabled);
-  /// Takes the line away.
+  /// Clears the line.
   ~ProgressBar() { Clear(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

@@ -1,3 +1,4 @@
+// Thumbnails of the variants on a report page.
 #include "thumbnails.h"
 
 #include <system_error>
@@ -8,29 +9,28 @@
 namespace mjforge::app {
 namespace {
 
-// As wide as a page shows them, with some to spare for fine screens.
+// Larger than on the page, for screens of high resolution.
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
-// About 5 kB each; lower ones show blocks on smooth ground.
-constexpr int kQuality = 75;
+constexpr int kQuality = 75;  // about 5 kB; lower qualities have visible blocks
 
 }  // namespace
 
 Thumbnails::Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources)
     : manifest_(std::move(manifest)), spec_(std::move(spec)), sources_(sources) {}
 
-std::optional<std::string> Thumbnails::Draw(const manifest::Record& record) {
+std::optional<report::Thumbnail> Thumbnails::Draw(const manifest::Record& record) {
   if (!Open()) return std::nullopt;
   const std::unique_ptr<picture::Subject> subject = Load(record);
   if (subject == nullptr) return std::nullopt;
-  diag::Findings ignored;  // one object less on a page of many
+  diag::Findings ignored;  // the page has one picture less
   const std::optional<picture::Image> image =
       renderer_->Draw(*subject, {.width = kWidth, .height = kHeight}, ignored);
   if (!image) return std::nullopt;
-  return picture::EncodeWebp(*image, kQuality);
+  return report::Thumbnail{picture::EncodeWebp(*image, kQuality), kWidth, kHeight};
 }
 
-// When the first is drawn: a page without pictures needs no renderer.
+// Opens the renderer when the first picture is drawn, because pages without pictures need none.
 bool Thumbnails::Open() {
   if (std::exchange(opened_, true)) return renderer_ != nullptr;
   diag::Findings found;
@@ -50,7 +50,7 @@ std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& recor
   return loader_.LoadFile(file, why_not);
 }
 
-// To find a member means to read all that stand before it; to make it again is quicker.
+// Makes the object again, which is faster than reading all earlier members of the archive.
 std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Record& record) {
   std::error_code error;
   const std::filesystem::path archive = manifest_.parent_path() / record.archive;
@@ -64,7 +64,7 @@ std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Re
 
 const forge::Recipe* Thumbnails::RecipeOf(const manifest::Record& record) {
   if (!std::exchange(looked_for_recipe_, true)) {
-    diag::Findings ignored;  // the report has told
+    diag::Findings ignored;  // already part of the report
     recipe_ = forge::LoadRecordedRecipe(record, spec_, manifest_.parent_path(), sources_, ignored);
   }
   const bool is_its_own = recipe_ && recipe_->spec->sha256 == record.spec_sha256;

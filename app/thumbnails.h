@@ -1,3 +1,4 @@
+// Thumbnails of the variants on a report page.
 #pragma once
 
 #include <filesystem>
@@ -8,29 +9,33 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/picture/picture.h"
+#include "mjforge/report/report.h"
 
 namespace mjforge::app {
 
-/// Small WebP pictures of the objects of a batch: drawn from their files, or, for failed ones,
-/// which have none, from the objects that the spec gives again.
+/// Small WebP pictures of the variants of a batch. Variants without a file, such as failed ones,
+/// are made again from the spec.
 class Thumbnails {
  public:
-  /// `spec`: if not the one that the records name. The sources must outlive it.
+  /// `spec`: replaces the spec named in the records, unless empty. `sources` must outlive this
+  /// object.
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
-  /// Nothing if its file is gone, or if MuJoCo or the spec gives nothing to draw.
-  std::optional<std::string> Draw(const manifest::Record& record);
+  /// Returns nothing if the file is missing or the object cannot be made or drawn.
+  std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
-  /// Why there are no pictures at all, if so.
+  /// Returns the reason if no pictures can be drawn at all.
   diag::Findings TakeFindings() { return std::move(findings_); }
 
  private:
   bool Open();
   std::unique_ptr<picture::Subject> Load(const manifest::Record& record);
   std::unique_ptr<picture::Subject> LoadFromArchive(const manifest::Record& record);
-  /// The recipe of the first record that it is called with: all records of a batch share it.
+  /// Returns the recipe of the batch, which is loaded for the first record; null if the record is
+  /// of another spec.
   const forge::Recipe* RecipeOf(const manifest::Record& record);
-  /// The regenerated object, if there is one. `sha256`: only if its file has this hash; empty: any.
+  /// Makes the object again. Returns null on failure, or if its file does not have the hash
+  /// `sha256` (unless that is empty).
   std::unique_ptr<picture::Subject> MakeAgain(const manifest::Record& record,
                                               const std::string& sha256);
 

@@ -1,3 +1,4 @@
+// Errors of the command line, with suggestions, and exceptions.
 #include "usage.h"
 
 #include <fmt/format.h>
@@ -49,10 +50,10 @@ std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
 }  // namespace
 
 ExitStatus WrongUsage(std::string_view message, std::string_view command) {
-  ReportOptions report;
-  Console console(report);
-  console.Say(fmt::format("mjforge: error: {}", message));
-  console.Say(fmt::format("  hint: see 'mjforge{}{} --help'", command.empty() ? "" : " ", command));
+  const Console console{MessageOptions()};
+  console.PrintLine(fmt::format("mjforge: error: {}", message));
+  console.PrintLine(
+      fmt::format("  hint: see 'mjforge{}{} --help'", command.empty() ? "" : " ", command));
   return ExitStatus::kUsage;
 }
 

@@ -1,3 +1,4 @@
+// Errors of the command line, help, versions, and exceptions.
 #pragma once
 
 #include <exception>
@@ -12,17 +13,17 @@ class ParseError;
 
 namespace mjforge::app {
 
-/// "mjforge: error: MESSAGE" and where help is; kUsage.
+/// Prints "mjforge: error: MESSAGE" and a hint to the command's help; returns kUsage.
 ExitStatus WrongUsage(std::string_view message, std::string_view command);
 
-/// Prints the help or version that was requested, or explains what was not understood.
+/// Prints the help or version that was requested, or the error in the command line.
 ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
                              std::string_view first_word);
 
-/// Says what ended the program: too little memory, a call of the system that failed, or a bug.
+/// Prints the reason why the program ends: not enough memory, a failed system call, or a bug.
 ExitStatus ExplainException(const std::exception& exception);
 
-/// The text of --version.
+/// Returns the output of --version.
 std::string VersionText();
 
 }  // namespace mjforge::app

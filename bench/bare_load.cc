@@ -1,3 +1,5 @@
+// Texts of variants, and MuJoCo's loading of texts from memory.
+
 #include "bare_load.h"
 
 #include <cstdlib>

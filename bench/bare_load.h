@@ -1,3 +1,5 @@
+// Loading texts in MuJoCo without any of mjforge's checks.
+
 #pragma once
 
 #include <string>
@@ -9,18 +11,18 @@
 
 namespace mjforge::bench {
 
-/// As small as MuJoCo takes it.
+/// The smallest sizes that MuJoCo accepts.
 inline constexpr std::string_view kTightSize =
     "  <size njmax=\"1\" nconmax=\"1\" nstack=\"4096\"/>\n";
 
-/// The texts of a recipe's first variants, `size` put in where validation puts
-/// its own.
+/// Returns the texts of a recipe's first variants, with `size` at the place where validation
+/// inserts its own.
 std::vector<std::string> Texts(const forge::Recipe& recipe, std::string_view size, int count);
 
-/// mj_loadXML from memory and nothing else.
+/// Loads texts from memory with mj_loadXML.
 class BareLoader {
  public:
-  /// Loads and deletes a model; ends the program if MuJoCo refuses it.
+  /// Loads and deletes a model. Ends the program if MuJoCo rejects the text.
   void Load(const std::string& text);
 
  private:

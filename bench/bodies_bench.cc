@@ -1,5 +1,4 @@
-// Cost against the number of bodies: a chain of them, and copies of one attached
-// file; sampled, assembled and written, and once, apart, the file read.
+// Benchmarks of the cost against the number of bodies: a chain, and copies of an attached file.
 
 #include <fmt/format.h>
 
@@ -51,12 +50,12 @@ void Attach(benchmark::State& state, const char* file) {
   for (auto _ : state) MakeText(copies.recipe, assembler, index++, document);
 }
 
-// One body, two geoms.
+// A file with one body and two geoms.
 void BM_AttachedKnobs(benchmark::State& state) { Attach(state, "/knob.xml"); }
 BENCHMARK(BM_AttachedKnobs)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
 
-// Five bodies with classes, actuators, an equality and sensors: 1,000 of them leave
-// the processor's caches.
+// A file with five bodies, classes, actuators, an equality and sensors; 1,000 copies exceed the
+// processor's caches.
 void BM_AttachedArms(benchmark::State& state) { Attach(state, "/arm.xml"); }
 BENCHMARK(BM_AttachedArms)->Arg(100)->Arg(1'000)->Unit(benchmark::kMillisecond);
 

@@ -1,5 +1,5 @@
-// What MuJoCo's verdict costs: our validated generation against a bare loop of
-// mj_loadXML over the same texts, with and without a tight <size>.
+// Benchmarks of validation: validated generation against a bare loop of mj_loadXML over the same
+// texts, with and without a tight <size>.
 
 #include <cstdlib>
 

@@ -1,3 +1,5 @@
+// The main function of mjforge_bench, which also reports ratios.
+
 #include <benchmark/benchmark.h>
 
 #include "ratios.h"

@@ -1,5 +1,5 @@
-// Loading the same models in threads of one process and in processes: models per second of wall
-// time, medians of runs in turn. MuJoCo loads one model at a time up to 3.1.1. For another
+// Benchmark of loading equal models in threads of one process and in processes: models per second
+// of wall time, medians of runs in turn. MuJoCo loads one model at a time up to 3.1.1. For another
 // release: `cmake build/mujoco-4.0.1 -D MJFORGE_BENCH=ON` after `./dev build --mujoco 4.0.1`.
 //
 //   mjforge_parallel_load [WORKERS [COUNT [RUNS]]]

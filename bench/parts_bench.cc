@@ -1,5 +1,5 @@
-// Cost against the number of parts and parameters: sampled, assembled and written by us, and,
-// apart, loaded by MuJoCo.
+// Benchmarks of the cost against the number of parts and parameters: generation and, separately,
+// loading in MuJoCo.
 
 #include <mujoco/mujoco.h>
 
@@ -30,7 +30,7 @@ void BM_PartsValidated(benchmark::State& state) {
 }
 BENCHMARK(BM_PartsValidated)->Arg(1'000)->Unit(benchmark::kMillisecond);
 
-// A row of parts that touch: a list of draws, its sums, and a function called for each part.
+// A row of touching parts: draws a list, sums it, and calls a function for each part.
 void BM_List(benchmark::State& state) {
   LoadedRecipe row = FromText(fmt::format(
       "mjforge: 1\nname: row\nfunctions: {{half(w): w / 2 - gap}}\n"
@@ -45,7 +45,7 @@ void BM_List(benchmark::State& state) {
 }
 BENCHMARK(BM_List)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
-// Reading a spec with so many parameters.
+// Reads a spec with this number of parameters.
 void BM_Parameters(benchmark::State& state) {
   std::string yaml = "mjforge: 1\nname: crate\nparams:\n  p0: 0.1 .. 0.2\n";
   for (std::int64_t i = 1; i < state.range(0); ++i)

@@ -1,5 +1,4 @@
-// What settling costs beside the simulation itself: our drop against a bare
-// mj_step loop of as many steps from the same place.
+// Benchmarks of physics: a drop until rest against a bare loop of mj_step with equally many steps.
 
 #include <benchmark/benchmark.h>
 
@@ -8,14 +7,14 @@
 #include <memory>
 
 #include "mjforge/engine/engine.h"
-#include "mjforge/physics/settle.h"
+#include "mjforge/physics/drop.h"
 #include "mjforge/physics/simulation.h"
 #include "recipes.h"
 
 namespace mjforge::bench {
 namespace {
 
-/// A hammer lying 2 mm above a floor, where a drop begins.
+/// Returns a hammer 2 mm above a floor, the start of a drop.
 engine::Model HammerOnFloor() {
   LoadedRecipe& hammer = Hammer();
   forge::Options options;
@@ -34,7 +33,7 @@ void BM_Settle(benchmark::State& state) {
   std::int64_t steps = 0;
   for (auto _ : state) {
     physics::Result result;
-    physics::Settle(*model, workspace.For(*model), {}, {}, result);
+    physics::SimulateDrop(*model, workspace.For(*model), {}, {}, result);
     steps += std::llround(result.time / model->opt.timestep);
   }
   state.SetItemsProcessed(steps);
@@ -45,7 +44,7 @@ void BM_BareSteps(benchmark::State& state) {
   engine::Model model = HammerOnFloor();
   physics::Workspace workspace;
   physics::Result result;
-  physics::Settle(*model, workspace.For(*model), {}, {}, result);
+  physics::SimulateDrop(*model, workspace.For(*model), {}, {}, result);
   const std::int64_t steps = std::llround(result.time / model->opt.timestep);
   mjData& d = workspace.For(*model);
   for (auto _ : state) {
@@ -57,7 +56,7 @@ void BM_BareSteps(benchmark::State& state) {
 }
 BENCHMARK(BM_BareSteps)->Unit(benchmark::kMicrosecond);
 
-/// All of an articulated object: loading it with a floor, the drop, its joints, its proportions.
+/// All checks of an articulated object: loading with a floor, drop, joints, proportions.
 void BM_Examine(benchmark::State& state) {
   LoadedRecipe scissors = Named("scissors", {});
   forge::Variant variant;

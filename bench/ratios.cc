@@ -1,3 +1,5 @@
+// Table of ratios with their goals, printed after the benchmarks.
+
 #include "ratios.h"
 
 #include <fmt/format.h>
@@ -8,8 +10,8 @@ namespace {
 struct Ratio {
   const char* what;
   const char* numerator;
-  const char* denominator;  // null: the time itself, in us
-  double goal;              // at most
+  const char* denominator;  // null: the ratio is the time itself, us
+  double goal;              // upper limit
 };
 
 constexpr Ratio kRatios[] = {

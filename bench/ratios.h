@@ -1,3 +1,5 @@
+// Reporter of Google Benchmark that prints ratios of medians.
+
 #pragma once
 
 #include <map>
@@ -8,8 +10,8 @@
 
 namespace mjforge::bench {
 
-/// Google Benchmark's console table, and after it the medians as ratios: those
-/// are what a claim rests on, since they are of one run on one machine.
+/// Prints Google Benchmark's console table, followed by ratios of medians. Claims are based on
+/// these ratios, because both medians come from one run on one machine.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override;

@@ -1,3 +1,5 @@
+// Specs for benchmarks, and one variant's way to its text.
+
 #include "recipes.h"
 
 #include <cstdlib>

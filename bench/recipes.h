@@ -1,3 +1,5 @@
+// Specs for benchmarks.
+
 #pragma once
 
 #include <string>
@@ -7,25 +9,26 @@
 
 namespace mjforge::bench {
 
-/// A spec ready to make variants. Ends the program if it does not load.
+/// A loaded spec, ready to make variants. The functions below end the program if a spec does not
+/// load.
 struct LoadedRecipe {
   diag::Sources sources;
   forge::Recipe recipe;
 };
 
-/// The bundled hammer.
+/// Returns the bundled hammer.
 LoadedRecipe& Hammer();
 
-/// A spec that `reference` names, with parameters set from outside.
+/// Loads the spec with this name or path, with these settings.
 LoadedRecipe Named(const std::string& reference, const std::vector<spec::Setting>& settings);
 
-/// An object of `parts` boxes in a row, sizes drawn, from one `for` entry.
+/// Returns a row of boxes with drawn sizes, made by one `for` entry.
 LoadedRecipe Row(int parts);
 
-/// The spec of a text.
+/// Loads a spec from its text.
 LoadedRecipe FromText(const std::string& yaml);
 
-/// One variant of a recipe through sample, model and mjcf, into `document`.
+/// Makes a variant's text by sample, model and mjcf, without validation.
 void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
               mjcf::MjcfDocument& document);
 

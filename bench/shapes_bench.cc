@@ -1,4 +1,4 @@
-// What shapes cost: made in process, and loaded by MuJoCo.
+// Benchmarks of shapes: making them, and loading them in MuJoCo.
 
 #include <cstdlib>
 
@@ -9,7 +9,7 @@
 namespace mjforge::bench {
 namespace {
 
-// Text and record of variants that come from a mould, as nearly all of a batch do.
+// Text and record of variants.
 void Make(benchmark::State& state, const std::string& part) {
   LoadedRecipe shape = FromText(
       "mjforge: 1\nname: thing\nparams: {w: 10cm .. 12cm, h: 30cm .. 40cm}\n"
@@ -20,7 +20,6 @@ void Make(benchmark::State& state, const std::string& part) {
   options.validation = forge::Validation::kNone;
   forge::Generator generator(shape.recipe, shape.sources, options);
   forge::Variant variant;
-  manifest::RecordWriter writer;
   std::string manifest;
   std::uint64_t index = 0;
   std::uint64_t bytes = 0;
@@ -28,13 +27,13 @@ void Make(benchmark::State& state, const std::string& part) {
     generator.Make(index++, variant);
     if (!variant.ok()) std::abort();
     manifest.clear();
-    writer.Append(manifest, variant.record);
+    manifest::AppendRecord(manifest, variant.record);
     bytes += variant.document.text.size();
   }
   state.counters["bytes"] = static_cast<double>(bytes) / static_cast<double>(index);
 }
 
-// Smooth, of 20 points and 48 segments.
+// A smooth profile with 20 points, 48 segments around the axis.
 void BM_Lathe(benchmark::State& state) {
   Make(state,
        "type: lathe, facets: 12, profile: [[0, 0], {for: {i: 18}, "
@@ -42,7 +41,7 @@ void BM_Lathe(benchmark::State& state) {
 }
 BENCHMARK(BM_Lathe)->Unit(benchmark::kMicrosecond);
 
-// With two bends.
+// A tube with two bends.
 void BM_Tube(benchmark::State& state) {
   Make(state,
        "type: tube, radius: w / 16, bend: 2cm, "
@@ -61,7 +60,7 @@ void Load(benchmark::State& state, const std::string& spec) {
 void BM_LoadMug(benchmark::State& state) { Load(state, "containers/mug"); }
 BENCHMARK(BM_LoadMug)->Unit(benchmark::kMicrosecond);
 
-// As the mug was before there were shapes.
+// A mug made of boxes instead of a lathe.
 void BM_LoadMugOfBoxes(benchmark::State& state) {
   Load(state, MJFORGE_BENCH_DIR "/mug_of_boxes.yaml");
 }

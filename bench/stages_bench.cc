@@ -1,4 +1,4 @@
-// What one hammer costs, stage by stage: sampled, assembled, written.
+// Benchmarks of the stages of one hammer: sample, assemble, write.
 
 #include <benchmark/benchmark.h>
 
@@ -19,7 +19,7 @@ void BM_Sample(benchmark::State& state) {
 }
 BENCHMARK(BM_Sample)->Unit(benchmark::kMicrosecond);
 
-// The same through a sampler, by its method: random, sobol, latin, grid.
+// Samples the hammer with a sampler of this method: random, sobol, latin, grid.
 void BM_SampleSpread(benchmark::State& state) {
   const forge::Recipe& recipe = Hammer().recipe;
   const auto method = static_cast<sample::Method>(state.range(0));
@@ -70,13 +70,12 @@ void BM_GenerateRecord(benchmark::State& state) {
   options.validation = forge::Validation::kNone;
   forge::Generator generator(hammer.recipe, hammer.sources, options);
   forge::Variant variant;
-  manifest::RecordWriter writer;
   std::string manifest;
   std::uint64_t index = 0;
   for (auto _ : state) {
     generator.Make(index++, variant);
     manifest.clear();
-    writer.Append(manifest, variant.record);
+    manifest::AppendRecord(manifest, variant.record);
     benchmark::DoNotOptimize(manifest.data());
   }
 }

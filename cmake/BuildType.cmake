@@ -1,4 +1,4 @@
-# Choices of whoever builds the project itself, not of who includes it.
+# Default build type and compiler cache; not set if another project includes this one.
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()

@@ -1,11 +1,11 @@
-# Run by cpack when all is in place: files as Debian's policy wants them.
+# Script of cpack, run before the package is built: adapts the files to Debian's policy.
 set(root ${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
 set(doc ${root}/doc/${CPACK_PACKAGE_NAME})
 
-# Debian's folder for what comes with packages; the other one is for what users install.
+# Completion functions of Debian packages belong in vendor-completions, not in site-functions.
 file(RENAME ${root}/zsh/site-functions ${root}/zsh/vendor-completions)
 
-# The time of what is packed (SOURCE_DATE_EPOCH), so that it makes the same bytes again.
+# SOURCE_DATE_EPOCH sets the time, so that packages are reproducible.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 string(TIMESTAMP year "%Y" UTC)
 

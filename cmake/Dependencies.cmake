@@ -1,6 +1,6 @@
-# Every outside library the rooms use, with the lowest version that is known to
-# work: those of Debian 12. Of MuJoCo also the highest, since each release may change its
-# structures. Installed with the package, which looks for the same.
+# All libraries that the rooms use, each with its lowest tested version (that of Debian 12). MuJoCo
+# also has a highest version, because releases may change its structures. The installed CMake
+# package uses this list, too.
 set(mjforge_dependencies
   "yaml-cpp 0.7"
   "pugixml 1.13"
@@ -13,12 +13,10 @@ set(mjforge_dependencies
   "LibArchive 3.6"
   "tinyobjloader"
   "PNG 1.6"
-  "ZLIB 1.2"
   "GIF 5.2"
   "WebP"
   "ccd 2"
   "Qhull 8 CONFIG"
-  "csv"
   "Random123"
   "xxhash"
-  "ctemplate")  # HTML that escapes by itself
+  "ctemplate")  # HTML templates with automatic escaping

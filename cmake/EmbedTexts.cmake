@@ -1,6 +1,6 @@
 # cmake -D OUTPUT=x.cc -D NAMESPACE=a::b -D FILES="page.html;page.css" -P EmbedTexts.cmake
 #
-# Writes a C++ file with the text of each file as a constant: kPageHtml, kPageCss.
+# Writes a C++ file that contains the texts of files as constants: kPageHtml, kPageCss.
 set(text "#include <string_view>\n\nnamespace ${NAMESPACE} {\n\n")
 foreach(file IN LISTS FILES)
   cmake_path(GET file FILENAME name)

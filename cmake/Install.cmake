@@ -1,5 +1,5 @@
-# What `cmake --install` puts where: the component `program` is what a user needs, `library` what
-# a program that links the rooms needs. Rooms install their own libraries and headers.
+# Files and folders of `cmake --install`. The component `program` is for users, `library` for
+# programs that link the rooms. Rooms install their own libraries and headers (cmake/Room.cmake).
 include(CMakePackageConfigHelpers)
 
 set(mjforge_data_dir ${CMAKE_INSTALL_DATADIR}/mjforge)
@@ -7,7 +7,7 @@ set(mjforge_specs_dir ${mjforge_data_dir}/specs)
 set(mjforge_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mjforge)
 
 if(MJFORGE_MUJOCO)
-  # The loader would not find it.
+  # The dynamic loader does not search this folder.
   get_filename_component(mujoco_folder ${mujoco_LIBRARY} DIRECTORY)
   set_property(TARGET mjforge PROPERTY INSTALL_RPATH ${mujoco_folder})
 endif()
@@ -17,7 +17,7 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT program)
 
-# mjforge::mjforge stands for all rooms, through the last ones.
+# mjforge::mjforge links all rooms, because the last rooms link all others.
 add_library(mjforge_library INTERFACE)
 add_library(mjforge::mjforge ALIAS mjforge_library)
 set_target_properties(mjforge_library PROPERTIES EXPORT_NAME mjforge)

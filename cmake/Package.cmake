@@ -1,6 +1,6 @@
-# What `cpack` makes: a package for Debian of what is installed as `program`. The library and its
-# headers are not in it: who links the rooms builds them with the same compiler and options, and
-# until 1.0 their interface changes with every version.
+# Debian package of the component `program`, made by `cpack`. It does not contain the library and
+# its headers, because programs that link the rooms must be built with the same compiler and
+# options, and because the interface changes with every version until 1.0.
 set(CPACK_GENERATOR DEB)
 set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};${PROJECT_NAME};program;/")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -11,7 +11,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 
 set(CPACK_PACKAGE_NAME mjforge)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "randomized MuJoCo objects from declarative YAML specs")
-# Debian's tools take the packager's name from these variables.
+# Debian's tools read the packager's name from these variables.
 if("$ENV{DEBEMAIL}" STREQUAL "")
   set(CPACK_PACKAGE_CONTACT "The maintainers of mjforge <maintainers@mjforge.example>")
 else()
@@ -28,9 +28,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Looked up as it runs: OpenGL without a window for pictures, MuJoCo's viewer for `view`.
+# Loaded or started at run time: OpenGL without a window for pictures, MuJoCo's viewer for `view`.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1 | libosmesa6")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS libmujoco-samples)
-# What only Debian wants is added before the package is closed.
+# This script adds the files that only Debian requires.
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/DebianFiles.cmake)
 include(CPack)

@@ -1,7 +1,7 @@
-# Three quarters of the time it takes to compile a file go into headers of other people. They are
-# precompiled, once for the rooms, once for the program, once for the tests. clang-tidy cannot
-# read what GCC precompiles, so `./dev lint` looks at a configuration without it. Only the debug
-# preset, which compiles each file by itself, finds a file that does not include what it uses.
+# Precompiled headers: the headers of other libraries take three quarters of the compile time. They
+# are compiled once for the rooms, once for the program and once for the tests. clang-tidy cannot
+# read GCC's precompiled headers, so `./dev lint` has a configuration without them. Missing includes
+# are only found by the debug preset, which compiles each file by itself.
 option(MJFORGE_PRECOMPILED "Precompile the largest headers" ${PROJECT_IS_TOP_LEVEL})
 option(MJFORGE_UNITY "Compile a room's files several at a time" ${PROJECT_IS_TOP_LEVEL})
 
@@ -10,7 +10,7 @@ set(mjforge_precompiled_headers
   <memory> <numbers> <optional> <set> <span> <string> <string_view> <system_error>
   <unordered_map> <utility> <variant> <vector> <Eigen/Dense> <fmt/format.h>)
 
-# A target without code of its own, for others to take the headers from.
+# This target has no code; other targets reuse its precompiled headers.
 if(MJFORGE_PRECOMPILED)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cc CONTENT "")
   add_library(mjforge_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
@@ -22,17 +22,17 @@ if(MJFORGE_PRECOMPILED)
   target_precompile_headers(mjforge_precompiled PRIVATE ${mjforge_precompiled_headers})
 endif()
 
-# The headers of another target that has the same options.
+# Reuses the precompiled headers of a target with the same options.
 function(mjforge_precompile_from target owner)
   if(MJFORGE_PRECOMPILED)
     target_precompile_headers(${target} REUSE_FROM ${owner})
-    # GCC wants the same macros.
+    # GCC requires the same macros.
     target_compile_definitions(${target}
       PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   endif()
 endfunction()
 
-# Headers for the target itself: those above and others.
+# Precompiles the headers above and ARGN for one target.
 function(mjforge_precompile target)
   if(MJFORGE_PRECOMPILED)
     target_precompile_headers(${target} PRIVATE ${mjforge_precompiled_headers} ${ARGN})

@@ -1,12 +1,11 @@
 # mjforge_room(NAME SOURCES ... ROOMS ... LIBRARIES ...)
 #
-# A room is one stage of the data flow, one static library. It sees the headers
-# of the rooms in ROOMS and of those that their doors include, and of no other:
-# each room's include directory holds only that room, so an include against the
-# flow does not compile. Which of these a room may include and name itself stands
-# in tests/house/doors_test.cc.
-# LIBRARIES stay private to the room; PUBLIC_LIBRARIES appear in its door.
-# PUBLIC_HEADERS are the door and what it includes; only they are installed.
+# Adds a room: one stage of the data flow, in one static library. A room can include the headers of
+# the rooms in ROOMS and of the rooms that their doors include. Other includes do not compile,
+# because the include directory of a room contains only that room. tests/house/doors_test.cc defines
+# which of these headers a room may include directly.
+# LIBRARIES are private to the room; PUBLIC_LIBRARIES appear in its door.
+# PUBLIC_HEADERS are the door and its includes; only they are installed.
 function(mjforge_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" ""
     "SOURCES;ROOMS;LIBRARIES;PUBLIC_LIBRARIES;PUBLIC_HEADERS")
@@ -21,7 +20,7 @@ function(mjforge_room name)
   target_include_directories(mjforge_${name} PUBLIC
     $<BUILD_INTERFACE:${include_dir}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   list(TRANSFORM room_ROOMS PREPEND mjforge::)
-  # Ours first: options of libraries may say otherwise.
+  # Our options come first, so that the options of libraries can override them.
   target_link_libraries(mjforge_${name}
     PRIVATE $<BUILD_INTERFACE:mjforge_options> $<BUILD_INTERFACE:mjforge_watched>)
   target_link_libraries(mjforge_${name}
@@ -29,7 +28,7 @@ function(mjforge_room name)
 
   mjforge_precompile_from(mjforge_${name} mjforge_precompiled)
   set_target_properties(mjforge_${name} PROPERTIES UNITY_BUILD ${MJFORGE_UNITY}
-    POSITION_INDEPENDENT_CODE ${MJFORGE_PYTHON})  # the package is a shared library
+    POSITION_INDEPENDENT_CODE ${MJFORGE_PYTHON})  # for the shared library of the Python package
 
   install(TARGETS mjforge_${name} EXPORT mjforge_targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
@@ -39,8 +38,8 @@ endfunction()
 
 # mjforge_embed(VARIABLE NAMESPACE ... FILES ...)
 #
-# Files of the room become part of the program (cmake/EmbedTexts.cmake). VARIABLE is the source
-# file to add to the room's SOURCES.
+# Embeds files of the room in the program (cmake/EmbedTexts.cmake). Sets VARIABLE to the generated
+# source file, which belongs in the room's SOURCES.
 function(mjforge_embed variable)
   cmake_parse_arguments(PARSE_ARGV 1 embed "" "NAMESPACE" "FILES")
   set(output ${CMAKE_CURRENT_BINARY_DIR}/embedded.cc)
@@ -50,7 +49,7 @@ function(mjforge_embed variable)
       "-DFILES=${embed_FILES}" -P ${PROJECT_SOURCE_DIR}/cmake/EmbedTexts.cmake
     DEPENDS ${embed_FILES} ${PROJECT_SOURCE_DIR}/cmake/EmbedTexts.cmake
     VERBATIM)
-  # It exists only after it was made, and clang-tidy need not read it.
+  # Not part of a unity build, so that clang-tidy does not need the generated file.
   set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(${variable} ${output} PARENT_SCOPE)
 endfunction()

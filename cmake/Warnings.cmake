@@ -1,43 +1,44 @@
-# Flags for our own code only; they are not exported.
+# Compiler options of our own code; they are not exported.
 add_library(mjforge_options INTERFACE)
 target_compile_options(mjforge_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
-# Counts are 64 bits wide from MuJoCo 3.4 on, the numbers of elements still int: that conversions
-# lose nothing is judged with Debian's. Whoever includes MuJoCo's headers gets these options behind
-# those above; all else compiles as with Debian's, and the compiler's cache has it.
+# From MuJoCo 3.4 on, counts have 64 bits and numbers of elements are int. Conversions are checked
+# with Debian's MuJoCo only. Only targets that include MuJoCo's headers have these options, so that
+# the compiler's cache is valid for all others.
 if(mujoco_VERSION VERSION_GREATER_EQUAL 3)
   set_property(TARGET mujoco::mujoco APPEND PROPERTY
     INTERFACE_COMPILE_OPTIONS -Wno-conversion -Wno-narrowing)
 endif()
-# A step is compiled where it is noted and where it is taken again. Both must round alike, on
-# processors that can multiply and add at once, too.
+# Equal computations in different functions must be rounded equally, also on processors with fused
+# multiply-add.
 target_compile_options(mjforge_options INTERFACE -ffp-contract=off)
-# Within a shared library (app/python), calls may be inlined as in a program.
+# Allows inlining within the shared library of the Python package, like in a program.
 target_compile_options(mjforge_options INTERFACE -fno-semantic-interposition)
-# GCC 12 sees overlaps in every `"text" + std::string` (its bug 105651), and ends of arrays where
-# std::string comes from a precompiled header. AddressSanitizer sees the real ones.
+# GCC 12 has false warnings of overlaps in `"text" + std::string` (GCC bug 105651), and of array
+# bounds if std::string comes from a precompiled header. AddressSanitizer finds the real errors.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(mjforge_options INTERFACE -Wno-restrict -Wno-array-bounds
     -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
-# A file that is compiled with others is not the main one, in which this is allowed.
+# In a unity build, source files are included by another file. GCC then warns of types with members
+# from anonymous namespaces.
 if(MJFORGE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(mjforge_options INTERFACE -Wno-subobject-linkage)
 endif()
 
-# The rooms and the program alone are watched: tests compile to the same objects in every
-# configuration, and the compiler's cache has them.
+# Sanitizers and coverage apply to the rooms and the program only. Tests compile to the same objects
+# in every configuration, so that the compiler's cache is valid.
 option(MJFORGE_SANITIZE "Find memory errors and undefined behaviour; count the lines run" OFF)
 add_library(mjforge_watched INTERFACE)
 if(MJFORGE_SANITIZE)
   set(watchers -fsanitize=address,undefined --coverage)
-  # A null pointer ends the program where it is read, and this processor reads at any address: the
-  # two checks of each pointer, which took a quarter of the time to compile, are left to fuzzing.
+  # Without the checks for null and misaligned pointers, which took a quarter of the compile time:
+  # null pointers crash anyway, and x86-64 allows misaligned reads. Fuzzing has these checks.
   target_compile_options(mjforge_watched INTERFACE ${watchers} -fno-sanitize=null,alignment -O1 -g1
     -UNDEBUG -fno-sanitize-recover=all -fno-omit-frame-pointer -fprofile-update=atomic)
   add_link_options(${watchers})
 endif()
 
-# For tests/fuzz, with clang: libFuzzer sees which lines an input runs, and the same errors are found.
+# For tests/fuzz, with clang: coverage for libFuzzer, and the same sanitizers.
 option(MJFORGE_FUZZ "Build what tests/fuzz runs, and watch the rooms as it needs" OFF)
 if(MJFORGE_FUZZ)
   set(fuzz_watchers -fsanitize=address,undefined)

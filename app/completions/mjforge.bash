@@ -1,10 +1,10 @@
-# bash completion for mjforge. The program itself says what may stand under the cursor
-# (app/completion.h); functions of the package bash-completion know words and files.
+# bash completion for mjforge. The program computes the candidates for the word under the cursor
+# (app/completion.h); functions of the package bash-completion split the line and list files.
 
 _mjforge() {
     local cur prev words cword
     _init_completion -n = || return
-    # Without quotes, as the program would get them.
+    # Remove quotes, as the shell does before it runs a program.
     local arguments=("${words[@]:1:cword}")
     arguments=("${arguments[@]//[\'\"\\]/}")
     arguments=("${arguments[@]/#\~\//$HOME/}")
@@ -14,7 +14,7 @@ _mjforge() {
     local files=${lines[-1]#:} line
     unset 'lines[-1]'
     COMPREPLY=("${lines[@]%%$'\t'*}")
-    # Readline replaces what comes after the last equals sign.
+    # Readline replaces only the part after the last equals sign.
     if [[ $COMP_WORDBREAKS == *=* ]]; then
         COMPREPLY=("${COMPREPLY[@]#"${cur%"${cur##*=}"}"}")
         cur=${cur##*=}
@@ -23,7 +23,7 @@ _mjforge() {
         files=${files//./}
         _filedir "${files// /|}"
     elif ((COMP_TYPE == 63 && ${#lines[@]} > 1)); then
-        # A list is shown and nothing inserted: it may say what the words mean.
+        # Readline shows a list and inserts nothing, so the list can contain descriptions.
         COMPREPLY=()
         for line in "${lines[@]}"; do
             printf -v line '%-24s %s' "${line%%$'\t'*}" "${line#*$'\t'}"
@@ -32,7 +32,7 @@ _mjforge() {
     elif ((${#lines[@]})); then
         mapfile -t COMPREPLY < <(printf '%q\n' "${COMPREPLY[@]}")
         if [[ ${#lines[@]} -eq 1 && $COMPREPLY == *= ]]; then
-            compopt -o nospace 2>/dev/null  # it is an error where no completion runs
+            compopt -o nospace 2>/dev/null  # fails outside of a completion
         fi
     fi
 } && complete -F _mjforge mjforge

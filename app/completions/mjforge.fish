@@ -1,4 +1,4 @@
-# fish completion for mjforge. The program itself says what may stand under the cursor
+# fish completion for mjforge. The program computes the candidates for the word under the cursor
 # (app/completion.h).
 
 function __mjforge_complete
@@ -8,7 +8,7 @@ function __mjforge_complete
     set -l endings (string split --no-empty ' ' (string sub --start 2 -- $lines[-1]))
     string match --invert --regex '^:' -- $lines
     test -n "$endings"; or return
-    # Files that end so, and folders; behind the equals sign of --option=FILE.
+    # Add files with these endings, and folders, also after the equals sign of --option=FILE.
     set -l option (string match --regex -- '^--[^=]*=' "$word")
     set -l start (string replace --regex -- '^--[^=]*=' '' "$word")
     set -l end (string join '|' (string escape --style=regex -- $endings))

@@ -1,3 +1,4 @@
+// C interface of the library that the Python package loads with ctypes.
 #include "interface.h"
 
 #include <exception>
@@ -22,11 +23,10 @@ struct MjforgeMaker {
   std::optional<forge::Recipe> recipe;
   std::unique_ptr<forge::Generator> generator;
   forge::Variant variant;
-  manifest::RecordWriter writer;
-  // What was said last.
+  // Texts returned by the last calls.
   std::string record;
-  std::string said_findings;
-  std::string said_files;
+  std::string findings_json;
+  std::string files_json;
   std::string contents;
   std::string description;
   std::string failure;
@@ -36,9 +36,10 @@ namespace {
 
 MjforgeText View(std::string_view text) { return {text.data(), text.size()}; }
 
-/// What `find` finds for the word.
+// Returns find(word); throws an exception with the known words if it finds nothing.
 template <typename Find, typename Words>
-auto OneOf(std::string_view option, std::string_view word, const Find& find, const Words& words) {
+auto FindWord(std::string_view option, std::string_view word, const Find& find,
+              const Words& words) {
   const auto found = find(word);
   if (found) return *found;
   const std::vector<std::string_view> known(std::begin(words), std::end(words));
@@ -65,14 +66,14 @@ forge::Options OptionsOf(const MjforgeRequest& request) {
   options.seed = request.seed;
   options.batch = request.batch;
   options.name = request.name;
-  options.target = OneOf("target", request.target, mjcf::FindTarget, mjcf::TargetNames());
+  options.target = FindWord("target", request.target, mjcf::FindTarget, mjcf::TargetNames());
   options.assets =
-      OneOf("assets", request.assets, manifest::Find<mjcf::AssetForm>, mjcf::kAssetForms);
-  options.sampler = OneOf("sampler", request.sampler, sample::FindMethod, sample::MethodNames());
-  options.on_invalid = OneOf("on_invalid", request.on_invalid, manifest::Find<forge::OnInvalid>,
-                             manifest::kOnInvalid);
-  options.validation = OneOf("validate", request.validate, manifest::Find<forge::Validation>,
-                             manifest::kValidations);
+      FindWord("assets", request.assets, manifest::Find<mjcf::AssetForm>, mjcf::kAssetForms);
+  options.sampler = FindWord("sampler", request.sampler, sample::FindMethod, sample::MethodNames());
+  options.on_invalid = FindWord("on_invalid", request.on_invalid, manifest::Find<forge::OnInvalid>,
+                                manifest::kOnInvalid);
+  options.validation = FindWord("validate", request.validate, manifest::Find<forge::Validation>,
+                                manifest::kValidations);
   return options;
 }
 
@@ -101,7 +102,7 @@ std::string FindingsJson(const diag::Findings& findings, const diag::Sources& so
   return json.Take();
 }
 
-void SayFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
+void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
   maker.contents.clear();
   diag::Json json(nullptr);
   json.StartArray();
@@ -114,25 +115,25 @@ void SayFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
     if (asset.made) maker.contents += *asset.made;
   }
   json.EndArray();
-  maker.said_files = json.Take();
+  maker.files_json = json.Take();
 }
 
 int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   forge::Variant& variant = maker.variant;
   maker.generator->Make(index, variant);
   maker.record.clear();
-  maker.writer.Append(maker.record, variant.record);
-  maker.record.pop_back();  // the line end
+  manifest::AppendRecord(maker.record, variant.record);
+  maker.record.pop_back();  // removes the line end
   made.record = View(maker.record);
   if (!variant.findings.empty()) {
-    maker.said_findings = FindingsJson(variant.findings, maker.sources);
-    made.findings = View(maker.said_findings);
+    maker.findings_json = FindingsJson(variant.findings, maker.sources);
+    made.findings = View(maker.findings_json);
   }
   if (!variant.ok()) return 1;
   made.xml = View(variant.document.text);
   if (!variant.document.assets.empty()) {
-    SayFiles(variant.document, maker);
-    made.files = View(maker.said_files);
+    SetFiles(variant.document, maker);
+    made.files = View(maker.files_json);
     made.contents = View(maker.contents);
   }
   return 0;
@@ -156,8 +157,8 @@ MjforgeMaker* MjforgeOpen(const MjforgeRequest* request) {
 void MjforgeClose(MjforgeMaker* maker) { delete maker; }
 
 MjforgeText MjforgeFindings(MjforgeMaker* maker) {
-  maker->said_findings = FindingsJson(maker->findings, maker->sources);
-  return View(maker->said_findings);
+  maker->findings_json = FindingsJson(maker->findings, maker->sources);
+  return View(maker->findings_json);
 }
 
 MjforgeText MjforgeDescription(MjforgeMaker* maker) {

@@ -50,13 +50,12 @@ void TimeGenerator(LoadedRecipe& loaded, std::uint64_t count, bool validated) {
   if (!validated) options.validation = mjforge::forge::Validation::kNone;
   mjforge::forge::Generator generator(loaded.recipe, loaded.sources, options);
   mjforge::forge::Variant variant;
-  mjforge::manifest::RecordWriter writer;
   std::string manifest;
   Time(count, [&](std::uint64_t i) {
     generator.Make(i, variant);
     if (!variant.ok()) std::abort();
     manifest.clear();
-    writer.Append(manifest, variant.record);
+    mjforge::manifest::AppendRecord(manifest, variant.record);
   });
 }
 

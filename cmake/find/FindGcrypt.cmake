@@ -1,4 +1,4 @@
-# Gcrypt::Gcrypt
+# Defines the target Gcrypt::Gcrypt.
 find_path(Gcrypt_INCLUDE_DIR gcrypt.h)
 find_library(Gcrypt_LIBRARY gcrypt)
 mark_as_advanced(Gcrypt_INCLUDE_DIR Gcrypt_LIBRARY)

@@ -1,5 +1,6 @@
-# LibArchive::LibArchive: of the static library, where there is one, what is used. The shared one
-# brings libxml2 and ICU (36 MB) into each process, for formats that nothing here reads or writes.
+# Defines the target LibArchive::LibArchive: the used parts of the static library, if it exists. The
+# shared library loads libxml2 and ICU (36 MB) into each process, for formats that are not used
+# here.
 find_path(libarchive_INCLUDE_DIR archive.h)
 find_library(libarchive_LIBRARY NAMES libarchive.a archive)
 find_library(libarchive_zstd_LIBRARY zstd)
@@ -19,7 +20,7 @@ if(LibArchive_FOUND AND NOT TARGET LibArchive::LibArchive)
   set_target_properties(LibArchive::LibArchive PROPERTIES
     IMPORTED_LOCATION ${libarchive_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${libarchive_INCLUDE_DIR})
   if(libarchive_LIBRARY MATCHES "\\.a$")
-    # What nothing refers to names libraries that are not there; zlib is, because others load it.
+    # The linker drops unused parts, which need libraries that are not linked here.
     find_package(ZLIB REQUIRED)
     set_target_properties(LibArchive::LibArchive PROPERTIES
       INTERFACE_LINK_LIBRARIES "${libarchive_zstd_LIBRARY};ZLIB::ZLIB;-Wl,--gc-sections")

@@ -1,4 +1,4 @@
-# RapidJSON::RapidJSON, headers only. Debian's own package file makes no target.
+# Defines the target RapidJSON::RapidJSON (headers only), which Debian's own CMake package lacks.
 find_path(RapidJSON_INCLUDE_DIR rapidjson/rapidjson.h)
 mark_as_advanced(RapidJSON_INCLUDE_DIR)
 if(RapidJSON_INCLUDE_DIR)

@@ -1,4 +1,4 @@
-# libwebp of Debian 12 comes without a CMake package.
+# Defines the target WebP::webp, because libwebp of Debian 12 has no CMake package.
 find_path(WebP_INCLUDE_DIR webp/encode.h)
 find_library(WebP_LIBRARY webp)
 mark_as_advanced(WebP_INCLUDE_DIR WebP_LIBRARY)

@@ -1,4 +1,4 @@
-# ctemplate::ctemplate
+# Defines the target ctemplate::ctemplate.
 find_path(ctemplate_INCLUDE_DIR ctemplate/template.h)
 find_library(ctemplate_LIBRARY ctemplate)
 mark_as_advanced(ctemplate_INCLUDE_DIR ctemplate_LIBRARY)

@@ -1,10 +1,11 @@
-# mujoco::mujoco: the system's, or that of a folder. Debian's own package file also asks for
-# OpenGL's and Qhull's headers, which only a viewer and MuJoCo itself need.
+# Defines the target mujoco::mujoco: MuJoCo of the system, or of the folder MJFORGE_MUJOCO. Debian's
+# own CMake package also requires the headers of OpenGL and Qhull, which only viewers and MuJoCo
+# itself need.
 set(MJFORGE_MUJOCO "" CACHE PATH
   "A folder with include/mujoco and libmujoco.so* (an unpacked wheel's mujoco/, a release); empty: the system's")
 if(MJFORGE_MUJOCO)
   find_path(mujoco_INCLUDE_DIR mujoco/mujoco.h PATHS ${MJFORGE_MUJOCO}/include NO_DEFAULT_PATH)
-  # A wheel has no libmujoco.so, only libmujoco.so.3.3.7.
+  # Wheels contain libmujoco.so.3.3.7 but no libmujoco.so.
   file(GLOB libraries ${MJFORGE_MUJOCO}/libmujoco.so* ${MJFORGE_MUJOCO}/lib/libmujoco.so*)
   if(libraries)
     list(GET libraries 0 library)
@@ -19,7 +20,7 @@ if(mujoco_INCLUDE_DIR)
   file(STRINGS ${mujoco_INCLUDE_DIR}/mujoco/mujoco.h mujoco_VERSION
        REGEX "#define mjVERSION_HEADER +[0-9]+")
   string(REGEX REPLACE ".* ([0-9]+)$" "\\1" mujoco_VERSION "${mujoco_VERSION}")
-  # 222 says 2.2.2, and from 3.5 on 3005000 says 3.5.0.
+  # 222 means 2.2.2; from 3.5 on, 3005000 means 3.5.0.
   string(REGEX REPLACE "^(.)(.)(.)$" "\\1.\\2.\\3" mujoco_VERSION "${mujoco_VERSION}")
   string(REGEX REPLACE "^(.)(...)(...)$" "\\1.\\2.\\3" mujoco_VERSION "${mujoco_VERSION}")
   string(REGEX REPLACE "\\.0+([0-9])" ".\\1" mujoco_VERSION "${mujoco_VERSION}")

@@ -1,4 +1,4 @@
-# xxhash::xxhash
+# Defines the target xxhash::xxhash.
 find_path(xxhash_INCLUDE_DIR xxhash.h)
 find_library(xxhash_LIBRARY xxhash)
 mark_as_advanced(xxhash_INCLUDE_DIR xxhash_LIBRARY)

@@ -1,4 +1,4 @@
-// --assets files: meshes as OBJ and textures as PNG beside the object.
+// Tests of --assets files: meshes as OBJ and textures as PNG beside the object.
 
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Files = std::vector<std::string>;
 
-// A vase with a mesh that varies, one that does not, and a pattern.
+// Fixture with a vase that has a varying mesh, a constant mesh and a pattern.
 class VaseTest : public harness::ProgramTest {
  protected:
   VaseTest() {
@@ -32,7 +32,7 @@ class VaseTest : public harness::ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return Run(arguments);
   }
-  // The names of the files in a folder that have this ending.
+  // Returns the names of the files in a folder that have this ending.
   Files Named(const std::string& start, const std::string& ending) const {
     Files found;
     for (const std::string& file : folder().Files()) {
@@ -68,7 +68,7 @@ TEST_CASE_METHOD(VaseTest, "objects without meshes and patterns have no folder o
   CHECK(folder().Files() == Files{"box.yaml", "vase.yaml", "x.xml"});
 }
 
-TEST_CASE_METHOD(VaseTest, "the bytes do not depend on workers, moulds and order") {
+TEST_CASE_METHOD(VaseTest, "the bytes do not depend on workers and order") {
   REQUIRE(Generate({"-n", "20", "-j", "1", "-o", "one/"}).status == 0);
   REQUIRE(Generate({"-n", "20", "-j", "3", "-o", "other/"}).status == 0);
   for (const std::string& file : Named("one/", "")) {
@@ -84,7 +84,7 @@ TEST_CASE_METHOD(VaseTest, "the bytes do not depend on workers, moulds and order
 TEST_CASE_METHOD(VaseTest, "archives hold the files before the objects that need them") {
   for (const std::string ending : {".tar", ".tar.zst"}) {
     const std::string name =
-        ending == ".tar" ? "plain" : "packed";  // each has a manifest of its own
+        ending == ".tar" ? "plain" : "packed";  // each batch has its own manifest
     REQUIRE(Generate({"-n", "3", "-o", name + ending}).status == 0);
     const auto unpacked =
         harness::Command{.program = "/bin/sh",
@@ -124,7 +124,7 @@ TEST_CASE_METHOD(VaseTest, "a file that is gone or changed is found, and made ag
   CHECK(Run({"verify", "out/", "-q"}).status == 1);
   CHECK(Generate({"-n", "3", "-o", "out/", "--resume"}).status == 0);
   CHECK(folder().Read(foot) == bytes);
-  // As a power cut may leave it.
+  // A power cut can leave such a file.
   folder().Write(foot, bytes.substr(0, 20) + std::string(10, '\0'));
   CHECK(Run({"verify", "out/", "-q"}).status == 1);
   CHECK(Generate({"-n", "3", "-o", "out/", "--resume"}).status == 0);

@@ -1,4 +1,4 @@
-// Files that are no specs.
+// Tests of input files that are not valid specs, and of missing or broken assets.
 
 #include <sys/stat.h>
 
@@ -78,7 +78,7 @@ TEST_CASE_METHOD(BadInputTest, "a missing mesh is one finding") {
 }
 
 TEST_CASE_METHOD(BadInputTest, "a file on which MuJoCo crashes is a finding, and others are read") {
-  // MuJoCo 2.2 looks up the vertex without asking whether there is one. Later ones refuse the file.
+  // MuJoCo 2.2 does not check the vertex index. Later releases reject the file.
   const bool crashes = Run({"--version"}).out.find("\nMuJoCo 2.") != std::string::npos;
   folder().Write("bad.xml",
                  "<mujoco><asset><mesh name=\"m\" vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\" "
@@ -144,11 +144,11 @@ TEST_CASE_METHOD(BadInputTest, "a record that is nested too deep is refused") {
 TEST_CASE_METHOD(BadInputTest,
                  "pictures that would fill the memory are refused before they are read") {
   using namespace std::string_literals;
-  const auto png = [](const std::string& side) {  // what says how large it is: 24 bytes
+  const auto png = [](const std::string& side) {  // the first 24 bytes, which contain the size
     return "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s + side + side;
   };
-  folder().Write("pictures/fits.png", png("\0\0\x14\0"s));     // 5120
-  folder().Write("pictures/large.png", png("\0\0\x9c\x40"s));  // 40000
+  folder().Write("pictures/fits.png", png("\0\0\x14\0"s));     // 5120 pixels
+  folder().Write("pictures/large.png", png("\0\0\x9c\x40"s));  // 40000 pixels
   const std::string rest = "parts: [{name: a, type: sphere, size: 1, material: m}";
   const auto with = [&](const std::string& texture) {
     return "mjforge: 1\nname: crate\nmaterials: {m: {texture: " + texture + "}}\n" + rest + "]\n";

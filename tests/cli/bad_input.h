@@ -1,3 +1,5 @@
+// Fixture for tests of invalid input.
+
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -17,16 +19,16 @@ inline int CountOf(std::string_view text, std::string_view word) {
   return count;
 }
 
-/// What every row of bad input must give: one clear finding, nothing written.
+/// Checks that invalid input causes exactly one finding and that no file is written.
 class BadInputTest : public harness::ProgramTest {
  protected:
-  /// Generates from s.yaml with this text.
+  /// Writes s.yaml with this text and generates from it.
   harness::CommandResult Generate(std::string_view text) const {
     folder().Write("s.yaml", text);
     return Run({"generate", "s.yaml", "-o", "out"});
   }
 
-  /// Exactly one error, with this code; nothing in the folder but the spec.
+  /// Checks for exactly one error, with this code, and that the folder has no new files.
   void CheckOneFinding(const harness::CommandResult& result, int status,
                        const std::string& code) const {
     INFO(result.err.substr(0, 2000));

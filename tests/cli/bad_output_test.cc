@@ -1,5 +1,4 @@
-// Places that cannot be written to: exit status 3, the system's words, nothing
-// half-done.
+// Tests of outputs that cannot be written: exit status 3, the system's message, no partial files.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,10 +17,10 @@ using Files = std::vector<std::string>;
 
 class BadOutputTest : public CrateTest {
  protected:
-  // With the shell's words before and after "mjforge generate crate.yaml".
+  // Runs "mjforge generate crate.yaml" in a shell, with this text before and after the command.
   harness::CommandResult RunInShell(const std::string& before, const std::string& after) const {
-    // A build that counts lines writes its counts elsewhere: cut short by the
-    // limits of these tests, they would spoil those of all others. Nor shall it complain.
+    // A coverage build writes its counts to another folder, because the limits of these tests would
+    // truncate them. Its error messages are discarded.
     const harness::TemporaryFolder profiles;
     const harness::Command command{
         .program = "/bin/sh",
@@ -36,7 +35,7 @@ class BadOutputTest : public CrateTest {
   }
 
  private:
-  // Somebody who may not write to that file either hears it all the same.
+  // Removes messages of a coverage build that cannot write its counts.
   static std::string WithoutProfiling(const std::string& text) {
     std::string kept;
     std::istringstream lines(text);
@@ -112,7 +111,7 @@ TEST_CASE_METHOD(BadOutputTest, "the largest index is one that is made") {
 TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {
   std::filesystem::create_directory(folder() / "out");
   std::filesystem::permissions(folder() / "out", std::filesystem::perms(0555));
-  // The administrator may write anywhere, so somebody else runs it.
+  // Root can write anywhere, so the program runs as another user.
   const bool administrator = ::geteuid() == 0;
   if (administrator) std::filesystem::permissions(folder().path(), std::filesystem::perms(0755));
   const auto result = RunInShell(
@@ -124,8 +123,8 @@ TEST_CASE_METHOD(BadOutputTest, "a read-only folder is refused") {
   CHECK(folder().Files() == Files{"crate.yaml"});
 }
 
-// A limit on the size of files (1: 512 bytes) stands for a full disk: writing
-// fails halfway.
+// A limit on the size of files (1 means 512 bytes) has the effect of a full disk: writing fails
+// halfway.
 TEST_CASE_METHOD(BadOutputTest, "a file that does not fit leaves nothing") {
   const auto result = RunInShell("ulimit -f 1;", "-q -o crate.xml");
   CHECK(result.status == 3);
@@ -168,7 +167,7 @@ TEST_CASE_METHOD(BadOutputTest, "somebody else's file is only overwritten with -
   CHECK(folder().Read("x.xml") == "<mujoco/>\n");
   CHECK(Run({"generate", "crate.yaml", "-q", "-o", "x.xml", "--force"}).status == 0);
   CHECK(folder().Read("x.xml") != "<mujoco/>\n");
-  // And now it is ours.
+  // The file now has the mark of mjforge.
   CHECK(Run({"generate", "crate.yaml", "-q", "-o", "x.xml"}).status == 0);
 }
 

@@ -1,4 +1,4 @@
-// Specs that are YAML, with values that cannot be.
+// Tests of specs that are valid YAML with invalid values.
 
 #include "bad_input.h"
 

@@ -1,4 +1,4 @@
-// Large batches on a machine where things go wrong.
+// Tests of large batches: kills, interrupts, full disks, resuming, samplers, progress.
 
 #include <catch2/catch.hpp>
 #include <map>
@@ -12,8 +12,8 @@ using harness::CommandResult;
 
 class BatchTest : public CrateTest {
  protected:
-  /// A shell script, with the program as $mjforge; `children PID` lists the processes
-  /// that one has started and that are alive.
+  /// Runs a shell script, with the program as $mjforge. `children PID` lists the live children of a
+  /// process.
   CommandResult Shell(const std::string& script) const {
     const std::string children =
         "children() { for stat in /proc/[0-9]*/stat; do\n"
@@ -44,7 +44,7 @@ TEST_CASE_METHOD(BatchTest,
   const std::string command =
       "$mjforge generate crate.yaml -n 12000 -j 2 --per-archive 1000 --validate none -q -o ";
   CHECK(Shell(command + "'whole" + output + "'").status == 0);
-  // Killed ever later; what has a final name is whole.
+  // Each run is killed later than the one before. Files with a final name are always complete.
   for (const char* seconds : {"0.01", "0.05", "0.1", "0.2", "0.4"}) {
     Shell("timeout --signal KILL " + std::string(seconds) + " " + command + "'broken" + output +
           "' --resume");
@@ -70,7 +70,7 @@ TEST_CASE_METHOD(BatchTest, "an interrupted batch ends cleanly and says how to g
   CHECK(result.out == "130\n");
   CHECK(result.err.find(" ok, interrupted (") != std::string::npos);
   CHECK(result.err.find("--resume continues from there\n") != std::string::npos);
-  // Every record's file is there, and no half of one.
+  // Every record has its file, and there are no partial files.
   const std::string manifest = folder().Read("out/.manifest.jsonl.part");
   const auto lines = static_cast<std::size_t>(std::count(manifest.begin(), manifest.end(), '\n'));
   CHECK(manifest.ends_with("\n"));
@@ -81,7 +81,7 @@ TEST_CASE_METHOD(BatchTest, "an interrupted batch ends cleanly and says how to g
   CHECK(resumed.err.find(std::to_string(lines) + " of them kept") != std::string::npos);
 }
 
-// Variants that take long, so that a worker is at one whenever it is looked at.
+// Slow variants, so that a worker is busy at any time.
 constexpr const char* kHeap =
     "mjforge: 1\nname: heap\nparts:\n"
     "  - {name: \"pebble_${i}\", for: {i: 1000}, type: sphere, size: 1cm, pos: [0, 0, i * 2cm]}\n";
@@ -108,8 +108,8 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
 }
 
 TEST_CASE_METHOD(BatchTest, "a worker that is stopped between two variants holds up nothing") {
-  // While the process that leads is stopped, its workers come to the end of their tasks. One of
-  // them is stopped then; it gets more to do and does not do it.
+  // While the leader is stopped, its workers finish their tasks. One worker is stopped then, gets
+  // another task and does not begin it.
   const CommandResult result = Shell(
       "$mjforge generate crate.yaml -n 20000 -j 2 --time-limit 0.1 --validate none -o x.tar & "
       "p=$!\n"
@@ -161,7 +161,7 @@ TEST_CASE_METHOD(BatchTest, "workers end with the process that leads them") {
 }
 
 TEST_CASE_METHOD(BatchTest, "a full disk stops a batch, which can go on when there is room") {
-  // A limit of a file's size is met as a full disk is: a write that fails.
+  // A limit on the size of files has the effect of a full disk: a write fails.
   const CommandResult result = Shell(
       "(ulimit -f 2000; $mjforge generate crate.yaml -n 4000 --validate none -o x.tar); echo $?");
   CHECK(result.out == "3\n");
@@ -216,7 +216,7 @@ TEST_CASE_METHOD(BatchTest, "inspect shows what a batch achieved") {
       tables.out.starts_with("batch of tools/hammer, seed 0, target mujoco, validate none\n"
                              "50 variants: 50 ok\n"));
   CHECK(tables.out.find("\nhandle_length ") != std::string::npos);
-  // Without the slash it is the spec's name.
+  // Without the slash the word is the name of a spec.
   CHECK(Run({"inspect", "hammer"}).out.find("50 variants") == std::string::npos);
   CHECK(Run({"inspect", "hammer/manifest.jsonl"}).out == tables.out);
   const CommandResult json = Run({"inspect", "hammer/", "--json"});
@@ -234,7 +234,8 @@ TEST_CASE_METHOD(UnluckyCrateTest, "inspect counts failed variants, and not thei
   CHECK(text.find("\n40 variants: 26 failed, 14 ok\n") != std::string::npos);
   CHECK(text.find("\nmodel/bad-value  ") != std::string::npos);
   REQUIRE(text.find("\nheight ") != std::string::npos);
-  CHECK(text.substr(text.find("\nheight ")).find('-') == std::string::npos);  // those failed
+  CHECK(text.substr(text.find("\nheight ")).find('-') ==
+        std::string::npos);  // variants with negative heights failed
 }
 
 TEST_CASE_METHOD(BatchTest, "inspect and report show the same whole numbers one by one") {
@@ -263,7 +264,7 @@ TEST_CASE_METHOD(BatchTest, "samplers spread the draws over the batch") {
     CHECK(Run({"replay", std::string(sampler) + "/crate_000017.xml"}).status == 0);
     CHECK(Run({"replay", std::string(sampler) + "/manifest.jsonl:5"}).status == 0);
   }
-  // One of them by itself, of the same batch.
+  // A single variant of the same batch.
   const CommandResult one = Run({"generate", "crate.yaml", "--first", "17", "--batch", "32",
                                  "--sampler", "latin", "-o", "-"});
   CHECK(one.out == folder().Read("latin/crate_000017.xml"));
@@ -281,7 +282,7 @@ TEST_CASE_METHOD(BatchTest, "the progress bar is for terminals only") {
   const CommandResult shown = Shell("TERM=xterm script -qec \"" + command + "shown\" /dev/null");
   CHECK(shown.out.find(" of 15000  ") != std::string::npos);
   CHECK(shown.out.find("/s  ") != std::string::npos);
-  // It is gone at the end.
+  // The bar is erased at the end.
   CHECK(shown.out.rfind("\r\x1b[K") < shown.out.rfind("15000 variants of crate in shown/"));
   const CommandResult quiet = Shell("TERM=xterm script -qec \"" + command + "quiet -q\" /dev/null");
   CHECK(quiet.out.empty());

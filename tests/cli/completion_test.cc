@@ -1,4 +1,4 @@
-// What shells are told about the word under the cursor (app/completion.h).
+// Tests of the answers to shells that complete a word (app/completion.h).
 
 #include <catch2/catch.hpp>
 
@@ -18,7 +18,7 @@ class CompletionTest : public CrateTest {
     return result.out;
   }
 
-  // Without the meanings and the last line: "generate\n".
+  // Returns the words without their meanings and without the last line: "generate\n".
   std::string Words(std::vector<std::string> words) const {
     const std::string answer = Ask(std::move(words));
     std::string found;
@@ -47,7 +47,7 @@ TEST_CASE_METHOD(CompletionTest, "options are completed as the command has them"
   CHECK(Words({"verify", "-"}) == "--help\n--findings\n--color\n--quiet\n");
   CHECK(Words({"generate", "-M"}) == "-MD\n-MF\n-MT\n-MP\n");
   CHECK(Words({"check", "--s"}) == "--seed\n--set\n");
-  // What may be given once and was, is not offered again.
+  // An option that can be given once is not offered again.
   CHECK(Words({"check", "-s", "7", "--set", "a=1", "--s"}) == "--set\n");
   CHECK(Words({"check", "-s7", "--s"}) == "--set\n");
   CHECK(Words({"check", "--seed=7", "--s"}) == "--set\n");
@@ -69,7 +69,7 @@ TEST_CASE_METHOD(CompletionTest, "values of options are completed where a list o
   CHECK(Words({"preview", "--layer", "col"}) == "collision\n");
   CHECK(Words({"schema", ""}) == "object\nmanifest\n");
   CHECK(Words({"schema", "object", ""}).empty());
-  // A number is the user's business.
+  // Numbers are not completed.
   CHECK(Ask({"generate", "-n", ""}) == ":\n");
   CHECK(Ask({"generate", "--nosuch", ""}).ends_with(":.yaml .yml\n"));
   CHECK(Ask({"generate", "--nosuch="}) == ":\n");
@@ -93,9 +93,10 @@ TEST_CASE_METHOD(CompletionTest, "specs are completed by whole names and by thei
         ":.yaml .yml\n");
   CHECK(Words({"generate", "primitives/b"}) == "primitives/ball\nprimitives/box\n");
   CHECK(Words({"replay", "x.xml", "--spec", "hamm"}) == "hammer\n");
-  CHECK(Words({"generate", "hammer", "primitives/bo"}) == "primitives/box\n");  // another one
-  CHECK(Words({"inspect", "hammer", ""}).empty());                              // takes one
-  // All of them are those that catalogue lists.
+  CHECK(Words({"generate", "hammer", "primitives/bo"}) ==
+        "primitives/box\n");                        // generate takes several specs
+  CHECK(Words({"inspect", "hammer", ""}).empty());  // inspect takes one spec
+  // The words are the names listed by `mjforge catalogue`.
   const std::string listed = Run({"catalogue"}).out;
   std::string names;
   for (std::size_t at = listed.find('\n') + 1; at < listed.size(); at = listed.find('\n', at) + 1)
@@ -122,7 +123,7 @@ TEST_CASE_METHOD(CompletionTest, "settings are completed for the spec that is on
         "handle_shape=box\nhandle_shape=cylinder\n");
   CHECK(Words({"inspect", "hammer", "--set", "use_texture=t"}) == "use_texture=true\n");
   CHECK(Words({"inspect", "hammer", "--set", "handle_length="}).empty());
-  // A record is set as a whole, or a value of it.
+  // A record can be set as a whole or value by value.
   CHECK(Words({"inspect", "fridge", "--set", "kind"}) == "kind=\nkind.height=\nkind.split=\n");
   CHECK(Words({"inspect", "fridge", "--set", "kind="}) == "kind=small\nkind=tall\n");
 }
@@ -145,7 +146,7 @@ TEST_CASE_METHOD(CompletionTest, "joints are completed for the spec or the file 
                  "<mujoco><worldbody><body><joint name='bend'/><joint type='ball' name='no'/>"
                  "<geom size='1'/></body></worldbody></mujoco>");
   CHECK(Words({"preview", "arm.xml", "--joint", ""}) == "bend=\n");
-  // What is offered is accepted; where there is nothing, there is silence.
+  // Offered words are accepted; without words there is no message.
   CHECK(Run({"check", "doors.yaml"}).status == 0);
   CHECK(Ask({"preview", "doors.yaml", "--set", "count=x", "--joint", ""}) == ":\n");
   CHECK(Ask({"preview", "nosuch.xml", "--joint", ""}) == ":\n");
@@ -173,9 +174,9 @@ TEST_CASE_METHOD(CompletionTest, "files are left to the shell, which is told how
 }
 
 TEST_CASE_METHOD(CompletionTest, "nobody waits at the Tab key") {
-  // Standard input is the shell's.
+  // Standard input belongs to the shell, so it is not read.
   CHECK(Ask({"check", "-", "--set", "height"}) == ":\n");
-  // The largest spec there may be takes two seconds or three to read. Nothing is said after one.
+  // The largest valid spec takes two to three seconds to read. Completion gives up after one.
   std::string text = "mjforge: 1\nname: slow\nparams:\n  p0: 1\n";
   for (int i = 1; i < 350'000; ++i)
     text += "  p" + std::to_string(i) + ": p" + std::to_string(i - 1) + " + 1\n";

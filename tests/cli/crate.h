@@ -1,10 +1,12 @@
+// Fixtures with a small valid spec.
+
 #pragma once
 
 #include "harness/command.h"
 
 namespace mjforge {
 
-/// A small good spec in crate.yaml of a fresh folder.
+/// Fixture with a small valid spec, crate.yaml, in a new folder.
 class CrateTest : public harness::ProgramTest {
  protected:
   CrateTest() { folder().Write("crate.yaml", kText); }
@@ -19,7 +21,7 @@ class CrateTest : public harness::ProgramTest {
       "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
 };
 
-/// The same, whose height is below zero in about half of the variants.
+/// Fixture with crate.yaml whose height is negative in about half of the variants.
 class UnluckyCrateTest : public harness::ProgramTest {
  protected:
   UnluckyCrateTest() {

@@ -1,4 +1,4 @@
-// A variant is a pure function of (spec, seed, index).
+// Tests that a variant is a pure function of (spec, seed, index).
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 
 class DeterminismTest : public harness::ProgramTest {
  protected:
-  // Fails the test unless it succeeds.
+  // Fails the test unless the command succeeds.
   void Generate(std::vector<std::string> arguments,
                 std::map<std::string, std::string> environment = {}) const {
     arguments.insert(arguments.begin(), {"generate", "-q", "--seed", "7"});

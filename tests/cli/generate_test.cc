@@ -1,3 +1,5 @@
+// Tests of `mjforge generate`: outputs, messages, exit status, interrupts.
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <regex>
@@ -9,7 +11,7 @@ namespace {
 
 using Files = std::vector<std::string>;
 
-// The seconds in a summary line are not the test's business.
+// Replaces the seconds of a summary line, which vary.
 std::string WithoutSeconds(const std::string& text) {
   return std::regex_replace(text, std::regex(R"(\(\d+\.\d s\))"), "(T s)");
 }
@@ -149,7 +151,7 @@ TEST_CASE_METHOD(UnluckyCrateTest, "with --on-invalid resample draws them again"
 }
 
 TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its records") {
-  // It interrupts itself when the third line of -v says that two more are done.
+  // The script interrupts the batch as soon as -v reports the third variant.
   const harness::Command command{
       .program = "/bin/sh",
       .arguments = {"-c", "'" + harness::MjforgeProgram().string() +
@@ -163,7 +165,7 @@ TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its r
   const std::string manifest = folder().Read("out/.manifest.jsonl.part");
   const auto lines = std::count(manifest.begin(), manifest.end(), '\n');
   CHECK(lines >= 3);
-  // Workers may be ahead of the records.
+  // Workers can have written files that have no record yet.
   CHECK(folder().Files().size() >= static_cast<std::size_t>(lines) + 3);
 }
 

@@ -1,3 +1,5 @@
+// Tests of `mjforge inspect`.
+
 #include <catch2/catch.hpp>
 
 #include "crate.h"
@@ -112,7 +114,7 @@ TEST_CASE_METHOD(CrateTest, "inspect of what is not there is a finding") {
   CHECK(result.out.empty());
 }
 
-/// A gate whose bolt, on a slide, goes through a post.
+/// A gate with a sliding bolt that penetrates a post.
 class GateTest : public harness::ProgramTest {
  protected:
   GateTest() {
@@ -198,7 +200,7 @@ TEST_CASE_METHOD(GateTest, "inspect --sweep --json has the same as numbers") {
                         R"("held":["loose"],"aabb":{"min":[-0.5,)") != std::string::npos);
 }
 
-/// A tray on a rail that goes through a stop, and a hand on the tray.
+/// A tray on a rail that penetrates a stop, and a hand on the tray.
 class CabinetTest : public harness::ProgramTest {
  protected:
   CabinetTest() {

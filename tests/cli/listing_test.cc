@@ -1,4 +1,4 @@
-// catalogue and schema.
+// Tests of `mjforge catalogue` and `mjforge schema`.
 
 #include <catch2/catch.hpp>
 

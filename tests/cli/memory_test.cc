@@ -1,4 +1,4 @@
-// Where memory is short: an error, not a bug.
+// Tests that a lack of memory is reported as an error.
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 
 class MemoryTest : public harness::ProgramTest {
  protected:
-  /// With so many kilobytes of memory, the program's own 45,000 included.
+  /// Runs the program with this limit of memory, including the 45,000 kB of the program itself.
   harness::CommandResult RunWithin(int kilobytes, const std::string& arguments) const {
     return harness::Command{
         .program = "bash",
@@ -57,7 +57,7 @@ TEST_CASE_METHOD(MemoryTest,
                  "specs that double at each level are too many before they fill memory") {
   const std::string last = GENERATE(
       as<std::string>(),
-      // With parts, without any, with bodies, with something else.
+      // Specs with parts, without parts, with bodies, with sites.
       "parts: [{name: s, type: sphere, size: 1cm}]",
       "parts: [{name: s, if: 1 > 2, type: sphere, size: 1cm}]", "bodies: [{name: s, parts: []}]",
       "parts: []\nsites: [{name: s}, {name: t}, {name: u}, {name: v}]");

@@ -1,4 +1,4 @@
-// --validate physics, validate --physics, check --physics.
+// Tests of --validate physics, validate --physics and check --physics.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -47,7 +47,7 @@ TEST_CASE_METHOD(PhysicsTest,
     REQUIRE(physics["joints"].size() == 1);
     CHECK(physics["joints"][0]["reach"] > 0.9);
   }
-  // Which variants are made does not change what one of them does.
+  // The result of a variant does not depend on the range of variants that are made.
   REQUIRE(Run({"generate", "hinged_box", "--first", "4", "--validate", "physics", "-o", "one"})
               .status == 0);
   CHECK(Records("one")[0]["physics"] == Records("out1")[4]["physics"]);

@@ -1,3 +1,5 @@
+// Tests of `mjforge preview`: pictures, contact sheets, animations.
+
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -20,7 +22,7 @@ class PreviewTest : public CrateTest {
  protected:
   PreviewTest() { folder().Write("chest.xml", kChest); }
 
-  // One run that does as it is told.
+  // Returns the picture of a run that must succeed without messages.
   std::string Draw(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "preview");
     arguments.insert(arguments.end(), {"-o", "-"});
@@ -54,7 +56,7 @@ TEST_CASE_METHOD(PreviewTest, "a contact sheet has a picture and a caption for e
   CHECK(four.height > 2 * 112 + 12);
   const harness::Png six = DecodePng(Draw({"crate.yaml", "-n", "6", "--size", "100x60"}));
   CHECK(six.width == 3 * 112 + 12);
-  // Each row has its objects: edges in each of the four tiles.
+  // Each of the four tiles has an object, and so edges.
   for (int tile = 0; tile < 4; ++tile) {
     int dark = 0;
     const int left = 12 + tile % 2 * 112;
@@ -100,7 +102,7 @@ TEST_CASE_METHOD(PreviewTest, "the camera stands where --azimuth, --elevation, -
     return DecodePng(Draw(camera));
   };
   CHECK(seen({"--azimuth", "90"}).Seen() != seen({"--azimuth", "180"}).Seen());
-  // From above a box is a rectangle of its own proportions, twice as long as wide.
+  // Seen from above, the box is a rectangle twice as long as wide.
   const harness::Png above = seen({"--azimuth", "90", "--elevation", "-90"});
   CHECK(above.At(32, 4)[3] > 200);
   CHECK(above.At(4, 32)[3] < 100);
@@ -126,8 +128,8 @@ TEST_CASE_METHOD(PreviewTest,
   const harness::Png joints = DecodePng(
       Draw({"chest.xml", "--size", "300", "--layer", "joints", "--background", "transparent"}));
   CHECK(joints.height == 300);
-  CHECK(seen_in(joints, 280, 300) > 300);  // one line of text
-  CHECK(seen_in(joints, 272, 280) < 300);  // the margin between
+  CHECK(seen_in(joints, 280, 300) > 300);  // a line of text
+  CHECK(seen_in(joints, 272, 280) < 300);  // the margin above the text
   const harness::Png bounds = DecodePng(
       Draw({"chest.xml", "--size", "300", "--layer", "visual", "--background", "transparent"}));
   CHECK(seen_in(bounds, 290, 300) == 0);
@@ -154,14 +156,18 @@ TEST_CASE_METHOD(PreviewTest, "a joint that does not exist or reach there is a f
   CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
 }
 
-TEST_CASE_METHOD(PreviewTest, "the joints are animated by --sweep as APNG or GIF") {
-  const std::string apng = Draw({"chest.xml", "--size", "48", "--sweep"});
+TEST_CASE_METHOD(PreviewTest, "the joints are animated by --sweep in a GIF") {
+  const std::string gif = Draw({"chest.xml", "--size", "48", "--sweep"});
+  CHECK(gif.starts_with("GIF89a"));
+  CHECK(gif.find("Software: mjforge ") != std::string::npos);
   int frames = 0;
-  for (const std::string& chunk : harness::PngChunks(apng)) frames += chunk == "fcTL 26" ? 1 : 0;
+  const std::string_view control = "\x21\xf9\x04";  // of one frame
+  for (std::size_t at = 0; (at = gif.find(control, at)) != gif.npos; ++at) ++frames;
   CHECK(frames == 25);  // there and back, twelve each, and the end
-  CHECK(apng == Draw({"chest.xml", "--size", "48", "--sweep", "--joint", "hinge"}));
-  REQUIRE(Run({"preview", "chest.xml", "--size", "48", "--sweep", "-o", "a.gif"}).status == 0);
-  CHECK(folder().Read("a.gif").starts_with("GIF89a"));
+  CHECK(gif == Draw({"chest.xml", "--size", "48", "--sweep", "--joint", "hinge"}));
+  for (int i = 0; i < 2; ++i)
+    REQUIRE(Run({"preview", "chest.xml", "--size", "48", "--sweep"}).status == 0);
+  CHECK(folder().Read("chest.gif") == gif);
   const auto stiff = Run({"preview", "crate.yaml", "--sweep"});
   CHECK(stiff.status == 1);
   CHECK(stiff.err ==
@@ -229,10 +235,14 @@ TEST_CASE_METHOD(PreviewTest, "options of preview that contradict each other are
         "mjforge: error: --size: '9x9' is not of the form WxH, each 16 to 4096");
   CHECK(error({"preview", "crate.yaml", "--joint", "hinge"}) ==
         "mjforge: error: --joint: 'hinge' is not of the form NAME=VALUE");
-  CHECK(error({"preview", "crate.yaml", "-o", "a.gif"}) ==
-        "mjforge: error: -o a.gif: a picture is a .png; .gif is for --sweep");
-  CHECK(error({"preview", "crate.yaml", "-o", "a.jpg"}) ==
-        "mjforge: error: -o a.jpg: pictures are .png, with --sweep also .apng and .gif");
+  for (const std::string file : {"a.gif", "a.jpg"}) {
+    CHECK(error({"preview", "crate.yaml", "-o", file}) ==
+          "mjforge: error: -o " + file + ": a picture is a .png, and with --sweep a .gif");
+  }
+  for (const std::string file : {"a.png", "a.apng", "a.webp"}) {
+    CHECK(error({"preview", "chest.xml", "--sweep", "-o", file}) ==
+          "mjforge: error: -o " + file + ": a picture is a .png, and with --sweep a .gif");
+  }
   CHECK(error({"preview", "crate.yaml", "-n", "100", "--size", "4096"}) ==
         "mjforge: error: --size 4096: 100 pictures of that size are too large for one sheet");
   CHECK(error({"preview", "chest.xml", "--sweep", "--size", "801"}) ==
@@ -257,7 +267,7 @@ TEST_CASE_METHOD(PreviewTest, "EGL and OSMesa both draw") {
     INFO(name);
     const auto result =
         Run({"preview", "chest.xml", "--size", "64", "--background", "transparent", "-o", "-"}, {},
-            {{"MUJOCO_GL", name}, {"ASAN_OPTIONS", "detect_leaks=0"}});  // Mesa's, by EGL
+            {{"MUJOCO_GL", name}, {"ASAN_OPTIONS", "detect_leaks=0"}});  // Mesa leaks with EGL
     CHECK(result.status == 0);
     CHECK(DecodePng(result.out).Seen() > 1000);
   }

@@ -1,3 +1,5 @@
+// Tests of `mjforge replay`.
+
 #include <catch2/catch.hpp>
 
 #include "crate.h"

@@ -1,3 +1,5 @@
+// Tests of `mjforge report`.
+
 #include <catch2/catch.hpp>
 
 #include "crate.h"
@@ -34,7 +36,7 @@ TEST_CASE_METHOD(ReportTest, "a report is a page beside the manifest, the same e
   CHECK(Has(page, "<code>mjforge replay out/manifest.jsonl:11</code>"));
   CHECK(Has(page, "src=\"data:image/webp;base64,"));
   CHECK(Has(page, "alt=\"Variant 11: height 0.1"));
-  CHECK(Run({"report", "out", "-q"}).status == 0);  // replaces it
+  CHECK(Run({"report", "out", "-q"}).status == 0);  // replaces the report
   CHECK(folder().Read("out/report.html") == page);
   CHECK(Run({"report", "out/manifest.jsonl", "-o", "-"}).out == page);
 }
@@ -130,7 +132,9 @@ TEST_CASE_METHOD(ReportTest, "archives and shards have reports") {
   CHECK(Has(folder().Read("x.report.html"), "src=\"data:image/webp;base64,"));
   REQUIRE(Generate({"-n", "6", "-o", "y_%02d.tar", "--per-archive", "2"}).status == 0);
   CHECK(Run({"report", "y_%02d.tar"}).err.starts_with("6 of 6 variants shown"));
-  folder().Write("crate.yaml", std::string(kText) + "# more\n");  // now members are read
+  folder().Write(
+      "crate.yaml",
+      std::string(kText) + "# more\n");  // the changed spec makes it read members of the archive
   CHECK_FALSE(Has(Run({"report", "y_%02d.tar"}).err, "no picture"));
   REQUIRE(Generate({"-n", "6", "-o", "part/", "--shard", "1/3"}).status == 0);
   CHECK(Has(Run({"report", "part/manifest-00001-of-00003.jsonl"}).err, "2 of 2 variants shown, "));

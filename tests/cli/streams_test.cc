@@ -1,4 +1,4 @@
-// Results to standard output, words to standard error, color only where asked.
+// Tests of streams: results on standard output, messages on standard error, color on request.
 
 #include <catch2/catch.hpp>
 
@@ -40,7 +40,7 @@ TEST_CASE_METHOD(WordsTest, "color comes only when it is asked for, or on a term
 }
 
 TEST_CASE_METHOD(WordsTest, "NO_COLOR is heard on a terminal") {
-  // script(1) runs a command on a terminal of its own.
+  // script(1) runs a command on a new terminal.
   const auto on_terminal = [&](const std::string& before) {
     const harness::Command command{
         .program = "script",

@@ -1,4 +1,4 @@
-// Wrong words: status 2, two lines.
+// Tests of wrong usage: exit status 2 and two lines of message.
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,3 +1,5 @@
+// Tests of `mjforge validate`.
+
 #include <catch2/catch.hpp>
 
 #include "crate.h"
@@ -89,7 +91,7 @@ TEST_CASE_METHOD(CrateTest, "validate reads standard input, and what it refers t
 TEST_CASE_METHOD(CrateTest, "inspect - takes MJCF or a spec, whichever standard input has") {
   CHECK(Run({"inspect", "-"}, kGoodXml).out.find("\na     world") != std::string::npos);
   CHECK(Run({"inspect", "-", "--sweep"}, kGoodXml).out.find("swept") != std::string::npos);
-  // The text names its spec, so the last line differs.
+  // The object's text contains the name of its spec, so the line about the text differs.
   const std::string named = Run({"inspect", "crate.yaml"}).out;
   CHECK(Run({"inspect", "-"}, folder().Read("crate.yaml"))
             .out.starts_with(named.substr(0, named.find("\ntext "))));

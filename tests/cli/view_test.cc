@@ -1,3 +1,5 @@
+// Tests of `mjforge view`.
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -6,7 +8,7 @@
 namespace mjforge {
 namespace {
 
-// mujoco-simulate is a script that tells what it was given.
+// Fixture with a script in place of the viewer; it prints its arguments and its folder.
 class ViewTest : public CrateTest {
  protected:
   ViewTest() {
@@ -68,7 +70,7 @@ TEST_CASE_METHOD(ViewTest, "what was written for a later MuJoCo is shown as this
   const auto result = View({"house.xml"});
   CHECK(result.status == 0);
   CHECK(Clean());
-  // Its meshes are found from any folder.
+  // The file's meshes are found from any folder.
   const auto expected = Run({"inspect", "house.xml", "--json", "--quiet"});
   CHECK(Run({"inspect", "seen.xml", "--json", "--quiet"}).out == expected.out);
   if (Run({"--version"}).out.find("\nMuJoCo 2.") == std::string::npos) return;
@@ -103,7 +105,7 @@ TEST_CASE_METHOD(ViewTest, "a viewer that fails is a finding") {
 }
 
 TEST_CASE_METHOD(ViewTest, "a signal goes on to the viewer, and nothing is left") {
-  // The script stops the program that started it, and waits to be stopped.
+  // The script sends the signal to the program that started it, and waits to be stopped.
   for (const char* signal : {"INT", "TERM"}) {
     INFO(signal);
     Viewer("trap 'echo stopped; exit 0' INT TERM\nkill -" + std::string(signal) +

@@ -27,7 +27,7 @@ void CheckNumber(double value) {
 }  // namespace
 
 void Run(Input input) {
-  expr::Names names;
+  expr::SymbolTable names;
   names.Declare("index", expr::Type::kNumber);
   names.Declare("r", expr::Type::kNumber);
   names.Declare("size", expr::Type::kNumber, 3);

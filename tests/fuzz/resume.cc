@@ -116,11 +116,11 @@ void PutFiles(const Sections& sections, const batch::Request& request) {
       request.destination.IsArchive() ? request.destination.Archive(0) : Folder() / "out/x.tar";
   const std::map<std::string_view, std::filesystem::path> files = {
       {"manifest", manifest},
-      {"part", output::PartFile::NameOf(manifest)},
-      {"journal", output::PartFile::NameOf(manifest.string() + ".journal")},
-      {"seal", manifest::SealOf(manifest)},
+      {"part", output::PartFile::TemporaryNameOf(manifest)},
+      {"journal", output::PartFile::TemporaryNameOf(manifest.string() + ".journal")},
+      {"seal", manifest::SealPathOf(manifest)},
       {"archive", archive},
-      {"archivepart", output::PartFile::NameOf(archive)},
+      {"archivepart", output::PartFile::TemporaryNameOf(archive)},
       {"object", Folder() / "out/x_000000.xml"}};
   for (const auto& [name, text] : sections) {
     const auto file = files.find(name);
@@ -145,20 +145,20 @@ manifest::Record RecordOf(const Sections& sections) {
 
 // As batch::Run, without workers.
 void Resume(const batch::Request& request, manifest::Record record, diag::Findings& findings) {
-  const batch::Range all = {request.first, request.count};
-  const batch::Range range = batch::RangeOf(request.shard, all, request.destination);
+  const batch::IndexRange all = {request.first, request.count};
+  const batch::IndexRange range = batch::RangeOfShard(request.shard, all, request.destination);
   std::string text;
   const manifest::Record batch = record;
   const auto sink = batch::MakeSink({request, all, range, batch}, text);
-  const std::optional<batch::Kept> kept = sink->Open(findings);
-  Must(kept || findings.HasErrors(), "a batch is not begun, without a reason");
-  if (!kept) return;
-  Must(kept->done() <= range.count, "more is kept than there is");
-  const batch::Range todo = {range.first + kept->done(), range.count - kept->done()};
+  const std::optional<batch::ResumedVariants> resumed = sink->Open(findings);
+  Must(resumed || findings.HasErrors(), "a batch is not begun, without a reason");
+  if (!resumed) return;
+  Must(resumed->done() <= range.count, "more is resumed than there is");
+  const batch::IndexRange todo = {range.first + resumed->done(), range.count - resumed->done()};
   batch::Schedule schedule(all, todo, request.destination, 1);
   bool goes_on = true;
   for (auto chunk = schedule.Next(); chunk && goes_on; chunk = schedule.Next()) {
-    batch::Result result;
+    batch::ChunkResult result;
     std::string lines;
     result.chunk = *chunk;
     result.done = chunk->count;

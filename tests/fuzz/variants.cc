@@ -1,11 +1,10 @@
 #include "fuzz/variants.h"
 
-#include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::fuzz {
 namespace {
 
-// Three are enough for a mould to be made and filled.
 constexpr std::uint64_t kVariants = 3;
 // Of larger objects one is made, and of those that are drawn a hundred times in vain: more would
 // only take longer.
@@ -19,7 +18,7 @@ std::string LineOf(const manifest::Record& record) {
 
 void CheckFile(const forge::Variant& variant) {
   const std::string& text = variant.document.text;
-  const auto fault = engine::WhyNotMjcf(text);
+  const auto fault = xml::FindMjcfFault(text);
   Must(!fault, fault ? "the file is no MJCF: " + fault->message : "");
   const std::optional<mjcf::Provenance> provenance = mjcf::ReadProvenance(text);
   Must(provenance.has_value(), "the file does not say how it was made");
@@ -40,22 +39,20 @@ void CheckRecord(const manifest::Record& record) {
 
 void MakeVariants(const forge::Recipe& recipe, diag::Sources& sources, forge::Options options) {
   options.validation = forge::Validation::kNone;
-  forge::Generator moulding(recipe, sources, options);
-  options.moulds = false;
-  forge::Generator plain(recipe, sources, options);
+  forge::Generator generator(recipe, sources, options);
   forge::Variant variant;
-  forge::Variant moulded;
   for (std::uint64_t index = 0; index < kVariants; ++index) {
-    plain.Make(index, variant);
+    generator.Make(index, variant);
     Word(variant.findings, sources);
     CheckRecord(variant.record);
     if (variant.ok()) CheckFile(variant);
     const bool is_hopeless = options.on_invalid == forge::OnInvalid::kResample && !variant.ok();
     if (is_hopeless || variant.document.text.size() > kLarge) return;
-    moulding.Make(index, moulded);
-    Must(LineOf(moulded.record) == LineOf(variant.record), "a mould makes another record");
-    Must(!variant.ok() || moulded.document.text == variant.document.text,
-         "a mould makes another file");
+    forge::Variant alone;
+    forge::Generator(recipe, sources, options).Make(index, alone);
+    Must(LineOf(alone.record) == LineOf(variant.record), "a variant alone has another record");
+    Must(!variant.ok() || alone.document.text == variant.document.text,
+         "a variant alone has another file");
   }
 }
 

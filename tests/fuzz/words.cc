@@ -42,11 +42,11 @@ void AddMjcf(Dictionary& words) {
     words.emplace(section.name);
     for (const spec::ElementInfo& element : section.elements) AddElement(element, words);
   }
-  AddElement(spec::PartElement(), words);
-  AddElement(spec::SiteElement(), words);
-  AddElement(spec::JointElement(), words);
-  AddElement(spec::MaterialElement(), words);
-  AddElement(spec::TextureElement(), words);
+  AddElement(spec::kPartElement, words);
+  AddElement(spec::kSiteElement, words);
+  AddElement(spec::kJointElement, words);
+  AddElement(spec::kMaterialElement, words);
+  AddElement(spec::kTextureElement, words);
 }
 
 void AddSpec(Dictionary& words) {
@@ -112,7 +112,6 @@ Dictionary WordsFor(std::string_view target) {
   if (target == "manifest" || target == "resume" || target == "seal") AddBatch(words);
   if (target == "mesh") AddMesh(words);
   if (target == "archive") AddWords("ustar x_000000.xml path= size= 11 GNU.sparse.map=", words);
-  if (target == "picture") AddWords("RIFF WEBP VP8 VP8L VP8X PNG IHDR", words);
   words.erase("");
   return words;
 }

@@ -5,6 +5,7 @@
 #include "mjforge/attach/attach.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/mjcf/mjcf.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::fuzz {
 
@@ -18,11 +19,11 @@ void Run(Input input) {
   const std::filesystem::path file = Put("input.xml", text);
   diag::Sources sources;
   diag::Findings findings;
-  std::optional<engine::XmlElement> root = engine::ReadXml(file, sources, findings);
+  std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, findings);
   if (root) {
-    engine::ResolveFiles(*root, Folder(), findings);
-    const engine::FlatText flat = engine::Flatten(*root);
-    Must(!engine::WhyNotXml(flat.text), "the text for MuJoCo is no XML");
+    xml::ResolveFiles(*root, Folder(), findings);
+    const xml::FlatText flat = xml::Flatten(*root);
+    Must(!xml::FindXmlFault(flat.text), "the text for MuJoCo is no XML");
   }
   Must(root || findings.HasErrors(), "no tree and no error");
   Word(findings, sources);

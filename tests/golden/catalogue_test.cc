@@ -30,7 +30,7 @@ struct Unreachable {
 const std::vector<Unreachable> kUnreachable = {
     {"mujoco/mismatch", "tests/unit/validate/mismatch_test.cc",
      "another mass, centre or inertia of a body is found"},
-    {"physics/inertia", "tests/unit/physics/proportions_test.cc",
+    {"physics/inertia", "tests/unit/static_checks/proportions_test.cc",
      "an inertia that no solid has is an error"},
 };
 

@@ -1,3 +1,5 @@
+// Starts programs with posix_spawn, with files as standard streams and a timeout.
+
 #include "harness/command.h"
 
 #include <fcntl.h>
@@ -26,8 +28,8 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-// Files, not pipes, hold what goes in and comes out: nothing blocks, whatever
-// the order in which the program reads and writes.
+// Returns a temporary file for a standard stream. Unlike pipes, files never block, in any order of
+// reading and writing.
 File NewFile(std::string_view text = "") {
   File file(std::tmpfile());
   REQUIRE(file != nullptr);
@@ -79,7 +81,7 @@ class SpawnSettings {
     for (int i = 0; i < 4; ++i) {
       posix_spawn_file_actions_adddup2(&actions_, files[static_cast<std::size_t>(i)], i);
     }
-    // A group of its own, so that a timeout ends what it started, too.
+    // Start a new process group, so that a timeout also kills the children of the program.
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
   }
   ~SpawnSettings() {
@@ -106,7 +108,7 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
-// The program holds the other end of the pipe until it ends.
+// Returns false on a timeout. The program holds the other end of the pipe until it ends.
 bool EndsInTime(int pipe_end, std::chrono::milliseconds timeout) {
   pollfd watched{pipe_end, POLLIN, 0};
   int ready = 0;

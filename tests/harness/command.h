@@ -1,3 +1,5 @@
+// Running programs in tests.
+
 #pragma once
 
 #include <chrono>
@@ -13,31 +15,30 @@
 namespace mjforge::harness {
 
 struct CommandResult {
-  int status = 0;          // exit status; 128 + signal if a signal killed it, as a shell says it
+  int status = 0;          // exit status; 128 + signal if a signal killed the program
   std::string out;         // standard output
   std::string err;         // standard error
-  bool timed_out = false;  // it was killed, with all processes it started
+  bool timed_out = false;  // the program and its children were killed
 };
 
-/// One run of a program as a user would start it, with the tester's environment
-/// but for what changes the program's words: NO_COLOR, MJFORGE_PATH and locale
-/// are unset unless given.
+/// A program to run. NO_COLOR, MJFORGE_PATH and the locale, which would change its output, are
+/// removed from the inherited environment unless `environment` has them.
 struct Command {
-  std::filesystem::path program;  // looked up in PATH if it has no folder
+  std::filesystem::path program;  // searched in PATH if it has no folder
   std::vector<std::string> arguments;
   std::string input = {};  // standard input
   std::map<std::string, std::string> environment = {};
   std::filesystem::path folder = ".";
   std::chrono::milliseconds timeout = std::chrono::minutes(1);
 
-  /// Runs it to its end. Fails the test if it cannot be started.
+  /// Runs the program to its end. Fails the test if the program cannot be started.
   CommandResult Run() const;
 };
 
-/// The mjforge that was built with these tests.
+/// Returns the mjforge that was built with these tests.
 std::filesystem::path MjforgeProgram();
 
-/// For TEST_CASE_METHOD: mjforge in a fresh folder.
+/// Fixture for TEST_CASE_METHOD that runs mjforge in a new temporary folder.
 class ProgramTest {
  protected:
   CommandResult Run(std::vector<std::string> arguments, std::string input = {},

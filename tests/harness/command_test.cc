@@ -1,3 +1,5 @@
+// Tests of running programs: streams, status, signals, timeouts.
+
 #include "harness/command.h"
 
 #include <catch2/catch.hpp>

@@ -1,16 +1,18 @@
+// Number of cases of long tests, reduced under sanitizers.
+
 #pragma once
 
-/// Defined only where AddressSanitizer's runtime is linked. Tests are compiled to the same objects
-/// in every configuration, so no macro tells them.
+/// Defined only if AddressSanitizer's runtime is linked. A macro cannot be used, because tests are
+/// compiled to the same objects in every configuration.
 extern "C" [[gnu::weak]] void __asan_init();
 
 namespace mjforge::harness {
 
-/// How many of `whole` cases a long test takes: under sanitizers, which make it ten times as slow
-/// and look for other faults, a tenth, at least 1.
+/// Returns the number of cases of a long test: `whole`, or a tenth of it (at least 1) under
+/// sanitizers, which are ten times slower and look for other faults.
 inline int Effort(int whole) { return __asan_init == nullptr ? whole : (whole + 9) / 10; }
 
-/// The same, for a test that says how many these are.
+/// Returns `sanitized` under sanitizers, otherwise `whole`.
 inline int Effort(int whole, int sanitized) { return __asan_init == nullptr ? whole : sanitized; }
 
 }  // namespace mjforge::harness

@@ -1,3 +1,5 @@
+// Decoding of PNG files by libpng, and of their chunks.
+
 #include "harness/png.h"
 
 #include <png.h>
@@ -14,7 +16,7 @@ struct Chunk {
   std::string_view data;
 };
 
-// Checks each chunk's sum as it goes.
+// Calls a function for each chunk, after checking its CRC.
 std::vector<Chunk> Chunks(std::string_view bytes) {
   std::vector<Chunk> chunks;
   const auto number = [&](std::size_t at) {

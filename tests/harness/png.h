@@ -1,3 +1,5 @@
+// Decoded PNG files for tests.
+
 #pragma once
 
 #include <array>
@@ -8,25 +10,25 @@
 
 namespace mjforge::harness {
 
-/// A PNG file as libpng reads it.
+/// A picture decoded by libpng.
 struct Png {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;  // rows from the top
 
   std::array<int, 4> At(int x, int y) const;
-  /// Pixels that differ from the one to their left by more than `step` in a channel.
+  /// Counts pixels that differ from their left neighbour by more than `step` in a channel.
   int Edges(int step) const;
-  /// Pixels that are not quite transparent.
+  /// Counts pixels with an alpha above 2 of 255.
   int Seen() const;
 };
 
-/// Fails the test if the bytes are no PNG.
+/// Fails the test if the bytes are not a PNG file.
 Png DecodePng(std::string_view bytes);
 
-/// The names of the file's chunks, in order, each with its length: "IHDR 13".
+/// Returns the names and lengths of the file's chunks in order: "IHDR 13".
 std::vector<std::string> PngChunks(std::string_view bytes);
-/// The text of the chunk tEXt with this key; empty if there is none.
+/// Returns the text of the tEXt chunk with this key, or an empty text.
 std::string PngText(std::string_view bytes, std::string_view key);
 
 }  // namespace mjforge::harness

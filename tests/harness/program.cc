@@ -1,3 +1,5 @@
+// Runs the mjforge that was built with these tests.
+
 #include <catch2/catch.hpp>
 #include <utility>
 

@@ -1,3 +1,5 @@
+// Folder of the source tree, as a constant of the build.
+
 #include "harness/source_folder.h"
 
 namespace mjforge::harness {

@@ -1,3 +1,5 @@
+// Creation, listing and removal of temporary folders.
+
 #include "harness/temporary_folder.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Temporary folders for tests.
+
 #pragma once
 
 #include <filesystem>
@@ -7,8 +9,7 @@
 
 namespace mjforge::harness {
 
-/// A fresh, empty folder, removed with all that is in it, even what a test made
-/// read-only.
+/// A new folder that is removed with its content, including read-only files.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -19,18 +20,19 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
-  /// Writes a file, making the folders it needs; returns its path.
+  /// Writes a file and creates its folders. Returns the file's path.
   std::filesystem::path Write(std::string_view name, std::string_view text) const;
-  /// The whole text of a file; fails the test if there is none.
+  /// Returns the content of a file. Fails the test if the file does not exist.
   std::string Read(std::string_view name) const;
-  /// Every file in it and its subfolders, sorted: {"out/a.xml", "out/manifest.jsonl"}.
+  /// Returns all files of the folder and its subfolders, sorted: {"out/a.xml",
+  /// "out/manifest.jsonl"}.
   std::vector<std::string> Files() const;
 
  private:
   std::filesystem::path path_;
 };
 
-/// The whole text of a file; fails the test if there is none.
+/// Returns the content of a file. Fails the test if the file does not exist.
 std::string ReadFile(const std::filesystem::path& path);
 
 }  // namespace mjforge::harness

@@ -1,3 +1,5 @@
+// Tests of temporary folders.
+
 #include "harness/temporary_folder.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-# Installs, moves what was installed, builds a program against it, and runs both
-# from an empty folder. Variables: see CMakeLists.txt.
+# Installs the project, moves the installed files, builds a program that links them, and runs this
+# program and the command in an empty folder. CMakeLists.txt sets the variables.
 
 # run(COMMAND...): leaves standard output in `output`; ends the test if it fails.
 function(run)
@@ -21,11 +21,12 @@ endfunction()
 file(REMOVE_RECURSE ${work_folder})
 file(MAKE_DIRECTORY ${work_folder}/empty)
 
-# Moved, because nothing installed may know where it was built or installed.
+# Moved, because installed files must not depend on the folders of the build or of the installation.
 run(${CMAKE_COMMAND} --install ${build_folder} --prefix ${work_folder}/first)
 file(RENAME ${work_folder}/first ${work_folder}/prefix)
 set(program ${work_folder}/prefix/bin/mjforge)
-if(build_type STREQUAL Release AND NOT mujoco)  # the folder of a private MuJoCo is named
+# A private MuJoCo is excluded, because its path is part of the program.
+if(build_type STREQUAL Release AND NOT mujoco)
   file(READ ${program} bytes HEX)
   string(HEX ${source_folder} folder_bytes)
   string(FIND "${bytes}" ${folder_bytes} place)
@@ -45,7 +46,7 @@ foreach(file man/man1/mjforge.1 man/man1/mjforge-generate.1 bash-completion/comp
   expect_file(${work_folder}/prefix/share/${file})
 endforeach()
 
-# The project that README shows, and nothing that it does not show.
+# Uses only the files of the project shown in README.md.
 file(READ ${source_folder}/README.md page)
 foreach(file CMakeLists.txt main.cc)
   string(REGEX MATCH "\n```[a-z]+\n[#/]+ file: (${file}\n.*)" rest "${page}")

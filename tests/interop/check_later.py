@@ -1,11 +1,14 @@
-"""Files with `<frame>` and `<replicate>`: what mjforge attaches of them, composed for MuJoCo 2.2,
-lies where this MuJoCo puts it.
+"""Files with `<frame>` and `<replicate>`: the command that mjforge's finding gives expands them, and
+what mjforge attaches of the result lies where this MuJoCo puts it.
 
     check_later.py FOLDER
 """
 
+import os
 import pathlib
 import random
+import subprocess
+import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
@@ -16,6 +19,7 @@ import numpy as np
 from report import check, expect, finish
 
 SEEDS = range(40)
+TOLERANCE = 1e-5  # MuJoCo writes six digits
 SIZES = {int(mujoco.mjtGeom.mjGEOM_SPHERE): 1, int(mujoco.mjtGeom.mjGEOM_CAPSULE): 2,
          int(mujoco.mjtGeom.mjGEOM_CYLINDER): 2}  # how many of the three count
 DEFAULTS = """
@@ -173,15 +177,32 @@ def places(model, prefix, body):
     return found
 
 
-def attached(folder, text):
-    """(the file's own model, that of an object which `thing` is attached to)"""
-    file = folder / "file.xml"
-    file.write_text(text, encoding="utf-8")
+def attach(file):
+    """The model of an object which `thing` of the file is attached to."""
     spec = mjforge.Spec({
         "mjforge": 1, "name": "held", "joints": "none",
         "parts": [{"name": "palm", "type": "sphere", "size": 0.01, "mass": 1}],
         "bodies": [{"name": "it", "mjcf": str(file), "body": "thing"}]})
-    return mujoco.MjModel.from_xml_string(text), spec.variants(seed=0)[0].load()
+    return spec.variants(seed=0)[0].load()
+
+
+def command(file):
+    """The command in the hint that mjforge gives for the file."""
+    try:
+        attach(file)
+    except (mjforge.SpecError, mjforge.VariantError) as error:
+        hint = error.findings[0].hint
+        return hint.partition(": ")[2].rpartition("; mjforge built")[0]
+    raise AssertionError("mjforge attaches the file as it is")
+
+
+def attached(folder, text):
+    """(the file's own model, that of an object which `thing` is attached to)"""
+    file = folder / "file.xml"
+    file.write_text(text, encoding="utf-8")
+    path = f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"
+    subprocess.run(command(file), shell=True, check=True, env={**os.environ, "PATH": path})
+    return mujoco.MjModel.from_xml_string(text), attach(folder / "file-flat.xml")
 
 
 def compare(folder, seed):
@@ -191,7 +212,7 @@ def compare(folder, seed):
     expect(seen.keys() == meant.keys(), f"not in both: {sorted(seen.keys() ^ meant.keys())[:5]}")
     for key, numbers in meant.items():
         difference = np.max(np.abs(seen[key] - numbers))
-        expect(difference < 1e-6, f"{key} of seed {seed} differs by {difference}")
+        expect(difference < TOLERANCE, f"{key} of seed {seed} differs by {difference}")
     return f"{len(meant)} elements"
 
 

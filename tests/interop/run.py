@@ -54,11 +54,9 @@ HOSTS = {
                        "bodies, geoms and masses, with `--assets files`"),
     "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO),
     "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_python.py", "check_later.py"],
-                       MUJOCO + "; files with `<frame>` and `<replicate>`, attached"),
-    "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_files.py", "check_python.py",
-                                       "check_later.py"],
-                          MUJOCO + "; bodies, geoms and masses with `--assets files`; files with "
-                          "`<frame>` and `<replicate>`, attached"),
+                       MUJOCO + "; files with `<frame>` and `<replicate>`, expanded and attached"),
+    "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_files.py", "check_python.py"],
+                          MUJOCO + "; bodies, geoms and masses with `--assets files`"),
     "robosuite": Host(["mujoco"] + ROBOSUITE,
                       ["check_robosuite.py", "check_robocasa.py", "check_attached.py"],
                       "`MujocoXMLObject`, its sampler, rest on a table; robocasa's rules for an object; "

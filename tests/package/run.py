@@ -94,6 +94,11 @@ def has_man_pages(empty):
         text = run("man", "--warnings", page, folder=empty)
         expect(f"{page} - " in text, f"no name in\n{text}")
         expect("warning" not in text, text)
+    text, words = run("man", "mjforge-generate"), run("mjforge", "generate", "--help")
+    options = re.findall(r"^  (-.*?)  +(\S.*)", words, re.MULTILINE)
+    expect(len(options) >= 30, words)
+    for names, meaning in [*options, (re.search("  mjforge generate .*", words)[0], "")]:
+        expect(re.sub("(^-.),", r"\1, ", names) in text and meaning in text, f"no {names} in\n{text}")
     for page in ["man mjforge\n", "man mjforge-generate\n"]:
         expect(page in PAGE, f"no {page!r} in docs/install.md")
 

@@ -1,5 +1,5 @@
-// The articulated specs of the catalogue: what they are made of, and that their
-// joints move without one body meeting another.
+// Tests of the articulated specs of the catalogue: their elements, and that their joints move
+// without collisions between bodies.
 
 #include <cmath>
 #include <cstdint>
@@ -27,7 +27,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Which geoms meet while the joints move, in some of 20 variants: "strike tongue".
+// Returns the pairs of geoms that meet while the joints move, in any of 20 variants: "strike
+// tongue".
 std::set<std::string> Meetings(const std::string& name,
                                const std::vector<spec::Setting>& settings) {
   std::set<std::string> meetings;
@@ -79,8 +80,8 @@ TEST_CASE("a door moves freely but for its latch") {
   }
 }
 
-// The reference has no wrench; these are the peer's formulas. Its rings' inner
-// radius is a, ours the clear hole's: a * cos(pi / n).
+// The reference has no wrench, so the expected values follow robosuite's formulas. The inner radius
+// of its rings is a; the inner radius of ours is that of the clear hole, a * cos(pi / n).
 TEST_CASE("the rings of a ratcheting wrench take the ends of its handle into their walls") {
   const double R = 0.0425;
   const double a = 0.03;
@@ -107,7 +108,7 @@ TEST_CASE("the rings of a ratcheting wrench take the ends of its handle into the
   CHECK(Close("quat", described.at("body/grip").numbers.at("quat"),
               {std::sqrt(0.5), 0, std::sqrt(0.5), 0}));
 
-  // A ring's boxes: from a c to R c, as wide as the outer edge.
+  // The boxes of a ring reach from a c to R c and are as wide as the outer edge.
   const Numbers box = {(R - a) * c / 2, R * std::sin(kPi / 8), 0.05};
   CHECK(Close("size", described.at("geom/hole1_hc_3").numbers.at("size"), box));
   CHECK(Close("size", described.at("geom/handle_g0").numbers.at("size"), {0.08, 0.01, 0.005}));
@@ -139,7 +140,7 @@ TEST_CASE("the slides of a cabinet are its drawers', as many as asked for") {
     CHECK(slide.words.at("body") == std::string("drawer_") + number);
     CHECK(slide.words.at("type") == "slide");
     CHECK(slide.numbers.at("axis") == Numbers{0, -1, 0});
-    // Half of the length of the drawer's bottom.
+    // The range is half the length of the drawer's bottom.
     const Element& bottom = described.at(std::string("geom/bottom_") + number);
     CHECK(Close("range", slide.numbers.at("range"), {0, bottom.numbers.at("size")[1]}));
   }

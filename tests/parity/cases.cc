@@ -1,3 +1,5 @@
+// Pairs of reference files and specs, with the settings that make the same object.
+
 #include "cases.h"
 #include "harness/source_folder.h"
 
@@ -21,12 +23,12 @@ constexpr std::string_view kBlue = "[0, 0, 1, 1]";
 constexpr std::string_view kCyan = "[0, 1, 1, 1]";
 constexpr std::string_view kFriction = "[1, 0.005, 0.0001]";
 
-// Collects the values of a reference as settings of a spec.
+// Collects settings of a spec from the values of a reference.
 class Pins {
  public:
   explicit Pins(const json& reference) : reference_(reference) {}
 
-  // What the object drew counts before what it was asked for.
+  // Returns a derived (drawn) value in preference to a requested one.
   const json& Given(const std::string& name) const {
     const json& derived = reference_.at("derived");
     return derived.contains(name) ? derived.at(name) : reference_.at("params").at(name);
@@ -41,7 +43,7 @@ class Pins {
     Set(std::move(name), expr::ExactNumberText(value));
   }
 
-  // JSON is YAML's flow style.
+  // Sets a parameter to the reference's value. JSON is valid YAML.
   void Same(const std::string& name) {
     const json& value = Given(name);
     const bool single = value.is_array() && value.size() == 1;
@@ -122,7 +124,7 @@ Settings LidPins(const json& reference) {
   return pins.Take();
 }
 
-// Without a gap, damping and friction, as there.
+// Sets gap, damping and friction to 0, because the reference has none.
 Settings HingedBoxPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"box1_size", "box2_size", "use_texture"});
@@ -135,9 +137,9 @@ Settings HingedBoxPins(const json& reference) {
   return pins.Take();
 }
 
-// Two parameters mean something else here. robosuite's `height` is half of it,
-// and its boxes end at inner_radius * cos(pi / ngeoms) from the axis, so that a
-// peg of inner_radius does not fit: ours is the radius that does.
+// Converts two parameters with other meanings. robosuite's `height` is half the height, and its
+// boxes end at inner_radius * cos(pi / ngeoms) from the axis, so that a peg of inner_radius does
+// not fit; our inner_radius is the radius of a peg that fits.
 Settings HollowCylinderPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"outer_radius", "ngeoms", "density", "solref", "solimp", "make_half"});

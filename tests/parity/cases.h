@@ -1,3 +1,5 @@
+// Pairs of reference files and specs that make the same object.
+
 #pragma once
 
 #include <span>
@@ -14,8 +16,8 @@ namespace mjforge::parity {
 /// A reference file and the spec that makes the same object.
 struct Case {
   std::string_view reference;
-  std::string_view spec;  // of the catalogue; or a file of tests/parity/specs
-  /// The reference's values for the spec's parameters; nullptr: it has none.
+  std::string_view spec;  // in the catalogue, or a file of tests/parity/specs
+  /// Returns the reference's values of the spec's parameters; nullptr if the spec has none.
   std::vector<spec::Setting> (*pins)(const nlohmann::json& reference) = nullptr;
 };
 std::span<const Case> Cases();

@@ -1,4 +1,5 @@
-// Every bundled spec is documented and makes objects that load, each another.
+// Tests that every bundled spec is documented and makes objects that load and differ from each
+// other.
 
 #include <filesystem>
 #include <set>
@@ -28,7 +29,7 @@ std::string Rendered(const diag::Findings& findings, const diag::Sources& source
   return text;
 }
 
-// The texts of the first variants, all with the same opening comment.
+// Returns the texts of the first variants, all with the same opening comment.
 std::set<std::string> Texts(const spec::ObjectSpec& spec, std::uint64_t count,
                             diag::Findings& findings) {
   std::set<std::string> texts;
@@ -118,7 +119,7 @@ TEST_CASE("every bundled spec is documented and makes a hundred different, valid
       for (const spec::Parameter& parameter : spec->parameters) {
         INFO(parameter.name);
         const bool is_column = parameter.name.find('.') != std::string::npos;
-        if (is_column && parameter.record.empty()) continue;  // the key says what the record is
+        if (is_column && parameter.record.empty()) continue;  // the record's key is documented
         CHECK(parameter.doc != "");
         CHECK((parameter.unit != "") == (parameter.value.type == expr::Type::kNumber));
       }
@@ -129,7 +130,7 @@ TEST_CASE("every bundled spec is documented and makes a hundred different, valid
   }
 }
 
-// Primitives take any of them by name.
+// Uses primitives/box, whose material is set by name.
 TEST_CASE("every material of the library has a density and a colour, and can be used") {
   diag::Sources sources;
   diag::Findings findings;

@@ -1,3 +1,5 @@
+// Canonical numbers and names of described elements.
+
 #include "described.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ Numbers Canonical(const Numbers& quaternion) {
   double norm = 0;
   for (const double component : quaternion) norm += component * component;
   norm = std::sqrt(norm);
-  // Half turns have w = 0 up to rounding, of either sign: the next component decides.
+  // The w of a half turn is 0 with a rounding error of either sign, so the next component decides.
   const auto leading = std::ranges::find_if(
       quaternion, [norm](double component) { return std::abs(component) > 1e-6 * norm; });
   const double scale = (*leading < 0 ? -1 : 1) / norm;
@@ -46,7 +48,8 @@ bool Close(std::string_view field, const Numbers& a, const Numbers& b) {
   if (a.size() != b.size()) return false;
   double scale = 0;
   for (const double value : b) scale = std::max(scale, std::abs(value));
-  // Mass and inertia of small things are far below 1e-9 and still must agree.
+  // The absolute tolerance does not apply to mass and inertia, which are far below 1e-9 in small
+  // objects.
   const bool is_mass = field == "mass" || field == "inertia";
   const double tolerance = 1e-6 * scale + (is_mass ? 0 : 1e-9);
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,3 +1,5 @@
+// Table of the differences between our objects and robosuite's, with reasons.
+
 #include "differences.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#pragma once
+// Differences between our objects and robosuite's: the element, the correct value, the reason.
 
-// Where our objects are not robosuite's: each place, what is right and why.
+#pragma once
 
 #include <span>
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace mjforge::parity {
 
-/// A number that is wrong in a reference, or a matter of taste.
+/// A number that is wrong in a reference or a matter of taste.
 struct Difference {
   std::string_view reference;
-  std::string_view element;  // "geom/body0" stands for both geoms of the part
+  std::string_view element;  // "geom/body0" means both geoms of the part
   std::string_view field;
   Numbers right;
   std::string_view reason;
@@ -22,7 +22,7 @@ std::span<const Difference> Differences();
 const Difference* FindDifference(std::string_view reference, std::string_view element,
                                  std::string_view field);
 
-/// An element that has another name here, in all objects of a class.
+/// An element with another name in our objects, in all objects of a class.
 struct Renamed {
   std::string_view object_class;
   std::string_view element;
@@ -30,12 +30,12 @@ struct Renamed {
   std::string_view reason;
 };
 std::span<const Renamed> RenamedElements();
-/// Our name of a reference's element ("geom/hole_vis_vis").
+/// Returns our name of a reference's element ("geom/hole_vis_vis").
 std::string OurName(std::string_view object_class, const std::string& element);
 
 /// An element that the reference lacks.
 struct Added {
-  std::string_view where;  // in all objects of this class, or in this reference
+  std::string_view where;  // name of a class or of a reference
   std::string_view element;
   std::string_view reason;
 };

@@ -1,3 +1,5 @@
+// Description of an object of ours, from its MJCF and from MuJoCo's compiled model.
+
 #include "our_object.h"
 #include "harness/source_folder.h"
 
@@ -20,8 +22,7 @@
 namespace mjforge::parity {
 namespace {
 
-// A number that compares equal to nothing: what is not a number in the file
-// must not pass.
+// Value of a word that is not a number: it equals nothing, so that the comparison fails.
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 Numbers NumbersOr(const pugi::xml_node& node, const char* attribute, const Numbers& defaults) {
@@ -48,7 +49,7 @@ Element Collision(const pugi::xml_node& geom) {
   return element;
 }
 
-// The colour that MuJoCo compiles: the geom's, else its material's.
+// Describes a visual geom with the colour that MuJoCo compiles: the geom's, or else its material's.
 Element Visual(const pugi::xml_node& geom, const pugi::xml_node& asset) {
   Element element;
   element.words["role"] = "visual";
@@ -172,8 +173,8 @@ Element Whole(const model::Object& object, const model::Object& compiled) {
   return element;
 }
 
-// A root without parts has half the mass of the first body that is fixed to it; robosuite's has
-// none.
+// Moves the mass of a root without parts back to the first body fixed to it. Our objects share that
+// mass equally between the two bodies; robosuite's roots have none.
 void GiveBack(const model::Object& object, const std::string& name, Described& out) {
   const model::Body& root = object.bodies.front();
   const bool has_own =
@@ -191,7 +192,7 @@ void GiveBack(const model::Object& object, const std::string& name, Described& o
   }
 }
 
-// The object of a spec, through every stage; stops at the first that fails.
+// Makes and describes the object of a spec; stops at the first stage that fails.
 void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& sources,
           diag::Findings& findings, Described& out) {
   auto values = sample::Sample(spec, {}, sample::kRootStream, {}, findings);

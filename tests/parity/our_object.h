@@ -1,3 +1,5 @@
+// Objects of ours, made from specs and described for comparison.
+
 #pragma once
 
 #include <string>
@@ -9,9 +11,9 @@
 namespace mjforge::parity {
 
 struct OurObject {
-  /// Every finding on the way, as the user would see it; empty if all is well.
+  /// All findings of all stages, rendered as for users.
   std::string findings;
-  Described described;  // from the MJCF and from what MuJoCo compiled of it
+  Described described;  // from the MJCF and from MuJoCo's compiled model
 };
 
 /// Loads the spec (a name of the catalogue or a path), samples, assembles,

@@ -1,5 +1,5 @@
-// Our objects have the parts, joints, sites and masses of robosuite's, but for
-// the differences that differences.cc names.
+// Tests that our objects have the parts, joints, sites and masses of robosuite's objects, except
+// for the differences listed in differences.cc.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-// Only what the reference says is compared: it leaves out what nobody sees.
+// Compares the numbers and words of the reference, which omits invisible properties.
 void CompareElements(std::string_view reference, const std::string& name, const Element& theirs,
                      const Element& ours) {
   INFO(name);
@@ -41,8 +41,8 @@ void CompareElements(std::string_view reference, const std::string& name, const 
   }
 }
 
-// Visual twins have no contact parameters, so a part's difference may be about
-// one of its two geoms only.
+// Returns true if any geom of the part has the difference's field. Visual twins have no contact
+// parameters, so a difference can concern only one of the two geoms.
 bool SomeGeomHas(const Described& described, const Difference& difference) {
   return std::ranges::any_of(described, [&](const auto& entry) {
     return PartOf(entry.first) == difference.element &&
@@ -130,7 +130,7 @@ TEST_CASE("every renamed element is in a reference of its class, no added one is
   }
 }
 
-// robosuite's ring of the same numbers is 0.1 m tall and has a hole of 0.02772 m.
+// With these numbers robosuite's ring is 0.1 m tall and has a hole of 0.02772 m.
 TEST_CASE("a ring has the height and the clear hole it was asked for") {
   const OurObject ring = MakeObject("shapes/hollow_cylinder", "ring",
                                     {{.name = "outer_radius", .text = "0.0425"},
@@ -138,7 +138,7 @@ TEST_CASE("a ring has the height and the clear hole it was asked for") {
                                      {.name = "height", .text = "0.05"},
                                      {.name = "ngeoms", .text = "8"}});
   REQUIRE(ring.findings == "");
-  // The box at +x: its inner face is at 0.03.
+  // The inner face of the box at +x is at 0.03.
   const Element& box = ring.described.at("geom/hc_4");
   const Numbers& pos = box.numbers.at("pos");
   const Numbers& size = box.numbers.at("size");
@@ -149,8 +149,8 @@ TEST_CASE("a ring has the height and the clear hole it was asked for") {
   CHECK(Close("horizontal_radius", whole.numbers.at("horizontal_radius"), {0.0425}));
 }
 
-// The reference has no cone; this is the peer's formula: discs of h / n, radii
-// from the outer to the inner radius in equal steps, an odd number of them.
+// The reference has no cone, so the expected values follow robosuite's formula: an odd number n of
+// discs of height h / n, with radii from the outer to the inner radius in equal steps.
 TEST_CASE("a cone is a stack of an odd number of discs, widest at the bottom") {
   const OurObject cone = MakeObject("shapes/cone", "cone",
                                     {{.name = "outer_radius", .text = "0.0425"},
@@ -198,15 +198,15 @@ TEST_CASE("a mug weighs what its turned clay weighs") {
                                     {.name = "handle_shape", .text = "none"},
                                     {.name = "density", .text = "2400"}});
   REQUIRE(mug.findings == "");
-  // A cylinder less the hollow, and less what three straight edges in place of a rounding take
-  // away.
+  // The volume is a cylinder minus the hollow, minus the volume cut off by the three straight edges
+  // that replace a rounding.
   const double pi = std::numbers::pi;
   const double solid = pi * (0.04 * 0.04 * 0.1 - 0.036 * 0.036 * 0.095);
   double cut = 0;
   for (int i = 0; i < 3; ++i) {
     const auto r = [pi](int k) { return 0.038 + 0.002 * std::sin(pi * k / 6); };
     const auto z = [pi](int k) { return 0.002 - 0.002 * std::cos(pi * k / 6); };
-    // Outside of a straight edge, up to the radius of the mug: an integral of a parabola.
+    // The volume between a straight edge and the radius of the mug is an integral of a parabola.
     const double a = r(i);
     const double b = r(i + 1);
     cut += pi * (z(i + 1) - z(i)) * (0.04 * 0.04 - (a * a + a * b + b * b) / 3);

@@ -1,3 +1,5 @@
+// Description of robosuite's objects, from the files of tests/reference.
+
 #include "reference_object.h"
 #include "harness/source_folder.h"
 
@@ -59,7 +61,7 @@ Element Geom(const json& geom) {
   return element;
 }
 
-// As compiled, so that defaults are filled in.
+// Describes a joint of the compiled model, which includes defaults.
 Element Joint(const json& joint) {
   Element element;
   const auto type = joint.at("type").get<std::string>();
@@ -85,7 +87,7 @@ Element Site(const json& site) {
   return element;
 }
 
-// About the centre of mass, along the body's axes.
+// Returns the inertia about the centre of mass, along the body's axes.
 Numbers Inertia(const json& body) {
   const auto principal = body.at("inertia").get<Numbers>();
   const auto q = body.at("iquat").get<Numbers>();
@@ -96,7 +98,7 @@ Numbers Inertia(const json& body) {
   return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
 }
 
-// Of a child robosuite makes `lid_main` or `lid_root`, by its class.
+// Returns the body's name without the suffix `_main` or `_root`, which robosuite adds for children.
 std::string BodyName(std::string_view name, std::string_view prefix) {
   std::string out = WithoutPrefix(name, prefix);
   for (const std::string_view suffix : {"_main", "_root"}) {
@@ -105,7 +107,7 @@ std::string BodyName(std::string_view name, std::string_view prefix) {
   return out == "main" || out == "root" ? std::string(kRootBody) : out;
 }
 
-// The mass of an object's only body is the whole's.
+// Describes a body. An only body has no mass, because "whole" has it.
 Element Body(const json& body, const json& masses, std::string_view prefix, bool is_only) {
   Element element;
   const auto parent = body.at("parent").get<std::string>();

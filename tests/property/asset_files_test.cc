@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "both_ways.h"
 #include "harness/effort.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
+#include "purity.h"
 
 namespace mjforge::forge {
 namespace {
@@ -206,12 +206,12 @@ TEST_CASE("inline meshes and patterns of an attached file become files") {
   CHECK(CompareForms(loaded, options, 1) == 3);
 }
 
-TEST_CASE("files are the same from moulds") {
+TEST_CASE("asset files are pure") {
   for (const auto& spec : BundledSpecs()) {
     Loaded loaded(spec);
     Options options = Seeded(6);
     options.assets = mjcf::AssetForm::kFiles;
-    Compare(loaded, options, 0, harness::Effort(20));
+    ComparePure(loaded, options, 0, harness::Effort(20));
   }
 }
 

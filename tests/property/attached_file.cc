@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "mjforge/backport/backport.h"
 #include "mjforge/mjcf/mjcf.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::attach {
 
@@ -10,14 +12,14 @@ namespace {
 
 /// The file as MuJoCo loads it, with the masses of meshes that it has since 3.0.
 engine::Loaded Load(engine::Engine& engine, const std::filesystem::path& file) {
-  if (mjVERSION_HEADER >= 300) return engine.LoadFile(file);
+  if (mjVERSION_HEADER >= 300) return backport::LoadFile(engine, file);
   diag::Sources sources;
   diag::Findings findings;
-  std::optional<engine::XmlElement> root = engine::ReadXml(file, sources, findings);
+  std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, findings);
   if (!root) return {};
-  engine::ResolveFiles(*root, file.parent_path(), findings);
-  engine::WeighMeshes(*root, [&](const std::string& text) { return engine.LoadText(text); });
-  return engine.LoadText(engine::Flatten(*root).text);
+  xml::ResolveFiles(*root, file.parent_path(), findings);
+  backport::AddMeshInertia(*root, [&](const std::string& text) { return engine.LoadText(text); });
+  return engine.LoadText(xml::Flatten(*root).text);
 }
 
 }  // namespace

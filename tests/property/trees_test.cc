@@ -11,7 +11,7 @@
 #include "harness/random.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
-#include "mjforge/expect/motion.h"
+#include "mjforge/static_checks/forward_kinematics.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -205,13 +205,13 @@ TEST_CASE("bodies move with their joints as MuJoCo's do") {
     }
     moved += positions.size();
     mj_kinematics(&m, data.get());
-    const std::vector<Pose> poses = expect::PosesAt(*object, positions);
+    const std::vector<Pose> poses = static_checks::PosesAt(*object, positions);
     for (std::size_t b = 0; b < poses.size(); ++b) {
       const int id = mj_name2id(&m, mjOBJ_BODY, object->bodies[b].name.c_str());
       REQUIRE(id > 0);
-      CHECK((poses[b].p.value() - Vector3d(data->xpos + 3 * id)).norm() < 1e-8);
+      CHECK((poses[b].p - Vector3d(data->xpos + 3 * id)).norm() < 1e-8);
       const mjtNum* q = data->xquat + 4 * id;
-      CHECK(poses[b].q.value().angularDistance(Eigen::Quaterniond(q[0], q[1], q[2], q[3])) < 1e-8);
+      CHECK(poses[b].q.angularDistance(Eigen::Quaterniond(q[0], q[1], q[2], q[3])) < 1e-8);
     }
   }
   CHECK(moved > 200);

@@ -1,5 +1,5 @@
-// 20,000 draws of each distribution: bounds, mean, variance, and the whole shape.
-// What is expected is written here from the textbook, not taken from the library.
+// Tests of distributions: bounds, mean, variance and shape of 20,000 draws each, against expected
+// values from textbooks.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ using spec::Distribution;
 constexpr int kDraws = 20000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// As the evaluator does it: one uniform, the quantile, and the rounding of reals.
+// Draws by the rules of the evaluator: one uniform number, its quantile, rounding of reals.
 std::vector<double> Drawn(Distribution distribution, const std::vector<double>& arguments,
                           std::optional<Interval> limits, bool rounded) {
   const StreamId stream = Child(Child(kRootStream, "stats"), "p");
@@ -33,8 +33,8 @@ std::vector<double> Drawn(Distribution distribution, const std::vector<double>& 
   return sample;
 }
 
-// Five standard errors: of the mean sqrt(variance / n); of the variance, its own,
-// estimated from the sample's fourth moment.
+// Allows five standard errors. The standard error of the mean is sqrt(variance / n); that of the
+// variance is estimated from the sample's fourth moment.
 void CheckMoments(const std::vector<double>& sample, double mean, double variance) {
   const double n = static_cast<double>(sample.size());
   const Moments moments = MomentsOf(sample);
@@ -166,14 +166,15 @@ TEST_CASE("exponential draws are exponential") {
 
 TEST_CASE("clipped exponential draws keep their shape between the limits") {
   const auto sample = Drawn(Distribution::kExponential, {1}, Interval{2, 3}, true);
-  const double share = -std::expm1(-1);  // of the exponential that begins at 2
+  const double share =
+      -std::expm1(-1);  // probability of 2 .. 3 for an exponential that begins at 2
   const double mean = 1 - std::exp(-1) / share;
   CheckBounds(sample, 2, 3);
   CheckMoments(sample, 2 + mean, (2 - 5 * std::exp(-1)) / share - mean * mean);
   CHECK(KolmogorovSmirnov(sample, [&](double x) { return -std::expm1(2 - x) / share; }) > kLevel);
 }
 
-// Chi-square of whole numbers lo, lo + 1, ... against their weights.
+// Returns the p-value of the chi-square test of whole numbers lo, lo + 1, ... with these weights.
 double FitOfWhole(const std::vector<double>& sample, int lo, std::vector<double> weights) {
   double sum = 0;
   for (const double weight : weights) sum += weight;

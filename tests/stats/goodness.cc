@@ -1,3 +1,5 @@
+// Implementation of Kolmogorov-Smirnov, chi-square, moments and correlation.
+
 #include "goodness.h"
 
 #include <algorithm>

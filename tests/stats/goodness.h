@@ -1,21 +1,21 @@
-#pragma once
+// Goodness-of-fit tests of samples, and sample moments.
 
-// How well a sample fits a distribution. With fixed seeds each test gives the
-// same probability every time; 0.001 is the level at which it fails.
+#pragma once
 
 #include <functional>
 #include <span>
 #include <vector>
 
+/// Significance level of the tests. Because seeds are fixed, a test has the same result every time.
 inline constexpr double kLevel = 1e-3;
 
-/// Kolmogorov and Smirnov: the probability of a larger distance between the
-/// sample and the continuous distribution `below`. Source: Numerical Recipes,
-/// 3rd edition, section 14.3.3 (Stephens' correction for finite samples).
+/// Returns the p-value of the Kolmogorov-Smirnov test of a sample against the continuous cumulative
+/// distribution function `below`. Source: Numerical Recipes, 3rd edition, section 14.3.3 (Stephens'
+/// correction for finite samples).
 double KolmogorovSmirnov(std::vector<double> sample, const std::function<double(double)>& below);
 
-/// Pearson's chi-square: the probability of a larger deviation of the counts
-/// from those expected. Classes that expect fewer than 5 join the next one.
+/// Returns the p-value of Pearson's chi-square test. A class with an expected count below 5 is
+/// merged with the next class.
 double ChiSquare(std::span<const double> counts, std::span<const double> expected);
 
 struct Moments {
@@ -24,5 +24,5 @@ struct Moments {
 };
 Moments MomentsOf(std::span<const double> sample);
 
-/// Pearson's correlation of two samples of one size.
+/// Returns Pearson's correlation of two samples of equal size.
 double Correlation(std::span<const double> a, std::span<const double> b);

@@ -1,4 +1,4 @@
-// The tests' own instruments: a good fit passes, a slightly wrong one does not.
+// Tests of the goodness-of-fit tests: a good fit passes, a slightly wrong fit fails.
 
 #include "goodness.h"
 

@@ -1,4 +1,4 @@
-// Neighbouring seeds, indices, attempts and streams must not know of each other.
+// Tests that draws of neighbouring seeds, indices, attempts and streams are independent.
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,10 +11,10 @@ namespace mjforge::sample {
 namespace {
 
 constexpr std::uint64_t kPairs = 20000;
-// Five standard errors of the correlation of independent samples.
+// Allows five standard errors of the correlation of independent samples.
 const double kNoCorrelation = 5 / std::sqrt(static_cast<double>(kPairs));
 
-// Uniformity of the pairs over a 10 x 10 board, besides no correlation.
+// Checks that pairs are uncorrelated and uniform over a 10 x 10 board.
 void CheckIndependent(const std::vector<double>& a, const std::vector<double>& b) {
   CHECK(std::abs(Correlation(a, b)) < kNoCorrelation);
   std::vector<double> counts(100);

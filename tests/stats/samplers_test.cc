@@ -1,5 +1,4 @@
-// Samplers spread a batch more evenly than random draws do, and leave every
-// distribution what it is.
+// Tests that samplers spread a batch more evenly than random draws and keep every distribution.
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,7 +20,7 @@ std::unique_ptr<spec::ObjectSpec> Load(const std::string& params) {
   return spec;
 }
 
-// Parameter values of items 0 .. count - 1, one row an item.
+// Returns the parameter values of items 0 .. count - 1, one row per item.
 std::vector<std::vector<double>> Rows(const spec::ObjectSpec& spec, Method method,
                                       std::uint64_t seed, std::uint64_t count) {
   const Sampler sampler(spec, method, seed, count);
@@ -96,7 +95,7 @@ TEST_CASE("sobol and latin batches have a lower discrepancy than random ones") {
         sobol += other;
         latin += CentredDiscrepancy(Rows(*spec, Method::kLatin, seed, count));
       }
-      // In many dimensions latin evens out each for itself, which is less and less of it.
+      // Latin evens out each dimension by itself, which helps less in many dimensions.
       CHECK(latin < 0.95 * random);
       CHECK(sobol < 0.7 * random);
       if (dimensions > 1) CHECK(sobol < latin);
@@ -131,7 +130,8 @@ TEST_CASE("every method leaves the distributions what they are") {
   }
 }
 
-// One item of each of many seeds: what is planned over a batch is still uniform for each item.
+// Collects one item of the batches of many seeds: each item is uniform although the batch is
+// planned.
 TEST_CASE("over the seeds, each item of a planned batch is uniform") {
   const auto spec = Load(UniformParameters(2));
   const auto identity = [](double x) { return x; };

@@ -1,4 +1,4 @@
-// Rotations are uniform on SO(3), directions on the sphere.
+// Tests that rotations are uniform on SO(3) and directions uniform on the sphere.
 
 #include <algorithm>
 #include <catch2/catch.hpp>

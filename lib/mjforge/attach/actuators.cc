@@ -1,3 +1,4 @@
+// Carries actuators over to an attachment.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,8 @@ std::string WordOf(int number) {
   return std::string(engine::WordOf(static_cast<Type>(number)));
 }
 
-/// Zeros at the end are what MuJoCo takes anyhow; the first number's default is
-/// not 0.
+/// Removes zeros at the end, which are MuJoCo's defaults, but not the first number, whose default
+/// is not 0.
 std::span<const mjtNum> WithoutZeros(std::span<const mjtNum> numbers) {
   while (numbers.size() > 1 && numbers.back() == 0) numbers = numbers.first(numbers.size() - 1);
   return numbers;

@@ -1,3 +1,4 @@
+// Reads the materials, textures and meshes that an attachment uses.
 #include "mjforge/attach/asset_reader.h"
 
 #include <cstddef>
@@ -17,14 +18,14 @@ constexpr std::string_view kTextureAttributes[] = {
 
 void ReadTexture(const XmlElement& element, model::Texture& out) {
   CopyAttributes(element, kTextureAttributes, out.attributes);
-  // A generated pattern wins over files.
+  // MuJoCo ignores the files of a texture with a generated pattern.
   const std::string* builtin = element.Find("builtin");
   if (builtin != nullptr && *builtin != "none") return;
-  for (const std::string_view name : engine::kFileAttributes) {
+  for (const std::string_view name : xml::kFileAttributes) {
     const std::string* text = element.Find(name);
     if (text == nullptr || text->empty()) continue;
     out.files.push_back({name, *text, {}});
-    if (name == "file") return;  // it wins over those of single sides
+    if (name == "file") return;  // MuJoCo ignores files of single sides
   }
 }
 
@@ -35,9 +36,9 @@ int AssetReader::Texture(int id) {
   const auto [place, is_new] =
       texture_numbers_.try_emplace(id, static_cast<int>(out_.textures.size()));
   if (!is_new) return place->second;
-  taken_.Add(mjOBJ_TEXTURE, id);
+  scope_.Add(mjOBJ_TEXTURE, id);
   model::Texture& texture = out_.textures.emplace_back();
-  taken_.Label(mjOBJ_TEXTURE, id, texture);
+  scope_.Label(mjOBJ_TEXTURE, id, texture);
   if (const XmlElement* element = file_.ElementOf(mjOBJ_TEXTURE, id)) {
     ReadTexture(*element, texture);
   }
@@ -49,12 +50,12 @@ int AssetReader::Material(int id) {
   const auto [place, is_new] =
       material_numbers_.try_emplace(id, static_cast<int>(out_.materials.size()));
   if (!is_new) return place->second;
-  taken_.Add(mjOBJ_MATERIAL, id);
+  scope_.Add(mjOBJ_MATERIAL, id);
   const mjModel& m = file_.model();
   model::Material material;
-  taken_.Label(mjOBJ_MATERIAL, id, material);
+  scope_.Label(mjOBJ_MATERIAL, id, material);
   material.texture = Texture(engine::TextureOf(m, id));
-  Attributes(spec::MaterialElement(), material.attributes).Read(m, mjOBJ_MATERIAL, id);
+  Attributes(spec::kMaterialElement, material.attributes).Read(m, mjOBJ_MATERIAL, id);
   out_.materials.push_back(std::move(material));
   return place->second;
 }
@@ -67,9 +68,9 @@ std::string AssetReader::MaterialName(int id) {
 int AssetReader::Mesh(int id) {
   const auto [place, is_new] = mesh_numbers_.try_emplace(id, static_cast<int>(out_.meshes.size()));
   if (!is_new) return place->second;
-  taken_.Add(mjOBJ_MESH, id);
+  scope_.Add(mjOBJ_MESH, id);
   auto mesh = std::make_unique<model::MeshAsset>(meshes_.Read(id));
-  mesh->name = taken_.Name(mjOBJ_MESH, id);
+  mesh->name = scope_.Name(mjOBJ_MESH, id);
   out_.meshes.push_back(std::move(mesh));
   return place->second;
 }

@@ -1,3 +1,4 @@
+// Reads the materials, textures and meshes that an attachment uses.
 #pragma once
 
 #include <map>
@@ -5,25 +6,25 @@
 
 #include "mjforge/attach/compiled_file.h"
 #include "mjforge/attach/mesh_reader.h"
-#include "mjforge/attach/taken.h"
+#include "mjforge/attach/name_scope.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::attach {
 
-/// Reads the assets that an attachment asks for, each once, and adds them to what it takes.
+/// Reads the assets that an attachment uses, each once, and adds them to the attachment.
 class AssetReader {
  public:
-  AssetReader(const CompiledFile& file, const MeshReader& meshes, Taken& taken,
+  AssetReader(const CompiledFile& file, const MeshReader& meshes, NameScope& scope,
               model::Attachment& out)
-      : file_(file), meshes_(meshes), taken_(taken), out_(out) {}
+      : file_(file), meshes_(meshes), scope_(scope), out_(out) {}
 
-  /// The index of a compiled material in Attachment::materials; -1 for -1.
+  /// Returns the index of a compiled material in Attachment::materials; -1 for -1.
   int Material(int id);
-  /// Its name there; empty for -1.
+  /// Returns the material's name in Attachment::materials; empty for -1.
   std::string MaterialName(int id);
-  /// The index of a compiled mesh in Attachment::meshes.
+  /// Returns the index of a compiled mesh in Attachment::meshes.
   int Mesh(int id);
-  /// The pose of the frame that MuJoCo gives a mesh, in the frame of its asset.
+  /// Returns the pose of MuJoCo's frame of a mesh in the frame of its asset.
   const model::Pose& FrameOf(int mesh) const { return meshes_.FrameOf(mesh); }
 
  private:
@@ -31,7 +32,7 @@ class AssetReader {
 
   const CompiledFile& file_;
   const MeshReader& meshes_;
-  Taken& taken_;
+  NameScope& scope_;
   model::Attachment& out_;
   std::map<int, int> material_numbers_;
   std::map<int, int> texture_numbers_;

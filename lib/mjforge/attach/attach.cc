@@ -1,3 +1,4 @@
+// Reads MJCF files and attaches bodies of them.
 #include "mjforge/attach/attach.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/attach/body_reader.h"
-#include "mjforge/attach/finite.h"
+#include "mjforge/attach/finite_check.h"
 #include "mjforge/attach/section_reader.h"
 
 namespace mjforge::attach {
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// A file as far as it could be read, with what was found on the way.
+/// A file as far as it could be read, and the findings about it.
 struct File {
   std::unique_ptr<CompiledFile> compiled;
   std::unique_ptr<MeshReader> meshes;
@@ -29,12 +30,12 @@ struct File {
 
 struct Result {
   std::unique_ptr<model::Attachment> attachment;
-  diag::Findings findings;  // the file's not among them
+  diag::Findings findings;  // without those of the file
 };
 
-/// Findings of a file at the place that attaches it.
-void Show(const diag::Findings& kept, diag::SourceMark mark, diag::Findings& findings) {
-  for (const diag::Finding& finding : kept) {
+/// Adds findings about a file at the place in the spec that attaches the file.
+void AddAt(const diag::Findings& stored, diag::SourceMark mark, diag::Findings& findings) {
+  for (const diag::Finding& finding : stored) {
     diag::Finding& shown = finding.severity == diag::Severity::kError
                                ? findings.Add(finding.code, mark, finding.message, finding.hint)
                                : findings.Warn(finding.code, mark, finding.message, finding.hint);
@@ -42,14 +43,14 @@ void Show(const diag::Findings& kept, diag::SourceMark mark, diag::Findings& fin
   }
 }
 
-/// A body of the file that MuJoCo did not compile as one of its own.
+/// Returns true if the file has the body, which MuJoCo then fused with its parent.
 bool IsFused(const XmlElement& element, const std::string& body) {
   if (element.tag == "body" && element.Name() == body) return true;
   return std::ranges::any_of(element.children,
                              [&](const XmlElement& child) { return IsFused(child, body); });
 }
 
-/// The id of the body; nothing after a finding.
+/// Returns the id of the body; nothing after a finding.
 std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
                             diag::Findings& findings) {
   const mjModel& m = file.model();
@@ -78,7 +79,7 @@ std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
   return std::nullopt;
 }
 
-void WarnOfWhole(const CompiledFile& file, diag::Findings& findings) {
+void WarnOfModelSettings(const CompiledFile& file, diag::Findings& findings) {
   const auto warn = [&](const XmlElement& element, std::string_view what) {
     AddWarning(
         findings, Code::kAttachNotCarried, element.mark,
@@ -99,12 +100,12 @@ void WarnOfWhole(const CompiledFile& file, diag::Findings& findings) {
   }
 }
 
-void WarnOfSkins(const CompiledFile& file, const Taken& taken, diag::Findings& findings) {
+void WarnOfSkins(const CompiledFile& file, const NameScope& scope, diag::Findings& findings) {
   const mjModel& m = file.model();
   for (int i = 0; i < m.nskin; ++i) {
     bool inside = false;
     for (int bone = 0; bone < m.skin_bonenum[i]; ++bone) {
-      inside |= taken.Has(mjOBJ_BODY, m.skin_bonebodyid[m.skin_boneadr[i] + bone]);
+      inside |= scope.Contains(mjOBJ_BODY, m.skin_bonebodyid[m.skin_boneadr[i] + bone]);
     }
     if (!inside) continue;
     AddWarning(findings, Code::kAttachNotCarried, file.MarkOf(mjOBJ_SKIN, i),
@@ -119,18 +120,18 @@ std::unique_ptr<model::Attachment> ReadBody(const File& file, const std::string&
   const CompiledFile& compiled = *file.compiled;
   const std::optional<int> root = FindBody(compiled, body, findings);
   if (!root) return nullptr;
-  Taken taken(compiled, *root, findings);
+  NameScope scope(compiled, *root, findings);
   auto attachment = std::make_unique<model::Attachment>();
-  AssetReader assets(compiled, *file.meshes, taken, *attachment);
-  ReadBodies(compiled, taken, assets, *attachment, findings);
-  SectionReader sections(compiled, taken, *attachment, findings);
+  AssetReader assets(compiled, *file.meshes, scope, *attachment);
+  ReadBodies(compiled, scope, assets, *attachment, findings);
+  SectionReader sections(compiled, scope, *attachment, findings);
   ReadTendons(sections, assets);
   ReadContacts(sections);
   ReadEqualities(sections);
   ReadActuators(sections);
   ReadSensors(sections);
   sections.Finish();
-  WarnOfSkins(compiled, taken, findings);
+  WarnOfSkins(compiled, scope, findings);
   CheckFinite(*attachment, compiled.file(), findings);
   if (findings.HasErrors()) return nullptr;
   return attachment;
@@ -153,7 +154,7 @@ struct MjcfReader::State {
     read.compiled = CompiledFile::Read(file, engine, sources, read.findings);
     if (!read.compiled) return read;
     read.meshes = std::make_unique<MeshReader>(*read.compiled, read.findings);
-    WarnOfWhole(*read.compiled, read.findings);
+    WarnOfModelSettings(*read.compiled, read.findings);
     return read;
   }
 };
@@ -163,14 +164,14 @@ MjcfReader::~MjcfReader() = default;
 
 const model::Attachment* MjcfReader::Attach(const fs::path& file, const std::string& body,
                                             diag::SourceMark mark, diag::Findings& findings) {
-  const std::string key = engine::CanonicalName(file);
+  const std::string key = xml::CanonicalName(file);
   const File& read = state_->Read(key, file);
-  Show(read.findings, mark, findings);
+  AddAt(read.findings, mark, findings);
   if (read.findings.HasErrors()) return nullptr;
   const auto [place, is_new] = state_->results.try_emplace({key, body});
   Result& result = place->second;
   if (is_new) result.attachment = ReadBody(read, body, result.findings);
-  Show(result.findings, mark, findings);
+  AddAt(result.findings, mark, findings);
   return result.attachment.get();
 }
 

@@ -1,7 +1,6 @@
+// Reads one body of an MJCF file as an attachment: bodies, assets and elements of sections. All
+// numbers come from MuJoCo's compiled model; names, files and places come from the XML.
 #pragma once
-
-// An MJCF file -> the bodies, assets and sections that attaching one of its bodies brings. All
-// numbers come from MuJoCo; the XML says which elements there are and where.
 
 #include <filesystem>
 #include <memory>
@@ -12,11 +11,11 @@
 
 namespace mjforge::attach {
 
-/// Reads MJCF files, each once, and keeps what it read. Installs MuJoCo's error
-/// handlers in the whole process; not for two threads at the same time.
+/// Reads MJCF files, each once, and stores the results. Installs MuJoCo's error handlers in the
+/// whole process. Not thread-safe.
 class MjcfReader : public model::AttachmentSource {
  public:
-  /// The XML files are added to `sources`, so that findings can quote them.
+  /// The reader adds the XML files to `sources`, so that findings can quote them.
   explicit MjcfReader(diag::Sources& sources);
   ~MjcfReader() override;
   MjcfReader(const MjcfReader&) = delete;

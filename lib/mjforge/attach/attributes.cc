@@ -1,10 +1,8 @@
+// Builds attributes of attached elements from compiled models and XML.
 #include "mjforge/attach/attributes.h"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
-
-#include "mjforge/expr/expr.h"
 
 namespace mjforge::attach {
 
@@ -39,16 +37,6 @@ void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fi
 
 void Attributes::Text(std::string_view key, std::string text) { Add(key).text = std::move(text); }
 
-sample::Numbers ParseNumbers(std::string_view text) {
-  sample::Numbers numbers;
-  for (const std::string_view word : expr::WordsOf(text)) {
-    const std::optional<double> number = expr::ParseNumber(word);
-    if (!number) return {};
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
 void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
                     std::vector<model::Attribute>& out) {
   for (const std::string_view name : names) {
@@ -56,7 +44,8 @@ void CopyAttributes(const XmlElement& element, std::span<const std::string_view>
     if (text == nullptr) continue;
     model::Attribute& attribute = out.emplace_back();
     attribute.name = name;
-    attribute.numbers = ParseNumbers(*text);
+    const std::vector<double> numbers = xml::NumbersOf(*text);
+    attribute.numbers.assign(numbers.begin(), numbers.end());
     if (attribute.numbers.empty()) attribute.text = *text;
   }
 }

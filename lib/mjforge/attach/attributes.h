@@ -1,3 +1,4 @@
+// Builds attributes of attached elements from compiled models and XML.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +8,15 @@
 #include <vector>
 
 #include "mjforge/compiled/compiled.h"
-#include "mjforge/engine/engine.h"
 #include "mjforge/model/model.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::attach {
 
-using engine::XmlElement;
+using xml::XmlElement;
 
-/// Adds attributes of one kind of element, each with its row of the field table. An attribute with
-/// a default is added only if it differs from it.
+/// Adds attributes to an element of one kind, each with its row of the field table. Attributes
+/// equal to their defaults are not added.
 class Attributes {
  public:
   Attributes(const spec::ElementInfo& info, std::vector<model::Attribute>& out)
@@ -26,7 +27,7 @@ class Attributes {
     if (value != usual) Number(key, value);
   }
   void Numbers(std::string_view key, std::span<const double> values);
-  /// What a compiled element says by itself.
+  /// Adds the attributes of a compiled element that are arrays of mjModel.
   void Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id);
   void Read(const mjModel& m, mjtObj kind, int id) { Read(m, compiled::ArrayFields(kind), id); }
   void Text(std::string_view key, std::string text);
@@ -38,14 +39,11 @@ class Attributes {
   std::vector<model::Attribute>& out_;
 };
 
-/// Numbers separated by spaces; none if a word is not a number.
-sample::Numbers ParseNumbers(std::string_view text);
-
-/// Adds attributes of an element as the file has them, those of these names that it has.
+/// Copies those attributes of an element that have one of these names.
 void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
                     std::vector<model::Attribute>& out);
 
-/// The id-th group of `count` numbers of an array of mjModel.
+/// Returns the id-th group of `count` numbers in an array of mjModel.
 inline std::span<const mjtNum> Row(const mjtNum* array, int id, int count) {
   return {array + static_cast<std::ptrdiff_t>(id) * count, static_cast<std::size_t>(count)};
 }

@@ -1,3 +1,4 @@
+// Reads bodies with their joints, geoms, sites, cameras and lights from the compiled model.
 #include "mjforge/attach/body_reader.h"
 
 #include <algorithm>
@@ -22,11 +23,11 @@ constexpr std::array<std::string_view, 5> kModes = {"fixed", "track", "trackcom"
 
 class BodyReader {
  public:
-  BodyReader(const CompiledFile& file, Taken& taken, AssetReader& assets, model::Attachment& out,
-             diag::Findings& findings)
+  BodyReader(const CompiledFile& file, NameScope& scope, AssetReader& assets,
+             model::Attachment& out, diag::Findings& findings)
       : file_(file),
         m_(file.model()),
-        taken_(taken),
+        scope_(scope),
         assets_(assets),
         out_(out),
         findings_(findings) {}
@@ -34,18 +35,19 @@ class BodyReader {
   void Read() {
     const auto each = [this](mjtObj kind, int count, const auto& read) {
       for (int id = 0; id < count; ++id) {
-        if (taken_.Has(kind, id)) read(id);
+        if (scope_.Contains(kind, id)) read(id);
       }
     };
-    for (const int id : taken_.bodies()) ReadBody(id);
+    for (const int id : scope_.bodies()) ReadBody(id);
     each(mjOBJ_JOINT, m_.njnt, [this](int id) { ReadJoint(id); });
     each(mjOBJ_GEOM, m_.ngeom, [this](int id) { ReadGeom(id); });
     each(mjOBJ_SITE, m_.nsite, [this](int id) { ReadSite(id); });
     each(mjOBJ_CAMERA, m_.ncam, [this](int id) {
-      ReadLook(mjOBJ_CAMERA, id, m_.cam_bodyid[id], m_.cam_mode[id], m_.cam_targetbodyid[id]);
+      ReadTargeted(mjOBJ_CAMERA, id, m_.cam_bodyid[id], m_.cam_mode[id], m_.cam_targetbodyid[id]);
     });
     each(mjOBJ_LIGHT, m_.nlight, [this](int id) {
-      ReadLook(mjOBJ_LIGHT, id, m_.light_bodyid[id], m_.light_mode[id], m_.light_targetbodyid[id]);
+      ReadTargeted(mjOBJ_LIGHT, id, m_.light_bodyid[id], m_.light_mode[id],
+                   m_.light_targetbodyid[id]);
     });
     for (const model::Joint& joint : out_.bodies.front().joints) {
       out_.root_joints.push_back(joint.name);
@@ -53,13 +55,13 @@ class BodyReader {
   }
 
  private:
-  model::Body& BodyOf(int id) { return out_.bodies[static_cast<std::size_t>(taken_.Position(id))]; }
+  model::Body& BodyOf(int id) { return out_.bodies[static_cast<std::size_t>(scope_.Position(id))]; }
 
   void ReadBody(int id) {
     model::Body& body = out_.bodies.emplace_back(compiled::BodyOf(m_, id));
-    taken_.Label(mjOBJ_BODY, id, body);
-    body.parent = out_.bodies.size() == 1 ? -1 : taken_.Position(m_.body_parentid[id]);
-    Attributes(spec::BodyElement(), body.attributes).Read(m_, mjOBJ_BODY, id);
+    scope_.Label(mjOBJ_BODY, id, body);
+    body.parent = out_.bodies.size() == 1 ? -1 : scope_.Position(m_.body_parentid[id]);
+    Attributes(spec::kBodyElement, body.attributes).Read(m_, mjOBJ_BODY, id);
     if (m_.body_mocapid[id] >= 0) {
       AddWarning(findings_, Code::kAttachNotCarried, body.mark,
                  fmt::format("{} of '{}' is not a mocap body where it is attached",
@@ -70,8 +72,8 @@ class BodyReader {
 
   void ReadJoint(int id) {
     model::Joint& joint = BodyOf(m_.jnt_bodyid[id]).joints.emplace_back(compiled::JointOf(m_, id));
-    taken_.Label(mjOBJ_JOINT, id, joint);
-    Attributes(spec::JointElement(), joint.attributes).Read(m_, mjOBJ_JOINT, id);
+    scope_.Label(mjOBJ_JOINT, id, joint);
+    Attributes(spec::kJointElement, joint.attributes).Read(m_, mjOBJ_JOINT, id);
   }
 
   void ReadGeom(int id) {
@@ -86,7 +88,7 @@ class BodyReader {
       return;
     }
     model::Part& part = BodyOf(m_.geom_bodyid[id]).parts.emplace_back(*std::move(read));
-    taken_.Label(mjOBJ_GEOM, id, part);
+    scope_.Label(mjOBJ_GEOM, id, part);
     if (part.shape.type == model::GeomType::kMesh) {
       const int mesh = m_.geom_dataid[id];
       part.mesh = assets_.Mesh(mesh);
@@ -98,7 +100,7 @@ class BodyReader {
   }
 
   void ReadGeomAttributes(int id, model::Part& part) {
-    Attributes attributes(spec::PartElement(), part.attributes);
+    Attributes attributes(spec::kPartElement, part.attributes);
     const std::span<const compiled::ArrayField> fields = compiled::ArrayFields(mjOBJ_GEOM);
     const auto rgba = std::ranges::find(fields, "rgba", &compiled::ArrayField::attribute);
     attributes.Read(m_, {fields.begin(), rgba}, id);
@@ -114,37 +116,37 @@ class BodyReader {
 
   void ReadSite(int id) {
     model::Site& site = BodyOf(m_.site_bodyid[id]).sites.emplace_back();
-    taken_.Label(mjOBJ_SITE, id, site);
+    scope_.Label(mjOBJ_SITE, id, site);
     site.type = compiled::GeomTypeOf(m_.site_type[id]).value_or(model::GeomType::kSphere);
     site.size = VectorAt(m_.site_size, id);
     site.X_BS = PoseAt(m_.site_pos, m_.site_quat, id);
     site.material = assets_.Material(m_.site_matid[id]);
-    Attributes(spec::SiteElement(), site.attributes).Read(m_, mjOBJ_SITE, id);
+    Attributes(spec::kSiteElement, site.attributes).Read(m_, mjOBJ_SITE, id);
   }
 
-  /// A camera or light; not one that looks at a body that is not taken.
-  void ReadLook(mjtObj kind, int id, int body, int mode, int target) {
-    if (target >= 0 && !taken_.Has(mjOBJ_BODY, target)) {
+  /// Reads a camera or light, unless its target is a body that is not attached.
+  void ReadTargeted(mjtObj kind, int id, int body, int mode, int target) {
+    if (target >= 0 && !scope_.Contains(mjOBJ_BODY, target)) {
       AddWarning(findings_, Code::kAttachNotCarried, file_.MarkOf(kind, id),
                  fmt::format("{} of '{}' is not carried over: its target, {}, is not attached",
                              file_.Description(kind, id), file_.file().string(),
                              file_.Description(mjOBJ_BODY, target)));
-      taken_.LeaveBehind(kind, id);
+      scope_.MarkDropped(kind, id);
       return;
     }
     const spec::ElementInfo& info = *spec::FindBodyChild(KindName(kind));
     model::Element& element = BodyOf(body).elements.emplace_back();
     element.tag = info.name;
-    taken_.Label(kind, id, element);
+    scope_.Label(kind, id, element);
     Attributes attributes(info, element.attributes);
     if (mode != 0) attributes.Text("mode", std::string(kModes[static_cast<std::size_t>(mode)]));
-    if (target >= 0) attributes.Text("target", taken_.Name(mjOBJ_BODY, target));
+    if (target >= 0) attributes.Text("target", scope_.Name(mjOBJ_BODY, target));
     attributes.Read(m_, kind, id);
   }
 
   const CompiledFile& file_;
   const mjModel& m_;
-  Taken& taken_;
+  NameScope& scope_;
   AssetReader& assets_;
   model::Attachment& out_;
   diag::Findings& findings_;
@@ -152,9 +154,9 @@ class BodyReader {
 
 }  // namespace
 
-void ReadBodies(const CompiledFile& file, Taken& taken, AssetReader& assets, model::Attachment& out,
-                diag::Findings& findings) {
-  BodyReader(file, taken, assets, out, findings).Read();
+void ReadBodies(const CompiledFile& file, NameScope& scope, AssetReader& assets,
+                model::Attachment& out, diag::Findings& findings) {
+  BodyReader(file, scope, assets, out, findings).Read();
 }
 
 }  // namespace mjforge::attach

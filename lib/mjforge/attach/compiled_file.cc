@@ -1,3 +1,4 @@
+// Compiles an MJCF file and maps its XML elements to the compiled things.
 #include "mjforge/attach/compiled_file.h"
 
 #include <algorithm>
@@ -8,45 +9,49 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/backport/backport.h"
+
 namespace mjforge::attach {
 namespace {
 
 using diag::Code;
 
-/// What MuJoCo makes of an element.
-struct Compiled {
+/// The kind of thing that MuJoCo compiles from an element.
+struct CompiledKind {
   std::string_view section;
-  std::string_view tag;  // empty: any, all are of one kind
+  std::string_view tag;  // empty if all elements of the section have this kind
   mjtObj kind;
 };
-constexpr Compiled kCompiled[] = {{"worldbody", "body", mjOBJ_BODY},
-                                  {"worldbody", "joint", mjOBJ_JOINT},
-                                  {"worldbody", "freejoint", mjOBJ_JOINT},
-                                  {"worldbody", "geom", mjOBJ_GEOM},
-                                  {"worldbody", "site", mjOBJ_SITE},
-                                  {"worldbody", "camera", mjOBJ_CAMERA},
-                                  {"worldbody", "light", mjOBJ_LIGHT},
-                                  {"worldbody", "composite", mjOBJ_UNKNOWN},  // many things
-                                  {"asset", "mesh", mjOBJ_MESH},
-                                  {"asset", "skin", mjOBJ_SKIN},
-                                  {"asset", "hfield", mjOBJ_HFIELD},
-                                  {"asset", "texture", mjOBJ_TEXTURE},
-                                  {"asset", "material", mjOBJ_MATERIAL},
-                                  {"contact", "pair", mjOBJ_PAIR},
-                                  {"contact", "exclude", mjOBJ_EXCLUDE},
-                                  {"equality", "", mjOBJ_EQUALITY},
-                                  {"tendon", "", mjOBJ_TENDON},
-                                  {"actuator", "", mjOBJ_ACTUATOR},
-                                  {"sensor", "", mjOBJ_SENSOR}};
+constexpr CompiledKind kKinds[] = {
+    {"worldbody", "body", mjOBJ_BODY},
+    {"worldbody", "joint", mjOBJ_JOINT},
+    {"worldbody", "freejoint", mjOBJ_JOINT},
+    {"worldbody", "geom", mjOBJ_GEOM},
+    {"worldbody", "site", mjOBJ_SITE},
+    {"worldbody", "camera", mjOBJ_CAMERA},
+    {"worldbody", "light", mjOBJ_LIGHT},
+    {"worldbody", "composite", mjOBJ_UNKNOWN},  // many kinds of things
+    {"asset", "mesh", mjOBJ_MESH},
+    {"asset", "skin", mjOBJ_SKIN},
+    {"asset", "hfield", mjOBJ_HFIELD},
+    {"asset", "texture", mjOBJ_TEXTURE},
+    {"asset", "material", mjOBJ_MATERIAL},
+    {"contact", "pair", mjOBJ_PAIR},
+    {"contact", "exclude", mjOBJ_EXCLUDE},
+    {"equality", "", mjOBJ_EQUALITY},
+    {"tendon", "", mjOBJ_TENDON},
+    {"actuator", "", mjOBJ_ACTUATOR},
+    {"sensor", "", mjOBJ_SENSOR}};
 
-/// Calls `use` with each element of a section or body, those of its bodies too, and its kind.
+/// Calls `use` with each element of a section, body, frame or replicate, and its kind.
 template <typename Use>
 void ForEachIn(XmlElement& parent, std::string_view section, const Use& use) {
   for (XmlElement& child : parent.children) {
-    const auto found = std::ranges::find_if(kCompiled, [&](const Compiled& compiled) {
+    if (child.tag == "frame" || child.tag == "replicate") ForEachIn(child, section, use);
+    const auto found = std::ranges::find_if(kKinds, [&](const CompiledKind& compiled) {
       return compiled.section == section && (compiled.tag.empty() || compiled.tag == child.tag);
     });
-    if (found == std::end(kCompiled)) continue;
+    if (found == std::end(kKinds)) continue;
     use(child, found->kind);
     if (found->kind == mjOBJ_BODY) ForEachIn(child, section, use);
   }
@@ -58,8 +63,8 @@ bool AnyNameBeginsWith(const std::string& prefix, const XmlElement& element) {
                              [&](const auto& child) { return AnyNameBeginsWith(prefix, child); });
 }
 
-/// Gives each element without a name a unique one, so that it can be found among what MuJoCo
-/// compiled. It names assets itself.
+/// Gives each element without a name a unique one, to find the element in the compiled model.
+/// MuJoCo itself gives names to assets.
 void NameElements(XmlElement& root) {
   std::string prefix = "~";
   while (AnyNameBeginsWith(prefix, root)) prefix += '~';
@@ -68,7 +73,7 @@ void NameElements(XmlElement& root) {
     if (section.tag == "asset") continue;
     ForEachIn(section, section.tag, [&](XmlElement& element, mjtObj kind) {
       if (kind == mjOBJ_UNKNOWN || !element.Name().empty()) return;
-      element.made_name = fmt::format("{}{}", prefix, ++count);
+      element.generated_name = fmt::format("{}{}~", prefix, ++count);
     });
   }
 }
@@ -79,10 +84,11 @@ void Replace(std::string& text, const std::string& from, const std::string& to) 
   }
 }
 
-/// What is attached is written for MuJoCo 2.2, whichever reads it here.
-void Adapt(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
+/// Backports the tree to MuJoCo 2.2, the release that objects are written for, whatever the MuJoCo
+/// of this build.
+void Backport(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
   diag::Findings found;
-  engine::AdaptMjcf(root, engine::kPortable, engine::Use::kBodies, sources, found);
+  backport::BackportMjcf(root, backport::kPortable, backport::Use::kBodies, sources, found);
   for (diag::Finding& finding : found) {
     finding.notes.push_back({std::exchange(finding.mark, {}), "here"});
   }
@@ -99,19 +105,20 @@ std::string KindName(mjtObj kind) {
 std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& file,
                                                  engine::Engine& engine, diag::Sources& sources,
                                                  diag::Findings& findings) {
-  std::optional<XmlElement> root = engine::ReadXml(file, sources, findings);
+  std::optional<XmlElement> root = xml::ReadXml(file, sources, findings);
   if (!root) return nullptr;
-  Adapt(*root, sources, findings);
+  Backport(*root, sources, findings);
   if (findings.HasErrors()) return nullptr;
   std::unique_ptr<CompiledFile> compiled(new CompiledFile);
   compiled->file_ = file;
   compiled->root_ = *std::move(root);
   compiled->engine_ = &engine;
-  compiled->file_names_ = engine::ResolveFiles(compiled->root_, file.parent_path(), findings);
+  compiled->file_names_ = xml::ResolveFiles(compiled->root_, file.parent_path(), findings);
   if (findings.HasErrors()) return nullptr;
-  compiled->Weigh();
+  backport::AddMeshInertia(compiled->root_,
+                           [&](const std::string& text) { return engine.LoadText(text); });
   NameElements(compiled->root_);
-  compiled->flat_ = engine::Flatten(compiled->root_);
+  compiled->flat_ = xml::Flatten(compiled->root_);
   compiled->Load(findings);
   if (!compiled->model_) return nullptr;
   compiled->MapElements();
@@ -119,7 +126,7 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
 }
 
 void CompiledFile::Load(diag::Findings& findings) {
-  if (const auto fault = engine::FindTooManyPixels(flat_.text, {})) {
+  if (const auto fault = engine::FindOversizedImage(flat_.text, {})) {
     const XmlElement* element = flat_.lines[static_cast<std::size_t>(fault->line) - 1];
     AddError(findings, Code::kModelBadTexture, element->mark,
              fmt::format("'{}' cannot be attached: {}", file_.string(), fault->message));
@@ -129,11 +136,11 @@ void CompiledFile::Load(diag::Findings& findings) {
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},
                fmt::format("MuJoCo warns about '{}': {}", file_.string(),
-                           engine::OneLine(InWordsOfFile(warning))));
+                           engine::OneLine(WithOriginalNames(warning))));
   }
   model_ = std::move(loaded.model);
   if (model_) return;
-  const engine::Refusal refusal = engine::ParseRefusal(InWordsOfFile(loaded.error));
+  const engine::Refusal refusal = engine::ParseRefusal(WithOriginalNames(loaded.error));
   const auto line = static_cast<std::size_t>(refusal.line);
   const XmlElement* element =
       line > 0 && line <= flat_.lines.size() ? flat_.lines[line - 1] : nullptr;
@@ -143,15 +150,11 @@ void CompiledFile::Load(diag::Findings& findings) {
                        refusal.reason));
 }
 
-void CompiledFile::Weigh() {
-  engine::WeighMeshes(root_, [&](const std::string& text) { return engine_->LoadText(text); });
-}
-
-std::string CompiledFile::InWordsOfFile(std::string text) const {
+std::string CompiledFile::WithOriginalNames(std::string text) const {
   for (const auto& [absolute, shown] : file_names_) Replace(text, absolute, shown);
   for (const XmlElement* element : flat_.lines) {
-    if (element->made_name.empty()) continue;
-    Replace(text, fmt::format("'{}'", element->made_name),
+    if (element->generated_name.empty()) continue;
+    Replace(text, fmt::format("'{}'", element->generated_name),
             fmt::format("'' (line {})", element->mark.line));
   }
   return text;
@@ -164,9 +167,9 @@ void CompiledFile::MapElements() {
         composites_.push_back(&element);
         return;
       }
-      std::string name = element.made_name.empty() ? element.Name() : element.made_name;
+      std::string name = element.generated_name.empty() ? element.Name() : element.generated_name;
       const std::string* file = element.Find("file");
-      // So MuJoCo names assets: the file's name without folders and extension.
+      // MuJoCo's name for an asset without one: the file name without folders and extension.
       if (name.empty() && file != nullptr) {
         name = file->substr(file->find_last_of("/\\") + 1);
         name.erase(std::min(name.find_last_of('.'), name.size()));
@@ -183,25 +186,29 @@ const XmlElement* CompiledFile::ElementOf(mjtObj kind, int id) const {
   return found == elements_.end() ? nullptr : found->second;
 }
 
-std::string CompiledFile::NameOf(mjtObj kind, int id) const {
-  const XmlElement* element = ElementOf(kind, id);
-  if (element != nullptr && !element->made_name.empty()) return {};
+const XmlElement& CompiledFile::OriginOf(mjtObj kind, int id) const {
+  if (const XmlElement* element = ElementOf(kind, id)) return *element;
   const char* name = mj_id2name(model_.get(), kind, id);
-  return name == nullptr ? "" : name;
+  const XmlElement* origin = composites_.empty() ? &root_ : composites_.front();
+  std::size_t longest = 0;
+  const auto compare = [&](const std::string& start, const XmlElement* element) {
+    if (name == nullptr || start.size() <= longest || !std::string_view(name).starts_with(start))
+      return;
+    longest = start.size();
+    origin = element;
+  };
+  for (const auto& [key, element] : elements_) {
+    if (key.first == kind) compare(key.second, element);
+  }
+  for (const XmlElement* composite : composites_) {
+    if (const std::string* prefix = composite->Find("prefix")) compare(*prefix, composite);
+  }
+  return *origin;
 }
 
-diag::SourceMark CompiledFile::MarkOf(mjtObj kind, int id) const {
-  if (const XmlElement* element = ElementOf(kind, id)) return element->mark;
-  const std::string name = NameOf(kind, id);
-  const XmlElement* maker = composites_.empty() ? &root_ : composites_.front();
-  std::size_t longest = 0;
-  for (const XmlElement* composite : composites_) {
-    const std::string* prefix = composite->Find("prefix");
-    if (prefix == nullptr || !name.starts_with(*prefix) || prefix->size() <= longest) continue;
-    longest = prefix->size();
-    maker = composite;
-  }
-  return maker->mark;
+std::string CompiledFile::NameOf(mjtObj kind, int id) const {
+  const char* name = mj_id2name(model_.get(), kind, id);
+  return name == nullptr || !OriginOf(kind, id).generated_name.empty() ? "" : name;
 }
 
 std::string CompiledFile::Description(mjtObj kind, int id) const {

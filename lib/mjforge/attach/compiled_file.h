@@ -1,3 +1,4 @@
+// An MJCF file, compiled by MuJoCo, and the XML elements of the compiled things.
 #pragma once
 
 #include <map>
@@ -7,18 +8,19 @@
 #include <vector>
 
 #include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::attach {
 
-using engine::AddError;
-using engine::AddWarning;
-using engine::XmlElement;
+using xml::AddError;
+using xml::AddWarning;
+using xml::XmlElement;
 
-/// An MJCF file: its elements, what MuJoCo compiled from them, and which
-/// belongs to which. Kinds are MuJoCo's (mjOBJ_GEOM, ...).
+/// An MJCF file: its elements, the model that MuJoCo compiled from it, and a map between the two.
+/// Kinds are MuJoCo's (mjOBJ_GEOM, ...).
 class CompiledFile {
  public:
-  /// Nothing after an error.
+  /// Reads and compiles a file. Returns null after an error.
   static std::unique_ptr<CompiledFile> Read(const std::filesystem::path& file,
                                             engine::Engine& engine, diag::Sources& sources,
                                             diag::Findings& findings);
@@ -28,36 +30,39 @@ class CompiledFile {
   const mjModel& model() const { return *model_; }
   engine::Engine& engine() const { return *engine_; }
 
-  /// The element of a compiled thing; null for what a composite made.
+  /// Returns the element from which MuJoCo compiled only this thing; null if a composite or a
+  /// replicate made the thing.
   const XmlElement* ElementOf(mjtObj kind, int id) const;
-  /// Its name in the file; empty if it has none.
+  /// Returns the element from which MuJoCo compiled a thing. If a composite or a replicate made it,
+  /// returns the composite or the replicated element with the longest name that the thing's name
+  /// begins with, or else the first composite or the root.
+  const XmlElement& OriginOf(mjtObj kind, int id) const;
+  /// Returns the name of a compiled thing; empty if it has none in the file.
   std::string NameOf(mjtObj kind, int id) const;
-  /// Its element, or the composite that made it.
-  diag::SourceMark MarkOf(mjtObj kind, int id) const;
-  /// "geom 'head'", "the geom on line 7".
+  /// Returns the place of OriginOf().
+  diag::SourceMark MarkOf(mjtObj kind, int id) const { return OriginOf(kind, id).mark; }
+  /// Returns "geom 'head'" or "the geom on line 7".
   std::string Description(mjtObj kind, int id) const;
 
  private:
   CompiledFile() = default;
-  /// Leaves no model, but an error, if MuJoCo refuses the file.
+  /// Compiles the file. If MuJoCo rejects it, adds an error and leaves model_ null.
   void Load(diag::Findings& findings);
-  /// Masses of meshes as those whom the file was written for compute them.
-  void Weigh();
-  /// A message of MuJoCo, with files and elements named as in the file.
-  std::string InWordsOfFile(std::string text) const;
+  /// Returns a message of MuJoCo with the file's names of files and elements.
+  std::string WithOriginalNames(std::string text) const;
   void MapElements();
 
   std::filesystem::path file_;
   XmlElement root_;
-  engine::FileNames file_names_;
-  engine::FlatText flat_;
+  xml::FileNames file_names_;
+  xml::FlatText flat_;
   engine::Engine* engine_ = nullptr;
   engine::Model model_;
   std::map<std::pair<int, std::string>, const XmlElement*> elements_;
   std::vector<const XmlElement*> composites_;
 };
 
-/// MJCF's word for the kind: "geom", "body", ...
+/// Returns the MJCF keyword of a kind: "geom", "body", ...
 std::string KindName(mjtObj kind);
 
 }  // namespace mjforge::attach

@@ -1,3 +1,4 @@
+// Reads the meshes of an MJCF file in the frames of their assets.
 #include "mjforge/attach/mesh_reader.h"
 
 #include <optional>
@@ -22,8 +23,8 @@ XmlElement& AddChild(XmlElement& parent, std::string_view tag) {
   return child;
 }
 
-/// The file with its meshes alone, and with what their frames depend on: `scale`, and the density
-/// of its class, by which MuJoCo decides when to stop turning the axes of inertia.
+/// Copies only the meshes of a file, with everything their frames depend on: `scale`, and the
+/// density of the default class, which determines when MuJoCo stops diagonalising the inertia.
 void CopyMeshes(const XmlElement& from, XmlElement& to) {
   const auto copy = [&](const XmlElement& child, std::string_view attribute) {
     XmlElement& copied = AddChild(to, child.tag);
@@ -41,11 +42,11 @@ void CopyMeshes(const XmlElement& from, XmlElement& to) {
   }
 }
 
-/// What `scale` says; nothing if it says no three numbers.
-std::optional<Eigen::Vector3d> StatedScale(const XmlElement& mesh) {
+/// Returns the attribute `scale`; nothing if it is not three numbers.
+std::optional<Eigen::Vector3d> ParseScale(const XmlElement& mesh) {
   const std::string* text = mesh.Find("scale");
   if (text == nullptr) return std::nullopt;
-  const sample::Numbers numbers = ParseNumbers(*text);
+  const std::vector<double> numbers = xml::NumbersOf(*text);
   if (numbers.size() != 3) return std::nullopt;
   return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
 }
@@ -79,9 +80,9 @@ void MeshReader::FindFrames(diag::Findings& findings) {
     XmlElement& geom = AddChild(world, "geom");
     geom.Set("type", "mesh");
     geom.Set("mesh", m.names + m.name_meshadr[mesh]);
-    geom.Set("mass", "0");  // MuJoCo cannot weigh every mesh
+    geom.Set("mass", "0");  // MuJoCo cannot compute the mass of every mesh
   }
-  const engine::Loaded loaded = file_.engine().LoadText(engine::Flatten(probe).text);
+  const engine::Loaded loaded = file_.engine().LoadText(xml::Flatten(probe).text);
   if (!loaded.model) {
     AddError(findings, diag::Code::kMujocoError, {},
              fmt::format("MuJoCo refused the meshes of '{}' on their own: {}",
@@ -94,12 +95,12 @@ void MeshReader::FindFrames(diag::Findings& findings) {
   }
 }
 
-// As MuJoCo reads them: a class starts as a copy of what its parent says before
-// any class inside, and a further top-level section goes on with the same one.
+// Reads default classes like MuJoCo: a class begins as a copy of its parent without the classes
+// inside, and all top-level sections belong to the same class.
 void MeshReader::ReadDefaults(const XmlElement& section, const Eigen::Vector3d& inherited) {
   Eigen::Vector3d scale = inherited;
   for (const XmlElement& child : section.children) {
-    if (child.tag == "mesh") scale = StatedScale(child).value_or(scale);
+    if (child.tag == "mesh") scale = ParseScale(child).value_or(scale);
   }
   scales_[ClassOf(section)] = scale;
   for (const XmlElement& child : section.children) {
@@ -108,7 +109,7 @@ void MeshReader::ReadDefaults(const XmlElement& section, const Eigen::Vector3d& 
 }
 
 Eigen::Vector3d MeshReader::ScaleOf(const XmlElement& mesh) const {
-  if (const std::optional<Eigen::Vector3d> scale = StatedScale(mesh)) return *scale;
+  if (const std::optional<Eigen::Vector3d> scale = ParseScale(mesh)) return *scale;
   const auto found = scales_.find(ClassOf(mesh));
   return found == scales_.end() ? Eigen::Vector3d::Ones() : found->second;
 }
@@ -123,7 +124,7 @@ model::MeshAsset MeshReader::Read(int mesh) const {
   if (const std::string* file = element->Find("file")) asset.file = *file;
   asset.scale = ScaleOf(*element);
   CopyAttributes(*element, kData, asset.attributes);
-  // Of them only smoothnormal is a word.
+  // The only attribute that is not a list of numbers is `smoothnormal`.
   std::erase_if(asset.attributes, [](const auto& attribute) { return attribute.text == "false"; });
   return asset;
 }

@@ -1,3 +1,4 @@
+// Reads the meshes of an MJCF file in the frames of their assets.
 #pragma once
 
 #include <map>
@@ -9,16 +10,16 @@
 
 namespace mjforge::attach {
 
-/// The meshes of a file. MuJoCo moves a mesh into the frame of its inertia, and
-/// geoms with it; this finds that frame, to undo it.
+/// Reads the meshes of a file. MuJoCo moves a mesh and its geoms into the frame of the mesh's
+/// inertia; this class finds that frame, to undo the move.
 class MeshReader {
  public:
-  /// Adds a finding if MuJoCo refuses the meshes on their own.
+  /// Adds a finding if MuJoCo rejects the meshes on their own.
   MeshReader(const CompiledFile& file, diag::Findings& findings);
 
-  /// X_AM of a compiled mesh: the pose of MuJoCo's frame M in the asset's frame A.
+  /// Returns X_AM of a compiled mesh: the pose of MuJoCo's frame M in the asset's frame A.
   const model::Pose& FrameOf(int mesh) const { return frames_.at(mesh); }
-  /// The asset, without a name.
+  /// Returns the asset, without a name.
   model::MeshAsset Read(int mesh) const;
 
  private:

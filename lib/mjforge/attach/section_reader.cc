@@ -1,3 +1,4 @@
+// Carries contacts and equalities over, and references of all sections.
 #include "mjforge/attach/section_reader.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace mjforge::attach {
 
 namespace {
 
-/// mjOBJ_XBODY is a body, too.
+/// Returns mjOBJ_BODY for mjOBJ_XBODY, and other kinds unchanged.
 mjtObj Plain(mjtObj kind) { return kind == mjOBJ_XBODY ? mjOBJ_BODY : kind; }
 
 }  // namespace
@@ -20,7 +21,7 @@ std::optional<SectionReader::Added> SectionReader::Add(std::string_view section,
                                                        std::string_view tag, mjtObj kind, int id,
                                                        const std::vector<Reference>& references) {
   if (!IsCarried(kind, id, references)) return std::nullopt;
-  taken_.Add(kind, id);
+  scope_.Add(kind, id);
   const spec::SectionInfo* info = spec::FindSection(section);
   auto place = std::ranges::find(out_.sections, info, &model::Section::info);
   if (place == out_.sections.end()) {
@@ -29,7 +30,7 @@ std::optional<SectionReader::Added> SectionReader::Add(std::string_view section,
   model::Element& element = place->elements.emplace_back();
   const spec::ElementInfo& element_info = *info->Find(tag);
   element.tag = element_info.name;
-  taken_.Label(kind, id, element);
+  scope_.Label(kind, id, element);
   Attributes attributes(element_info, element.attributes);
   for (const Reference& reference : references) {
     if (reference.id < 0 || reference.attribute.empty()) continue;
@@ -42,7 +43,7 @@ std::optional<SectionReader::Added> SectionReader::Add(std::string_view section,
 }
 
 std::string SectionReader::NameOf(Reference reference) const {
-  return taken_.Name(Plain(reference.kind), reference.id);
+  return scope_.Name(Plain(reference.kind), reference.id);
 }
 
 bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>& references) {
@@ -51,11 +52,11 @@ bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>&
   for (const Reference& reference : references) {
     if (reference.id < 0) continue;
     const mjtObj plain = Plain(reference.kind);
-    if (taken_.Has(plain, reference.id)) {
+    if (scope_.Contains(plain, reference.id)) {
       inside = true;
     } else {
       if (outside == nullptr) outside = &reference;
-      inside = inside || taken_.IsLeftBehind(plain, reference.id);
+      inside = inside || scope_.IsDropped(plain, reference.id);
     }
   }
   if (inside && outside != nullptr) Warn(kind, id, *outside);
@@ -63,10 +64,11 @@ bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>&
 }
 
 void SectionReader::Warn(mjtObj kind, int id, Reference outside) {
-  taken_.LeaveBehind(kind, id);
+  scope_.MarkDropped(kind, id);
   const diag::SourceMark place = file_.MarkOf(kind, id);
-  if (file_.ElementOf(kind, id) == nullptr) {
-    if (!warned_composites_.insert(place).second) return;
+  const bool is_one_of_many = file_.ElementOf(kind, id) == nullptr;
+  if (is_one_of_many && !warned_.insert(place).second) return;
+  if (file_.OriginOf(kind, id).tag == "composite") {
     AddWarning(findings_, diag::Code::kAttachNotCarried, place,
                fmt::format("a composite of '{}' is only partly carried over: {}s refer to things "
                            "outside the attached body",
@@ -102,7 +104,7 @@ void ReadContacts(SectionReader& sections) {
 void ReadEqualities(SectionReader& sections) {
   const mjModel& m = sections.model();
   for (int i = 0; i < m.neq; ++i) {
-    if (m.eq_type[i] > mjEQ_TENDON) continue;  // MuJoCo refuses `distance` since 2.2.2
+    if (m.eq_type[i] > mjEQ_TENDON) continue;  // MuJoCo rejects `distance` since 2.2.2
     const compiled::Equality& type = compiled::kEqualities[m.eq_type[i]];
     auto equality = sections.Add(
         "equality", type.tag, mjOBJ_EQUALITY, i,

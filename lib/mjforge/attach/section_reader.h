@@ -1,3 +1,4 @@
+// Carries elements of sections over to an attachment.
 #pragma once
 
 #include <optional>
@@ -8,42 +9,41 @@
 #include "mjforge/attach/asset_reader.h"
 #include "mjforge/attach/attributes.h"
 #include "mjforge/attach/compiled_file.h"
-#include "mjforge/attach/taken.h"
+#include "mjforge/attach/name_scope.h"
 
 namespace mjforge::attach {
 
-/// A compiled thing that an element of a section names; id -1: none.
+/// A reference from an element of a section to a compiled thing; id -1 if there is none.
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
-  std::string_view attribute = {};       // that names it; empty: a child of the element does
-  std::string_view kind_attribute = {};  // that says its kind; empty: there is none
+  std::string_view attribute = {};       // has the name; empty if a child element has it
+  std::string_view kind_attribute = {};  // has the kind; empty if there is none
 };
 
-/// Elements of sections (contact, tendon, ...): which can be carried over, and
-/// where they go.
+/// Carries elements of sections (contact, tendon, ...) over to an attachment.
 class SectionReader {
  public:
-  SectionReader(const CompiledFile& file, Taken& taken, model::Attachment& out,
+  SectionReader(const CompiledFile& file, NameScope& scope, model::Attachment& out,
                 diag::Findings& findings)
-      : file_(file), taken_(taken), out_(out), findings_(findings) {}
+      : file_(file), scope_(scope), out_(out), findings_(findings) {}
 
   const mjModel& model() const { return file_.model(); }
 
-  /// An element and its attributes, valid until the next one is added.
+  /// An element that was added, and its attributes; valid until the next one is added.
   struct Added {
     model::Element& element;
     Attributes attributes;
   };
-  /// Adds the element, with name, mark and references, if everything it refers to is taken. If only
-  /// part of that is taken, a warning says that the element is left out.
+  /// Adds an element with name, place and references if the attachment contains all things that the
+  /// element refers to. If it contains only some of them, warns that the element is left out.
   std::optional<Added> Add(std::string_view section, std::string_view tag, mjtObj kind, int id,
                            const std::vector<Reference>& references);
 
-  /// The name given to something that is taken.
+  /// Returns the name in the attachment of something that it contains.
   std::string NameOf(Reference reference) const;
 
-  /// Sections in the order of spec::Sections(), without empty ones.
+  /// Sorts the sections in the order of spec::Sections().
   void Finish();
 
  private:
@@ -51,10 +51,10 @@ class SectionReader {
   void Warn(mjtObj kind, int id, Reference outside);
 
   const CompiledFile& file_;
-  Taken& taken_;
+  NameScope& scope_;
   model::Attachment& out_;
   diag::Findings& findings_;
-  std::set<diag::SourceMark> warned_composites_;
+  std::set<diag::SourceMark> warned_;
 };
 
 void ReadTendons(SectionReader& sections, AssetReader& assets);

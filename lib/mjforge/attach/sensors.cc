@@ -1,3 +1,4 @@
+// Carries sensors over to an attachment.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -10,7 +11,7 @@ namespace {
 struct Sensor {
   mjtSensor type;
   std::string_view tag;
-  std::string_view object;  // the attribute that names it; "objname": with its kind
+  std::string_view object;  // attribute with the target; "objname" also has "objtype"
 };
 constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
                                {mjSENS_ACCELEROMETER, "accelerometer", "site"},
@@ -47,9 +48,9 @@ constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
                                {mjSENS_SUBTREECOM, "subtreecom", "body"},
                                {mjSENS_SUBTREELINVEL, "subtreelinvel", "body"},
                                {mjSENS_SUBTREEANGMOM, "subtreeangmom", "body"},
-                               {mjSENS_USER, "user", "objname"}};  // a clock refers to nothing
+                               {mjSENS_USER, "user", "objname"}};  // a clock has no target
 
-// In the order of mjtDataType and mjtStage.
+// Keywords in the order of mjtDataType and mjtStage.
 constexpr std::string_view kDataTypes[] = {"real", "positive", "axis", "quaternion"};
 constexpr std::string_view kStages[] = {"none", "pos", "vel", "acc"};
 

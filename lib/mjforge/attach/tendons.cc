@@ -1,3 +1,4 @@
+// Carries tendons over to an attachment.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -7,10 +8,10 @@
 namespace mjforge::attach {
 namespace {
 
-// Of spatial ones.
+// Colour of spatial tendons.
 constexpr compiled::ArrayField kRgba[] = {{"rgba", &mjModel::tendon_rgba, 4, {{0.5, 0.5, 0.5, 1}}}};
 
-/// Adds what a tendon passes, one element each.
+/// Adds an element for each joint, site, geom or pulley on the path of a tendon.
 void WritePath(const SectionReader& sections, int id, const spec::ElementInfo& info,
                model::Element& tendon) {
   const mjModel& m = sections.model();

@@ -1,7 +1,7 @@
-#pragma once
+// Batches of variants: worker processes, index order, resuming, shards, merging and verifying, none
+// of which changes the bytes of any file.
 
-// Many variants: made by worker processes, put in index order, resumed after a crash, split over
-// machines and joined again. None of this changes the bytes of any file.
+#pragma once
 
 #include <atomic>
 #include <chrono>
@@ -21,96 +21,101 @@ using manifest::Status;
 
 struct Request {
   std::uint64_t first = 0;
-  std::uint64_t count = 1;  // from 1 up; first + count - 1 fits
-  output::Shard shard;      // which part of those to make
-  forge::Options variant;   // except its folder, which the destination says
+  std::uint64_t count = 1;  // at least 1; first + count - 1 must not overflow
+  output::Shard shard;      // the part of the batch to make
+  forge::Options variant;   // the folder in it is ignored: the destination determines it
 
   output::Destination destination;
   bool force = false;       // replace files that mjforge did not make
-  bool if_changed = false;  // leave files that would get the same bytes alone
-  bool resume = false;      // go on with what an earlier run left
-  bool verify = false;      // to resume: read finished archives again, too
+  bool if_changed = false;  // leave files untouched that would get the same bytes
+  bool resume = false;      // continue the batch of an earlier run
+  bool verify = false;      // when resuming, also compare the bytes of finished archives
   output::Durability durability = output::Durability::kBatch;
-  /// A manifest or archive gets its name only if no variant failed, as Make expects of a target.
+  /// Manifest and archive get their final names only if no variant failed, as Make expects of
+  /// targets.
   bool all_or_nothing = false;
 
-  std::uint64_t jobs = 0;  // worker processes; 0: as many as there are cores
-  /// CPU time. A variant that takes more fails, and its worker is killed; so does one that takes
-  /// more than WallLimit of wall time, because it hangs.
+  std::uint64_t jobs = 0;  // number of worker processes; 0: one per core
+  /// Limit of CPU time for each variant. A variant that exceeds it fails, and its worker is killed.
+  /// A variant that exceeds WallLimit of wall time fails as well, because it hangs.
   std::chrono::duration<double> time_limit = std::chrono::seconds(30);
-  const std::atomic<bool>* stop = nullptr;  // set by a signal: finish what is begun, and end
+  const std::atomic<bool>* stop = nullptr;  // true: finish the current variants, then stop
 };
 
-/// Generous, so that a busy machine does not fail a good variant.
+/// Returns the limit of wall time for a variant: generous, so that a busy machine does not fail a
+/// good variant.
 constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> time_limit) {
   return 10 * time_limit + std::chrono::seconds(5);
 }
 
-/// The exit status of a process that had too little memory (sysexits.h: EX_OSERR).
+/// Exit status of a process that ran out of memory (EX_OSERR of sysexits.h).
 inline constexpr int kNoMemoryStatus = 71;
 
-/// What is known of a variant when it is done.
-struct Done {
+/// Result of one variant.
+struct FinishedVariant {
   std::uint64_t index = 0;
   std::string name;
   Status status = Status::kOk;
   std::uint64_t attempt = 0;
-  std::string place;  // its file; empty: none
+  std::string place;  // path of its file; empty: no file
 };
 
+/// Result of a batch.
 struct Summary : manifest::StatusCounts {
-  std::uint64_t kept = 0;   // of those, done by an earlier run
-  std::uint64_t count = 0;  // to be made: the shard's
+  std::uint64_t resumed = 0;  // variants that an earlier run made; included in the counts
+  std::uint64_t count = 0;    // variants of the shard
   bool interrupted = false;
-  bool files_failed = false;  // some could not be read or written: it stopped there
-  /// Of all variants. What is found at one place in many variants is here once,
-  /// with a note of how many; at most kMaxFindings.
+  bool files_failed = false;  // the batch stopped because a file could not be read or written
+  /// Findings of all variants, at most kMaxFindings. A finding that many variants have at one place
+  /// appears once, with a note of their number.
   diag::Findings findings;
-  std::uint64_t more_findings = 0;  // places that did not fit
-  /// Files that the variants made in this run depend on in addition to the spec's: attached MJCF
+  std::uint64_t more_findings = 0;  // number of findings that are not among these
+  /// Files on which the variants of this run depend in addition to the spec's files: attached MJCF
   /// with its includes, meshes, textures.
   std::set<std::string> inputs;
-  std::string text;  // kStandardOutput: the object
+  std::string text;  // kStandardOutput: MJCF of the object
 };
 inline constexpr std::size_t kMaxFindings = 50;
 
-/// Called by the process that runs the batch; either may be missing.
-struct Watch {
-  std::function<void(const Done&)> variant;      // in index order
-  std::function<void(const Summary&)> progress;  // at least ten times a second
+/// Callbacks of the process that runs the batch; each may be empty.
+struct Observer {
+  std::function<void(const FinishedVariant&)> variant;  // in index order
+  std::function<void(const Summary&)> progress;         // at least ten times a second
 };
 
-/// Makes the variants and writes them where the request says. Forks: the caller
-/// must have no other threads. Where nothing could be made nothing is written.
+/// Makes the variants and writes them to the request's destination. Forks, so the caller must have
+/// no other threads. Writes nothing if no variant could be made.
 Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-            const Watch& watch);
+            const Observer& observer);
 
-/// The variants of a shard: its first one and how many. Shards are ranges one
-/// after the other, of whole archives where the destination is a series.
-struct Range {
+/// A range of variants.
+struct IndexRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
 };
-Range RangeOf(const output::Shard& shard, const Range& all, const output::Destination& destination);
+/// Returns the variants of a shard. Shards are consecutive ranges, and ranges of whole archives if
+/// the destination is a series.
+IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
+                        const output::Destination& destination);
 
-/// Joins the manifests of all shards beside or in `destination` into one, if they belong to one
-/// batch and none is missing. What the shards' seals vouch for is checked: manifests and that all
-/// files are there, archives with their size; with `verify`, the bytes of all. Returns the number
-/// of variants; nothing, and findings, if that cannot be done.
+/// Merges the manifests of all shards beside or in `destination` into one, and returns the number
+/// of variants. Compares with the shards' seals: the bytes of manifests, the sizes of archives, and
+/// the existence of all other files; with `verify`, the bytes of all files. Returns nothing, after
+/// adding findings, if a shard is missing, differs from its seal or belongs to another batch.
 std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
                                    diag::Sources& sources, diag::Findings& findings);
 
-/// What was read and found as it was when its batch was done.
-struct Verified {
+/// Numbers of verified variants and files.
+struct VerifyResult {
   std::uint64_t variants = 0;
   std::uint64_t files = 0;  // manifests, archives, objects
   std::uint64_t more_findings = 0;
 };
 
-/// Reads everything that seals vouch for: all batches in a folder, the batch of a manifest or of
-/// its seal, or one archive. What is missing or was changed is a finding, up to kMaxFindings of
-/// them.
-Verified Verify(const std::filesystem::path& what, diag::Sources& sources,
-                diag::Findings& findings);
+/// Compares files with their seals: all batches in a folder, the batch of a manifest or of its
+/// seal, or one archive. Each missing or changed file is a finding; findings beyond kMaxFindings
+/// are counted.
+VerifyResult Verify(const std::filesystem::path& what, diag::Sources& sources,
+                    diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -1,18 +1,22 @@
+// Merging the manifests of shards: checks of completeness and origin, and the seal of the whole
+// batch.
+
 #include <fmt/format.h>
 
 #include <map>
 
 #include "mjforge/batch/batch.h"
+#include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/batch/sink.h"
-#include "mjforge/batch/vouched.h"
 
 namespace mjforge::batch {
 namespace {
 
-// Lines are collected up to this size before they are written.
+// Lines are written in blocks of about this size.
 constexpr std::size_t kWriteBytes = 1 << 20;
 
-// "manifest-00003-of-00008.jsonl" beside "manifest.jsonl" -> 3 of 8.
+// Returns the shard of a manifest's name: 3 of 8 for "manifest-00003-of-00008.jsonl" if the merged
+// manifest is "manifest.jsonl"; nothing for other names.
 std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
   constexpr std::string_view kEnding = ".jsonl";
   constexpr std::string_view kOf = "-of-";
@@ -28,10 +32,10 @@ std::optional<output::Shard> ShardOf(std::string_view name, std::string_view man
   return output::Shard{*index, *count};
 }
 
-class Joining {
+class ShardMerger {
  public:
-  Joining(const output::Destination& destination, bool verify, diag::Sources& sources,
-          diag::Findings& findings)
+  ShardMerger(const output::Destination& destination, bool verify, diag::Sources& sources,
+              diag::Findings& findings)
       : destination_(destination),
         verify_(verify),
         sources_(sources),
@@ -42,7 +46,7 @@ class Joining {
   std::optional<std::uint64_t> operator()() {
     const std::optional<std::uint64_t> count = FindShards();
     if (!count || !CheckSeals(*count) || !MayReplaceManifest(file_, false, findings_) ||
-        !MayReplaceManifest(output::PartFile::NameOf(file_), false, findings_)) {
+        !MayReplaceManifest(output::PartFile::TemporaryNameOf(file_), false, findings_)) {
       return std::nullopt;
     }
     std::unique_ptr<output::PartFile> part = output::PartFile::Open(file_, findings_);
@@ -58,25 +62,17 @@ class Joining {
   }
 
  private:
-  // How many shards there are; nothing, and findings, if one is missing.
+  // Returns the number of shards; nothing, after adding findings, if a shard is missing.
   std::optional<std::uint64_t> FindShards() {
     std::map<std::uint64_t, std::set<std::uint64_t>> found;  // indices, by count
-    std::error_code error;
-    const std::filesystem::path folder = destination_.Folder();
     const std::string manifest = file_.filename().string();
-    for (const auto& entry :
-         std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
-      const auto shard = ShardOf(entry.path().filename().string(), manifest);
-      if (shard) found[shard->count].insert(shard->index);
+    for (const std::string& name : NamesIn(destination_.Folder(), findings_)) {
+      if (const auto shard = ShardOf(name, manifest)) found[shard->count].insert(shard->index);
     }
-    if (error) {
-      findings_.Add(diag::Code::kYamlCannotRead, {},
-                    fmt::format("cannot read '{}': {}", folder.string(), error.message()));
-      return std::nullopt;
-    }
+    if (findings_.HasErrors()) return std::nullopt;
     if (found.empty()) {
-      AddMissing(fmt::format("no shard of '{}' has a manifest", file_.string()),
-                 "a shard's manifest gets its name when the shard is done");
+      ReportMissing(fmt::format("no shard of '{}' has a manifest", file_.string()),
+                    "a shard's manifest gets its name when the shard is done");
       return std::nullopt;
     }
     if (found.size() > 1) {
@@ -89,29 +85,29 @@ class Joining {
     const auto& [count, indices] = *found.begin();
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       if (indices.contains(i)) continue;
-      AddMissing(fmt::format("shard {}/{} is missing: there is no '{}'", i, count,
-                             destination_.Manifest({i, count}).string()),
-                 fmt::format("make it with --shard {}/{} --resume", i, count));
+      ReportMissing(fmt::format("shard {}/{} is missing: there is no '{}'", i, count,
+                                destination_.Manifest({i, count}).string()),
+                    fmt::format("make it with --shard {}/{} --resume", i, count));
     }
     if (findings_.HasErrors()) return std::nullopt;
     return count;
   }
 
-  void AddMissing(std::string message, std::string hint) {
+  void ReportMissing(std::string message, std::string hint) {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 
-  // Whether each shard is there as it was when it was done, and all belong to one batch.
+  // Returns true if all shards match their seals and belong to one batch.
   bool CheckSeals(std::uint64_t count) {
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       const std::filesystem::path file = destination_.Manifest({i, count});
       std::string why_not;
-      std::optional<manifest::Seal> seal = ReadSealOf(file, why_not);
+      std::optional<manifest::Seal> seal = ReadSealBeside(file, why_not);
       if (!seal || seal->shard != i || seal->shards != count) {
-        AddMissing(
-            fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
-                        manifest::SealOf(file).string(), seal ? "it is another shard's" : why_not),
-            fmt::format("make it with --shard {}/{} --resume", i, count));
+        ReportMissing(fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
+                                  manifest::SealPathOf(file).string(),
+                                  seal ? "it is another shard's" : why_not),
+                      fmt::format("make it with --shard {}/{} --resume", i, count));
         continue;
       }
       if (i == 0) whole_ = *seal;
@@ -130,7 +126,7 @@ class Joining {
     return !findings_.HasErrors();
   }
 
-  // How a shard differs from those before it, in words. Its assets join theirs.
+  // Describes how a shard differs from the shards before it; adds its assets to `whole_`.
   std::string DifferenceOf(const manifest::Seal& seal) {
     std::string difference = manifest::DifferenceOfOutput(seal, whole_);
     if (!difference.empty()) return difference;
@@ -145,7 +141,7 @@ class Joining {
 
   bool Finish(output::PartFile& part) {
     if (records_ != whole_.count) {
-      AddMissing(
+      ReportMissing(
           fmt::format("the shards have {} variants, and their batch {}", records_, whole_.count),
           "were all shards made with the same -n, --first and --per-archive?");
       part.Drop();
@@ -155,8 +151,8 @@ class Joining {
     whole_.shards = 1;
     whole_.records = records_;
     whole_.manifest = {file_.filename().string(), {part.size(), part.checksum()}};
-    return output::WriteFile(manifest::SealOf(file_), manifest::SealText(whole_), true, findings_,
-                             output::Durability::kBatch) &&
+    return output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(whole_), true,
+                             findings_, output::Durability::kBatch) &&
            part.Commit(true, output::Durability::kBatch, findings_);
   }
 
@@ -192,12 +188,13 @@ class Joining {
     }
     const std::uint64_t expected = whole_.first + records_;
     if (record.index != expected) {
-      AddMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
-                             record.index, expected),
-                 record.index < expected ? "a variant appears twice: were all shards made with the "
-                                           "same -n, --first and --per-archive?"
-                                         : "variants are missing: were all shards made with the "
-                                           "same -n, --first and --per-archive?");
+      ReportMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
+                                record.index, expected),
+                    record.index < expected
+                        ? "a variant appears twice: were all shards made with the "
+                          "same -n, --first and --per-archive?"
+                        : "variants are missing: were all shards made with the "
+                          "same -n, --first and --per-archive?");
       return false;
     }
     ++records_;
@@ -210,8 +207,8 @@ class Joining {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::filesystem::path file_;
-  VouchedObjects objects_;
-  manifest::Seal whole_;  // of the joined batch
+  ObjectChecker objects_;
+  manifest::Seal whole_;  // seal of the merged batch
   std::optional<manifest::Record> first_;
   std::uint64_t records_ = 0;
 };
@@ -220,7 +217,7 @@ class Joining {
 
 std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
                                    diag::Sources& sources, diag::Findings& findings) {
-  return Joining(destination, verify, sources, findings)();
+  return ShardMerger(destination, verify, sources, findings)();
 }
 
 }  // namespace mjforge::batch

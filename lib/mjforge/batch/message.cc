@@ -1,3 +1,5 @@
+// Binary encoding of tasks and results.
+
 #include "mjforge/batch/message.h"
 
 #include <algorithm>
@@ -11,9 +13,11 @@
 namespace mjforge::batch {
 namespace {
 
-// One overload a type and one order of fields for all directions: Code(x) puts what x holds,
-// measures that, or fills x. Both processes are of one program, so numbers go as they lie in
-// memory.
+// Encoder and Decoder have one overload Code(x) for each type, so that one order of fields serves
+// both directions. Numbers keep their representation in memory, because leader and worker are the
+// same program.
+
+// Writes values to `out`, or only counts their bytes if that is null.
 class Encoder {
  public:
   explicit Encoder(char* out) : out_(out) {}
@@ -25,28 +29,18 @@ class Encoder {
     Code(text.size());
     Put(text.data(), text.size());
   }
-
-  static constexpr bool kReads = false;
-
- private:
-  void Put(const void* bytes, std::size_t size) {
-    out_ = std::copy_n(static_cast<const char*>(bytes), size, out_);  // an empty view may be null
-  }
-
-  char* out_;
-};
-
-class Measurer {
- public:
-  template <typename T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void Code(const T& value) { size_ += sizeof(value); }
-  void Code(std::string_view text) { size_ += sizeof(text.size()) + text.size(); }
   std::size_t size() const { return size_; }
 
   static constexpr bool kReads = false;
 
  private:
+  void Put(const void* bytes, std::size_t size) {
+    // An empty view may be null, which memcpy must not get.
+    if (out_ != nullptr) std::copy_n(static_cast<const char*>(bytes), size, out_ + size_);
+    size_ += size;
+  }
+
+  char* out_;
   std::size_t size_ = 0;
 };
 
@@ -81,27 +75,29 @@ class Decoder {
   std::string_view bytes_;
 };
 
-// The members of each struct.
+// Members(x) returns references to the members of a struct in the order of their encoding.
 auto Members(diag::SourceMark& mark) { return std::tie(mark.file, mark.line, mark.column); }
 auto Members(diag::Note& note) { return std::tie(note.mark, note.message); }
 auto Members(diag::Finding& finding) {
   return std::tie(finding.severity, finding.code, finding.mark, finding.message, finding.hint,
                   finding.notes, finding.seed, finding.index);
 }
-auto Members(Digest::Entry& entry) {
-  return std::tie(entry.finding, entry.variants, entry.last_index);
+auto Members(FindingSummary::Group& group) {
+  return std::tie(group.finding, group.variants, group.last_index);
 }
-auto Members(Done& done) {
+auto Members(FinishedVariant& done) {
   return std::tie(done.index, done.name, done.status, done.attempt, done.place);
 }
 auto Members(SourceText& source) { return std::tie(source.number, source.name, source.text); }
 auto Members(Chunk& chunk) { return std::tie(chunk.first, chunk.count, chunk.archive); }
-auto Members(Condemned& condemned) {
-  return std::tie(condemned.index, condemned.too_slow, condemned.how);
+auto Members(QuarantinedVariant& quarantined) {
+  return std::tie(quarantined.index, quarantined.too_slow, quarantined.how);
 }
-auto Members(Asset& asset) { return std::tie(asset.name, asset.source, asset.sha256, asset.made); }
-auto Members(Task& task) { return std::tie(task.chunk, task.condemned); }
-auto Members(Result& result) {
+auto Members(HashedAsset& asset) {
+  return std::tie(asset.name, asset.source, asset.sha256, asset.made);
+}
+auto Members(Task& task) { return std::tie(task.chunk, task.quarantined); }
+auto Members(ChunkResult& result) {
   return std::tie(result.chunk, result.done, result.statuses, result.lines, result.segment,
                   result.text, result.variants, result.assets, result.inputs, result.findings,
                   result.more_findings, result.sources, result.files_failed,
@@ -144,23 +140,18 @@ void Code(Coder& coder, diag::Findings& findings) {
   }
 }
 
+// Encodes to `out`, or only measures if that is null; returns the number of bytes.
 template <typename Message>
-std::size_t SizeOf(const Message& message) {
-  Measurer measurer;
-  Code(measurer, const_cast<Message&>(message));  // it only reads
-  return measurer.size();
-}
-
-template <typename Message>
-void EncodeMessageTo(char* out, const Message& message) {
+std::size_t EncodeMessage(char* out, const Message& message) {
   Encoder encoder(out);
-  Code(encoder, const_cast<Message&>(message));  // it only reads
+  Code(encoder, const_cast<Message&>(message));  // an encoder only reads
+  return encoder.size();
 }
 
 template <typename Message>
 std::string EncodeMessage(const Message& message) {
-  std::string bytes(SizeOf(message), '\0');
-  EncodeMessageTo(bytes.data(), message);
+  std::string bytes(EncodeMessage(nullptr, message), '\0');
+  EncodeMessage(bytes.data(), message);
   return bytes;
 }
 
@@ -175,12 +166,12 @@ Message DecodeMessage(std::string_view bytes) {
 }  // namespace
 
 std::string Encode(const Task& task) { return EncodeMessage(task); }
-std::string Encode(const Result& result) { return EncodeMessage(result); }
-std::size_t EncodedSize(const Result& result) { return SizeOf(result); }
-void EncodeTo(char* out, const Result& result) { EncodeMessageTo(out, result); }
+std::string Encode(const ChunkResult& result) { return EncodeMessage(result); }
+std::size_t EncodedSize(const ChunkResult& result) { return EncodeMessage(nullptr, result); }
+void EncodeTo(char* out, const ChunkResult& result) { EncodeMessage(out, result); }
 Task DecodeTask(std::string_view bytes) { return DecodeMessage<Task>(bytes); }
-Result DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory) {
-  Result result = DecodeMessage<Result>(bytes);
+ChunkResult DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory) {
+  ChunkResult result = DecodeMessage<ChunkResult>(bytes);
   result.memory = std::move(memory);
   return result;
 }

@@ -1,6 +1,6 @@
-#pragma once
+// Messages between the leading process of a batch and its workers: tasks, results, their encoding.
 
-// What the batch's process and its workers say to each other.
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -11,21 +11,21 @@
 #include <vector>
 
 #include "mjforge/batch/batch.h"
-#include "mjforge/batch/digest.h"
+#include "mjforge/batch/finding_summary.h"
 
 namespace mjforge::batch {
 
-/// Indices that one worker makes in one go.
+/// Consecutive variants that one worker makes as one task.
 struct Chunk {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
-  std::uint64_t archive = 0;  // the number of the archive they go to
+  std::uint64_t archive = 0;  // number of the archive that contains them
 
   std::uint64_t end() const { return first + count; }
 };
 
-/// A variant that is not tried again, because its worker died of it.
-struct Condemned {
+/// A variant that is not tried again, because its worker died while making it.
+struct QuarantinedVariant {
   std::uint64_t index = 0;
   bool too_slow = false;
   std::string how;  // "was killed by SIGSEGV"
@@ -33,54 +33,57 @@ struct Condemned {
 
 struct Task {
   Chunk chunk;
-  std::vector<Condemned> condemned;
+  std::vector<QuarantinedVariant> quarantined;
 };
 
-/// A text that findings point into and only the worker has read.
+/// Text of a source that findings refer to and that only the worker has read.
 struct SourceText {
-  std::uint32_t number = 0;  // among the worker's sources
+  std::uint32_t number = 0;  // number in the worker's diag::Sources
   std::string name;
   std::string text;
 };
 
-/// A file that objects refer to.
-struct Asset {
-  std::string name;    // in the object
-  std::string source;  // file; empty: it is made
+/// An asset of an object, with its hash.
+struct HashedAsset {
+  std::string name;    // name in the object
+  std::string source;  // path of the file; empty: the asset is generated
   std::string sha256;
-  std::string made = {};  // its content
+  std::string made = {};  // content of a generated asset
 
-  bool operator==(const Asset&) const = default;
+  bool operator==(const HashedAsset&) const = default;
 };
 
-struct Result {
+/// Result of a task.
+struct ChunkResult {
   Chunk chunk;
-  std::uint64_t done = 0;  // variants; fewer than the chunk's if stopped or failed
+  std::uint64_t done = 0;  // number of variants; less than chunk.count if stopped or failed
   std::vector<Status> statuses;
-  std::string_view lines;           // of the manifest, in `memory`
-  std::string_view segment;         // of the archive, there, too
-  std::string text;                 // of a single object
-  std::vector<Done> variants;       // if they are watched
-  std::vector<Asset> assets;        // each once
-  std::vector<std::string> inputs;  // that this worker has not sent before
-  std::vector<Digest::Entry> findings;
+  std::string_view lines;                 // lines of the manifest, in `memory`
+  std::string_view segment;               // segment of the archive, in `memory`
+  std::string text;                       // MJCF of a single object
+  std::vector<FinishedVariant> variants;  // empty if Observer::variant is
+  std::vector<HashedAsset> assets;        // without duplicates
+  std::vector<std::string> inputs;        // files that this worker has not reported before
+  std::vector<FindingSummary::Group> findings;
   std::uint64_t more_findings = 0;
   std::vector<SourceText> sources;
-  // The variant after those done could not be written, or a file that it needs not be read.
+  // True if the variant after the last finished one could not be written or lacked an input file.
   bool files_failed = false;
   diag::Findings output_findings;
-  /// Holds `lines` and `segment`; null in a worker, which has them itself.
+  /// Owner of `lines` and `segment`; null in a worker, which owns them itself.
   std::shared_ptr<const void> memory;
 };
 
+/// Encodes a message.
 std::string Encode(const Task& task);
-std::string Encode(const Result& result);
-/// A result as Encode makes it: how many bytes that are, and the same in memory of that size.
-std::size_t EncodedSize(const Result& result);
-void EncodeTo(char* out, const Result& result);
-// Decode what Encode made. Bytes that are cut short or have a wrong length are a bug, and throw.
+std::string Encode(const ChunkResult& result);
+/// Returns the size of an encoded result in bytes.
+std::size_t EncodedSize(const ChunkResult& result);
+/// Encodes a result into memory of that size.
+void EncodeTo(char* out, const ChunkResult& result);
+/// Decodes a message. Throws std::logic_error if it is incomplete, which is a bug.
 Task DecodeTask(std::string_view bytes);
-/// Its `lines` and `segment` lie in `bytes`, which `memory` holds.
-Result DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory);
+/// Decodes a message. `lines` and `segment` of the result refer to `bytes`, which `memory` owns.
+ChunkResult DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory);
 
 }  // namespace mjforge::batch

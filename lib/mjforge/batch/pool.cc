@@ -1,3 +1,5 @@
+// Worker processes: forking, channels, shared memory, time limits, and replacement of dead workers.
+
 #include "mjforge/batch/pool.h"
 
 #include <fmt/format.h>
@@ -25,15 +27,16 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr int kPollMilliseconds = 100;
-// A chunk's result fits, mostly: fewer turns of both processes.
+// Most results fit into a buffer of this size, which saves context switches.
 constexpr int kBufferBytes = 1 << 20;
-constexpr int kBugStatus = 70;  // sysexits.h: EX_SOFTWARE
-// So many deaths in a row, none at work on a variant, are not the variants' fault.
-constexpr int kMaxFruitlessDeaths = 10;
-// A process that looks at its workers less often was stopped (Ctrl-Z), and they, too.
-constexpr Seconds kMostBetweenLooks{1};
+constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
+// More consecutive deaths of workers that were not making a variant are not caused by variants.
+constexpr int kMaxIdleDeaths = 10;
+// If the leader does not look at its workers for longer, it was stopped (Ctrl-Z), as were the
+// workers.
+constexpr Seconds kMaxLookInterval{1};
 
-// A reader that is gone is a failed write, not a signal.
+// Writes all bytes to a socket; returns false, without a signal, if the other end is closed.
 bool WriteAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -55,25 +58,25 @@ bool ReadAll(int descriptor, char* bytes, std::size_t count) {
   return true;
 }
 
-// In place of a length: the message is in the worker's slot.
-constexpr std::uint64_t kMail = ~std::uint64_t{0};
+// Sent in place of a length if the message is in the worker's mailbox.
+constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0};
 
 bool WriteLength(int descriptor, std::uint64_t size) {
   return WriteAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
 }
 
-// A message is its length, eight bytes, and itself.
+// Writes the length of a message, as eight bytes, and the message.
 bool WriteMessage(int descriptor, const std::string& message) {
   return WriteLength(descriptor, message.size()) && WriteAll(descriptor, message);
 }
 
-bool WriteResult(int channel, Slot& slot, const Result& result) {
+bool WriteResult(int channel, WorkerMailbox& mailbox, const ChunkResult& result) {
   const std::size_t size = EncodedSize(result);
-  char* const room = slot.RoomFor(size);
+  char* const room = mailbox.BufferFor(size);
   if (room == nullptr) return WriteMessage(channel, Encode(result));
   EncodeTo(room, result);
-  slot.Leave(size);
-  return WriteLength(channel, kMail);
+  mailbox.Publish(size);
+  return WriteLength(channel, kInSharedMemory);
 }
 
 std::optional<std::string> ReadMessage(int descriptor) {
@@ -93,23 +96,24 @@ Channel MakeChannel() {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot make a channel");
-  // Refused beyond the system's limit; then it only takes more turns.
+  // This fails beyond the system's limit, which only costs more context switches.
   for (const int end : ends) ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
   return {ends[0], ends[1]};
 }
 
-// Never returns. Signals of the terminal are for the process that leads.
-[[noreturn]] void BeWorker(const std::function<Work()>& make_work, int channel, Slot& slot,
-                           ::pid_t leader) {
+// Performs tasks until the channel closes. Ignores the terminal's signals, which the leader
+// handles.
+[[noreturn]] void RunWorker(const std::function<TaskHandler()>& make_handler, int channel,
+                            WorkerMailbox& mailbox, ::pid_t leader) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != leader) std::_Exit(0);  // it ended before that
+  if (::getppid() != leader) std::_Exit(0);  // the leader ended before prctl
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
   int status = 0;
   try {
-    const Work work = make_work();
+    const TaskHandler work = make_handler();
     while (const std::optional<std::string> message = ReadMessage(channel)) {
-      if (!WriteResult(channel, slot, work(DecodeTask(*message), slot))) break;
+      if (!WriteResult(channel, mailbox, work(DecodeTask(*message), mailbox))) break;
     }
   } catch (const std::bad_alloc&) {
     status = kNoMemoryStatus;
@@ -120,27 +124,29 @@ Channel MakeChannel() {
   std::exit(status);
 }
 
-std::shared_ptr<Slot> MakeSlot() {
-  void* const memory =
-      ::mmap(nullptr, sizeof(Slot), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+std::shared_ptr<WorkerMailbox> MakeMailbox() {
+  void* const memory = ::mmap(nullptr, sizeof(WorkerMailbox), PROT_READ | PROT_WRITE,
+                              MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
     throw std::system_error(errno, std::generic_category(), "cannot share memory");
-  // Not Slot(), which would fill the room for mail.
-  return {new (memory) Slot, [](Slot* slot) { ::munmap(slot, sizeof(Slot)); }};
+  // Default-initialized, because WorkerMailbox() would also clear the message buffers.
+  return {new (memory) WorkerMailbox,
+          [](WorkerMailbox* mailbox) { ::munmap(mailbox, sizeof(WorkerMailbox)); }};
 }
 
-// The mail is in the slot as long as the result is there.
-Result ReadMail(const std::shared_ptr<Slot>& slot) {
-  const std::string_view mail = slot->Take();
-  return DecodeResult(mail, {mail.data(), [slot, mail](const char*) { slot->Remove(mail); }});
+// Decodes the next message in the mailbox; the result holds the buffer until it is destroyed.
+ChunkResult ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox) {
+  const std::string_view message = mailbox->Take();
+  return DecodeResult(
+      message, {message.data(), [mailbox, message](const char*) { mailbox->Release(message); }});
 }
 
-Result ReadResult(std::string_view message) {
+ChunkResult ReadResult(std::string_view message) {
   auto memory = std::make_shared<const std::string>(message);
   return DecodeResult(*memory, memory);
 }
 
-// CPU time of a process, all its threads; 0 if it is gone.
+// Returns the CPU time of all threads of a process; 0 if the process has ended.
 Seconds CpuTime(::pid_t process) {
   ::clockid_t clock = {};
   std::timespec time = {};
@@ -148,7 +154,7 @@ Seconds CpuTime(::pid_t process) {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-std::string Ending(int status) {
+std::string DescribeExit(int status) {
   if (WIFSIGNALED(status)) {
     const char* name = ::sigabbrev_np(WTERMSIG(status));
     return fmt::format("was killed by SIG{}", name == nullptr ? "?" : name);
@@ -159,17 +165,17 @@ std::string Ending(int status) {
 
 }  // namespace
 
-struct Pool::Worker {
+struct Pool::WorkerProcess {
   ::pid_t process = -1;
   int channel = -1;
-  std::deque<Task> given;
-  std::string buffer;          // of results, the last one perhaps in part
-  std::shared_ptr<Slot> slot;  // from its start on
-  // When it last went on.
-  std::uint64_t seen_turn = 0;
-  Seconds seen_at{};  // of Pool::watched_
-  Seconds seen_cpu{};
-  std::string too_slow;  // how, if it was killed for it
+  std::deque<Task> assigned;
+  std::string buffer;                      // encoded results; the last one may be incomplete
+  std::shared_ptr<WorkerMailbox> mailbox;  // null until the first start
+  // State of the worker when it last made progress.
+  std::uint64_t last_turn = 0;
+  Seconds last_change{};  // value of Pool::watch_time_
+  Seconds last_cpu_time{};
+  std::string too_slow;  // reason for killing a slow worker; empty: not killed
 
   void Close() {
     if (channel >= 0) ::close(std::exchange(channel, -1));
@@ -177,36 +183,36 @@ struct Pool::Worker {
 };
 
 Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
-           std::chrono::duration<double> time_limit, std::function<Work()> make_work)
+           std::chrono::duration<double> time_limit, std::function<TaskHandler()> make_handler)
     : tasks_per_worker_(tasks_per_worker),
       time_limit_(time_limit),
-      make_work_(std::move(make_work)),
+      make_handler_(std::move(make_handler)),
       received_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {
-  for (std::uint64_t i = 0; i < jobs; ++i) workers_.push_back(std::make_unique<Worker>());
+  for (std::uint64_t i = 0; i < jobs; ++i) workers_.push_back(std::make_unique<WorkerProcess>());
 }
 
-// A worker whose channel closes ends by itself. One that hangs or is stopped does not.
+// A worker ends by itself when its channel closes, unless it hangs or is stopped.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     worker->Close();
     if (worker->process > 0) {
-      ::kill(worker->process, worker->given.empty() ? SIGCONT : SIGKILL);
+      ::kill(worker->process, worker->assigned.empty() ? SIGCONT : SIGKILL);
       ::waitpid(worker->process, nullptr, 0);
     }
   }
 }
 
-void Pool::Start(Worker& worker) {
+void Pool::Start(WorkerProcess& worker) {
   const Channel channel = MakeChannel();
   const ::pid_t leader = ::getpid();
-  worker.slot = MakeSlot();  // results may still hold mail in the former one
+  worker.mailbox = MakeMailbox();  // results may still refer to the previous one
   const ::pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
-    // Ends of other workers' channels would keep those alive.
+    // Open copies of other workers' channels would keep these workers alive.
     for (const auto& other : workers_) other->Close();
     ::close(channel.leader);
-    BeWorker(make_work_, channel.worker, *worker.slot, leader);
+    RunWorker(make_handler_, channel.worker, *worker.mailbox, leader);
   }
   ::close(channel.worker);
   worker.process = process;
@@ -216,12 +222,11 @@ void Pool::Start(Worker& worker) {
 
 bool Pool::HasRoom() const {
   const auto has_room = [this](const auto& worker) {
-    return worker->given.size() < tasks_per_worker_;
+    return worker->assigned.size() < tasks_per_worker_;
   };
-  // Who takes results more slowly than they come must not gather them without end.
+  // Submit no more tasks if results are taken more slowly than they arrive.
   const bool keeps_up = results_.size() <= workers_.size();
-  return !stopped_ && keeps_up && waiting_.empty() &&
-         std::any_of(workers_.begin(), workers_.end(), has_room);
+  return !stopped_ && keeps_up && waiting_.empty() && std::ranges::any_of(workers_, has_room);
 }
 
 void Pool::Submit(Task task) {
@@ -229,35 +234,35 @@ void Pool::Submit(Task task) {
   Feed();
 }
 
-// The worker with the least to do gets the next task.
+// Gives waiting tasks to the workers with the fewest tasks.
 void Pool::Feed() {
   while (!waiting_.empty() && !stopped_) {
-    const auto least = std::min_element(
-        workers_.begin(), workers_.end(),
-        [](const auto& a, const auto& b) { return a->given.size() < b->given.size(); });
-    if ((*least)->given.size() == tasks_per_worker_) return;
+    const auto least = std::ranges::min_element(
+        workers_, {}, [](const auto& worker) { return worker->assigned.size(); });
+    if ((*least)->assigned.size() == tasks_per_worker_) return;
     Task task = std::move(waiting_.front());
     waiting_.pop_front();
     Send(**least, std::move(task));
   }
 }
 
-void Pool::Send(Worker& worker, Task task) {
+void Pool::Send(WorkerProcess& worker, Task task) {
   if (worker.process < 0) Start(worker);
-  if (worker.given.empty()) NoteProgress(worker);
+  if (worker.assigned.empty()) RecordProgress(worker);
   const std::string message = Encode(task);
-  worker.given.push_back(std::move(task));
-  WriteMessage(worker.channel, message);  // fails if the worker is dead, which Receive notices
+  worker.assigned.push_back(std::move(task));
+  WriteMessage(worker.channel,
+               message);  // if this fails, the worker is dead, and Receive replaces it
 }
 
 bool Pool::IsBusy() const {
-  const auto has_task = [](const auto& worker) { return !worker->given.empty(); };
-  return !results_.empty() || std::any_of(workers_.begin(), workers_.end(), has_task);
+  const auto has_task = [](const auto& worker) { return !worker->assigned.empty(); };
+  return !results_.empty() || std::ranges::any_of(workers_, has_task);
 }
 
-std::optional<Result> Pool::Wait(bool may_wait) {
+std::optional<ChunkResult> Pool::Wait(bool may_wait) {
   std::vector<::pollfd> polled;
-  // poll passes over those that have no process yet: their channel is -1.
+  // poll ignores workers that are not started, because their channel is -1.
   for (const auto& worker : workers_) polled.push_back({worker->channel, POLLIN, 0});
   ::poll(polled.data(), polled.size(), may_wait && results_.empty() ? kPollMilliseconds : 0);
   for (std::size_t i = 0; i < polled.size(); ++i) {
@@ -266,12 +271,12 @@ std::optional<Result> Pool::Wait(bool may_wait) {
   KillSlowWorkers();
   Feed();
   if (results_.empty()) return std::nullopt;
-  Result result = std::move(results_.front());
+  ChunkResult result = std::move(results_.front());
   results_.pop_front();
   return result;
 }
 
-void Pool::Receive(Worker& worker) {
+void Pool::Receive(WorkerProcess& worker) {
   bool ended = false;
   while (true) {
     const ssize_t got = ::recv(worker.channel, received_.get(), kBufferBytes, MSG_DONTWAIT);
@@ -287,75 +292,75 @@ void Pool::Receive(Worker& worker) {
   std::uint64_t size = 0;
   while (worker.buffer.size() - at >= sizeof(size)) {
     std::memcpy(&size, worker.buffer.data() + at, sizeof(size));
-    const bool is_mail = size == kMail;
-    if (is_mail) size = 0;
+    const bool is_shared = size == kInSharedMemory;
+    if (is_shared) size = 0;
     if (worker.buffer.size() - at - sizeof(size) < size) break;
     results_.push_back(
-        is_mail ? ReadMail(worker.slot)
-                : ReadResult(std::string_view(worker.buffer).substr(at + sizeof(size), size)));
-    worker.given.pop_front();
-    NoteProgress(worker);
-    fruitless_deaths_ = 0;
+        is_shared ? ReadSharedResult(worker.mailbox)
+                  : ReadResult(std::string_view(worker.buffer).substr(at + sizeof(size), size)));
+    worker.assigned.pop_front();
+    RecordProgress(worker);
+    idle_deaths_ = 0;
     at += sizeof(size) + size;
   }
   worker.buffer.erase(0, at);
   if (ended) Replace(worker);
 }
 
-void Pool::Replace(Worker& worker) {
+void Pool::Replace(WorkerProcess& worker) {
   int status = 0;
   while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
   }
   worker.process = -1;
   worker.Close();
   worker.buffer.clear();
-  std::deque<Task> tasks = std::exchange(worker.given, {});
+  std::deque<Task> tasks = std::exchange(worker.assigned, {});
   if (tasks.empty()) return;
   Task& first = tasks.front();
-  const std::string how = worker.too_slow.empty() ? Ending(status) : worker.too_slow;
-  const bool at_work = worker.slot->turn() % 2 == 1;
+  const std::string how = worker.too_slow.empty() ? DescribeExit(status) : worker.too_slow;
+  const bool at_work = worker.mailbox->turn() % 2 == 1;
   if (at_work) {
-    first.condemned.push_back({worker.slot->index(), !worker.too_slow.empty(), how});
-  } else if (++fruitless_deaths_ > kMaxFruitlessDeaths) {
+    first.quarantined.push_back({worker.mailbox->index(), !worker.too_slow.empty(), how});
+  } else if (++idle_deaths_ > kMaxIdleDeaths) {
     throw std::runtime_error(fmt::format("workers cannot run: the last one {}", how));
   }
-  // They come before what waits: results are wanted in order.
+  // Retried tasks go to the front of the queue, because results are needed in index order.
   waiting_.insert(waiting_.begin(), std::make_move_iterator(tasks.begin()),
                   std::make_move_iterator(tasks.end()));
 }
 
-void Pool::NoteProgress(Worker& worker) const {
-  worker.seen_turn = worker.slot->turn();
-  worker.seen_at = watched_;
-  worker.seen_cpu = CpuTime(worker.process);
+void Pool::RecordProgress(WorkerProcess& worker) const {
+  worker.last_turn = worker.mailbox->turn();
+  worker.last_change = watch_time_;
+  worker.last_cpu_time = CpuTime(worker.process);
 }
 
 void Pool::KillSlowWorkers() {
   const Clock::time_point now = Clock::now();
-  watched_ += std::min<Seconds>(now - looked_at_, kMostBetweenLooks);
-  looked_at_ = now;
+  watch_time_ += std::min<Seconds>(now - last_look_, kMaxLookInterval);
+  last_look_ = now;
   const Seconds patience = WallLimit(time_limit_);
   for (const auto& worker : workers_) {
-    if (worker->process < 0 || worker->given.empty() || !worker->too_slow.empty()) continue;
-    const std::uint64_t turn = worker->slot->turn();
+    if (worker->process < 0 || worker->assigned.empty() || !worker->too_slow.empty()) continue;
+    const std::uint64_t turn = worker->mailbox->turn();
     const bool at_work = turn % 2 == 1;
-    if (turn != worker->seen_turn) {
-      NoteProgress(*worker);
-    } else if (at_work && CpuTime(worker->process) - worker->seen_cpu > time_limit_) {
+    if (turn != worker->last_turn) {
+      RecordProgress(*worker);
+    } else if (at_work && CpuTime(worker->process) - worker->last_cpu_time > time_limit_) {
       worker->too_slow = fmt::format("took more than {:g} s of CPU time", time_limit_.count());
-    } else if (watched_ - worker->seen_at > patience) {
+    } else if (watch_time_ - worker->last_change > patience) {
       worker->too_slow = fmt::format("took more than {:g} s of wall time", patience.count());
     }
     if (!worker->too_slow.empty()) ::kill(worker->process, SIGKILL);
   }
 }
 
-// Tasks that are begun come back as far as they are.
+// Results of begun tasks contain the variants made so far.
 void Pool::AskToStop() {
   stopped_ = true;
   waiting_.clear();
   for (const auto& worker : workers_) {
-    if (worker->slot) worker->slot->AskToStop();
+    if (worker->mailbox) worker->mailbox->AskToStop();
   }
 }
 

@@ -1,3 +1,5 @@
+// The pool of worker processes: their shared memory, tasks and results, time limits, replacement.
+
 #pragma once
 
 #include <algorithm>
@@ -16,46 +18,52 @@
 
 namespace mjforge::batch {
 
-/// More tasks than this are not given to a worker in advance.
-inline constexpr std::size_t kMostTasksPerWorker = 4;
+/// Limit of tasks that are assigned to a worker in advance.
+inline constexpr std::size_t kMaxTasksPerWorker = 4;
 
-/// What a worker shows of itself while it works, and its results, in memory that both processes
-/// see.
-class Slot {
+/// Memory shared by the leader and one worker: the worker's progress, and results on their way to
+/// the leader.
+class WorkerMailbox {
  public:
+  /// Called by the worker before it makes a variant.
   void Begin(std::uint64_t index) {
     index_.store(index, std::memory_order_relaxed);
-    turn_.fetch_add(1, std::memory_order_release);  // odd: at work
+    turn_.fetch_add(1, std::memory_order_release);  // odd: working
   }
+  /// Called by the worker after it made a variant.
   void End() { turn_.fetch_add(1, std::memory_order_release); }
-  /// Even: not at work on a variant.
+  /// A counter of beginnings and ends; odd while the worker makes a variant.
   std::uint64_t turn() const { return turn_.load(std::memory_order_acquire); }
+  /// Index of the variant that was begun last.
   std::uint64_t index() const { return index_.load(std::memory_order_relaxed); }
 
+  /// Asks the worker to stop after its current variant.
   void AskToStop() { stop_.store(true, std::memory_order_relaxed); }
   bool IsAskedToStop() const { return stop_.load(std::memory_order_relaxed); }
 
-  /// Memory for a result's message, which saves copies through a channel; null if it is too long,
-  /// or as many are still there as fit.
-  char* RoomFor(std::size_t size) {
-    Mail& mail = mails_[left_ % mails_.size()];
-    const bool is_free = mail.size.load(std::memory_order_acquire) == 0;
-    return is_free && size <= mail.bytes.size() ? mail.bytes.data() : nullptr;
+  /// Returns shared memory for a message, which saves copying it through the channel; null if the
+  /// message is too long or no buffer is free.
+  char* BufferFor(std::size_t size) {
+    SharedMessage& message = messages_[published_ % messages_.size()];
+    const bool is_free = message.size.load(std::memory_order_acquire) == 0;
+    return is_free && size <= message.bytes.size() ? message.bytes.data() : nullptr;
   }
-  /// The message that was written there.
-  void Leave(std::size_t size) {
-    mails_[left_++ % mails_.size()].size.store(size, std::memory_order_release);
+  /// Publishes the message of `size` bytes in the memory that BufferFor returned.
+  void Publish(std::size_t size) {
+    messages_[published_++ % messages_.size()].size.store(size, std::memory_order_release);
   }
-  /// The next message; one was left. It stays until it is removed.
+  /// Returns the next published message, which remains until it is released. There must be
+  /// one.
   std::string_view Take() {
-    const Mail& mail = mails_[taken_++ % mails_.size()];
-    // A worker that crashes may have written anywhere.
-    return {mail.bytes.data(),
-            std::min(mail.size.load(std::memory_order_acquire), mail.bytes.size())};
+    const SharedMessage& message = messages_[taken_++ % messages_.size()];
+    // Limit the size, because a crashing worker may have overwritten it.
+    return {message.bytes.data(),
+            std::min(message.size.load(std::memory_order_acquire), message.bytes.size())};
   }
-  void Remove(std::string_view message) {
-    const auto is_it = [&](const Mail& mail) { return mail.bytes.data() == message.data(); };
-    std::ranges::find_if(mails_, is_it)->size.store(0, std::memory_order_release);
+  /// Frees the buffer of a message that Take returned.
+  void Release(std::string_view message) {
+    const auto is_it = [&](const SharedMessage& m) { return m.bytes.data() == message.data(); };
+    std::ranges::find_if(messages_, is_it)->size.store(0, std::memory_order_release);
   }
 
  private:
@@ -63,64 +71,64 @@ class Slot {
   std::atomic<std::uint64_t> index_ = 0;
   std::atomic<std::uint64_t> turn_ = 0;
   std::atomic<bool> stop_ = false;
-  struct Mail {
+  struct SharedMessage {
     std::atomic<std::uint64_t> size = 0;
-    std::array<char, std::size_t{2} << 20> bytes;  // most results of a chunk fit
+    std::array<char, std::size_t{2} << 20> bytes;  // enough for most results
   };
-  std::array<Mail, kMostTasksPerWorker> mails_;
-  std::uint64_t left_ = 0;   // mails, by the worker
-  std::uint64_t taken_ = 0;  // by the process that leads
+  std::array<SharedMessage, kMaxTasksPerWorker> messages_;
+  std::uint64_t published_ = 0;  // number of messages, counted by the worker
+  std::uint64_t taken_ = 0;      // number of messages, counted by the leader
 };
 
-/// Does tasks, in the worker.
-using Work = std::function<Result(const Task&, Slot&)>;
+/// A function that performs a task in a worker.
+using TaskHandler = std::function<ChunkResult(const Task&, WorkerMailbox&)>;
 
-/// Worker processes. One that a signal ends, or that takes more than the limit for one variant (CPU
-/// time; WallLimit of wall time), is replaced; its tasks go to others, with the variant it worked
-/// on condemned. One that does nothing for WallLimit between two variants is replaced, too. Workers
-/// end with this process, however it ends.
+/// Worker processes. A worker is replaced if a signal ends it, if it exceeds the time limit for one
+/// variant (CPU time, or WallLimit of wall time), or if it makes no progress between two variants
+/// for WallLimit. Its tasks go to other workers, and the variant that it was making is quarantined.
+/// Workers end when this process ends, for whatever reason.
 class Pool {
  public:
-  /// `make_work` is called in each worker when it starts. A worker has up to `tasks_per_worker`
-  /// tasks at hand, so that it need not wait when it is done with one.
+  /// Each worker calls `make_handler` when it starts. A worker has up to `tasks_per_worker` tasks
+  /// assigned, so that it does not wait for the next one.
   Pool(std::uint64_t jobs, std::size_t tasks_per_worker, std::chrono::duration<double> time_limit,
-       std::function<Work()> make_work);
+       std::function<TaskHandler()> make_handler);
   ~Pool();
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Whether a submitted task would start soon, and not too many results wait to be taken.
+  /// Returns true if a worker has room for a task and at most one result per worker is waiting.
   bool HasRoom() const;
   void Submit(Task task);
-  /// The next available result, in any order; nothing if none comes within a tenth of a second, or
-  /// none is there and it may not wait. Throws std::runtime_error if workers cannot be started, or
-  /// end again and again before they begin a variant.
-  std::optional<Result> Wait(bool may_wait = true);
-  /// Workers end after their current variant; tasks that have not begun are dropped.
+  /// Returns a result, in any order; nothing if none is available, after waiting for up to a tenth
+  /// of a second if it may wait. Throws std::runtime_error if workers cannot be started or
+  /// repeatedly end before they begin a variant.
+  std::optional<ChunkResult> Wait(bool may_wait = true);
+  /// Asks all workers to stop after their current variants, and drops tasks that no worker has.
   void AskToStop();
-  /// Whether results are still to come.
+  /// Returns true if results are available or tasks are assigned.
   bool IsBusy() const;
 
  private:
-  struct Worker;
-  void Start(Worker& worker);
+  struct WorkerProcess;
+  void Start(WorkerProcess& worker);
   void Feed();
-  void Send(Worker& worker, Task task);
-  void Receive(Worker& worker);
-  void Replace(Worker& worker);
+  void Send(WorkerProcess& worker, Task task);
+  void Receive(WorkerProcess& worker);
+  void Replace(WorkerProcess& worker);
   void KillSlowWorkers();
-  void NoteProgress(Worker& worker) const;
+  void RecordProgress(WorkerProcess& worker) const;
 
   std::size_t tasks_per_worker_;
   std::chrono::duration<double> time_limit_;
-  std::function<Work()> make_work_;
+  std::function<TaskHandler()> make_handler_;
   std::unique_ptr<char[]> received_;
-  std::vector<std::unique_ptr<Worker>> workers_;
+  std::vector<std::unique_ptr<WorkerProcess>> workers_;
   std::deque<Task> waiting_;
-  std::deque<Result> results_;
-  int fruitless_deaths_ = 0;  // in a row
-  std::chrono::steady_clock::time_point looked_at_;
-  std::chrono::duration<double> watched_{};  // wall time, without what this process was stopped
+  std::deque<ChunkResult> results_;
+  int idle_deaths_ = 0;  // consecutive deaths of workers that were not making a variant
+  std::chrono::steady_clock::time_point last_look_;
+  std::chrono::duration<double> watch_time_{};  // wall time, except while this process was stopped
   bool stopped_ = false;
 };
 

@@ -1,3 +1,5 @@
+// Running a batch: tasks for the pool, results in index order, findings, progress, interruption.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "mjforge/batch/digest.h"
+#include "mjforge/batch/finding_summary.h"
 #include "mjforge/batch/pool.h"
 #include "mjforge/batch/schedule.h"
 #include "mjforge/batch/sink.h"
@@ -16,16 +18,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Results that wait for an earlier one take at most about this much memory.
-constexpr std::size_t kMostWaiting = std::size_t{8} << 20;
-// After a signal, workers may finish the variant they are at for so long.
+// Approximate limit of the memory of results that wait for an earlier one.
+constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
+// Time that workers have to finish their current variants after a signal.
 constexpr std::chrono::seconds kGrace{2};
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-// Warns where a sampler or an exact choice cannot cover the batch evenly: it begins in the middle
-// of a block, or a grid has more or fewer points than variants.
+// Warns if a sampler or an exact choice cannot cover the batch evenly, because the batch overlaps
+// several blocks, or because a grid has more or fewer points than the batch has variants.
 void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Findings& findings) {
   const forge::Options& options = request.variant;
   const std::uint64_t size = options.batch;
@@ -52,16 +54,16 @@ void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Find
   }
 }
 
-class Batch {
+class BatchRun {
  public:
-  Batch(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-        const Watch& watch)
+  BatchRun(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+           const Observer& observer)
       : recipe_(recipe),
         sources_(sources),
         request_(request),
-        watch_(watch),
+        observer_(observer),
         all_{request.first, request.count},
-        range_(RangeOf(request.shard, all_, request.destination)),
+        range_(RangeOfShard(request.shard, all_, request.destination)),
         record_(forge::BatchRecord(recipe, OptionsOf(request))) {
     summary_.count = range_.count;
   }
@@ -70,9 +72,9 @@ class Batch {
     const std::unique_ptr<Sink> sink = MakeSink({request_, all_, range_, record_}, summary_.text);
     diag::Findings output_findings;
     CheckSpread(recipe_, request_, output_findings);
-    if (const std::optional<Kept> kept = sink->Open(output_findings)) {
-      static_cast<manifest::StatusCounts&>(summary_) = *kept;
-      summary_.kept = kept->done();
+    if (const std::optional<ResumedVariants> resumed = sink->Open(output_findings)) {
+      static_cast<manifest::StatusCounts&>(summary_) = *resumed;
+      summary_.resumed = resumed->done();
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -83,34 +85,35 @@ class Batch {
     } else {
       summary_.files_failed = true;
     }
-    summary_.findings = digest_.Result();
-    summary_.more_findings = digest_.not_shown();
+    summary_.findings = finding_summary_.Findings();
+    summary_.more_findings = finding_summary_.not_shown();
     summary_.findings.Append(std::move(output_findings));
     return std::move(summary_);
   }
 
  private:
   void Make(Sink& sink, diag::Findings& output_findings) {
-    const Range todo = {range_.first + summary_.kept, range_.count - summary_.kept};
+    const IndexRange todo = {range_.first + summary_.resumed, range_.count - summary_.resumed};
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // What is not validated is made faster than this process gets its turn among its workers.
+    // Without validation, workers finish tasks faster than the leader is scheduled among them.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
-    Pool pool(jobs, is_quick ? kMostTasksPerWorker : 2, request_.time_limit, [&] {
-      return MakeWork(recipe_, sources_, request_, sink.overwrite(), bool{watch_.variant});
+    Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
+      return MakeTaskHandler(recipe_, sources_, request_, sink.overwrite(),
+                             bool{observer_.variant});
     });
     next_ = todo.first;
     std::optional<Chunk> chunk = schedule.Next();
     std::optional<Clock::time_point> stopped;
     bool goes_on = true;
     while (chunk || pool.IsBusy() || (goes_on && HasNext())) {
-      while (chunk && pool.HasRoom() && waiting_bytes_ < kMostWaiting) {
+      while (chunk && pool.HasRoom() && waiting_bytes_ < kMaxWaitingBytes) {
         pool.Submit({*chunk, {}});
         chunk = schedule.Next();
       }
-      // One is taken at a time: workers get tasks in between.
-      if (std::optional<Result> result = pool.Wait(!HasNext())) {
+      // Take only one result at a time, so that workers get new tasks in between.
+      if (std::optional<ChunkResult> result = pool.Wait(!HasNext())) {
         waiting_bytes_ += SizeOf(*result);
         const std::uint64_t first = result->chunk.first;
         waiting_.emplace(first, *std::move(result));
@@ -120,7 +123,7 @@ class Batch {
       summary_.interrupted |=
           request_.stop != nullptr && request_.stop->load(std::memory_order_relaxed);
       if ((summary_.interrupted || !goes_on) && !stopped) {
-        // Workers come to an end by themselves, so that none leaves half a file.
+        // Workers stop by themselves, so that none leaves an incomplete file.
         stopped = Clock::now();
         pool.AskToStop();
         chunk.reset();
@@ -129,20 +132,20 @@ class Batch {
     }
   }
 
-  static std::size_t SizeOf(const Result& result) {
+  static std::size_t SizeOf(const ChunkResult& result) {
     return result.lines.size() + result.segment.size() + result.text.size();
   }
 
-  // Whether the result is there that is next in order.
+  // Returns true if the next result in index order is available.
   bool HasNext() const { return !waiting_.empty() && waiting_.begin()->first == next_; }
 
-  // False: the batch cannot go on.
+  // Takes the next result; returns false if the batch must stop.
   bool TakeNext(Sink& sink, diag::Findings& output_findings) {
-    Result result = std::move(waiting_.extract(waiting_.begin()).mapped());
+    ChunkResult result = std::move(waiting_.extract(waiting_.begin()).mapped());
     waiting_bytes_ -= SizeOf(result);
     RenumberSources(result);
     const bool taken = sink.Take(result, output_findings);
-    // What failed is the chunk's first variant, or one after it.
+    // The failed variant is the first one of the chunk or a later one.
     if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
     if (!taken || result.files_failed) {
       summary_.files_failed = true;
@@ -150,21 +153,21 @@ class Batch {
     }
     if (taken) Count(result);
     next_ = result.chunk.end();
-    // With fewer variants it was asked to stop.
+    // A result with fewer variants comes from a worker that was asked to stop.
     return !summary_.files_failed && result.done == result.chunk.count;
   }
 
-  void Count(Result& result) {
+  void Count(ChunkResult& result) {
     for (const Status status : result.statuses) summary_.Add(status);
     summary_.inputs.insert(result.inputs.begin(), result.inputs.end());
-    for (Digest::Entry& entry : result.findings) digest_.Add(std::move(entry));
-    digest_.AddNotShown(result.more_findings);
-    if (!watch_.variant) return;
-    for (const Done& done : result.variants) watch_.variant(done);
+    for (FindingSummary::Group& group : result.findings) finding_summary_.Add(std::move(group));
+    finding_summary_.AddNotShown(result.more_findings);
+    if (!observer_.variant) return;
+    for (const FinishedVariant& done : result.variants) observer_.variant(done);
   }
 
-  // A worker's sources get the numbers they have here; each is added once.
-  void RenumberSources(Result& result) {
+  // Adds each source of a worker once, and replaces the worker's numbers by the leader's.
+  void RenumberSources(ChunkResult& result) {
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (SourceText& source : result.sources) {
       auto known = attached_.find(source.name);
@@ -182,14 +185,14 @@ class Batch {
       change(finding.mark);
       for (diag::Note& note : finding.notes) change(note.mark);
     };
-    for (Digest::Entry& entry : result.findings) renumber(entry.finding);
+    for (FindingSummary::Group& group : result.findings) renumber(group.finding);
     for (diag::Finding& finding : result.output_findings) renumber(finding);
   }
 
   void ShowProgress() {
-    if (!watch_.progress || Clock::now() - shown_ < kProgressEvery) return;
+    if (!observer_.progress || Clock::now() - shown_ < kProgressEvery) return;
     shown_ = Clock::now();
-    watch_.progress(summary_);
+    observer_.progress(summary_);
   }
 
   void End(Sink& sink, diag::Findings& output_findings) {
@@ -199,7 +202,8 @@ class Batch {
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
       sink.Drop();
-    } else if (!is_broken && !is_withheld) {  // what is broken stays as it is, to be resumed
+    } else if (!is_broken &&
+               !is_withheld) {  // an incomplete batch stays under construction, to be resumed
       summary_.files_failed = !sink.Finish(output_findings);
     }
   }
@@ -207,15 +211,16 @@ class Batch {
   const forge::Recipe& recipe_;
   diag::Sources& sources_;
   const Request& request_;
-  const Watch& watch_;
-  Range all_;
-  Range range_;
-  manifest::Record record_;                  // what all records have in common
-  std::map<std::uint64_t, Result> waiting_;  // by first index
+  const Observer& observer_;
+  IndexRange all_;
+  IndexRange range_;
+  manifest::Record record_;                       // fields that all records have in common
+  std::map<std::uint64_t, ChunkResult> waiting_;  // key: index of the first variant
   std::size_t waiting_bytes_ = 0;
   std::uint64_t next_ = 0;
-  Digest digest_{kMaxFindings};
-  std::map<std::string, std::uint32_t> attached_;  // sources that workers read
+  FindingSummary finding_summary_{kMaxFindings};
+  std::map<std::string, std::uint32_t>
+      attached_;  // leader's numbers of the sources that workers read, by name
   Clock::time_point shown_;
   Summary summary_;
 };
@@ -223,8 +228,8 @@ class Batch {
 }  // namespace
 
 Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-            const Watch& watch) {
-  return Batch(recipe, sources, request, watch)();
+            const Observer& observer) {
+  return BatchRun(recipe, sources, request, observer)();
 }
 
 }  // namespace mjforge::batch

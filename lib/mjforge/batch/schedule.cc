@@ -1,3 +1,5 @@
+// Division of a batch into chunks and shards.
+
 #include "mjforge/batch/schedule.h"
 
 #include <algorithm>
@@ -5,22 +7,22 @@
 namespace mjforge::batch {
 namespace {
 
-// part / parts of a whole, without overflow.
+// Returns whole * part / parts without overflow.
 std::uint64_t Portion(std::uint64_t whole, std::uint64_t part, std::uint64_t parts) {
   return whole / parts * part + whole % parts * part / parts;
 }
 
 }  // namespace
 
-Schedule::Schedule(const Range& all, const Range& todo, const output::Destination& destination,
-                   std::uint64_t jobs)
+Schedule::Schedule(const IndexRange& all, const IndexRange& todo,
+                   const output::Destination& destination, std::uint64_t jobs)
     : all_first_(all.first),
       next_(todo.first),
       end_(todo.first + todo.count),
       per_archive_(destination.per_archive),
       size_(kSegmentVariants) {
   if (!destination.IsArchive()) {
-    constexpr std::uint64_t kChunksPerJob = 8;  // so that none is left with much at the end
+    constexpr std::uint64_t kChunksPerJob = 8;  // keeps the last chunks small
     size_ = std::clamp<std::uint64_t>(todo.count / (kChunksPerJob * jobs), 1, kSegmentVariants);
   }
 }
@@ -42,8 +44,8 @@ std::optional<Chunk> Schedule::Next() {
   return chunk;
 }
 
-Range RangeOf(const output::Shard& shard, const Range& all,
-              const output::Destination& destination) {
+IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
+                        const output::Destination& destination) {
   const std::uint64_t unit = std::max<std::uint64_t>(destination.per_archive, 1);
   const std::uint64_t units = all.count / unit + (all.count % unit > 0 ? 1 : 0);
   const auto start = [&](std::uint64_t index) {

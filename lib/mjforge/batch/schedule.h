@@ -1,3 +1,5 @@
+// Division of a batch into chunks.
+
 #pragma once
 
 #include <cstdint>
@@ -8,25 +10,26 @@
 
 namespace mjforge::batch {
 
-/// Variants in one segment of an archive. Fixed, because a compressed archive's bytes depend on
-/// where its segments end.
+/// Number of variants in a segment of an archive. Constant, because the bytes of a compressed
+/// archive depend on the ends of its segments.
 inline constexpr std::uint64_t kSegmentVariants = 64;
 
-/// Cuts a range of indices into chunks, in order.
+/// Divides a range of variants into consecutive chunks.
 class Schedule {
  public:
-  /// `all` is the whole batch, from which archives are counted; `todo` is what is left to do. For a
-  /// folder, chunks are small enough that all jobs have work.
-  Schedule(const Range& all, const Range& todo, const output::Destination& destination,
+  /// Divides `todo`, the variants to make. Archives are counted from the start of `all`, the whole
+  /// batch. For a folder, chunks are small enough that all jobs have work.
+  Schedule(const IndexRange& all, const IndexRange& todo, const output::Destination& destination,
            std::uint64_t jobs);
 
+  /// Returns the next chunk, or nothing after the last one.
   std::optional<Chunk> Next();
 
  private:
   std::uint64_t all_first_;
   std::uint64_t next_;
   std::uint64_t end_;
-  std::uint64_t per_archive_;  // 0: one for all
+  std::uint64_t per_archive_;  // 0: one archive
   std::uint64_t size_;
 };
 

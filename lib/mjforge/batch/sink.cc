@@ -1,3 +1,5 @@
+// Sinks of a single file and of standard output, and the choice of the sink.
+
 #include "mjforge/batch/sink.h"
 
 #include <fmt/format.h>
@@ -7,25 +9,25 @@ namespace {
 
 using Kind = output::Destination::Kind;
 
-// Enough for the first line of any manifest, which may be gigabytes long.
+// Limit of the first line of a manifest; the manifest itself may have gigabytes.
 constexpr std::size_t kLongestLine = 1024 * 1024;
 
 class FileSink : public Sink {
  public:
   explicit FileSink(const Request& request) : request_(request) {}
 
-  bool Take(Result& result, diag::Findings& findings) override {
+  bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (result.text.empty()) return true;
     const std::filesystem::path& path = request_.destination.path;
     const std::string name = path.filename().string();
-    output::RemoveHalfWritten(path.parent_path(), false,
-                              [&](const std::string& file) { return file == name; });
+    output::RemoveAbandoned(path.parent_path(), false,
+                            [&](const std::string& file) { return file == name; });
     output::ObjectFolder folder(path.parent_path(),
                                 {.force = request_.force, .if_changed = request_.if_changed});
     mjcf::MjcfDocument document;
     document.text = result.text;
     output::AssetHashes hashes;
-    for (const Asset& asset : result.assets) {
+    for (const HashedAsset& asset : result.assets) {
       document.assets.push_back({.name = asset.name, .file = asset.source});
       if (asset.source.empty())
         document.assets.back().made = std::make_shared<const std::string>(asset.made);
@@ -42,7 +44,7 @@ class TextSink : public Sink {
  public:
   explicit TextSink(std::string& text) : text_(text) {}
 
-  bool Take(Result& result, diag::Findings& findings) override {
+  bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (!result.assets.empty()) {
       findings.Warn(diag::Code::kOutputCannotWrite, {},
                     fmt::format("the object needs '{}', which standard output cannot carry",
@@ -77,7 +79,7 @@ std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
 }
 
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  // An empty one holds nothing that could be lost.
+  // An empty file contains nothing that could be lost.
   const auto is_ours = [](std::string_view start) {
     std::string why_not;
     return start.empty() || manifest::ReadRecord(start.substr(0, start.find('\n')), why_not);

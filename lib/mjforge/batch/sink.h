@@ -1,3 +1,5 @@
+// Sinks: the destinations of a batch, as used by its leading process.
+
 #pragma once
 
 #include <cstdint>
@@ -13,61 +15,63 @@
 namespace mjforge::batch {
 
 /// The variants of an unfinished batch that need not be made again.
-struct Kept : manifest::StatusCounts {
-  std::uint64_t bytes = 0;  // of the manifest
+struct ResumedVariants : manifest::StatusCounts {
+  std::uint64_t bytes = 0;  // size of their records in the manifest
 };
 
-/// Whether a record's variant failed by chance: its worker died.
+/// Returns true if the variant of a record failed because its worker died.
 bool FailedByChance(const manifest::Record& record);
 
-/// Where a batch goes, seen from the process that leads it. It takes the results
-/// in index order. This one keeps nothing.
+/// Destination of a batch, as used by its leading process; takes the results in index order. This
+/// base class discards everything.
 class Sink {
  public:
   virtual ~Sink() = default;
 
-  /// Gets ready; returns what an earlier run left that need not be made again. Nothing, and a
-  /// finding, if it cannot be written to.
-  virtual std::optional<Kept> Open(diag::Findings&) { return Kept(); }
-  /// How workers that write files themselves may overwrite; valid after Open.
-  virtual output::Overwrite overwrite() const { return {}; }
-  /// From a result that it cannot use, it clears what would be counted.
-  virtual bool Take(Result&, diag::Findings&) { return true; }
-  /// Everything is there: gives the output its final name.
+  /// Opens the destination, and returns the variants of an earlier run that need not be made again.
+  /// Returns nothing, after adding a finding, if the destination cannot be written.
+  virtual std::optional<ResumedVariants> Open(diag::Findings&) { return ResumedVariants(); }
+  /// Policy for workers that write files themselves; valid after Open.
+  virtual output::OverwritePolicy overwrite() const { return {}; }
+  /// Writes a result; returns false, after adding a finding, if that fails. If the sink cannot use
+  /// a partial result, it clears the members of the result that would be counted.
+  virtual bool Take(ChunkResult&, diag::Findings&) { return true; }
+  /// Finishes a complete batch: gives the output its final name.
   virtual bool Finish(diag::Findings&) { return true; }
-  /// Nothing could be made: removes what Open made.
+  /// Removes the output of a batch that has no variant.
   virtual void Drop() {}
 };
 
-/// `range` is what the request's shard makes of `all`; `batch` says what all its records
-/// have in common.
+/// Arguments of sinks: `all` is the whole batch, `range` the request's shard of it, and `batch` has
+/// the fields that all records have in common.
 struct SinkOptions {
   const Request& request;
-  Range all;
-  Range range;
+  IndexRange all;
+  IndexRange range;
   const manifest::Record& batch;
 };
 
-/// Reads the records of `manifest` from the start, at most `range`.count of them and at most
-/// `bytes` bytes, while `is_good` accepts them and their indices count up from `range`.first.
-/// Nothing, and a finding, if a record belongs to another batch than `batch`.
-std::optional<Kept> ReadKept(const std::filesystem::path& manifest, const SinkOptions& options,
-                             const std::function<bool(const manifest::Record&)>& is_good,
-                             diag::Findings& findings,
-                             std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
+/// Reads the records of `manifest` from the start, until `options.range` or `bytes` bytes are
+/// complete or `is_good`, unless null, rejects one. Returns nothing, after adding a finding, if a
+/// record belongs to another batch or does not have the next index.
+std::optional<ResumedVariants> ReadResumable(
+    const std::filesystem::path& manifest, const SinkOptions& options,
+    const std::function<bool(const manifest::Record&)>& is_good, diag::Findings& findings,
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
 
-/// Adds that `file` belongs to another batch, and how that differs.
-void AddDiffers(const std::filesystem::path& file, const std::string& difference,
-                diag::Findings& findings);
+/// Adds the finding that `file` belongs to another batch, which has this difference.
+void ReportOtherBatch(const std::filesystem::path& file, const std::string& difference,
+                      diag::Findings& findings);
 
-/// The sink of the request's destination. `text` takes the object for standard output.
+/// Makes the sink of the request's destination. The sink of standard output appends to `text`.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
 
-// One per kind of destination.
+// Sinks of folders and of archives.
 std::unique_ptr<Sink> MakeFolderSink(const SinkOptions& options);
 std::unique_ptr<Sink> MakeArchiveSink(const SinkOptions& options);
 
-/// Whether there is no file at `file`, it is a manifest of ours, or `force`. Else a finding.
+/// Returns true if `file` does not exist, is a manifest of mjforge, or `force` is set; otherwise
+/// adds a finding.
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -1,10 +1,11 @@
+// Verifying finished batches: comparison of all their files with seals and records.
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "mjforge/batch/batch.h"
-#include "mjforge/batch/vouched.h"
+#include "mjforge/batch/sealed_outputs.h"
 
 namespace mjforge::batch {
 namespace {
@@ -17,7 +18,7 @@ class Verification {
   Verification(diag::Sources& sources, diag::Findings& findings)
       : sources_(sources), findings_(findings) {}
 
-  Verified operator()(const std::filesystem::path& what) {
+  VerifyResult operator()(const std::filesystem::path& what) {
     std::error_code ignored;
     const std::string name = what.filename().string();
     if (std::filesystem::is_directory(what, ignored)) {
@@ -29,64 +30,47 @@ class Verification {
     } else {
       CheckArchive(what);
     }
-    return verified_;
+    return result_;
   }
 
  private:
-  static std::filesystem::path ManifestOf(const std::filesystem::path& seal) {
-    std::string name = seal.filename().string();
-    name.erase(name.size() - kSealEnding.size());
-    return seal.parent_path() / (name + std::string(kManifestEnding));
-  }
-
-  // The names in a folder, in order.
-  std::vector<std::string> NamesIn(const std::filesystem::path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-    for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
-      names.push_back(at->path().filename().string());
-    if (error) {
-      findings_.Add(diag::Code::kYamlCannotRead, {},
-                    fmt::format("cannot read '{}': {}", folder.string(), error.message()));
-    }
-    std::ranges::sort(names);
-    return names;
+  static std::filesystem::path ManifestOf(std::filesystem::path seal) {
+    return seal.replace_extension().replace_extension(kManifestEnding);
   }
 
   void CheckFolder(const std::filesystem::path& folder) {
     bool is_empty = true;
-    for (const std::string& name : NamesIn(folder)) {
+    for (const std::string& name : NamesIn(folder, findings_)) {
       if (name.ends_with("manifest.jsonl.part")) {
-        AddMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
-                   "the command that began it goes on with --resume");
+        ReportMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
+                      "the command that began it goes on with --resume");
       } else if (name.ends_with(kSealEnding)) {
         CheckBatch(ManifestOf(folder / name));
       } else if (name.ends_with("manifest.jsonl") &&
-                 !std::filesystem::exists(manifest::SealOf(folder / name))) {
-        CheckBatch(folder / name);  // which says so
+                 !std::filesystem::exists(manifest::SealPathOf(folder / name))) {
+        CheckBatch(folder / name);  // reports that the seal is missing
       } else {
         continue;
       }
       is_empty = false;
     }
     if (is_empty && findings_.empty())
-      AddMissing(fmt::format("'{}' has no manifest", folder.string()), {});
+      ReportMissing(fmt::format("'{}' has no manifest", folder.string()), {});
   }
 
   void CheckBatch(const std::filesystem::path& manifest) {
     std::string why_not;
-    const std::optional<manifest::Seal> seal = ReadSealOf(manifest, why_not);
+    const std::optional<manifest::Seal> seal = ReadSealBeside(manifest, why_not);
     if (!seal) {
-      AddMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
-                             manifest::SealOf(manifest).string(), why_not),
-                 "run the command that made it again with --resume");
+      ReportMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
+                                manifest::SealPathOf(manifest).string(), why_not),
+                    "run the command that made it again with --resume");
       return;
     }
     const std::filesystem::path folder = manifest.parent_path();
     for (const manifest::SealedFile& archive : seal->archives) Check(folder, archive);
     if (!Check(folder, seal->manifest)) return;
-    verified_.variants += seal->records;
+    result_.variants += seal->records;
     if (seal->output.empty()) CheckObjects(manifest);
   }
 
@@ -99,7 +83,7 @@ class Verification {
   void CheckObjects(const std::filesystem::path& manifest) {
     using Outcome = manifest::RecordReader::Outcome;
     auto reader = manifest::RecordReader::Open(manifest, sources_, findings_);
-    VouchedObjects objects(manifest.parent_path(), true);
+    ObjectChecker objects(manifest.parent_path(), true);
     manifest::Record record;
     while (reader && reader->Next(record) == Outcome::kRecord) {
       if (record.status != Status::kOk) continue;
@@ -111,22 +95,22 @@ class Verification {
 
   bool Count(bool is_good, diag::Findings found) {
     if (is_good) {
-      ++verified_.files;
+      ++result_.files;
     } else if (findings_.size() < kMaxFindings) {
       findings_.Append(std::move(found));
     } else {
-      ++verified_.more_findings;
+      ++result_.more_findings;
     }
     return is_good;
   }
 
-  // The batch that has it.
+  // Checks an archive by the seal of the batch that contains it.
   void CheckArchive(const std::filesystem::path& archive) {
     const std::filesystem::path folder = archive.parent_path();
-    for (const std::string& name : NamesIn(folder)) {
+    for (const std::string& name : NamesIn(folder, findings_)) {
       if (!name.ends_with(kSealEnding)) continue;
       std::string why_not;
-      const auto seal = ReadSealOf(ManifestOf(folder / name), why_not);
+      const auto seal = ReadSealBeside(ManifestOf(folder / name), why_not);
       if (!seal) continue;
       for (const manifest::SealedFile& file : seal->archives) {
         if (file.file != archive.filename()) continue;
@@ -140,23 +124,23 @@ class Verification {
                     fmt::format("cannot read '{}': there is no such file", archive.string()));
       return;
     }
-    AddMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
-               "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
+    ReportMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
+                  "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
   }
 
-  void AddMissing(std::string message, std::string hint) {
+  void ReportMissing(std::string message, std::string hint) {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 
   diag::Sources& sources_;
   diag::Findings& findings_;
-  Verified verified_;
+  VerifyResult result_;
 };
 
 }  // namespace
 
-Verified Verify(const std::filesystem::path& what, diag::Sources& sources,
-                diag::Findings& findings) {
+VerifyResult Verify(const std::filesystem::path& what, diag::Sources& sources,
+                    diag::Findings& findings) {
   return Verification(sources, findings)(what);
 }
 

@@ -1,3 +1,5 @@
+// Tasks as workers perform them: variants, records, segments, assets, findings with their sources.
+
 #include "mjforge/batch/worker.h"
 
 #include <fmt/format.h>
@@ -11,78 +13,78 @@ namespace {
 
 using Kind = output::Destination::Kind;
 
-class Worker {
+class ChunkMaker {
  public:
-  Worker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-         const output::Overwrite& overwrite, bool watched)
+  ChunkMaker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
+             const output::OverwritePolicy& overwrite, bool lists_variants)
       : request_(request),
-        watched_(watched),
+        lists_variants_(lists_variants),
         sources_(sources),
-        known_sources_(sources.size()),
-        told_sources_(sources.size()),
+        leader_sources_(sources.size()),
+        reported_sources_(sources.size()),
         generator_(recipe, sources, OptionsOf(request)),
         folder_(request.destination.Folder(), overwrite),
         segment_(request.destination.format) {}
 
-  Result operator()(const Task& task, Slot& slot) {
-    Result result;
+  ChunkResult operator()(const Task& task, WorkerMailbox& mailbox) {
+    ChunkResult result;
     result.chunk = task.chunk;
-    lines_.clear();
+    record_lines_.clear();
     segment_.Clear();
     made_members_.clear();
     archive_ = request_.destination.Archive(task.chunk.archive).filename().string();
-    Digest digest(kMaxFindings);
+    FindingSummary finding_summary(kMaxFindings);
     for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
-      if (slot.IsAskedToStop()) break;
-      Make(i, task, slot);
+      if (mailbox.IsAskedToStop()) break;
+      Make(i, task, mailbox);
       if (!HasInputs(result) || !Write(result)) {
         result.files_failed = true;
         break;
       }
-      digest.Add(variant_.findings, variant_.record.status == Status::kSkipped);
-      Tell(result);
+      finding_summary.Add(variant_.findings, variant_.record.status == Status::kSkipped);
+      Report(result);
     }
-    result.lines = lines_;
+    result.lines = record_lines_;
     result.segment = segment_.Bytes();
-    result.more_findings = digest.not_shown();
-    result.findings.assign(digest.entries().begin(), digest.entries().end());
-    for (const Digest::Entry& entry : result.findings) AddSources(entry.finding, result);
+    result.more_findings = finding_summary.not_shown();
+    result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
+    for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
     for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
-    // Attached files became sources as they were read.
-    while (told_sources_ < sources_.size()) result.inputs.push_back(sources_.Name(++told_sources_));
+    // Report the sources that were added since the last task: attached files.
+    while (reported_sources_ < sources_.size())
+      result.inputs.push_back(sources_.Name(++reported_sources_));
     return result;
   }
 
  private:
-  void Make(std::uint64_t index, const Task& task, Slot& slot) {
-    const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
-                                        [&](const Condemned& c) { return c.index == index; });
-    if (condemned != task.condemned.end()) {
-      generator_.Fail(index, FindingOf(*condemned), variant_);
+  void Make(std::uint64_t index, const Task& task, WorkerMailbox& mailbox) {
+    const auto quarantined = std::ranges::find(task.quarantined, index, &QuarantinedVariant::index);
+    if (quarantined != task.quarantined.end()) {
+      generator_.Fail(index, FindingOf(*quarantined), variant_);
     } else {
-      slot.Begin(index);
+      mailbox.Begin(index);
       generator_.Make(index, variant_);
-      slot.End();
+      mailbox.End();
     }
   }
 
-  diag::Finding FindingOf(const Condemned& condemned) const {
+  diag::Finding FindingOf(const QuarantinedVariant& quarantined) const {
     diag::Finding finding;
     finding.mark = generator_.recipe().spec->mark;
-    finding.code = condemned.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
-    finding.message = fmt::format("variant {}: its worker {}", condemned.index, condemned.how);
+    finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
+    finding.message = fmt::format("variant {}: its worker {}", quarantined.index, quarantined.how);
     const bool resumes =
         request_.destination.kind == Kind::kFolder || request_.destination.IsArchive();
-    finding.hint = condemned.too_slow
+    finding.hint = quarantined.too_slow
                        ? "raise --time-limit, or look at the variant with inspect --index"
                    : resumes ? "no other variant is affected; --resume tries this one again"
                              : "look at it with inspect --index";
     return finding;
   }
 
-  // False if a file that the variant needs could not be read: not the variant's fault, so that it
-  // is made again with --resume.
-  bool HasInputs(Result& result) const {
+  // Returns false if an input file of the variant could not be read. This is an error of the batch,
+  // not a failure of the variant, so that --resume makes the variant again.
+  bool HasInputs(ChunkResult& result) const {
     bool has_all = true;
     for (const diag::Finding& finding : variant_.findings) {
       if (!diag::IsInputOutput(finding.code)) continue;
@@ -92,24 +94,24 @@ class Worker {
     return has_all;
   }
 
-  // The variant's bytes and its record to where they go; false if that fails.
-  bool Write(Result& result) {
+  // Writes the variant and its record to the destination; returns false if that fails.
+  bool Write(ChunkResult& result) {
     if (request_.destination.kind == Kind::kNowhere) return true;
-    line_.clear();
+    record_line_.clear();
     const manifest::Record& record = variant_.record;
     if (variant_.ok() && !WriteObject(result)) {
       result.output_findings.SetVariant(record.seed, record.index);
       return false;
     }
-    if (line_.empty()) {
-      writer_.Append(lines_, record);
+    if (record_line_.empty()) {
+      manifest::AppendRecord(record_lines_, record);
     } else {
-      manifest::AppendWithPlaces(lines_, line_, archive_, record.spec_file);
+      manifest::AppendWithPlaces(record_lines_, record_line_, archive_, record.spec_file);
     }
     return true;
   }
 
-  bool WriteObject(Result& result) {
+  bool WriteObject(ChunkResult& result) {
     const output::Destination& destination = request_.destination;
     diag::Findings& findings = result.output_findings;
     const manifest::Record& record = variant_.record;
@@ -124,19 +126,20 @@ class Worker {
     return true;
   }
 
-  // Those that are made go to the leading process only where it writes them.
-  void AddAssets(Result& result) const {
+  // Adds the assets of the variant to the result; generated ones only if the leader writes them.
+  void AddAssets(ChunkResult& result) const {
     for (const auto& [name, source, made] : variant_.document.assets) {
       if (made && request_.destination.kind != Kind::kFile) continue;
       const auto& hashes = variant_.record.assets;
       const auto hash = std::ranges::find(hashes, name, &output::AssetHashes::value_type::first);
-      const Asset asset = {name, source.string(), hash->second, made ? *made : std::string()};
+      const HashedAsset asset = {name, source.string(), hash->second, made ? *made : std::string()};
       if (std::ranges::find(result.assets, asset) == result.assets.end())
         result.assets.push_back(asset);
     }
   }
 
-  // What is made for the object goes before it, once in a segment: these are made side by side.
+  // Adds generated assets before their object, once in each segment, because other segments are
+  // made independently.
   bool AddMadeFiles(diag::Findings& findings) {
     return std::ranges::all_of(variant_.document.assets, [&](const bytes::Asset& asset) {
       return !asset.made || !made_members_.insert(asset.name).second ||
@@ -144,78 +147,76 @@ class Worker {
     });
   }
 
-  // The object and its record to the archive.
+  // Adds the object and its record to the segment.
   bool AddMembers(diag::Findings& findings) {
     manifest::Record& record = variant_.record;
     const std::string stem = output::VariantStem(record.name, record.index);
     record.file = stem + ".xml";
-    // The record there says nothing of places: two archives of the same variants are the same.
+    // This record contains no paths, so that archives of the same variants have the same bytes.
     std::string spec_file = std::exchange(record.spec_file, {});
-    writer_.Append(line_, record);
+    manifest::AppendRecord(record_line_, record);
     record.spec_file = std::move(spec_file);
     return AddMadeFiles(findings) && segment_.Add(record.file, variant_.document.text, findings) &&
-           segment_.Add(stem + ".json", line_, findings);
+           segment_.Add(stem + ".json", record_line_, findings);
   }
 
-  void Tell(Result& result) {
+  void Report(ChunkResult& result) {
     const manifest::Record& record = variant_.record;
     ++result.done;
     result.statuses.push_back(record.status);
-    if (watched_) {
+    if (lists_variants_) {
       result.variants.push_back(
           {record.index, record.name, record.status, record.attempt, record.file});
     }
     for (const auto& [name, source, made] : variant_.document.assets) {
-      if (!made && variant_.object && told_assets_.insert(source.string()).second)
+      if (!made && variant_.object && reported_assets_.insert(source.string()).second)
         result.inputs.push_back(source.string());
     }
   }
 
-  // The texts that the leading process lacks.
-  void AddSources(const diag::Finding& finding, Result& result) {
+  // Adds the sources of a finding that the leader does not have.
+  void AddSources(const diag::Finding& finding, ChunkResult& result) {
     const auto add = [&](diag::SourceMark mark) {
-      const auto same = [&](const SourceText& source) { return source.number == mark.file; };
-      if (mark.file <= known_sources_ ||
-          std::any_of(result.sources.begin(), result.sources.end(), same)) {
-        return;
-      }
-      result.sources.push_back({mark.file, sources_.Name(mark.file), sources_.Text(mark.file)});
+      const bool is_known = mark.file <= leader_sources_ ||
+                            std::ranges::count(result.sources, mark.file, &SourceText::number) > 0;
+      if (!is_known)
+        result.sources.push_back({mark.file, sources_.Name(mark.file), sources_.Text(mark.file)});
     };
     add(finding.mark);
     for (const diag::Note& note : finding.notes) add(note.mark);
   }
 
   const Request& request_;
-  bool watched_;
+  bool lists_variants_;
   diag::Sources& sources_;
-  std::uint32_t known_sources_;  // the leading process has these
-  std::uint32_t told_sources_;
-  std::set<std::string> told_assets_;
+  std::uint32_t leader_sources_;  // number of sources that the leader has
+  std::uint32_t reported_sources_;
+  std::set<std::string> reported_assets_;
   forge::Generator generator_;
   output::ObjectFolder folder_;
   output::Segment segment_;
-  std::set<std::string> made_members_;  // of that
+  std::set<std::string> made_members_;  // generated assets in the segment
   forge::Variant variant_;
-  std::string archive_;  // the name of the one that the chunk goes to
-  manifest::RecordWriter writer_;
-  std::string lines_;  // the chunk's records
-  std::string line_;   // the record in the archive; empty: it is not there
+  std::string archive_;       // name of the chunk's archive
+  std::string record_lines_;  // records of the chunk
+  std::string record_line_;   // record in the archive; empty: the archive does not contain it
 };
 
 }  // namespace
 
 forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
-  options.moulds &= request.count > 1;
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
   return options;
 }
 
-Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-              const output::Overwrite& overwrite, bool watched) {
-  const auto worker = std::make_shared<Worker>(recipe, sources, request, overwrite, watched);
-  return [worker](const Task& task, Slot& slot) { return (*worker)(task, slot); };
+TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
+                            const Request& request, const output::OverwritePolicy& overwrite,
+                            bool lists_variants) {
+  const auto worker =
+      std::make_shared<ChunkMaker>(recipe, sources, request, overwrite, lists_variants);
+  return [worker](const Task& task, WorkerMailbox& mailbox) { return (*worker)(task, mailbox); };
 }
 
 }  // namespace mjforge::batch

@@ -1,3 +1,5 @@
+// Tasks as workers perform them.
+
 #pragma once
 
 #include "mjforge/batch/batch.h"
@@ -5,13 +7,14 @@
 
 namespace mjforge::batch {
 
-/// How the request's variants are made.
+/// Returns the options with which the request's variants are made.
 forge::Options OptionsOf(const Request& request);
 
-/// What a worker does with a task: makes its variants and, into a folder, writes them. Call it in
-/// the worker, because it initializes MuJoCo. `watched`: results say each variant's place. The
-/// references must outlive it.
-Work MakeWork(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
-              const output::Overwrite& overwrite, bool watched);
+/// Makes a handler that makes the variants of a task and, if the destination is a folder, writes
+/// them. Call this in the worker, because it initializes MuJoCo. With `lists_variants`, results
+/// contain ChunkResult::variants. The references must outlive the handler.
+TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
+                            const Request& request, const output::OverwritePolicy& overwrite,
+                            bool lists_variants);
 
 }  // namespace mjforge::batch

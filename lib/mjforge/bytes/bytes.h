@@ -1,8 +1,9 @@
+// Reading of files within size limits, their checksums, and encoding of PNG.
+
 #pragma once
 
-// Bytes of files, read within limits, and their hashes. Only regular files are read: a pipe may
-// never end, and a device may hold anything. Standard input, which the user chose, is the
-// exception.
+// Only regular files are read, because a pipe may never end and a device may contain anything.
+// Standard input is the exception, because the user chose it.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,28 +21,29 @@ namespace mjforge::bytes {
 /// The name of standard input.
 inline constexpr const char* kStandardInput = "-";
 
-/// More than any of these is not read: a file of MJCF; an asset (mesh, texture), where millions of
-/// triangles fit and MuJoCo allows 200,000; all pictures of an object or a file of MJCF, of which
-/// MuJoCo takes six bytes a pixel and more; a line of a manifest, of a journal. (YAML:
+/// Limits in bytes: of an MJCF file; of an asset (mesh or texture), enough for millions of
+/// triangles, where MuJoCo allows 200,000; of a line of a manifest or a journal. (Limit for YAML:
 /// spec::kMaxYamlBytes.)
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
-inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;  // 8192 x 8192
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;
+/// Limit for the pixels of all pictures of an object or an MJCF file together, 8192 x 8192. MuJoCo
+/// needs at least six bytes per pixel.
+inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
 
-/// An open file, read from its start on.
+/// An open file that is read sequentially from its start.
 class File {
  public:
-  /// Nothing, and why ("No such file or directory", "it is a pipe"), if it is not a regular file or
-  /// cannot be opened.
+  /// Returns nothing, and sets `why_not` ("No such file or directory", "it is a pipe"), if `file`
+  /// is not a regular file or cannot be opened.
   static std::optional<File> Open(const std::filesystem::path& file, std::string& why_not);
 
   File(File&& other) noexcept;
   File& operator=(File&& other) noexcept;
   ~File();
 
-  /// Fills `buffer` unless the file ends before, and returns how many bytes were read; nothing, and
-  /// why, if reading fails.
+  /// Reads until `buffer` is full or the file ends. Returns the number of bytes read; nothing, and
+  /// sets `why_not`, if reading fails.
   std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
 
  private:
@@ -50,38 +52,40 @@ class File {
   int descriptor_;
 };
 
-/// The content of a file or of standard input (the same each time); nothing, and why, if it cannot
-/// be read or has more than `limit` bytes.
+/// Returns the content of a file or of standard input, which may be read several times. Returns
+/// nothing, and sets `why_not`, if reading fails or the content has more than `limit` bytes.
 std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t limit,
                                 std::string& why_not);
-/// At most the first `limit` bytes.
+/// Returns the first `limit` bytes of a file, or the whole file if it is shorter.
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
                                      std::string& why_not);
 
-/// What kind of file begins so ("a tar archive"); empty if it is text or not known.
+/// Returns the kind of binary file that begins with `text` ("a tar archive"); empty for text and
+/// unknown formats.
 std::string_view KindOf(std::string_view text);
 
-/// Pixels of a PNG file, as its header has them; nothing for other files, and why if it cannot be
-/// read.
+/// Returns width times height from the header of a PNG file. Returns nothing for other files, and
+/// sets `why_not` if the file cannot be read.
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not);
 
-/// A picture: rows from the top, red, green, blue and, with `has_alpha`, alpha (the colors are not
-/// multiplied by it).
+/// A picture with 8 bits per channel: rows from the top; red, green, blue and, if `has_alpha`,
+/// alpha. Colors are not premultiplied by alpha.
 struct Pixels {
   int width = 0;
   int height = 0;
   std::span<const std::uint8_t> colors;
   bool has_alpha = false;
 };
-/// Keywords and texts that a PNG file carries.
+/// Keywords and texts of the tEXt chunks of a PNG file.
 using PngTexts = std::vector<std::pair<std::string, std::string>>;
+/// Returns the bytes of a PNG file.
 std::string EncodePng(const Pixels& pixels, const PngTexts& texts = {});
 
-/// A file that a text refers to.
+/// A file that an MJCF text refers to.
 struct Asset {
-  std::string name;                                   // in the text
-  std::filesystem::path file;                         // where it is read from; empty: it is `made`
-  std::shared_ptr<const std::string> made = nullptr;  // its content
+  std::string name;                                   // the file's name in the text
+  std::filesystem::path file;                         // empty if the content is generated
+  std::shared_ptr<const std::string> made = nullptr;  // the generated content
 
   bool operator==(const Asset& other) const {
     return name == other.name && file == other.file &&
@@ -91,36 +95,38 @@ struct Asset {
 };
 using Assets = std::vector<Asset>;
 
-/// Whether it is a regular file (or standard input) of at most `limit` bytes; else why not.
+/// Returns true for standard input and for a regular file of at most `limit` bytes. Otherwise sets
+/// `why_not`.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);
 
-/// Whether it is a regular file of this size; else why not ("it has 12 bytes, not 40").
+/// Returns true for a regular file of this size. Otherwise sets `why_not` ("it has 12 bytes, not
+/// 40").
 bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
 
-/// The lines of a file one after the other, in constant memory.
-class Lines {
+/// Reads a file line by line, in constant memory.
+class LineReader {
  public:
-  static std::optional<Lines> Open(const std::filesystem::path& file, std::string& why_not);
+  static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not);
 
-  /// Replaces `line` with the next one, without its end. False at the end of the file, and where it
-  /// cannot be read on: then `why_not` says why.
+  /// Replaces `line` with the next line, without its line end. Returns false at the end of the file
+  /// and if reading fails; `why_not` is set only if reading fails.
   bool Next(std::string& line, std::string& why_not);
-  /// Whether the last line has no line end, because it was still being written.
+  /// Returns true if the last line has no line end, because writing it was interrupted.
   bool torn() const { return torn_; }
 
  private:
-  explicit Lines(File file);
+  explicit LineReader(File file);
 
   File file_;
   std::string buffer_;
-  std::size_t begin_ = 0;  // of what is left in the buffer
+  std::size_t begin_ = 0;  // the unread bytes of the buffer are [begin_, end_)
   std::size_t end_ = 0;
   bool at_end_ = false;
   bool torn_ = false;
 };
 
-/// XXH3 with 128 bits of bytes that come piece by piece, as `xxh128sum` prints it: it finds what a
-/// disk or a power cut does, at the speed of memory. It does not keep anyone from forging bytes.
+/// Incremental 128-bit XXH3 checksum, as printed by `xxh128sum`. It detects the damage that a disk
+/// or a power cut causes, at the speed of memory; it does not protect against forged data.
 class Checksum {
  public:
   Checksum();
@@ -129,9 +135,9 @@ class Checksum {
   Checksum& operator=(const Checksum&) = delete;
 
   void Add(std::string_view bytes);
-  /// Adds the next `count` bytes of a file; false if it has fewer or cannot be read.
+  /// Adds the next `count` bytes of a file. Returns false if the file has fewer or reading fails.
   bool Add(File& file, std::uint64_t count);
-  /// Of all bytes so far, in hexadecimal.
+  /// Returns the checksum of all bytes added so far, in hexadecimal.
   std::string Text() const;
   void Clear();
 
@@ -140,21 +146,23 @@ class Checksum {
   std::unique_ptr<State> state_;
 };
 
+/// Returns the checksum of `bytes`, in hexadecimal.
 std::string ChecksumOf(std::string_view bytes);
 
-/// The first bytes of a file, and their checksum.
+/// Length and checksum of the beginning of a file.
 struct Prefix {
   std::uint64_t size = 0;
   std::string checksum;
 };
-/// How many of the prefixes, in ascending order of size, the file really begins with, before the
-/// first that it does not. 0 if it cannot be read.
+/// Checks `prefixes`, in ascending order of size, against the file. Returns the number of prefixes
+/// before the first that does not match; 0 if the file cannot be read.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
 
-/// Whether the file has this size and this checksum; else why not ("it has 12 bytes, not 40").
+/// Returns true if the file has this size and this checksum. Otherwise sets `why_not` ("it has 12
+/// bytes, not 40").
 bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
 
-/// SHA-256, in hexadecimal.
+/// Returns the SHA-256 hash of `bytes`, in hexadecimal.
 std::string Sha256Of(std::string_view bytes);
 
 }  // namespace mjforge::bytes

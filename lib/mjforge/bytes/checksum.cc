@@ -1,3 +1,5 @@
+// XXH3 checksums of bytes and files, and comparison of files with recorded checksums.
+
 #define XXH_INLINE_ALL
 #include <fmt/format.h>
 #include <xxhash.h>

@@ -1,3 +1,5 @@
+// Recognition of binary file formats by their signatures.
+
 #include <cstddef>
 #include <string_view>
 

@@ -1,3 +1,5 @@
+// PNG encoding with libpng.
+
 #include <png.h>
 
 #include <new>
@@ -9,7 +11,7 @@
 namespace mjforge::bytes {
 namespace {
 
-// Pictures are smooth: more effort takes long and saves little.
+// zlib compression level: higher levels take long and save little on smooth pictures.
 constexpr int kCompression = 5;
 
 extern "C" void AppendPng(png_structp png, png_bytep bytes, png_size_t count) {
@@ -21,7 +23,7 @@ extern "C" void FlushPng(png_structp) {}
   throw std::runtime_error(message);
 }
 
-// What libpng allocated, until the end.
+// Owns the structures that libpng allocates.
 struct PngWriter {
   PngWriter() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, ThrowPng, nullptr)) {
     if (png != nullptr) info = png_create_info_struct(png);
@@ -40,7 +42,7 @@ void SetTexts(PngWriter& writer, const PngTexts& texts) {
   for (const auto& [key, value] : texts) {
     png_text& chunk = chunks.emplace_back();
     chunk.compression = PNG_TEXT_COMPRESSION_NONE;
-    // libpng only reads them.
+    // libpng does not change the texts, but its interface lacks `const`.
     chunk.key = const_cast<char*>(key.c_str());
     chunk.text = const_cast<char*>(value.c_str());
     chunk.text_length = value.size();

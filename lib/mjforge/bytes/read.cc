@@ -1,3 +1,5 @@
+// Reading of regular files and standard input within limits, and the pixel count of PNG files.
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -16,7 +18,7 @@ namespace {
 
 std::string Words(int error) { return std::generic_category().message(error); }
 
-// Empty for a regular file.
+// Returns why a file of this mode is not a regular file; empty if it is one.
 std::string_view WhyNotRegular(::mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "it is a folder";
@@ -30,7 +32,7 @@ bool IsRegular(const struct stat& status, std::string& why_not) {
   return why_not.empty();
 }
 
-// The size of a regular file; nothing, and why, for all else.
+// Returns the size of a regular file. Returns nothing, and sets `why_not`, for other files.
 std::optional<std::uint64_t> SizeOf(const std::filesystem::path& file, std::string& why_not) {
   struct stat status;
   if (::stat(file.c_str(), &status) != 0) {
@@ -61,7 +63,8 @@ std::optional<std::size_t> ReadFrom(int descriptor, std::span<char> buffer, std:
   return count;
 }
 
-// Up to `limit` bytes in all. What was read is kept: several readers may ask for it.
+// Returns the first `limit` bytes of standard input. Keeps all bytes read, because several callers
+// may read standard input.
 std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& why_not) {
   static std::string text;
   static bool at_end = false;
@@ -80,7 +83,7 @@ std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& w
 }  // namespace
 
 std::optional<File> File::Open(const std::filesystem::path& file, std::string& why_not) {
-  // Opening a pipe waits, and opening a device may do something.
+  // Check the kind first: opening a pipe blocks, and opening a device may have an effect.
   if (!SizeOf(file, why_not)) return std::nullopt;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor < 0) {
@@ -88,7 +91,7 @@ std::optional<File> File::Open(const std::filesystem::path& file, std::string& w
     return std::nullopt;
   }
   File opened(descriptor);
-  // It may have become something else in between.
+  // Another file may have taken the name since the first check.
   struct stat status;
   if (::fstat(descriptor, &status) != 0 || !IsRegular(status, why_not)) return std::nullopt;
   return opened;
@@ -139,8 +142,8 @@ std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t
 }
 
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not) {
-  // ISO/IEC 15948, 5.2 and 11.2.2: a signature, then the chunk IHDR, whose data begin with width
-  // and height, each in four bytes, the highest first.
+  // ISO/IEC 15948, 5.2 and 11.2.2: the signature is followed by the chunk IHDR, whose data begin
+  // with width and height as four-byte big-endian numbers.
   constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
   constexpr std::size_t kWidth = 16;
   constexpr std::size_t kHeight = 20;

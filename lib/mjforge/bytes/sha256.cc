@@ -1,3 +1,5 @@
+// SHA-256 with Libgcrypt.
+
 #include <gcrypt.h>
 
 #include <array>
@@ -10,7 +12,7 @@ namespace {
 
 constexpr std::size_t kDigestBytes = 32;
 
-// Libgcrypt is asked for once in a process, by whoever comes first.
+// Initializes Libgcrypt, once per process, unless other code already did.
 bool GetReady() {
   if (::gcry_control(GCRYCTL_INITIALIZATION_FINISHED_P)) return true;
   ::gcry_check_version(nullptr);
@@ -21,7 +23,7 @@ bool GetReady() {
 
 }  // namespace
 
-// By Libgcrypt: OpenSSL hashes as fast, but getting it ready takes longer than all else of a short
+// Uses Libgcrypt instead of OpenSSL, whose initialization takes longer than the rest of a short
 // command.
 std::string Sha256Of(std::string_view bytes) {
   [[maybe_unused]] static const bool kIsReady = GetReady();

@@ -1,3 +1,4 @@
+// Table of MJCF attributes and of the arrays of mjModel that contain them.
 #include "mjforge/compiled/attributes.h"
 
 #include <algorithm>
@@ -122,17 +123,17 @@ constexpr Kind kKinds[] = {
     {mjOBJ_TENDON, kTendon},     {mjOBJ_ACTUATOR, kActuator}, {mjOBJ_PAIR, kPair},
     {mjOBJ_EQUALITY, kEquality}, {mjOBJ_MATERIAL, kMaterial}, {mjOBJ_SENSOR, kSensor}};
 
-/// The row of the array; -1: there is none.
-int RowOf(const mjModel& m, const ArrayField& field, int id) {
-  if (field.needs != nullptr && (m.*field.needs)[id] == 0) return -1;
+/// Returns the row of the array; nothing if the attribute does not apply to the element.
+std::optional<int> RowOf(const mjModel& m, const ArrayField& field, int id) {
+  if (field.needs != nullptr && (m.*field.needs)[id] == 0) return std::nullopt;
   if (field.rows == Rows::kElement) return id;
   if (field.rows == Rows::kDof) return m.jnt_dofadr[id];
-  return HasOneNumber(m, id) ? m.jnt_qposadr[id] : -1;
+  return HasOneNumber(m, id) ? std::optional(m.jnt_qposadr[id]) : std::nullopt;
 }
 
 double Number(double value) { return value; }
 double Number(int value) { return value; }
-/// The shortest decimal number that reads as `value` in single precision.
+/// Returns the shortest decimal number that reads as `value` in single precision.
 double Number(float value) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -150,12 +151,12 @@ std::span<const ArrayField> ArrayFields(mjtObj kind) {
 
 sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id) {
   sample::Numbers numbers;
-  const int row = RowOf(m, field, id);
-  if (row < 0) return numbers;
+  const std::optional<int> row = RowOf(m, field, id);
+  if (!row) return numbers;
   const auto count = field.variable != nullptr ? static_cast<int>(m.*field.variable) : field.count;
   std::visit(
       [&](auto array) {
-        const auto* first = m.*array + static_cast<std::ptrdiff_t>(row) * count;
+        const auto* first = m.*array + static_cast<std::ptrdiff_t>(*row) * count;
         for (int i = 0; i < count; ++i) numbers.push_back(Number(first[i]));
       },
       field.array);

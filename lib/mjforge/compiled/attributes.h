@@ -1,7 +1,6 @@
+// Table of MJCF attributes and of the arrays of mjModel that contain them, for reading and
+// comparing compiled models.
 #pragma once
-
-// MJCF's attributes and where mjModel keeps them: one table for who reads a compiled model and for
-// who compares it.
 
 #include <array>
 #include <span>
@@ -16,38 +15,42 @@
 
 namespace mjforge::compiled {
 
-/// One attribute of a kind of element.
+/// Attribute of an element kind.
 struct ArrayField {
   using Flags = engine::Flag* mjModel::*;
-  enum class Rows { kElement, kDof, kQpos };  // of a joint: its first one; kQpos: of a scalar one
+  /// Row of the array: the element's id, or the first degree of freedom or position of a joint.
+  /// kQpos is for hinges and slides only.
+  enum class Rows { kElement, kDof, kQpos };
 
   std::string_view attribute;
   std::variant<mjtNum * mjModel::*, float * mjModel::*, int * mjModel::*, Flags> array;
-  int count = 1;  // numbers of an element
-  /// What MuJoCo takes where nothing is said; nothing: there is no such number.
+  int count = 1;  // numbers per element
+  /// Default of MuJoCo; nothing if the attribute has none.
   std::optional<std::array<double, 6>> usual = std::array<double, 6>{};
   Rows rows = Rows::kElement;
-  Flags needs = nullptr;                       // without this flag the attribute says nothing
-  engine::Count mjModel::*variable = nullptr;  // in place of `count`: user data
+  Flags needs = nullptr;                       // the attribute applies only with this flag
+  engine::Count mjModel::*variable = nullptr;  // count of user data, instead of `count`
 
-  /// A light's kind is a number from MuJoCo 3.3.3 on.
+  /// `directional` of lights is a flag too, although it is a number since MuJoCo 3.3.3.
   bool IsFlag() const { return std::holds_alternative<Flags>(array) || attribute == "directional"; }
   bool IsFloat() const { return std::holds_alternative<float * mjModel::*>(array); }
 };
 
-/// In the order in which files have them: of geoms, joints, sites, cameras, lights, tendons,
-/// actuators, pairs, equalities, sensors, materials and bodies; none of other kinds.
+/// Returns the attributes of an element kind, in file order: of geoms, joints, sites, cameras,
+/// lights, tendons, actuators, pairs, equalities, sensors, materials and bodies; none of other
+/// kinds.
 std::span<const ArrayField> ArrayFields(mjtObj kind);
 
-/// Floats as the shortest numbers that give them; user data without the zeros at the end. None, if
-/// the attribute says nothing of this element.
+/// Returns the numbers of an attribute; none if it does not apply to this element. Numbers in
+/// single precision are the shortest that read back as the same value. User data is without
+/// trailing zeros.
 sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id);
 
-/// What an actuator acts on, in the order of mjtTrn.
+/// Reference of an actuator to the element it acts on, in the order of mjtTrn.
 struct Transmission {
   mjtObj kind;
   std::string_view first;
-  std::string_view second;  // a site; empty: there is none
+  std::string_view second;  // to a site; empty: none
 };
 inline constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
                                                   {mjOBJ_JOINT, "jointinparent", ""},
@@ -56,7 +59,7 @@ inline constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
                                                   {mjOBJ_SITE, "site", "refsite"},
                                                   {mjOBJ_BODY, "body", ""}};
 
-/// What an equality makes equal, in the order of mjtEq.
+/// References of an equality to two elements, in the order of mjtEq.
 struct Equality {
   std::string_view tag;
   mjtObj kind;
@@ -68,12 +71,12 @@ inline constexpr Equality kEqualities[] = {{"connect", mjOBJ_BODY, "body1", "bod
                                            {"joint", mjOBJ_JOINT, "joint1", "joint2"},
                                            {"tendon", mjOBJ_TENDON, "tendon1", "tendon2"}};
 
-/// One piece of a tendon's path.
+/// Element of a tendon's path.
 struct Wrap {
   std::string_view tag;  // joint pulley site geom
   mjtObj kind = mjOBJ_UNKNOWN;
-  int object = -1;  // a pulley has none
-  int side = -1;    // a site
+  int object = -1;  // id; -1 for a pulley
+  int side = -1;    // id of the side site; -1: none
 };
 Wrap WrapAt(const mjModel& m, int wrap);
 

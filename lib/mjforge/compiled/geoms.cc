@@ -1,3 +1,4 @@
+// Geoms of compiled models: poses, meshes and bounding boxes.
 #include <algorithm>
 
 #include "mjforge/compiled/compiled.h"
@@ -31,8 +32,21 @@ Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id) {
   return {q[0], q[1], q[2], q[3]};
 }
 
+Eigen::Matrix3d MatrixAt(const mjtNum* array, int id) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(array + 9 * static_cast<std::ptrdiff_t>(id));
+}
+
 model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id) {
   return {VectorAt(pos, id), QuaternionAt(quat, id)};
+}
+
+void WritePose(const model::Pose& X, mjtNum* pos, mjtNum* quat) {
+  const Eigen::Vector3d p = X.p;
+  const Eigen::Quaterniond q = X.q;
+  const mjtNum wxyz[] = {q.w(), q.x(), q.y(), q.z()};
+  mju_copy3(pos, p.data());
+  mju_copy4(quat, wxyz);
 }
 
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom) {
@@ -46,9 +60,7 @@ bool Collides(const mjModel& m, int geom) {
 }
 
 model::Pose GeomPose(const mjData& d, int geom) {
-  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  return {VectorAt(d.geom_xpos, geom), Eigen::Quaterniond(Eigen::Map<const RowMajor>(
-                                           d.geom_xmat + 9 * static_cast<std::ptrdiff_t>(geom)))};
+  return {VectorAt(d.geom_xpos, geom), Eigen::Quaterniond(MatrixAt(d.geom_xmat, geom))};
 }
 
 model::TriangleMesh MeshOf(const mjModel& m, int mesh) {

@@ -1,3 +1,4 @@
+// Joints of compiled models: ranges and start positions.
 #include <numbers>
 #include <string>
 
@@ -22,7 +23,7 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
 }
 
 std::span<const mjtNum> StartOf(const mjModel& m) {
-  const std::string name = std::string(m.names) + "_start";  // the model's name is the first
+  const std::string name = std::string(m.names) + "_start";  // `names` begins with the model's name
   const int key = mj_name2id(&m, mjOBJ_KEY, name.c_str());
   const auto count = static_cast<std::size_t>(m.nq);
   return key < 0 ? std::span(m.qpos0, count) : std::span(m.key_qpos + key * m.nq, count);

@@ -1,3 +1,4 @@
+// Compiled models as objects: bodies, joints, parts and masses.
 #include <stdexcept>
 
 #include "mjforge/compiled/compiled.h"
@@ -77,28 +78,28 @@ std::optional<model::Part> PartOf(const mjModel& m, int id) {
 
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless) {
   model::Object object;
-  object.name = m.names;  // the model's name is the first
+  object.name = m.names;  // begins with the model's name
   AddMeshes(m, object);
-  const auto say = [&](auto& element, mjtObj kind, int id) {
+  const auto set_name = [&](auto& element, mjtObj kind, int id) {
     element.mark = mark;
     if (nameless == Nameless::kNumbered) element.name = NameOf(m, kind, id);
   };
   std::vector<model::Pose> X_WB(static_cast<std::size_t>(m.nbody));
   for (int id = 1; id < m.nbody; ++id) {
     model::Body& body = object.bodies.emplace_back(BodyOf(m, id));
-    say(body, mjOBJ_BODY, id);
+    set_name(body, mjOBJ_BODY, id);
     model::Pose& X = X_WB[static_cast<std::size_t>(id)];
     X = X_WB[static_cast<std::size_t>(m.body_parentid[id])] * body.X_PB;
     AddMass(model::InFrame(X, body.mass_properties), object.mass_properties);
     const int first_joint = m.body_jntadr[id];
     for (int i = first_joint; i < first_joint + m.body_jntnum[id]; ++i) {
-      say(body.joints.emplace_back(JointOf(m, i)), mjOBJ_JOINT, i);
+      set_name(body.joints.emplace_back(JointOf(m, i)), mjOBJ_JOINT, i);
     }
     const int first_geom = m.body_geomadr[id];
     for (int i = first_geom; i < first_geom + m.body_geomnum[id]; ++i) {
       std::optional<model::Part> part = PartOf(m, i);
       if (!part) continue;
-      say(*part, mjOBJ_GEOM, i);
+      set_name(*part, mjOBJ_GEOM, i);
       part->attributes = {{.name = "group", .numbers = {double(m.geom_group[i])}, .text = {}}};
       if (part->mesh >= 0) {
         part->shape.mesh = &object.meshes[static_cast<std::size_t>(part->mesh)]->mesh;

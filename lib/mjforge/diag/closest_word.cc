@@ -1,3 +1,5 @@
+// Suggestions for misspelled words by edit distance.
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -9,11 +11,12 @@
 namespace mjforge::diag {
 namespace {
 
-// Longer words are not slips of a name, and their distance costs length squared.
+// Words longer than this are not misspelled names, and computing the distance takes time
+// proportional to the square of the length.
 constexpr std::size_t kLongestWord = 128;
 
-// Damerau-Levenshtein distance in its optimal string alignment form: no piece
-// is edited twice.
+// Damerau-Levenshtein distance in its optimal string alignment form, which edits no substring
+// twice.
 std::size_t Distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -32,8 +35,8 @@ std::size_t Distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// One slip in three letters is a typing error, more is another word. Of two
-// letters one must be right in its place, and one letter says nothing.
+// Returns true if the distance is at most one edit per three letters. Words of two letters must
+// have one letter in common at the same place; words of one letter get no suggestion.
 bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
   if (distance == 0) return true;
   if (word.size() <= 2) {

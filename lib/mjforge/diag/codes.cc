@@ -1,3 +1,5 @@
+// The table of finding codes, from codes.inc.
+
 #include "mjforge/diag/codes.h"
 
 #include <cstddef>

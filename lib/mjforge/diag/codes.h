@@ -1,3 +1,5 @@
+// Codes of findings: names, one-line meanings, and the exit status that they lead to.
+
 #pragma once
 
 #include <span>
@@ -5,8 +7,9 @@
 
 namespace mjforge::diag {
 
-/// Every kind of finding, grouped by what was being done, which the first part of its name also
-/// says. docs/errors.md has a chapter for each and tests/golden a case; tests compare them.
+/// Every kind of finding, grouped by the stage that reports it, which is also the first part of the
+/// code's name. Tests check that docs/errors.md has a chapter and tests/golden a case for each
+/// code.
 enum class Code {
 #define MJFORGE_CODE(code, name, meaning) code,
 #include "mjforge/diag/codes.inc"
@@ -15,16 +18,16 @@ enum class Code {
 struct CodeInfo {
   Code code;
   std::string_view name;     // "spec/unknown-key"
-  std::string_view meaning;  // one line, for the catalogue
+  std::string_view meaning;  // a single line
 };
 
-/// All codes, in the order of the enumeration.
+/// Returns all codes, in the order of the enumeration.
 std::span<const CodeInfo> AllCodes();
 
 std::string_view CodeName(Code code);
 
-/// True for codes that mean "input or output failed" (exit status 3) rather
-/// than "the input is wrong" (exit status 1).
+/// Returns true for codes that mean "input or output failed" (exit status 3) rather than "the input
+/// is wrong" (exit status 1).
 bool IsInputOutput(Code code);
 
 }  // namespace mjforge::diag

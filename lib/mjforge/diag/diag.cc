@@ -1,3 +1,5 @@
+// Source texts with their line starts, and the list of findings.
+
 #include "mjforge/diag/diag.h"
 
 #include <algorithm>

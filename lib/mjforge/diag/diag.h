@@ -1,10 +1,13 @@
+// Findings with places in source texts, their rendering, and text that is safe to show.
+
 #pragma once
 
-// Findings: what is wrong, where the user can fix it, what was probably meant. Stages add findings
-// to a list and continue; nothing here prints or exits.
+// A finding tells the user what is wrong, where to fix it, and what was probably meant. Stages add
+// findings to a list and continue; nothing here prints or exits.
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,8 +20,8 @@
 
 namespace mjforge::diag {
 
-/// A place in a text of a `Sources`. Line and column count from 1, columns in
-/// bytes. A default mark means "no place".
+/// A place in one of the texts of a `Sources`. Lines and columns count from 1, columns in bytes. A
+/// default-constructed mark means "no place".
 struct SourceMark {
   std::uint32_t file = 0;  // 1-based number in Sources
   std::uint32_t line = 0;
@@ -28,16 +31,17 @@ struct SourceMark {
   auto operator<=>(const SourceMark&) const = default;
 };
 
-/// The texts read in a run: marks point into them, findings quote them.
+/// The texts read by a run of the program. Marks refer to places in these texts, and rendered
+/// findings quote their lines.
 class Sources {
  public:
-  /// `name` is shown to the user unchanged. Returns the number for marks. If a file is too long to
-  /// keep, `text` may be only a piece of it that begins at line `first_line`.
+  /// Adds a text and returns its number for marks. `name` is shown to the user unchanged. If a file
+  /// is too long to keep, `text` may be only a piece of the file, beginning at line `first_line`.
   std::uint32_t Add(std::string name, std::string text, std::uint32_t first_line = 1);
 
   const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }
   const std::string& Text(std::uint32_t file) const { return files_[file - 1].text; }
-  /// The line a mark points into, without its end; empty for "no place".
+  /// Returns the line that contains the mark, without its line end; empty for "no place".
   std::string_view Line(SourceMark mark) const;
   std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
 
@@ -62,16 +66,16 @@ struct Finding {
   Severity severity = Severity::kError;
   Code code = Code::kYamlSyntax;
   SourceMark mark;
-  std::string message;                 // one line, no final stop
-  std::string hint;                    // what to do about it; may be empty
-  std::vector<Note> notes;             // further places
-  std::optional<std::uint64_t> seed;   // from sampling on
-  std::optional<std::uint64_t> index;  // from sampling on
+  std::string message;                 // a single line without a final full stop
+  std::string hint;                    // the remedy; may be empty
+  std::vector<Note> notes;             // related places
+  std::optional<std::uint64_t> seed;   // seed of the variant; empty if about the spec
+  std::optional<std::uint64_t> index;  // index of the variant; empty if about the spec
 };
 
 class Findings {
  public:
-  /// The reference is valid until the next Add.
+  /// Adds a finding. The returned reference is valid until the next call of Add or Warn.
   Finding& Add(Finding finding) { return list_.emplace_back(std::move(finding)); }
   Finding& Add(Code code, SourceMark mark, std::string message, std::string hint = {});
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
@@ -86,7 +90,7 @@ class Findings {
   auto end() const { return list_.end(); }
   const Finding& operator[](std::size_t i) const { return list_[i]; }
 
-  /// Sets the seed and index of every finding that has none yet.
+  /// Sets seed and index of every finding that has neither.
   void SetVariant(std::uint64_t seed, std::uint64_t index);
   /// Sorts by file, line and column; findings at the same place keep their order.
   void Sort();
@@ -98,28 +102,45 @@ class Findings {
   std::vector<Finding> list_;
 };
 
-/// `file:line:col: error: message [code]`, the line, a caret, hint and notes; every line ends with
-/// a newline. With color, ANSI sequences.
+/// Renders a finding as `file:line:col: error: message [code]`, the source line, a caret, the hint
+/// and the notes. Every line ends with a newline. If `color`, the text has ANSI color sequences.
 std::string RenderText(const Finding& finding, const Sources& sources, bool color);
 
-/// One JSON object without a line end: severity code file line column message
-/// hint seed index notes[].
+/// Renders a finding as one JSON object without a line end, with the members severity, code, file,
+/// line, column, message, hint, seed, index and notes.
 std::string RenderJson(const Finding& finding, const Sources& sources);
 
-/// Makes text of unknown origin safe to show on one line. Control characters, invalid bytes and the
-/// marks that turn the direction of writing are spelled out ("\x1b"): a spec must not be able to
-/// steer a terminal or a page.
+/// The first character of a text.
+struct Utf8Char {
+  char32_t value = 0;
+  std::size_t length = 1;  // in bytes
+  bool valid = false;      // false: the first byte is not UTF-8
+};
+/// Decodes the first character of a text that is not empty.
+Utf8Char DecodeUtf8(std::string_view text);
+
+/// Makes text of unknown origin safe to show on one line. Control characters, invalid bytes and
+/// bidirectional controls are replaced by escapes ("\x1b"), so that a spec cannot control a
+/// terminal or a page.
 std::string SafeText(std::string_view text);
 
-/// With ASCII's letters in lower case, whatever the locale.
+/// Returns the text with ASCII letters in lower case, regardless of the locale.
 std::string LowerCase(std::string_view text);
 
-/// The candidate nearest to `word` by edit distance (insert, delete, replace, swap of neighbours),
-/// if it is near enough to be a typing error; ties go to the first.
+/// Returns the candidate with the smallest edit distance to `word` (insertion, deletion,
+/// replacement, swap of neighbours) if the difference can be a typing error. The first of equally
+/// near candidates wins.
 std::optional<std::string_view> ClosestWord(std::string_view word,
                                             std::span<const std::string_view> candidates);
 
-/// "did you mean 'x'?" or nothing.
+/// Returns "did you mean 'x'?" with the closest word, or an empty text if no word is close.
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
+/// Takes any list of candidates; `name` is the member that contains a candidate's name.
+template <typename List, typename Name = std::identity>
+std::string DidYouMean(std::string_view word, const List& list, Name name = {}) {
+  std::vector<std::string_view> candidates;
+  for (const auto& candidate : list) candidates.push_back(std::invoke(name, candidate));
+  return DidYouMean(word, std::span<const std::string_view>(candidates));
+}
 
 }  // namespace mjforge::diag

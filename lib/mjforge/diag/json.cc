@@ -1,3 +1,5 @@
+// Escaping of JSON texts, and the check of nesting depth.
+
 #include "mjforge/diag/json.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// A writer of compact JSON, and a check of JSON's nesting depth.
+
 #pragma once
 
 #include <cmath>
@@ -10,18 +12,19 @@
 
 namespace mjforge::diag {
 
-/// Readers of JSON that call themselves for each value within another refuse what is nested deeper.
+/// Nesting limit for JSON that is read by recursive functions.
 inline constexpr int kMaxJsonDepth = 64;
+/// Returns true if objects and lists are nested deeper than kMaxJsonDepth.
 bool IsNestedTooDeep(std::string_view json);
 
-/// Appends JSON to a text without checking its structure: writing a record took a fifth of a
-/// variant's time, and half of that was a general writer's bookkeeping. Objects and lists must be
-/// ended in order, texts be valid UTF-8.
+/// Appends JSON to a text without checking its structure. The caller must end objects and lists in
+/// order and pass valid UTF-8. Without checks, because the bookkeeping of a general JSON writer
+/// took a tenth of a variant's time.
 class Json {
  public:
-  /// How a finite number is spelled: expr::AppendNumber or expr::AppendExactNumber.
-  using Spelling = void (*)(std::string&, double);
-  explicit Json(Spelling spelling, std::string text = {})
+  /// Appends a finite number to a text: expr::AppendNumber or expr::AppendExactNumber.
+  using NumberFormat = void (*)(std::string&, double);
+  explicit Json(NumberFormat spelling, std::string text = {})
       : spelling_(spelling), text_(std::move(text)) {}
 
   void StartObject() { Open('{'); }
@@ -32,7 +35,7 @@ class Json {
     Value(key);
     text_ += ':';
   }
-  /// What is JSON already.
+  /// Adds a value that is JSON already.
   void Raw(std::string_view json) {
     Separate();
     text_ += json;
@@ -44,7 +47,7 @@ class Json {
   void Value(bool flag) { Raw(flag ? "true" : "false"); }
   void Value(std::nullptr_t) { Raw("null"); }
   void Value(std::integral auto number) { Raw(std::to_string(number)); }
-  /// null if it is not finite, as JSON has no other word for it.
+  /// Adds a number, or null if it is not finite, because JSON has no other word for such a number.
   void Value(double number) {
     if (!std::isfinite(number)) return Value(nullptr);
     Separate();
@@ -54,7 +57,7 @@ class Json {
   void Value(const std::variant<Types...>& value) {
     std::visit([this](const auto& held) { Value(held); }, value);
   }
-  /// A list of numbers or texts.
+  /// Adds a list of numbers or texts.
   template <typename List>
   requires requires(const List& list) { list.begin(); }
   void Value(const List& list) {
@@ -68,7 +71,7 @@ class Json {
     Value(value);
   }
 
-  /// All that was written.
+  /// Returns the text and leaves the writer empty.
   std::string Take() { return std::move(text_); }
 
  private:
@@ -77,13 +80,13 @@ class Json {
     Separate();
     text_ += bracket;
   }
-  // A comma precedes every value and member except after an opening bracket or a key.
+  // Adds a comma before a value or a member, except after an opening bracket or a key.
   void Separate() {
     const char last = text_.empty() ? '\n' : text_.back();
     if (last != '{' && last != '[' && last != ':' && last != '\n') text_ += ',';
   }
 
-  Spelling spelling_;
+  NumberFormat spelling_;
   std::string text_;
 };
 

@@ -1,3 +1,5 @@
+// Findings as text for a terminal: place, message, quoted line with a caret, hint, notes.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +12,8 @@ namespace mjforge::diag {
 namespace {
 
 constexpr int kLineColumns = 120;
-// Enough bytes on either side of a caret to fill a line; a file of one line of
-// 100 MB is not walked through for its error.
+// Bytes on either side of the caret that are looked at. They fill a line; a line of 100 MB is not
+// decoded as a whole.
 constexpr std::size_t kWindowBytes = 1024;
 constexpr std::string_view kDots = "...";
 
@@ -27,10 +29,10 @@ std::string Painted(std::string_view text, std::string_view paint, bool color) {
 
 bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// A piece of a line around its caret.
+// The part of a line around its caret.
 struct Excerpt {
-  std::vector<Cell> cells;
-  std::size_t caret = 0;  // the cell it is under; cells.size(): after the last
+  std::vector<TerminalCell> cells;
+  std::size_t caret = 0;  // index of the cell above the caret; cells.size() is after the last cell
   bool cut_front = false;
   bool cut_back = false;
 };
@@ -46,7 +48,7 @@ Excerpt SplitLine(std::string_view line, std::size_t caret_byte) {
     const std::string_view rest = line.substr(i);
     const Utf8Char character = DecodeUtf8(rest);
     if (i <= caret_byte) excerpt.caret = excerpt.cells.size();
-    excerpt.cells.push_back(rest[0] == '\t' ? Cell{" ", 1} : SafeCell(rest, character));
+    excerpt.cells.push_back(rest[0] == '\t' ? TerminalCell{" ", 1} : SafeCell(rest, character));
     i += character.length;
   }
   if (caret_byte >= line.size()) excerpt.caret = excerpt.cells.size();
@@ -59,7 +61,7 @@ int WidthOf(const Excerpt& excerpt, std::size_t begin, std::size_t end) {
   return width;
 }
 
-// Drops cells far from the caret until the rest fits a line.
+// Drops the cells farthest from the caret until the excerpt fits into a line.
 void Fit(Excerpt& excerpt) {
   const std::size_t count = excerpt.cells.size();
   if (!excerpt.cut_front && !excerpt.cut_back && WidthOf(excerpt, 0, count) <= kLineColumns) return;
@@ -81,12 +83,12 @@ void Fit(Excerpt& excerpt) {
   excerpt.cut_front = excerpt.cut_front || begin > 0;
   excerpt.cut_back = excerpt.cut_back || end < count;
   const auto first = excerpt.cells.begin();
-  excerpt.cells = std::vector<Cell>(first + static_cast<std::ptrdiff_t>(begin),
-                                    first + static_cast<std::ptrdiff_t>(end));
+  excerpt.cells = std::vector<TerminalCell>(first + static_cast<std::ptrdiff_t>(begin),
+                                            first + static_cast<std::ptrdiff_t>(end));
   excerpt.caret -= begin;
 }
 
-// The line a mark points into and the caret below it; nothing for a blank line.
+// Returns the line that contains the mark, with a caret below; empty for a blank line.
 std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   const std::string_view line = sources.Line(mark);
   if (line.find_first_not_of(" \t") == std::string_view::npos) return {};
@@ -95,7 +97,7 @@ std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   Fit(excerpt);
   std::string text(excerpt.cut_front ? kDots : "");
   std::string indent(text.size(), ' ');
-  for (const Cell& cell : excerpt.cells) text += cell.text;
+  for (const TerminalCell& cell : excerpt.cells) text += cell.text;
   if (excerpt.cut_back) text += kDots;
   indent.append(static_cast<std::size_t>(WidthOf(excerpt, 0, excerpt.caret)), ' ');
   return fmt::format("{}\n{}{}\n", text, indent, Painted("^", kGreen, color));

@@ -1,3 +1,5 @@
+// Findings as JSON.
+
 #include "mjforge/diag/diag.h"
 #include "mjforge/diag/utf8.h"
 
@@ -18,10 +20,9 @@ void Place(Json& json, SourceMark mark, const Sources& sources) {
 
 }  // namespace
 
-// What a finding does not have (a place, a hint, a variant) is left out; the
-// list of notes is always there.
+// Leaves out members without a value (place, hint, seed, index), except for the list of notes.
 std::string RenderJson(const Finding& finding, const Sources& sources) {
-  Json json(nullptr);  // it has no numbers that are not whole
+  Json json(nullptr);  // needs no number format: all numbers are integers
   json.StartObject();
   json.Member("severity", finding.severity == Severity::kError ? "error" : "warning");
   json.Member("code", CodeName(finding.code));

@@ -1,3 +1,5 @@
+// UTF-8 decoding, escapes of unsafe characters, and character widths.
+
 #include "mjforge/diag/utf8.h"
 
 #include <fmt/format.h>
@@ -11,30 +13,33 @@
 namespace mjforge::diag {
 namespace {
 
-struct Range {
+struct CodePoints {
   char32_t first;
   char32_t last;
 };
 
-bool Within(char32_t value, std::span<const Range> ranges) {
+bool Within(char32_t value, std::span<const CodePoints> ranges) {
   return std::ranges::any_of(ranges,
-                             [value](Range r) { return value >= r.first && value <= r.last; });
+                             [value](CodePoints r) { return value >= r.first && value <= r.last; });
 }
 
-// Controls (C0, DEL, C1), line separators and bidirectional controls.
-constexpr std::array kUnsafe = {Range{0x00, 0x1f},     Range{0x7f, 0x9f},
-                                Range{0x61c, 0x61c},   Range{0x200e, 0x200f},
-                                Range{0x2028, 0x202e}, Range{0x2066, 0x2069}};
+// Control characters (C0, DEL, C1), line separators and bidirectional controls.
+constexpr std::array kUnsafe = {CodePoints{0x00, 0x1f},     CodePoints{0x7f, 0x9f},
+                                CodePoints{0x61c, 0x61c},   CodePoints{0x200e, 0x200f},
+                                CodePoints{0x2028, 0x202e}, CodePoints{0x2066, 0x2069}};
 
-// Combining marks, zero-width joiners, variation selectors, byte-order mark.
-constexpr std::array kNoWidth = {Range{0x300, 0x36f}, Range{0x200b, 0x200d}, Range{0x20d0, 0x20ff},
-                                 Range{0xfe00, 0xfe0f}, Range{0xfeff, 0xfeff}};
+// Characters without width: combining marks, zero-width joiners, variation selectors, byte-order
+// mark.
+constexpr std::array kNoWidth = {CodePoints{0x300, 0x36f}, CodePoints{0x200b, 0x200d},
+                                 CodePoints{0x20d0, 0x20ff}, CodePoints{0xfe00, 0xfe0f},
+                                 CodePoints{0xfeff, 0xfeff}};
 
-// The blocks that Unicode's East Asian Width calls wide, coarsely.
+// Blocks of wide characters, a coarse form of Unicode's East Asian Width (UAX #11).
 constexpr std::array kWide = {
-    Range{0x1100, 0x115f},   Range{0x2e80, 0x303e},   Range{0x3040, 0xa4cf},  Range{0xac00, 0xd7a3},
-    Range{0xf900, 0xfaff},   Range{0xfe30, 0xfe6f},   Range{0xff00, 0xff60},  Range{0xffe0, 0xffe6},
-    Range{0x1f300, 0x1f64f}, Range{0x1f900, 0x1f9ff}, Range{0x20000, 0x3fffd}};
+    CodePoints{0x1100, 0x115f},   CodePoints{0x2e80, 0x303e},  CodePoints{0x3040, 0xa4cf},
+    CodePoints{0xac00, 0xd7a3},   CodePoints{0xf900, 0xfaff},  CodePoints{0xfe30, 0xfe6f},
+    CodePoints{0xff00, 0xff60},   CodePoints{0xffe0, 0xffe6},  CodePoints{0x1f300, 0x1f64f},
+    CodePoints{0x1f900, 0x1f9ff}, CodePoints{0x20000, 0x3fffd}};
 
 int Width(char32_t value) {
   if (value < 0x300) return 1;
@@ -63,13 +68,13 @@ Utf8Char DecodeUtf8(std::string_view text) {
     if ((byte(i) & 0xc0) != 0x80) return {};
     value = (value << 6) | (byte(i) & 0x3fu);
   }
-  // Overlong forms, surrogates, and what is past the last plane.
+  // Reject overlong forms, surrogates, and values beyond the last plane.
   constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   if (value < kLeast[length] || (value >= 0xd800 && value <= 0xdfff) || value > 0x10ffff) return {};
   return {value, length, true};
 }
 
-Cell SafeCell(std::string_view text, Utf8Char character) {
+TerminalCell SafeCell(std::string_view text, Utf8Char character) {
   if (character.valid && !Within(character.value, kUnsafe))
     return {std::string(text.substr(0, character.length)), Width(character.value)};
   std::string shown = character.valid

@@ -1,3 +1,4 @@
+// Keywords of MJCF and sizes of buffers, for releases 2.2 to 4.0 of MuJoCo.
 #include "mjforge/engine/api.h"
 
 #include <algorithm>
@@ -53,34 +54,37 @@ std::string_view WordOf(mjtBias bias) {
 #if mjVERSION_HEADER >= 300
 namespace {
 
-// What one pair of meshes may need while their contacts are sought. Pages that nobody touches cost
+// Smallest arena, bytes: enough for collision detection between two meshes. Untouched pages cost
 // nothing.
 constexpr double kLeast = 16e6;
 
 }  // namespace
 
-Room RoomOf(const mjModel& m) {
+BufferSizes BufferSizesOf(const mjModel& m) {
   return {static_cast<int>(m.nconmax), static_cast<int>(m.njmax),
           static_cast<double>(m.narena) / sizeof(mjtNum)};
 }
 
-void SetRoom(mjModel& m, const Room& room) {
-  m.nconmax = room.contacts;
-  m.njmax = room.rows;
-  // A row has a few numbers of its own and one for each degree of freedom, twice.
+void SetBufferSizes(mjModel& m, const BufferSizes& sizes) {
+  m.nconmax = sizes.contacts;
+  m.njmax = sizes.rows;
+  // A row needs about 30 numbers and two for each degree of freedom.
   const double bytes =
-      sizeof(mjtNum) * (room.numbers + (30.0 + 2.0 * static_cast<double>(m.nv)) * room.rows) +
-      1.0 * sizeof(mjContact) * room.contacts;
+      sizeof(mjtNum) * (sizes.numbers + (30.0 + 2.0 * static_cast<double>(m.nv)) * sizes.rows) +
+      1.0 * sizeof(mjContact) * sizes.contacts;
   m.narena = static_cast<decltype(m.narena)>(kLeast + bytes);
 }
 #else
-Room RoomOf(const mjModel& m) { return {m.nconmax, m.njmax, static_cast<double>(m.nstack)}; }
+BufferSizes BufferSizesOf(const mjModel& m) {
+  return {m.nconmax, m.njmax, static_cast<double>(m.nstack)};
+}
 
-void SetRoom(mjModel& m, const Room& room) {
-  m.nconmax = room.contacts;
-  m.njmax = room.rows;
-  constexpr double kMost = std::numeric_limits<int>::max() / 16.0;  // it counts bytes in an int
-  m.nstack = static_cast<int>(std::min(room.numbers, kMost));
+void SetBufferSizes(mjModel& m, const BufferSizes& sizes) {
+  m.nconmax = sizes.contacts;
+  m.njmax = sizes.rows;
+  constexpr double kMost =
+      std::numeric_limits<int>::max() / 16.0;  // MuJoCo counts the bytes in an int
+  m.nstack = static_cast<int>(std::min(sizes.numbers, kMost));
 }
 #endif
 

@@ -1,10 +1,9 @@
-#pragma once
-
-// MuJoCo's programming interface, as one for its releases 2.2 to 4.0: what differs between them has
-// a name here, and no other file asks which release it is compiled with.
+// Compatibility layer over MuJoCo's C API for releases 2.2 to 4.0: one name for everything that
+// differs between releases.
 //
 // Releases are compared by MuJoCo's own mjVERSION_HEADER: 222 is 2.2.2, 337 is 3.3.7 and, with
 // seven digits from 3.5 on, 3005000 is 3.5.0, so that a later release always has the larger number.
+#pragma once
 
 #include <cstddef>
 #include <span>
@@ -17,20 +16,20 @@
 
 namespace mjforge::engine {
 
-/// Of the library that runs: "3.3.7".
+/// Returns the version of the MuJoCo library in use: "3.3.7".
 inline std::string Version() { return mj_versionString(); }
 
 using Flag = std::remove_pointer_t<decltype(mjModel::jnt_limited)>;  // mjtByte; from 3.7 mjtBool
 using Count = decltype(mjModel::ngeom);                              // int; from 3.4 mjtSize
 
 #if mjVERSION_HEADER >= 300
-/// Of each equality: whether it holds at the start.
+/// Array of mjModel: 1 for each equality that is active at the start.
 inline constexpr auto kEqualityActive = &mjModel::eq_active0;
 #else
 inline constexpr auto kEqualityActive = &mjModel::eq_active;
 #endif
 
-/// Of each light: 1 if it is directional.
+/// Array of mjModel: 1 for each light that is directional.
 #if mjVERSION_HEADER >= 333
 inline constexpr auto kLightDirectional = &mjModel::light_type;
 inline void MakeDirectional(mjvLight& light) { light.type = mjLIGHT_DIRECTIONAL; }
@@ -39,7 +38,7 @@ inline constexpr auto kLightDirectional = &mjModel::light_directional;
 inline void MakeDirectional(mjvLight& light) { light.directional = 1; }
 #endif
 
-/// The texture of a material's colour; -1: it has none.
+/// Returns the id of a material's colour texture; -1 if it has none.
 inline int TextureOf(const mjModel& m, int material) {
 #if mjVERSION_HEADER >= 321
   return m.mat_texid[mjNTEXROLE * material + mjTEXROLE_RGB];
@@ -48,7 +47,7 @@ inline int TextureOf(const mjModel& m, int material) {
 #endif
 }
 
-/// The bytes of a texture, row by row.
+/// Returns the bytes of a texture, row by row.
 inline std::span<const mjtByte> PixelsOf(const mjModel& m, int texture) {
 #if mjVERSION_HEADER >= 321
   const mjtByte* data = m.tex_data;
@@ -61,8 +60,8 @@ inline std::span<const mjtByte> PixelsOf(const mjModel& m, int texture) {
   return {data + m.tex_adr[texture], static_cast<std::size_t>(channels * pixels)};
 }
 
-/// Leaves a geom its colour alone.
-inline void TakeTexture(mjvGeom& geom) {
+/// Removes the texture of a geom, which keeps its colour.
+inline void RemoveTexture(mjvGeom& geom) {
 #if mjVERSION_HEADER >= 320
   geom.matid = -1;
 #else
@@ -70,21 +69,21 @@ inline void TakeTexture(mjvGeom& geom) {
 #endif
 }
 
-/// MJCF's word for a number of mjtDyn, mjtGain or mjtBias.
+/// Returns the MJCF keyword of a mjtDyn, mjtGain or mjtBias.
 std::string_view WordOf(mjtDyn dynamics);
 std::string_view WordOf(mjtGain gain);
 std::string_view WordOf(mjtBias bias);
 
-/// The bits of mjOption::disableflags that switch springs and dampers off.
+/// Bits of mjOption::disableflags that disable springs and dampers.
 #if mjVERSION_HEADER >= 336
 inline constexpr int kDisablePassive = mjDSBL_SPRING | mjDSBL_DAMPER;
 #else
 inline constexpr int kDisablePassive = mjDSBL_PASSIVE;
 #endif
 
-/// For after a geom was moved or may collide with more than when it was compiled: later releases
-/// keep where a body's geoms are, and what they collide with.
-inline void TellBody([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
+/// Updates the body of a geom that was moved or got more bits of contype or conaffinity, because
+/// later releases store a bounding volume hierarchy and these bits for each body.
+inline void UpdateBodyOf([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
 #if mjVERSION_HEADER >= 233
   m.opt.disableflags |= mjDSBL_MIDPHASE;
 #endif
@@ -94,8 +93,7 @@ inline void TellBody([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
 #endif
 }
 
-/// Several contact points where convex surfaces meet; from 3.8 on MuJoCo finds them unless told not
-/// to.
+/// Enables several contact points between two convex geoms, the default from 3.8 on.
 inline void EnableMultipleContacts(mjOption& option) {
 #if mjVERSION_HEADER >= 3008000
   option.disableflags &= ~mjDSBL_MULTICCD;
@@ -104,22 +102,23 @@ inline void EnableMultipleContacts(mjOption& option) {
 #endif
 }
 
-/// Forces that fit to the last digits. From 3.0 on the solver stops too early where light bodies
-/// are pressed between heavy ones, which then shake.
-inline void SolveClosely([[maybe_unused]] mjOption& option) {
+/// Makes the solver converge to the last digits. From 3.0 on, its default tolerance is too large
+/// for light bodies that are pressed between heavy ones: they shake.
+inline void TightenTolerance([[maybe_unused]] mjOption& option) {
 #if mjVERSION_HEADER >= 300
   option.tolerance = 1e-14;
 #endif
 }
 
-/// The two bodies of an <exclude>; until 2.3 each is kept plus one.
+/// Returns the two bodies of an `<exclude>`. Up to 2.3, MuJoCo stores the ids plus one.
 inline std::pair<int, int> ExcludedBodies(const mjModel& m, int exclude) {
   constexpr int kFirst = mjVERSION_HEADER >= 300 ? 0 : 1;
   const int signature = m.exclude_signature[exclude];
   return {(signature >> 16) - kFirst, (signature & 0xFFFF) - kFirst};
 }
 
-/// The diagonal of the joint space's inertia at a degree of freedom, kg or kg m^2.
+/// Returns the diagonal element of the joint-space inertia matrix for a degree of freedom, kg or
+/// kg m^2.
 inline mjtNum DofInertia([[maybe_unused]] const mjModel& m, const mjData& d, int dof) {
 #if mjVERSION_HEADER >= 3011000
   return d.M[m.M_rowadr[dof] + m.M_rownnz[dof] - 1];  // a row ends at its diagonal
@@ -128,7 +127,7 @@ inline mjtNum DofInertia([[maybe_unused]] const mjModel& m, const mjData& d, int
 #endif
 }
 
-/// The dense inertia, nv x nv.
+/// Writes the dense joint-space inertia matrix, nv x nv.
 template <class Model, class Data>
 void FullInertia(const Model& m, const Data& d, mjtNum* inertia) {
   if constexpr (requires { mj_fullM(&m, &d, inertia); }) {
@@ -138,7 +137,7 @@ void FullInertia(const Model& m, const Data& d, mjtNum* inertia) {
   }
 }
 
-/// mj_rayMesh and mju_rayGeom, which from 3.5 can tell the normal, too.
+/// Calls mj_rayMesh and mju_rayGeom, which from 3.5 on have an output for the normal.
 template <class... Arguments>
 mjtNum RayMesh(Arguments... arguments) {
   if constexpr (requires { mj_rayMesh(arguments...); }) {
@@ -156,14 +155,14 @@ mjtNum RayGeom(Arguments... arguments) {
   }
 }
 
-/// What mj_makeData makes room for.
-struct Room {
-  int contacts = 0;    // -1: as many as the memory holds
-  int rows = 0;        // of constraints
-  double numbers = 0;  // on the stack
+/// Sizes of the buffers that mj_makeData allocates.
+struct BufferSizes {
+  int contacts = 0;    // -1: limited only by the memory
+  int rows = 0;        // constraint rows
+  double numbers = 0;  // numbers on the stack
 };
-Room RoomOf(const mjModel& m);
-/// From 2.3 on, contacts, rows and stack share one memory, an arena.
-void SetRoom(mjModel& m, const Room& room);
+BufferSizes BufferSizesOf(const mjModel& m);
+/// Sets the sizes. From 2.3 on, contacts, rows and stack share one arena.
+void SetBufferSizes(mjModel& m, const BufferSizes& sizes);
 
 }  // namespace mjforge::engine

@@ -1,3 +1,4 @@
+// Loads MJCF in MuJoCo: handlers for errors and warnings, files in memory.
 #include "mjforge/engine/engine.h"
 
 #include <algorithm>
@@ -9,20 +10,21 @@
 #include <fmt/format.h>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::engine {
 namespace {
 
 using diag::Code;
 
-// MuJoCo calls handlers on the thread that loads and passes them nothing else.
+// Warnings of the current load. MuJoCo calls handlers on the loading thread, without user data.
 thread_local std::vector<std::string> thread_warnings;
 
-// mju_error must not return. Within a compilation MuJoCo catches its own errors
-// (longjmp in mjCModel::Compile); elsewhere an exception leaves mj_loadXML, whose
-// mutex is held by a std::lock_guard and so released.
+// The handler of mju_error must not return. Within a compilation MuJoCo catches its own errors
+// (longjmp in mjCModel::Compile); elsewhere the exception leaves mj_loadXML, whose std::lock_guard
+// releases the mutex.
 [[noreturn]] void ThrowError(const char* message) { throw std::runtime_error(message); }
-void KeepWarning(const char* message) { thread_warnings.emplace_back(message); }
+void StoreWarning(const char* message) { thread_warnings.emplace_back(message); }
 
 Loaded Load(const char* file, const mjVFS* vfs) {
   std::array<char, 1000> message = {};
@@ -36,7 +38,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
       thread_warnings.emplace_back(message.data());
     }
   } catch (const std::bad_alloc&) {
-    throw;  // not MuJoCo's fault
+    throw;  // not an error of the model
   } catch (const std::exception& error) {
     loaded.error = error.what();
   }
@@ -44,14 +46,14 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   return loaded;
 }
 
-Loaded TooLarge(const PictureFault& fault) {
+Loaded TooLarge(const ImageFault& fault) {
   Loaded loaded;
   loaded.error = fault.message;
   loaded.too_large_line = fault.line;
   return loaded;
 }
 
-/// How MuJoCo names a file in memory: without folders, in lower case.
+/// Returns MuJoCo's name for a file in memory: without folders, in lower case.
 std::string NameInMemory(std::string_view name) {
   return diag::LowerCase(name.substr(name.find_last_of("/\\") + 1));
 }
@@ -60,7 +62,7 @@ std::string NameInMemory(std::string_view name) {
 
 Engine::Engine() {
   mju_user_error = ThrowError;
-  mju_user_warning = KeepWarning;
+  mju_user_warning = StoreWarning;
 }
 
 const std::string* Engine::ReadOnce(const std::filesystem::path& file, std::string& why_not) {
@@ -77,7 +79,7 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const bytes::Assets& asset
     std::string why_not;
     const std::string* bytes = made ? made.get() : ReadOnce(file, why_not);
     if (bytes == nullptr) {
-      return AssetProblem{i, CodeOfUnread(file),
+      return AssetProblem{i, xml::UnreadableCode(file),
                           fmt::format("cannot read '{}': {}", file.string(), why_not)};
     }
     if (bytes->empty()) {
@@ -108,34 +110,19 @@ Loaded Engine::LoadText(const std::string& text) {
 }
 
 Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
-  if (const auto fault = FindTooManyPixels(text, folder)) return TooLarge(*fault);
+  if (const auto fault = FindOversizedImage(text, folder)) return TooLarge(*fault);
   in_memory_.Clear();
   in_memory_.SetText(text);
   return Load((folder / MemoryFiles::kTextName).c_str(), in_memory_.Get());
 }
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) {
-  diag::Sources sources;
-  diag::Findings findings;
-  if (const auto xml = ReadXmlFile(file, sources, findings)) return LoadFile(file, *xml);
-  Loaded failed;
-  for (const diag::Finding& finding : findings) {
-    if (failed.error.empty() && finding.severity == diag::Severity::kError)
-      failed.error = finding.message;
-  }
-  return failed;
-}
-
-Loaded Engine::LoadFile(const std::filesystem::path& file, const XmlFile& xml) {
-  if (xml.adapted) {
-    return LoadTextIn(file == bytes::kStandardInput ? "." : file.parent_path(), *xml.adapted);
-  }
   Loaded failed;
   if (file == bytes::kStandardInput) {
     const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);
     if (text) return LoadTextIn(".", *text);
   } else if (const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error)) {
-    if (const auto fault = FindTooManyPixels(*text, file.parent_path())) return TooLarge(*fault);
+    if (const auto fault = FindOversizedImage(*text, file.parent_path())) return TooLarge(*fault);
     return Load(file.c_str(), nullptr);
   }
   return failed;

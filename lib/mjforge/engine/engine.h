@@ -1,6 +1,5 @@
+// Loads MJCF in MuJoCo without side effects: no exit, no output, no log file.
 #pragma once
-
-// MuJoCo's loader without side effects: it does not exit, print, or write a log.
 
 #include <filesystem>
 #include <map>
@@ -15,16 +14,11 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
-#include "mjforge/engine/adapt.h"
 #include "mjforge/engine/api.h"
-#include "mjforge/engine/flat_text.h"
 #include "mjforge/engine/geom_pairs.h"
+#include "mjforge/engine/image_limits.h"
 #include "mjforge/engine/memory_files.h"
-#include "mjforge/engine/pictures.h"
 #include "mjforge/engine/refusal.h"
-#include "mjforge/engine/weigh_meshes.h"
-#include "mjforge/engine/xml_file.h"
-#include "mjforge/engine/xml_tree.h"
 
 namespace mjforge::engine {
 
@@ -38,37 +32,35 @@ struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
-  int too_large_line = 0;  // not MuJoCo's error, ours: of the picture that is too much for memory
+  int too_large_line = 0;  // if the error is ours: line of the oversized image
 };
 
+/// MuJoCo's loader, with files in memory.
 class Engine {
  public:
-  /// Makes MuJoCo's errors C++ exceptions (std::runtime_error) and collects its warnings, in the
-  /// whole process.
+  /// Installs handlers in the whole process: MuJoCo's errors become exceptions
+  /// (std::runtime_error), and its warnings are collected.
   Engine();
 
-  /// Puts the files into memory under the names that the text uses, reading each once; those that
-  /// are made must live until the text is loaded. If it cannot, returns the reason and the index of
-  /// the asset; otherwise nothing.
+  /// The reason why a file cannot be put into memory.
   struct AssetProblem {
-    std::size_t asset = 0;
+    std::size_t asset = 0;  // index of the asset
     diag::Code code = diag::Code::kMujocoError;
     std::string message;
   };
+  /// Puts the files into memory under the names that the text uses. Each file is read at most once;
+  /// generated files must live until the text is loaded. Returns the first problem, if any.
   std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
   /// Loads a text that may refer to the assets.
   Loaded LoadText(const std::string& text);
-  /// As if the text were a file in that folder: reads the files it refers to from the disk.
+  /// Loads a text as if it were a file in that folder; reads the files it refers to from the disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
-  /// Loads a file or standard input, and the files it refers to from the disk. If it needs a later
-  /// MuJoCo, the first thing that does is the error.
+  /// Loads a file or standard input as it is, and the files it refers to from the disk.
   Loaded LoadFile(const std::filesystem::path& file);
-  /// The same, if it was read before.
-  Loaded LoadFile(const std::filesystem::path& file, const XmlFile& xml);
 
  private:
-  /// The file's content, read at most once; null if it cannot be read.
+  /// Returns a file's content, which is read at most once; null if the file cannot be read.
   const std::string* ReadOnce(const std::filesystem::path& file, std::string& why_not);
 
   MemoryFiles in_memory_;

@@ -1,3 +1,4 @@
+// Mixes contact parameters of geom pairs, and lends the list to a model for one call.
 #include "mjforge/engine/geom_pairs.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kPairsOnly = 1;  // mjCOL_PAIR, which later releases do not have
 
-/// How much of the first geom's parameters a contact has.
+/// Returns the weight of the first geom's parameters in a contact.
 mjtNum MixOf(mjtNum solmix1, mjtNum solmix2) {
   if (solmix1 >= mjMINVAL && solmix2 >= mjMINVAL) return solmix1 / (solmix1 + solmix2);
   if (solmix1 < mjMINVAL && solmix2 < mjMINVAL) return 0.5;
@@ -47,14 +48,14 @@ void Append(std::vector<mjtNum>& list, const Array& row) {
 
 }  // namespace
 
-/// As long as it lives, a model has these pairs and no others.
+/// Gives a model these pairs and no others during the lifetime of this object.
 template <class Model, bool kTaken>
-class GeomPairs::Put {
+class GeomPairs::ScopedPairs {
  public:
-  Put(Model& m, GeomPairs& pairs) : m_(m), pairs_(pairs) { Swap(); }
-  ~Put() { Swap(); }
-  Put(const Put&) = delete;
-  Put& operator=(const Put&) = delete;
+  ScopedPairs(Model& m, GeomPairs& pairs) : m_(m), pairs_(pairs) { Swap(); }
+  ~ScopedPairs() { Swap(); }
+  ScopedPairs(const ScopedPairs&) = delete;
+  ScopedPairs& operator=(const ScopedPairs&) = delete;
 
  private:
   void Swap() {
@@ -87,9 +88,9 @@ class GeomPairs::Put {
 };
 
 template <class Model>
-class GeomPairs::Put<Model, false> {
+class GeomPairs::ScopedPairs<Model, false> {
  public:
-  Put(Model& /*m*/, GeomPairs& /*pairs*/) {}
+  ScopedPairs(Model& /*m*/, GeomPairs& /*pairs*/) {}
 };
 
 void GeomPairs::Clear() {
@@ -97,7 +98,7 @@ void GeomPairs::Clear() {
   for (std::vector<mjtNum>* list : {&margin_, &gap_, &friction_, &solref_, &solimp_}) list->clear();
 }
 
-// As mj_collideGeoms (src/engine/engine_collision_driver.c of 2.2.2) does, digit for digit.
+// Mixes the parameters exactly like mj_collideGeoms (src/engine/engine_collision_driver.c, 2.2.2).
 void GeomPairs::Add(const mjModel& m, int geom1, int geom2) {
   if (m.geom_type[geom1] > m.geom_type[geom2]) std::swap(geom1, geom2);
   const int a = geom1;
@@ -124,7 +125,7 @@ void GeomPairs::Add(const mjModel& m, int geom1, int geom2) {
   geom1_.push_back(a);
   geom2_.push_back(b);
   dim_.push_back(dim);
-  signature_.push_back(0);  // counts only where MuJoCo finds other pairs besides
+  signature_.push_back(0);  // matters only if MuJoCo also finds pairs itself
   margin_.push_back(std::max(m.geom_margin[a], m.geom_margin[b]));
   gap_.push_back(std::max(m.geom_gap[a], m.geom_gap[b]));
   Append(friction_, std::array{friction[0], friction[0], friction[1], friction[2], friction[2]});
@@ -133,12 +134,12 @@ void GeomPairs::Add(const mjModel& m, int geom1, int geom2) {
 }
 
 void GeomPairs::Step(mjModel& m, mjData& d) {
-  [[maybe_unused]] const Put<mjModel, kTakesPairs> put(m, *this);
+  [[maybe_unused]] const ScopedPairs<mjModel, kTakesPairs> scoped(m, *this);
   mj_step(&m, &d);
 }
 
 void GeomPairs::Collide(mjModel& m, mjData& d) {
-  [[maybe_unused]] const Put<mjModel, kTakesPairs> put(m, *this);
+  [[maybe_unused]] const ScopedPairs<mjModel, kTakesPairs> scoped(m, *this);
   mj_collision(&m, &d);
 }
 

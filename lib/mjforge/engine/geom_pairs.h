@@ -1,6 +1,5 @@
+// Explicit lists of geom pairs for MuJoCo's collision detection.
 #pragma once
-
-// The pairs of geoms between which MuJoCo looks for contacts.
 
 #include <vector>
 
@@ -16,25 +15,25 @@ constexpr bool TakesPairs() {
 }
 }  // namespace internal
 
-/// Whether this release can be told all pairs. Up to 2.3 it compares each geom of a body with each
-/// of another one that is near; later ones have trees of boxes for that.
+/// True if this release accepts an explicit list of all pairs. Up to 2.3, MuJoCo tests all geoms of
+/// two nearby bodies against each other; later releases have bounding volume hierarchies.
 inline constexpr bool kTakesPairs = internal::TakesPairs<mjModel>();
 
-/// A list of pairs, each with the contact parameters that MuJoCo would mix for it.
+/// A list of geom pairs, each with the contact parameters that MuJoCo would mix for the pair.
 class GeomPairs {
  public:
   void Clear();
-  /// Neither is a height field. In MuJoCo's order, contacts are as without the list: by the lower
-  /// body, then the higher one, then the geoms.
+  /// Adds a pair of geoms that are not height fields. Contacts equal those without the list if
+  /// pairs are added in MuJoCo's order: by the lower body, then by the higher body, then by geoms.
   void Add(const mjModel& m, int geom1, int geom2);
 
-  /// mj_step and mj_collision, with these pairs alone; without them if the release takes none.
+  /// Calls mj_step or mj_collision with only these pairs; without the list if !kTakesPairs.
   void Step(mjModel& m, mjData& d);
   void Collide(mjModel& m, mjData& d);
 
  private:
   template <class Model, bool kTaken>
-  class Put;
+  class ScopedPairs;
 
   std::vector<int> geom1_;
   std::vector<int> geom2_;
@@ -42,9 +41,9 @@ class GeomPairs {
   std::vector<int> signature_;
   std::vector<mjtNum> margin_;
   std::vector<mjtNum> gap_;
-  std::vector<mjtNum> friction_;  // 5 of each
-  std::vector<mjtNum> solref_;    // mjNREF of each
-  std::vector<mjtNum> solimp_;    // mjNIMP of each
+  std::vector<mjtNum> friction_;  // 5 per pair
+  std::vector<mjtNum> solref_;    // mjNREF per pair
+  std::vector<mjtNum> solimp_;    // mjNIMP per pair
 };
 
 }  // namespace mjforge::engine

@@ -1,3 +1,4 @@
+// MuJoCo's virtual file system (mjVFS), before and after its change in MuJoCo 3.2.
 #include "mjforge/engine/memory_files.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ const mjVFS* MemoryFiles::Get() {
 }
 
 void MemoryFiles::SetText(const std::string& text) {
-  // The next text may lie where the last one lay.
+  // Always copy: the next text may have the address of the last one.
   mj_deleteFileVFS(vfs_.get(), kTextName);
   mj_addBufferVFS(vfs_.get(), kTextName, text.data(), static_cast<int>(text.size()));
 }
@@ -60,7 +61,7 @@ void MemoryFiles::SetFile(int slot, const std::string& name, const std::string& 
   char* stored = vfs_->filename[slot];
   stored[name.copy(stored, mjMAXVFSNAME - 1)] = 0;
   vfs_->filesize[slot] = static_cast<int>(bytes.size());
-  // MuJoCo only reads it.
+  // MuJoCo does not change the bytes.
   vfs_->filedata[slot] = const_cast<char*>(bytes.data());
 }
 

@@ -1,3 +1,4 @@
+// MuJoCo's virtual file system (mjVFS), before and after its change in MuJoCo 3.2.
 #pragma once
 
 #include <map>
@@ -8,22 +9,22 @@
 
 namespace mjforge::engine {
 
-/// Files that MuJoCo finds in memory: the text of a model, and what it refers to.
+/// Files that MuJoCo reads from memory: the text of a model, and its assets.
 class MemoryFiles {
  public:
   MemoryFiles();
 
-  /// What mj_loadXML takes. Texts and files must live as long as it is used.
+  /// Returns the argument for mj_loadXML. Texts and files must live as long as it is used.
   const mjVFS* Get();
 
-  /// The model's text is found as `kTextName`.
+  /// File name of the model's text.
   static constexpr const char* kTextName = "mjforge-object.xml";
   void SetText(const std::string& text);
 
-  /// No file but the text, for a start.
+  /// Removes all files except the text.
   void Clear();
   enum class Added { kYes, kTooMany, kNameTaken };
-  /// `name` has no folder and only small letters. The same bytes may be added twice.
+  /// Adds a file. `name` has no folder and no capital letters. The same bytes may be added twice.
   Added Add(const std::string& name, const std::string& bytes);
 
  private:
@@ -35,11 +36,11 @@ class MemoryFiles {
   struct Delete {
     void operator()(mjVFS* vfs) const;
   };
-  /// MuJoCo copies what it is given, so what many texts refer to stays.
+  /// Files that MuJoCo has copied. They stay in its memory if the next text refers to them, too.
   std::map<std::string, Entry> files_;
 #else
-  // Filled by hand: the memory of its files is ours, its 2 MB are touched only where used, and
-  // mj_deleteFileVFS (2.2.2) never returns for any file except the last.
+  // Written without MuJoCo's functions: they copy files, touch all of the 2 MB structure, and
+  // mj_deleteFileVFS (2.2.2) does not return unless the file is the last one.
   using Delete = std::default_delete<mjVFS>;
   void SetFile(int slot, const std::string& name, const std::string& bytes);
 #endif

@@ -1,3 +1,4 @@
+// Parses MuJoCo's error messages.
 #include "mjforge/engine/refusal.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace mjforge::engine {
 namespace {
 
-// How the compiler (mjCError; the second from 3.0 on), the reader (mjXError) and tinyxml2 say a
-// line.
+// Words before the line number in messages of the compiler (mjCError; the second from 3.0 on), the
+// reader (mjXError) and tinyxml2.
 constexpr std::string_view kLineWords[] = {", line = ", ", line ", "', line ",
                                            "Line number=", "on line "};
 constexpr std::string_view kPrefixes[] = {"XML Error: ", "Error: ", "XML parse error "};
@@ -60,7 +61,7 @@ Refusal ParseRefusal(std::string_view message) {
   for (const std::string_view prefix : kPrefixes) {
     if (reason.starts_with(prefix)) reason.remove_prefix(prefix.size());
   }
-  // The last line says where; a parse error's first line is only its number.
+  // Remove the last line, which names the element.
   const std::size_t where = std::min(reason.rfind("\nObject name"), reason.rfind("\nElement "));
   refusal.reason = OneLine(reason.substr(0, where));
   return refusal;

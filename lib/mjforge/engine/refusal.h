@@ -1,23 +1,23 @@
+// Parses MuJoCo's error messages.
 #pragma once
-
-// MuJoCo's error texts, taken apart.
 
 #include <string>
 #include <string_view>
 
 namespace mjforge::engine {
 
+/// Reason and place of an error.
 struct Refusal {
-  std::string reason;  // one line, without MuJoCo's "Error: " and final stop
-  int line = 0;        // of the XML; 0: unknown
+  std::string reason;  // a line without MuJoCo's "Error: " and final full stop
+  int line = 0;        // line of the XML; 0 if unknown
 };
 Refusal ParseRefusal(std::string_view message);
 
-/// A text on one line, for notes.
+/// Returns a text on one line, for notes.
 std::string OneLine(std::string_view text);
 
-/// "geom 'head'" for the element that starts on a line of an XML text, "the
-/// geom on line 7" if it has no name, "the model" if there is none.
+/// Describes the element that starts on a line of an XML text: "geom 'head'", or "the geom on line
+/// 7" if it has no name, or "the model" if no element starts there.
 std::string ElementOnLine(std::string_view xml, int line);
 
 }  // namespace mjforge::engine

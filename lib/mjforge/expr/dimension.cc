@@ -1,3 +1,4 @@
+// Arithmetic of physical dimensions, and reading and writing of units.
 #include "mjforge/expr/dimension.h"
 
 #include <algorithm>
@@ -8,16 +9,15 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/expr/names.h"
-#include "mjforge/expr/units.h"
+#include "mjforge/expr/expr.h"
 
 namespace mjforge::expr {
 namespace {
 
-// Far above what a formula of mechanics has.
+// Largest exponent of a base unit; far above the exponents in mechanics.
 constexpr double kMaxPower = 20;
 
-// Products that have names of their own.
+// Products of base units that have their own names.
 constexpr std::array<std::pair<Dimension, std::string_view>, 8> kNames = {{
     {{0, 0, 0}, "1"},
     {{0, 0, 0, 1}, "rad"},
@@ -29,15 +29,15 @@ constexpr std::array<std::pair<Dimension, std::string_view>, 8> kNames = {{
     {{0, 1, -1}, "Ns/m"},
 }};
 
-// A word of a unit: one that numbers may carry, or a product written as one word.
+// Returns the unit of one word: a suffix of numbers ("mm"), or a named product ("Nms").
 std::optional<NamedUnit> FindWord(std::string_view word) {
   if (word == "1") return NamedUnit{Dimension::Count()};
   for (const auto& [dimension, name] : kNames) {
     if (name == word) return NamedUnit{dimension};
   }
-  const std::optional<KnownUnit> known = FindKnownUnit(word);
-  if (!known) return std::nullopt;
-  return NamedUnit{known->dimension, known->numerator == known->denominator};
+  const Unit* unit = FindUnitSuffix(word);
+  if (unit == nullptr) return std::nullopt;
+  return NamedUnit{unit->dimension, unit->numerator == unit->denominator};
 }
 
 void AddFactor(std::string& text, std::string_view name, int power) {
@@ -66,7 +66,7 @@ Dimension operator/(const Dimension& a, const Dimension& b) { return a * Power(b
 
 Dimension Power(const Dimension& base, double exponent) {
   if (!base.is_known_) return {};
-  // 1 / rad takes an angle away again.
+  // The exponents 1 and -1 keep an angle: rad^-1 times rad is 1.
   Dimension power =
       Dimension::Checked(base.m_ * exponent, base.kg_ * exponent, base.s_ * exponent, 0);
   if (power == Dimension::Count() && (exponent == 1 || exponent == -1))
@@ -92,7 +92,7 @@ std::string Dimension::Text() const {
   return text;
 }
 
-std::optional<Dimension> Common(const Dimension& a, const Dimension& b) {
+std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b) {
   if (a == b) return a;
   if (a.is_plain() && b.is_plain()) return Dimension();
   if (a.is_plain()) return b;

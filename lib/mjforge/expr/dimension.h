@@ -1,6 +1,5 @@
+// Physical dimensions (length, mass, time, angle) and the names of their units.
 #pragma once
-
-// What numbers measure: lengths, masses, angles, and their products.
 
 #include <cstdint>
 #include <optional>
@@ -10,28 +9,29 @@
 
 namespace mjforge::expr {
 
-/// A product of powers of m, kg and s, or rad. A plain number (3, a count, the ratio of two
-/// lengths) fits anything; one that is not known to be a count or a ratio may itself measure
-/// something (700 for 700 kg/m^3), so nothing is known of its products.
+/// Dimension of a number: a product of powers of m, kg and s, or rad. A plain number (3, a count,
+/// the ratio of two lengths) is compatible with every dimension. A number that is not known to be a
+/// count or a ratio may have a dimension (700 for 700 kg/m^3), so its products are unknown.
 class Dimension {
  public:
-  constexpr Dimension() = default;  // a number that may measure anything
+  constexpr Dimension() = default;  // unknown
   constexpr Dimension(int m, int kg, int s, int rad = 0)
       : m_(Small(m)), kg_(Small(kg)), s_(Small(s)), rad_(Small(rad)), is_known_(true) {}
-  /// A count or a ratio.
+  /// The dimension of a count or a ratio.
   static constexpr Dimension Count() { return {0, 0, 0}; }
+  static constexpr Dimension Angle() { return {0, 0, 0, 1}; }
 
   bool is_known() const { return is_known_; }
   bool is_plain() const { return !is_known_ || *this == Count(); }
-  /// "m", "kg/m^3", "N"; "1" for a plain number.
+  /// Returns the unit: "m", "kg/m^3", "N"; "1" for a plain number.
   std::string Text() const;
 
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
   friend constexpr auto operator<=>(const Dimension&, const Dimension&) = default;
-  /// An angle times or through anything else is only a factor: N m/rad times rad is N m.
+  /// Angles are dimensionless factors in products and quotients: N m/rad times rad is N m.
   friend Dimension operator*(const Dimension& a, const Dimension& b);
   friend Dimension operator/(const Dimension& a, const Dimension& b);
-  /// Unknown where a power would not be a whole number.
+  /// Returns an unknown dimension if a resulting exponent is not a whole number.
   friend Dimension Power(const Dimension& base, double exponent);
 
  private:
@@ -45,19 +45,21 @@ class Dimension {
   bool is_known_ = false;
 };
 
-/// What numbers measure that are added or compared; nothing if they measure different things.
-std::optional<Dimension> Common(const Dimension& a, const Dimension& b);
+/// Returns the common dimension of two operands that are added or compared, or nothing if their
+/// dimensions differ.
+std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b);
 
-/// Of the components of a vector, in order. One is that of all; empty: unknown.
+/// Dimensions of the components of a vector, in order. A single entry applies to all components; an
+/// empty list means unknown.
 using Dimensions = std::vector<Dimension>;
 Dimension DimensionAt(const Dimensions& dimensions, std::size_t component);
 
-/// A unit as specs and tables name it: "m", "kg/m^3", "Nm s/rad", "1".
+/// Unit named in a spec or in the table of fields: "m", "kg/m^3", "Nm s/rad", "1".
 struct NamedUnit {
   Dimension dimension;
-  bool is_si = true;  // false: "mm"
+  bool is_si = true;  // false for "mm"
 };
-/// Nothing if the text names none.
+/// Returns nothing if the text is not a unit.
 std::optional<NamedUnit> FindUnit(std::string_view text);
 
 }  // namespace mjforge::expr

@@ -1,7 +1,6 @@
+// Expressions of specs, their units and names, and the conversion of numbers to text and back.
+// The results do not depend on the locale.
 #pragma once
-
-// The little language of numbers: how they are read, written and computed.
-// Nothing here depends on the locale.
 
 #include <cstddef>
 #include <memory>
@@ -14,51 +13,55 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/dimension.h"
-#include "mjforge/expr/names.h"
+#include "mjforge/expr/rounded_text.h"
+#include "mjforge/expr/symbol_table.h"
 
 namespace mjforge::expr {
 
-/// Appends `value` (finite) with at most 10 significant digits, correctly
-/// rounded, as short as possible: "0.015", "1e-08", "-3". Never "-0".
+/// Appends `value` (finite) with at most 10 significant digits, correctly rounded, as short as
+/// possible: "0.015", "1e-08", "-3". Never "-0".
 void AppendNumber(std::string& out, double value);
 std::string NumberText(double value);
-/// Bytes that the functions below may write: a sign, 16 digits, a point, zeros.
+/// Size in bytes of a buffer for WriteNumber and WriteExactNumber: sign, 16 digits, point, zeros.
 inline constexpr std::size_t kLongestNumber = 40;
-/// The same into memory. Returns the end; what is behind it may be overwritten, too.
+/// Writes the text of AppendNumber to `out` and returns its end. The rest of the buffer
+/// (kLongestNumber bytes) may be overwritten.
 char* WriteNumber(char* out, double value);
 
-/// The shortest text that reads back as `value` (finite); for records that
-/// must reproduce a value to the last bit.
+/// Appends the shortest text that reads back as `value` (finite), for records that must reproduce a
+/// value to the last bit.
 void AppendExactNumber(std::string& out, double value);
 char* WriteExactNumber(char* out, double value);
 std::string ExactNumberText(double value);
 
-/// A plain YAML 1.2 number (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`), the
-/// whole text. `.inf` and `.nan` are not numbers here.
+/// Parses a text that is a YAML 1.2 number (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`). Returns
+/// nothing for other texts, among them `.inf` and `.nan`.
 std::optional<double> ParseNumber(std::string_view text);
 
-/// Whether it is a letter, then letters, digits and underscores, all of ASCII.
+/// Returns true for an ASCII letter followed by ASCII letters, digits and underscores.
 bool IsName(std::string_view text);
 bool IsNameCharacter(char c);
-/// 0 to 9, in every locale.
+/// Returns true for 0 to 9, in every locale.
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// The words of a text, separated by spaces or line ends.
+/// Returns true if `words`, one space apart, contains `word`.
+bool HasWord(std::string_view words, std::string_view word);
+/// Splits a text at spaces, tabs and line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 
-/// The numbers of a list (of texts their TextKey()s), and the sums of its first ones.
+/// The numbers of a list (for texts, their TextKey()s) and its prefix sums.
 class Sequence {
  public:
   Sequence() : Sequence(std::vector<double>()) {}
   explicit Sequence(std::vector<double> numbers);
 
   const std::vector<double>& numbers() const { return numbers_; }
-  /// Of the first `count`, of [0, size], added one after the other.
+  /// Returns the sum of the first `count` numbers, in [0, size], added from left to right.
   double SumOf(std::size_t count) const { return sums_[count]; }
 
  private:
   std::vector<double> numbers_;
-  std::vector<double> sums_;  // of none, of the first, of the first two, ...
+  std::vector<double> sums_;  // sums_[i]: sum of the first i numbers
 };
 
 struct Error {
@@ -66,49 +69,50 @@ struct Error {
   std::size_t offset = 0;  // byte in the expression's text
   std::string message;
   std::string hint;
-  std::string formula = {};  // in whose body the offset is; empty: in the text itself
+  std::string formula = {};  // function whose body contains the offset; empty: the text itself
 };
 
 class Program;  // private to the room
 
-/// One compiled expression; copies share what was compiled.
+/// A compiled expression. Copies share the compiled program.
 class Expression {
  public:
   struct Input {
-    std::string name;  // as written: "r", "size.x"; of a list or vector used whole, its name
+    std::string name;  // in the expression: "r", "size.x"; without component: a whole list
     int slot = 0;
-    Type type = Type::kNumber;  // of a list, its items'
-    int list = -1;
+    Type type = Type::kNumber;  // for a list, the type of its items
+    int list = -1;              // number of the list; -1: not a list
   };
 
   const std::string& text() const { return text_; }
-  /// Of the result. A text is a TextKey(): of one of texts(), or of an input.
+  /// Type of the result. A text result is the TextKey() of one of texts(), or of an input.
   Type type() const { return type_; }
-  /// What the result measures.
+  /// Dimension of the result.
   const Dimension& dimension() const { return dimension_; }
   std::span<const Input> inputs() const { return inputs_; }
-  /// The texts that it has in quotes.
+  /// Quoted texts of the expression.
   const std::vector<std::string>& texts() const { return texts_; }
-  /// Names of the functions of the spec that it calls, by others, too.
+  /// The names of the spec's functions that the expression calls, directly or through others.
   const std::set<std::string>& formulas() const { return formulas_; }
-  /// The value if there are no inputs.
+  /// The value, if the expression has no inputs.
   std::optional<double> constant() const { return constant_; }
 
-  /// Variables by the slots of the Names it was compiled with, and its lists. The result may
-  /// be NaN or infinite: the caller reports it with the inputs' values. What is computed from NaN
-  /// is NaN.
+  /// Computes the value from the variables, in the slots given by the SymbolTable of Compile, and
+  /// from the lists. The result may be NaN or infinite; the caller reports that with the values of
+  /// the inputs. NaN operands give NaN, unless `and`, `or` or `?:` do not use them.
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }
-  /// Which list has too few values ("there is no widths[7]: 'widths' has 5 values"); empty: none.
-  std::string WhatIsMissing(std::span<const double> variables,
-                            std::span<const Sequence> lists) const;
+  /// Describes the first access beyond the end of a list ("there is no widths[7]: 'widths' has 5
+  /// values"); empty if there is none.
+  std::string DescribeMissingItem(std::span<const double> variables,
+                                  std::span<const Sequence> lists) const;
 
   enum class Result { kNoText, kAny };
-  /// Compiles `text`. On failure returns nothing and fills `error`.
-  /// Operators, functions and units: docs/manual.md, "Expressions".
-  static std::optional<Expression> Compile(std::string_view text, const Names& names, Error& error,
-                                           Result result = Result::kNoText);
+  /// Compiles `text`; on failure returns nothing and sets `error`. The language is described in
+  /// docs/manual.md, "Expressions".
+  static std::optional<Expression> Compile(std::string_view text, const SymbolTable& names,
+                                           Error& error, Result result = Result::kNoText);
 
  private:
   Expression() = default;
@@ -124,29 +128,34 @@ class Expression {
   std::shared_ptr<const Program> program_;
 };
 
-/// The names in `text` that are neither built-in functions nor constants, in order of
-/// first use, vectors without their component; nothing if it cannot be split
-/// into words. For the graph of parameters, before anything is declared.
+/// Returns the names in `text` except built-in functions and constants, in order of first use;
+/// vectors without their component. Empty if `text` has invalid tokens. Used for the dependency
+/// graph of parameters, before any name is declared.
 std::vector<std::string> NamesUsedIn(std::string_view text);
 
-/// Whether a name means something in every expression, so that nothing else may have it: `pi`,
-/// `min`, `and`.
+/// Returns true for reserved names: constants, functions and operators (`pi`, `min`, `and`).
 bool IsReserved(std::string_view name);
 
-/// The functions and constants an expression may use, sorted; each with one
-/// line of explanation, for messages and the manual.
+/// Documentation of a built-in function or constant, for messages and the manual.
 struct Function {
   std::string_view name;
   std::string_view usage;  // "clamp(x, lo, hi)"
   std::string_view doc;
 };
+/// Returns all built-in functions and constants, sorted by name.
 std::span<const Function> Functions();
 
-/// Units a number may carry ("mm", "deg"), each with its value in SI units.
+/// Unit that can follow a number ("mm", "deg"). Its value in SI units is numerator / denominator,
+/// because 15 / 1000 is the double nearest to 0.015, and 15 * 0.001 is not.
 struct Unit {
   std::string_view name;
   std::string_view doc;
+  Dimension dimension;
+  double numerator = 1;
+  double denominator = 1;
 };
 std::span<const Unit> Units();
+/// Returns null if there is no such unit.
+const Unit* FindUnitSuffix(std::string_view name);
 
 }  // namespace mjforge::expr

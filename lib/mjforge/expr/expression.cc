@@ -1,9 +1,10 @@
+// Compiled expressions: compilation, evaluation, and the message for an index beyond a list.
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
-#include "mjforge/expr/grammar.h"
+#include "mjforge/expr/parser.h"
 
 namespace mjforge::expr {
 
@@ -11,28 +12,29 @@ double Expression::Run(std::span<const double> variables, std::span<const Sequen
   return program_->Run(variables, lists);
 }
 
-std::string Expression::WhatIsMissing(std::span<const double> variables,
-                                      std::span<const Sequence> lists) const {
-  const auto miss = program_->FindMiss(variables, lists);
-  if (!miss) return {};
+std::string Expression::DescribeMissingItem(std::span<const double> variables,
+                                            std::span<const Sequence> lists) const {
+  const auto access = program_->FindOutOfRange(variables, lists);
+  if (!access) return {};
   const auto input = std::ranges::find_if(inputs_, [&](const Input& one) {
-    return one.slot == miss->list.slot && one.list == miss->list.list;
+    return one.slot == access->list.slot && one.list == access->list.list;
   });
   const bool is_vector = input->list < 0;  // "size.x"
   const std::string name = is_vector ? input->name.substr(0, input->name.rfind('.')) : input->name;
   const std::string has =
-      fmt::format("'{}' has {} value{}", name, miss->size, miss->size == 1 ? "" : "s");
-  if (miss->callee == FindListCallee("[]"))
-    return fmt::format("there is no {}[{}]: {}, counted from 0", name, NumberText(miss->argument),
+      fmt::format("'{}' has {} value{}", name, access->size, access->size == 1 ? "" : "s");
+  if (access->builtin == FindListBuiltin("[]"))
+    return fmt::format("there is no {}[{}]: {}, counted from 0", name, NumberText(access->argument),
                        has);
-  if (miss->callee == FindListCallee("sum"))
-    return fmt::format("there are no first {} of '{}': {}", NumberText(miss->argument), name, has);
-  return fmt::format("'{}' has no values, so there is no {} of them", name, miss->callee->name);
+  if (access->builtin == FindListBuiltin("sum"))
+    return fmt::format("there are no first {} of '{}': {}", NumberText(access->argument), name,
+                       has);
+  return fmt::format("'{}' has no values, so there is no {} of them", name, access->builtin->name);
 }
 
-std::optional<Expression> Expression::Compile(std::string_view text, const Names& names,
+std::optional<Expression> Expression::Compile(std::string_view text, const SymbolTable& names,
                                               Error& error, Result result) {
-  Parsed parsed;
+  ParsedExpression parsed;
   if (!Parse(text, names, result, parsed, error)) return std::nullopt;
   Expression expression;
   expression.text_ = text;

@@ -1,3 +1,4 @@
+// Built-in functions of lists and vectors, and prefix sums of lists.
 #include "mjforge/expr/lists.h"
 
 #include <algorithm>
@@ -27,19 +28,19 @@ double Sum(const ListValues& list, double count) {
                                                : kNone;
 }
 
-constexpr std::array kListCallees = {
-    ListCallee{"[]", Element},
-    ListCallee{"len", [](const ListValues& list,
-                         double) { return static_cast<double>(list.numbers().size()); }},
-    ListCallee{"sum", Sum},
-    ListCallee{"min",
-               [](const ListValues& list, double) {
-                 return list.numbers().empty() ? kNone : std::ranges::min(list.numbers());
-               }},
-    ListCallee{"max",
-               [](const ListValues& list, double) {
-                 return list.numbers().empty() ? kNone : std::ranges::max(list.numbers());
-               }},
+constexpr std::array kListBuiltins = {
+    ListBuiltin{"[]", Element},
+    ListBuiltin{"len", [](const ListValues& list,
+                          double) { return static_cast<double>(list.numbers().size()); }},
+    ListBuiltin{"sum", Sum},
+    ListBuiltin{"min",
+                [](const ListValues& list, double) {
+                  return list.numbers().empty() ? kNone : std::ranges::min(list.numbers());
+                }},
+    ListBuiltin{"max",
+                [](const ListValues& list, double) {
+                  return list.numbers().empty() ? kNone : std::ranges::max(list.numbers());
+                }},
 };
 
 }  // namespace
@@ -68,9 +69,9 @@ double ListValues::SumOf(std::size_t count) const {
   return std::accumulate(first.begin(), first.end(), 0.0);
 }
 
-const ListCallee* FindListCallee(std::string_view name) {
-  const auto* found = std::ranges::find(kListCallees, name, &ListCallee::name);
-  return found == kListCallees.end() ? nullptr : found;
+const ListBuiltin* FindListBuiltin(std::string_view name) {
+  const auto* found = std::ranges::find(kListBuiltins, name, &ListBuiltin::name);
+  return found == kListBuiltins.end() ? nullptr : found;
 }
 
 }  // namespace mjforge::expr

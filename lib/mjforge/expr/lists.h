@@ -1,6 +1,5 @@
+// Built-in functions of lists and vectors: element, len, sum, min, max. Private to the room.
 #pragma once
-
-// Private to the room: what the language computes from lists.
 
 #include <span>
 #include <string_view>
@@ -9,23 +8,23 @@
 
 namespace mjforge::expr {
 
-/// A list or a vector that an expression names.
+/// Reference to a list or a vector among the variables of an expression.
 struct ListSource {
-  int slot = -1;       // of its length; of a vector's first component
-  int list = -1;       // its number among the lists; -1: a vector
-  int components = 0;  // of a vector
+  int slot = -1;       // slot of a list's length or of a vector's first component
+  int list = -1;       // number of the list; -1: a vector
+  int components = 0;  // number of components of a vector
 
   bool operator==(const ListSource&) const = default;
 };
 
-/// The numbers of one.
+/// The numbers of a list or a vector.
 class ListValues {
  public:
   ListValues(const ListSource& source, std::span<const double> variables,
              std::span<const Sequence> lists);
 
   std::span<const double> numbers() const { return numbers_; }
-  /// Of the first `count`, of [0, size].
+  /// Returns the sum of the first `count` numbers, in [0, size].
   double SumOf(std::size_t count) const;
 
  private:
@@ -33,14 +32,14 @@ class ListValues {
   const Sequence* sequence_ = nullptr;
 };
 
-/// What is computed from a list and a number, which not all of them use; NaN if the list has too
-/// few numbers.
-struct ListCallee {
-  std::string_view name;  // "[]" for an element
+/// A function of a list and a number. Some functions ignore the number. The result is NaN if the
+/// list has too few numbers.
+struct ListBuiltin {
+  std::string_view name;  // "[]" is the access to an element
   double (*function)(const ListValues& list, double argument);
 };
 
-/// "[]", "len", "sum" (of the first ones), "min", "max"; null for other names.
-const ListCallee* FindListCallee(std::string_view name);
+/// Finds "[]", "len", "sum" (of the first numbers), "min" or "max"; returns null for other names.
+const ListBuiltin* FindListBuiltin(std::string_view name);
 
 }  // namespace mjforge::expr

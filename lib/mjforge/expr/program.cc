@@ -1,3 +1,4 @@
+// Compiled program of an expression: adding and running its steps.
 #include "mjforge/expr/program.h"
 
 #include <algorithm>
@@ -9,12 +10,12 @@
 namespace mjforge::expr {
 namespace {
 
-// How many steps need no memory of their own.
+// Programs with at most this many steps run on the stack, without allocation.
 constexpr std::size_t kFewSteps = 32;
 
 }  // namespace
 
-// Zero and minus zero differ: one over them does.
+// Bits are compared, because 1 / 0 and 1 / -0 differ.
 bool Operand::IsSame(const Operand& other) const {
   return step == other.step &&
          std::bit_cast<std::uint64_t>(constant) == std::bit_cast<std::uint64_t>(other.constant);
@@ -22,7 +23,7 @@ bool Operand::IsSame(const Operand& other) const {
 
 Operand Program::Add(const Step& step) {
   const auto same = std::ranges::find_if(steps_, [&](const Step& other) {
-    return other.callee == step.callee && other.list_callee == step.list_callee &&
+    return other.builtin == step.builtin && other.list_builtin == step.list_builtin &&
            other.slot == step.slot && other.list == step.list &&
            std::ranges::equal(other.operands, step.operands, &Operand::IsSame);
   });
@@ -33,19 +34,20 @@ Operand Program::Add(const Step& step) {
 
 Operand Program::Variable(int slot) { return Add({.slot = slot}); }
 
-Operand Program::Apply(const Callee& callee, std::span<const Operand> operands) {
+Operand Program::Apply(const Builtin& builtin, std::span<const Operand> operands) {
   if (std::ranges::all_of(operands, [](const Operand& operand) { return operand.step < 0; })) {
     std::array<double, 3> values{};
     std::ranges::transform(operands, values.begin(), &Operand::constant);
-    return {.constant = callee.Call(values)};
+    return {.constant = builtin.Call(values)};
   }
-  Step step{.callee = &callee};
+  Step step{.builtin = &builtin};
   std::ranges::copy(operands, step.operands.begin());
   return Add(step);
 }
 
-Operand Program::Apply(const ListCallee& callee, const ListSource& list, const Operand& argument) {
-  return Add({.list_callee = &callee, .list = list, .operands = {argument}});
+Operand Program::Apply(const ListBuiltin& builtin, const ListSource& list,
+                       const Operand& argument) {
+  return Add({.list_builtin = &builtin, .list = list, .operands = {argument}});
 }
 
 std::optional<double> Program::constant() const {
@@ -67,11 +69,11 @@ double Program::Run(std::span<const double> variables, std::span<const Sequence>
     return operand.step < 0 ? operand.constant : results[static_cast<std::size_t>(operand.step)];
   };
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const auto& [callee, list_callee, slot, list, operands] = steps_[i];
-    if (callee != nullptr) {
-      results[i] = callee->Call({value(operands[0]), value(operands[1]), value(operands[2])});
-    } else if (list_callee != nullptr) {
-      results[i] = list_callee->function(ListValues(list, variables, lists), value(operands[0]));
+    const auto& [builtin, list_builtin, slot, list, operands] = steps_[i];
+    if (builtin != nullptr) {
+      results[i] = builtin->Call({value(operands[0]), value(operands[1]), value(operands[2])});
+    } else if (list_builtin != nullptr) {
+      results[i] = list_builtin->function(ListValues(list, variables, lists), value(operands[0]));
     } else {
       results[i] = variables[static_cast<std::size_t>(slot)];
     }
@@ -79,13 +81,13 @@ double Program::Run(std::span<const double> variables, std::span<const Sequence>
   return value(result_);
 }
 
-std::optional<Program::Miss> Program::FindMiss(std::span<const double> variables,
-                                               std::span<const Sequence> lists) const {
+std::optional<Program::OutOfRange> Program::FindOutOfRange(std::span<const double> variables,
+                                                           std::span<const Sequence> lists) const {
   std::vector<double> results(steps_.size());
   Run(variables, lists, results);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
-    if (step.list_callee == nullptr || !std::isnan(results[i])) continue;
+    if (step.list_builtin == nullptr || !std::isnan(results[i])) continue;
     const Operand& operand = step.operands[0];
     const double argument =
         operand.step < 0 ? operand.constant : results[static_cast<std::size_t>(operand.step)];
@@ -93,7 +95,7 @@ std::optional<Program::Miss> Program::FindMiss(std::span<const double> variables
     const bool has_all =
         std::ranges::none_of(values.numbers(), [](double n) { return std::isnan(n); });
     if (has_all && !std::isnan(argument))
-      return Miss{step.list_callee, step.list, argument, values.numbers().size()};
+      return OutOfRange{step.list_builtin, step.list, argument, values.numbers().size()};
   }
   return std::nullopt;
 }

@@ -1,18 +1,17 @@
+// Compiled program of an expression: steps on numbers. Private to the room.
 #pragma once
-
-// Private to the room: what is left of an expression once it has been read.
 
 #include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "mjforge/expr/functions.h"
+#include "mjforge/expr/builtins.h"
 #include "mjforge/expr/lists.h"
 
 namespace mjforge::expr {
 
-/// A number that a program uses: a constant, or what one of its steps gave.
+/// Operand of a step: a constant, or the result of an earlier step.
 struct Operand {
   int step = -1;  // -1: the constant
   double constant = 0;
@@ -20,36 +19,36 @@ struct Operand {
   bool IsSame(const Operand& other) const;
 };
 
-/// Steps in a row. What depends on no variable is computed as it is added, and no step is made
-/// twice.
+/// Sequence of steps. Steps that depend on no variable are computed when they are added (constant
+/// folding), and equal steps are shared.
 class Program {
  public:
   Operand Variable(int slot);
-  /// As many operands as the function takes, at most three.
-  Operand Apply(const Callee& callee, std::span<const Operand> operands);
-  Operand Apply(const ListCallee& callee, const ListSource& list, const Operand& argument);
+  /// Adds a call; the number of operands is that of the function's arguments, at most three.
+  Operand Apply(const Builtin& builtin, std::span<const Operand> operands);
+  Operand Apply(const ListBuiltin& builtin, const ListSource& list, const Operand& argument);
   void SetResult(const Operand& result) { result_ = result; }
 
-  /// The result if no variable has a part in it.
+  /// The result, if it does not depend on variables.
   std::optional<double> constant() const;
-  /// The result for the variables, by slot, and the lists.
+  /// Computes the result from the variables (by slot) and the lists.
   double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
 
-  /// A list that has too few numbers for what is asked of it.
-  struct Miss {
-    const ListCallee* callee;
+  /// An access beyond the end of a list.
+  struct OutOfRange {
+    const ListBuiltin* builtin;
     ListSource list;
     double argument;
     std::size_t size;
   };
-  /// The first one of a run.
-  std::optional<Miss> FindMiss(std::span<const double> variables,
-                               std::span<const Sequence> lists) const;
+  /// Finds the first access beyond the end of a list.
+  std::optional<OutOfRange> FindOutOfRange(std::span<const double> variables,
+                                           std::span<const Sequence> lists) const;
 
  private:
   struct Step {
-    const Callee* callee = nullptr;
-    const ListCallee* list_callee = nullptr;  // both null: reads the variable
+    const Builtin* builtin = nullptr;
+    const ListBuiltin* list_builtin = nullptr;  // null together with builtin: read the variable
     int slot = -1;
     ListSource list = {};
     std::array<Operand, 3> operands = {};

@@ -1,3 +1,4 @@
+// Numbers that represent texts in expressions.
 #include <xxhash.h>
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 namespace mjforge::expr {
 
 double TextKey(std::string_view text) {
-  // 52 bits: every value is a double of its own.
+  // With 52 bits, every value is exact as a double.
   constexpr std::uint64_t kMask = (std::uint64_t{1} << 52) - 1;
   return static_cast<double>(XXH64(text.data(), text.size(), 0) & kMask);
 }

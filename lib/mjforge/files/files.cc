@@ -1,3 +1,5 @@
+// Contents and names of OBJ and PNG files for meshes and textures.
+
 #include "mjforge/files/files.h"
 
 #include <algorithm>
@@ -16,10 +18,10 @@ namespace {
 
 using mjcf::MadeFile;
 
-// A generated texture usually is the same in all variants.
+// Maximum number of cached textures. A generated texture usually is the same in all variants.
 constexpr std::size_t kMostKept = 64;
 
-// A file and what its name says of its content.
+// Bytes of a file, and the hash in its name.
 struct Content {
   std::shared_ptr<const std::string> bytes;
   std::string hash;
@@ -29,8 +31,8 @@ std::string HashOf(std::string_view bytes) {
   return bytes::ChecksumOf(bytes).substr(0, mjcf::kHashDigits);
 }
 
-// By its pixels: how small they get is a matter of the library that compresses them.
-Content ContentOf(const Picture& picture) {
+// Hashes the pixels instead of the PNG, whose bytes depend on the version of the compressor.
+Content ContentOf(const TexturePixels& picture) {
   const bytes::Pixels pixels = {
       .width = picture.width, .height = picture.height, .colors = picture.rgb};
   const std::string_view colors(reinterpret_cast<const char*>(picture.rgb.data()),
@@ -42,10 +44,10 @@ Content ContentOf(const Picture& picture) {
 }  // namespace
 
 struct Maker::State {
-  std::optional<engine::Engine> engine;     // once there is a texture
-  std::map<std::string, Content> textures;  // by element and random marks
+  std::optional<engine::Engine> engine;     // created for the first texture
+  std::map<std::string, Content> textures;  // by MJCF element and kind of marks
 
-  // Nothing, and a finding, if it cannot be made.
+  // These return nothing, and add a finding, if the file cannot be made.
   std::optional<Content> MeshFile(const model::MeshAsset& mesh, diag::Findings& findings) const;
   std::optional<Content> TextureFile(const model::Texture& texture, diag::Findings& findings);
 };
@@ -75,7 +77,7 @@ std::optional<Content> Maker::State::TextureFile(const model::Texture& texture,
   if (const auto known = textures.find(key); known != textures.end()) return known->second;
   if (!engine) engine.emplace();
   std::string why_not;
-  const std::optional<Picture> picture = PictureOf(texture, *engine, why_not);
+  const std::optional<TexturePixels> picture = PixelsOf(texture, *engine, why_not);
   if (!picture) {
     findings.Add(diag::Code::kMujocoError, texture.mark,
                  fmt::format("MuJoCo cannot make texture '{}': {}", texture.name, why_not));
@@ -97,7 +99,7 @@ bool Maker::Make(const model::Object& object, mjcf::MjcfDocument& document,
     text.replace(file.hash, content->hash.size(), content->hash);
     const std::size_t begin = text.rfind('"', file.hash) + 1;
     const std::string name = text.substr(begin, text.find('"', file.hash) - begin);
-    // Equal meshes may have equal names.
+    // Equal meshes can have the same file name; add the file once.
     if (std::ranges::count(document.assets, name, &bytes::Asset::name) == 0)
       document.assets.push_back({.name = name, .file = {}, .made = content->bytes});
   }

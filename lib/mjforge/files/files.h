@@ -1,7 +1,7 @@
-#pragma once
+// Meshes and textures of an object as OBJ and PNG files, for programs that read MJCF but neither
+// inline meshes nor generated textures.
 
-// Meshes and textures of an object -> OBJ and PNG files, for what reads MJCF but takes no inline
-// meshes and generates no textures.
+#pragma once
 
 #include <map>
 #include <memory>
@@ -12,15 +12,16 @@
 
 namespace mjforge::files {
 
-/// Makes the files of documents, one after the other.
+/// Makes the files of one document after the other, and caches textures.
 class Maker {
  public:
   Maker();
   ~Maker();
 
-  /// Makes what `document` still lacks (MjcfDocument::made_files) and adds it to its assets; the
-  /// names in the text get the hashes of the contents, so files of equal names are equal. Depends
-  /// on nothing but the object and the text. False, and a finding, if MuJoCo cannot make a texture.
+  /// Makes the files that `document` lacks (MjcfDocument::made_files), adds them to its assets, and
+  /// puts the hashes of their contents into their names in the text, so that files of equal names
+  /// are equal. The result depends only on the object and the text. Returns false, and adds a
+  /// finding, if a mesh has no convex hull or MuJoCo cannot make a texture.
   bool Make(const model::Object& object, mjcf::MjcfDocument& document, diag::Findings& findings);
 
  private:

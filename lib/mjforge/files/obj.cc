@@ -1,3 +1,5 @@
+// Conversion of inline MJCF meshes to the OBJ format.
+
 #include "mjforge/files/obj.h"
 
 #include <algorithm>
@@ -15,8 +17,8 @@
 namespace mjforge::files {
 namespace {
 
-// As an element says it: rows of 3, 3, 2 and 3 numbers.
-struct Mesh {
+// Mesh with flat lists of coordinates: 3 per vertex, 3 per normal and 2 per texture coordinate.
+struct ObjMesh {
   std::vector<double> vertices;
   std::vector<double> normals;
   std::vector<double> texcoords;
@@ -36,32 +38,34 @@ std::vector<double> NumbersOf(const model::MeshAsset& asset, std::string_view na
   return {found->numbers.begin(), found->numbers.end()};
 }
 
-// MuJoCo makes the faces of a mesh that has none: those of its convex hull.
+// Returns the faces of the convex hull, which MuJoCo uses for a mesh without faces.
 std::vector<std::array<int, 3>> HullOf(const std::vector<double>& numbers, std::string& why_not) {
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   solid::Fault fault;
   const std::optional<solid::Solid> hull = solid::Make(
-      solid::Hull{.points = points, .texture = {.unit = solid::Texture::Unit::kNone}}, fault);
+      solid::ConvexHull{.points = points, .texture = {.unit = solid::TextureMapping::Unit::kNone}},
+      fault);
   if (!hull) {
     why_not = fault.message;
     return {};
   }
-  const solid::Piece& piece = hull->pieces.front();
+  const solid::TriangleMesh& mesh = hull->pieces.front().mesh;
   std::vector<int> numbers_of;
-  for (const Eigen::Vector3d& vertex : piece.vertices)
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
     numbers_of.push_back(static_cast<int>(std::ranges::find(points, vertex) - points.begin()));
-  std::vector<std::array<int, 3>> triangles = piece.triangles;
+  std::vector<std::array<int, 3>> triangles = mesh.triangles;
   for (std::array<int, 3>& triangle : triangles) {
     for (int& corner : triangle) corner = numbers_of[static_cast<std::size_t>(corner)];
   }
   return triangles;
 }
 
-// An attached file's inline mesh is among the attributes of its element.
-Mesh MeshOf(const model::MeshAsset& asset, std::string& why_not) {
-  Mesh mesh = {
+// Reads the mesh from the attributes of its element if it comes from an attached file, or else from
+// the asset's own mesh.
+ObjMesh MeshOf(const model::MeshAsset& asset, std::string& why_not) {
+  ObjMesh mesh = {
       NumbersOf(asset, "vertex"), NumbersOf(asset, "normal"), NumbersOf(asset, "texcoord"), {}};
   if (mesh.vertices.empty()) {
     return {Flat(asset.mesh.vertices), Flat(asset.mesh.normals), Flat(asset.mesh.texcoords),
@@ -91,10 +95,10 @@ void AppendRows(std::string_view word, std::span<const double> numbers, std::siz
 }  // namespace
 
 std::optional<std::string> ObjOf(const model::MeshAsset& asset, std::string& why_not) {
-  Mesh mesh = MeshOf(asset, why_not);
+  ObjMesh mesh = MeshOf(asset, why_not);
   if (mesh.triangles.empty()) return std::nullopt;
-  // OBJ counts v from the lower edge of the picture, MJCF from the upper one; MuJoCo turns it
-  // round as it reads OBJ.
+  // In OBJ, v is 0 at the lower edge of the image, in MJCF at the upper edge. MuJoCo flips v when
+  // it reads OBJ.
   for (std::size_t i = 1; i < mesh.texcoords.size(); i += 2)
     mesh.texcoords[i] = 1 - mesh.texcoords[i];
   std::string out;

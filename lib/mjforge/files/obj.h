@@ -1,3 +1,5 @@
+// Meshes as text in the OBJ format.
+
 #pragma once
 
 #include <optional>
@@ -7,8 +9,8 @@
 
 namespace mjforge::files {
 
-/// The mesh as a file of Wavefront OBJ, in m: what its element says inline, with the same digits,
-/// and faces, which a convex hull does not say there. Nothing, and why, if it has no hull.
+/// Returns the mesh in the Wavefront OBJ format, in m, with the digits of its MJCF element. A mesh
+/// without faces gets those of its convex hull. Returns nothing, and the reason, if it has no hull.
 std::optional<std::string> ObjOf(const model::MeshAsset& asset, std::string& why_not);
 
 }  // namespace mjforge::files

@@ -1,3 +1,5 @@
+// Generation of textures by MuJoCo, with reproducible random marks.
+
 #include "mjforge/files/texture.h"
 
 #include <algorithm>
@@ -17,16 +19,16 @@ const model::Attribute* Find(const model::Texture& texture, std::string_view nam
   return found == texture.attributes.end() ? nullptr : &*found;
 }
 
-// As MuJoCo does it: each pixel by itself, with probability `random`, in a colour that is cut to
-// whole numbers.
-void AddRandomMarks(const model::Texture& texture, Picture& picture) {
+// Marks each pixel independently with probability `random`, in a colour that is truncated to bytes,
+// as MuJoCo does.
+void AddRandomMarks(const model::Texture& texture, TexturePixels& picture) {
   const model::Attribute* share = Find(texture, "random");
   const model::Attribute* color = Find(texture, "markrgb");
-  const double probability = share != nullptr ? share->numbers[0].value() : 0.01;
+  const double probability = share != nullptr ? share->numbers[0] : 0.01;
   std::array<std::uint8_t, 3> mark = {};
   for (std::size_t i = 0; color != nullptr && i < mark.size(); ++i)
-    mark[i] = static_cast<std::uint8_t>(255 * color->numbers[i].value());
-  std::mt19937_64 random;  // the same numbers everywhere, says the standard
+    mark[i] = static_cast<std::uint8_t>(255 * color->numbers[i]);
+  std::mt19937_64 random;  // the C++ standard fixes its numbers
   constexpr double kUnit = 0x1p-64;
   for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
     if (static_cast<double>(random()) * kUnit < probability)
@@ -36,17 +38,17 @@ void AddRandomMarks(const model::Texture& texture, Picture& picture) {
 
 }  // namespace
 
-std::optional<Picture> PictureOf(const model::Texture& texture, engine::Engine& engine,
-                                 std::string& why_not) {
+std::optional<TexturePixels> PixelsOf(const model::Texture& texture, engine::Engine& engine,
+                                      std::string& why_not) {
   const engine::Loaded loaded =
       engine.LoadText("<mujoco><asset>" + mjcf::TextureElement(texture) + "</asset></mujoco>");
   if (!loaded.model) {
     why_not = engine::ParseRefusal(loaded.error).reason;
     return std::nullopt;
   }
-  Picture picture = {.width = static_cast<int>(loaded.model->tex_width[0]),
-                     .height = static_cast<int>(loaded.model->tex_height[0]),
-                     .rgb = {}};
+  TexturePixels picture = {.width = static_cast<int>(loaded.model->tex_width[0]),
+                           .height = static_cast<int>(loaded.model->tex_height[0]),
+                           .rgb = {}};
   const std::span<const std::uint8_t> pixels = engine::PixelsOf(*loaded.model, 0);
   picture.rgb.assign(pixels.begin(), pixels.end());
   const model::Attribute* mark = Find(texture, "mark");

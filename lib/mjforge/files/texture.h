@@ -1,3 +1,5 @@
+// Pixels of generated textures.
+
 #pragma once
 
 #include <cstdint>
@@ -10,17 +12,18 @@
 
 namespace mjforge::files {
 
-/// Rows from the top, red, green, blue; of a cube its six sides, one below the other.
-struct Picture {
+/// Pixels of three bytes (red, green, blue), starting with the top row. The six sides of a cube map
+/// are one below the other.
+struct TexturePixels {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgb;
 };
 
-/// A generated texture, as MuJoCo makes it. Only random marks are ours, as dense as its own: those
-/// differ between its releases, and from one texture of a file to the next. Nothing, and why, if
-/// MuJoCo refuses it.
-std::optional<Picture> PictureOf(const model::Texture& texture, engine::Engine& engine,
-                                 std::string& why_not);
+/// Generates a texture with MuJoCo. Random marks are made by mjforge, with the same density,
+/// because MuJoCo's own differ between releases, and between the textures of a file. Returns
+/// nothing, and the reason, if MuJoCo rejects the texture.
+std::optional<TexturePixels> PixelsOf(const model::Texture& texture, engine::Engine& engine,
+                                      std::string& why_not);
 
 }  // namespace mjforge::files

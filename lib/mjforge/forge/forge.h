@@ -89,14 +89,10 @@ bool CheckName(std::string_view text, diag::Findings& findings);
 /// One variant and all that is known of it.
 struct Variant {
   manifest::Record record;
-  /// Null if it could not be built. The generator may change its numbers with the next variant
-  /// that it makes into this one.
+  /// Null if it could not be built.
   std::shared_ptr<const model::Object> object;
   mjcf::MjcfDocument document;  // means nothing without an object
   diag::Findings findings;
-  /// Which of the generator's moulds made it, from 1 up in the order of their making; 0: none, it
-  /// was made from the spec.
-  std::uint64_t mould = 0;
 
   bool ok() const { return record.status == manifest::Status::kOk; }
 };
@@ -114,11 +110,6 @@ struct Options {
   sample::Method sampler = sample::Method::kRandom;
   std::uint64_t batch = 0;  // items of the batch; 0: not known (sample::Sampler)
   Validation validation = Validation::kLoad;
-  /// Whether variants that go the same way are made by one mould; without, each is made from the
-  /// spec. Their bytes are the same. For a single variant, making a mould is wasted.
-  bool moulds = true;
-  /// How much memory they may take, about.
-  std::size_t mould_bytes = std::size_t{8} << 20;
   /// Of the manifest: records name the spec's file from here. Nothing: they do not.
   std::optional<std::filesystem::path> folder;
 };
@@ -127,8 +118,6 @@ inline constexpr int kMaxResamples = 100;
 /// What the records of all variants have in common; the rest is empty.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
-class Moulds;
-
 /// Makes the members of one family. Keeps what they share and the memory they need, which does not
 /// grow with their number.
 class Generator {
@@ -136,9 +125,8 @@ class Generator {
   /// The recipe and its sources must outlive the generator. Attached XML files
   /// are added to the sources.
   Generator(const Recipe& recipe, diag::Sources& sources, const Options& options);
-  ~Generator();
 
-  /// Replaces the content of `variant`. A pure function of the index, except for Variant::mould.
+  /// Replaces the content of `variant`, which is a pure function of the index.
   void Make(std::uint64_t index, Variant& variant);
 
   /// Instead of making it, describes a failed variant with this finding.
@@ -150,8 +138,8 @@ class Generator {
   enum class Outcome { kMade, kFailed, kHopeless };
   void Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
-  /// From the spec, when the parameters are drawn; false after an error.
-  bool Assemble(Variant& variant);
+  /// Assembles and writes the object of these parameters; false after an error.
+  bool Assemble(sample::Evaluator& values, Variant& variant);
   void Judge(Variant& variant);
   bool HashAssets(Variant& variant);
   void End(Outcome outcome, Variant& variant);
@@ -168,8 +156,6 @@ class Generator {
   files::Maker files_;
   attach::MjcfReader attachments_;
   model::Assembler assembler_;
-  std::optional<sample::Evaluator> values_;    // of the variant at hand
-  std::unique_ptr<Moulds> moulds_;             // null: none are used
   std::map<std::string, std::string> hashes_;  // of assets, by file
 };
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/expect/expect.h"
-#include "mjforge/forge/mould.h"
+#include "mjforge/static_checks/static_checks.h"
+#include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
 namespace {
@@ -53,21 +53,12 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       common_(BatchRecord(recipe, options)),
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
-      assembler_(&attachments_) {
-  // A name with the index in it makes each variant one of its own.
-  const bool same_name = ExpandName(options.name, 0) == ExpandName(options.name, 1);
-  if (options.moulds && same_name) moulds_ = std::make_unique<Moulds>(options.mould_bytes);
-}
-
-Generator::~Generator() = default;
+      assembler_(&attachments_) {}
 
 void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
-  variant.mould = 0;
   variant.findings.clear();
-  auto params = std::move(variant.record.params);  // they need no new memory
   variant.record = common_;
-  variant.record.params = std::move(params);
   variant.record.index = index;
   variant.record.attempt = attempt;
   variant.record.name =
@@ -84,7 +75,6 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
 
 void Generator::Fail(std::uint64_t index, diag::Finding finding, Variant& variant) {
   Begin(index, options_.attempt, variant);
-  variant.record.params.clear();
   variant.findings.Add(std::move(finding));
   End(Outcome::kFailed, variant);
 }
@@ -114,74 +104,45 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   manifest::Record& record = variant.record;
   const spec::ObjectSpec& spec = *recipe_.spec;
   const sample::DrawKey key = {options_.seed, index, attempt};
-  if (!values_) {
-    values_.emplace(spec, key, sample::kRootStream, variant.findings, &sampler_);
-    if (moulds_) values_->NoteParameters();
-  }
-  if (!values_->Sample(key, {}, variant.findings)) {
-    record.params.clear();
+  std::optional<sample::Evaluator> values =
+      sample::Sample(spec, key, sample::kRootStream, {}, variant.findings, &sampler_);
+  if (!values) {
     // Where a thousand draws met no requirement, more of them will not either.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
     return rejected ? Outcome::kHopeless : Outcome::kFailed;
   }
-  record.attempt = values_->key().attempt;
-  record.params.resize(spec.parameters.size());
+  record.attempt = values->key().attempt;
+  record.params.reserve(spec.parameters.size());
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    auto& [name, value] = record.params[i];
-    name = spec.parameters[i].name;
-    values_->GetParameter(i, value);
+    record.params.emplace_back(spec.parameters[i].name, values->Parameter(i));
   }
-  const bool made = (moulds_ && moulds_->Make(variant)) || Assemble(variant);
-  if (!made || !files_.Make(*variant.object, variant.document, variant.findings))
+  if (!Assemble(*values, variant) ||
+      !files_.Make(*variant.object, variant.document, variant.findings))
     return Outcome::kFailed;
   Describe(*variant.object, record);
   Judge(variant);
   return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kMade : Outcome::kFailed;
 }
 
-bool Generator::Assemble(Variant& variant) {
+bool Generator::Assemble(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
-  std::unique_ptr<Mould> mould = moulds_ ? moulds_->Begin() : nullptr;
-  if (mould) values_->NoteOn(mould->tape());
   std::optional<model::Object> object = assembler_.Assemble(
-      *values_, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
+      values, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
       variant.findings);
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
-  const auto keep = [&] {  // without the tape, which goes with the mould
-    tape::Links links;
-    if (mould) model::TakeOffTape(*object, links);
-    variant.object = std::make_shared<const model::Object>(*std::move(object));
-  };
-  if (variant.findings.HasErrors()) {
-    keep();
-    return false;
-  }
+  variant.object = std::make_shared<const model::Object>(*std::move(object));
+  if (variant.findings.HasErrors()) return false;
   mjcf::Provenance provenance = record;
   if (record.name == recipe_.spec->name) provenance.name.clear();
-  mjcf::WriteMjcf(*object, options_.target, provenance, variant.document);
-  // These warnings are about what all variants of a mould share. Others may name numbers.
-  const bool same_warnings =
-      std::ranges::all_of(variant.findings, [](const diag::Finding& finding) {
-        return finding.code == diag::Code::kTargetDropped ||
-               finding.code == diag::Code::kAttachNotCarried;
-      });
-  if (mould && same_warnings && object->unmet.empty()) {
-    mould->Close(*std::move(object), variant.document, variant.findings);
-    variant.object = mould->object();
-    moulds_->Add(std::move(mould));
-  } else {
-    keep();
-  }
-  variant.document.slots.clear();
-  variant.document.lift.Release();
+  mjcf::WriteMjcf(*variant.object, options_.target, provenance, variant.document);
   return true;
 }
 
 void Generator::Judge(Variant& variant) {
-  expect::CheckExpectations(*variant.object, variant.findings);
+  static_checks::CheckExpectations(*variant.object, variant.findings);
   if (loader_ && loader_->Validate(variant.document, *variant.object, variant.findings) &&
       laboratory_) {
     variant.record.physics =

@@ -81,7 +81,6 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   options.sampler = *sampler;
   options.batch = record.batch;
   options.validation = record.validate;
-  options.moulds = false;  // there is one variant to make
   return options;
 }
 

@@ -1,3 +1,5 @@
+// A JSON parser whose numbers are correctly rounded.
+
 #pragma once
 
 #include <string_view>
@@ -6,8 +8,9 @@
 
 namespace mjforge::manifest {
 
-/// Parses a JSON text; false if it is none or a number in it is too large. Numbers are those that
-/// their digits say, to the last bit: RapidJSON's own are up to three units off there.
+/// Parses a JSON text. Returns false if the text is not JSON or contains a number that is too
+/// large. Numbers are correctly rounded; RapidJSON's own differ by up to three units in the last
+/// place.
 bool ParseExactly(std::string_view text, rapidjson::Document& document);
 
 }  // namespace mjforge::manifest

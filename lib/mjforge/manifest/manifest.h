@@ -1,11 +1,10 @@
-#pragma once
+// The records of a batch's manifest: one line of JSON per variant, written, read and compared.
 
-// What is known of each variant of a batch, one line of JSON per variant.
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,19 +22,20 @@
 
 namespace mjforge::manifest {
 
-/// What became of a variant: "ok", "failed", "skipped". Failed and skipped ones have errors among
-/// their findings and no file.
+/// Result of making a variant. Failed and skipped variants have errors among their findings and no
+/// file.
 enum class Status { kOk, kFailed, kSkipped };
-/// What is checked of each variant: nothing, whether MuJoCo loads it as meant, or whether it also
-/// behaves.
+/// Checks of each variant: none, loading it in MuJoCo and comparing the result, or also simulating
+/// it.
 enum class Validation { kNone, kLoad, kPhysics };
+/// Treatment of an invalid variant.
 enum class OnInvalid {
-  kFail,      // the variant is reported, the others are made
-  kSkip,      // the same, as a warning
-  kResample,  // drawn again, up to forge::kMaxResamples times; then as kFail
+  kFail,      // an error is reported, and the other variants are made
+  kSkip,      // a warning is reported, and the other variants are made
+  kResample,  // the variant is drawn again, up to forge::kMaxResamples times, then treated as kFail
 };
 
-// Their words, in their order.
+// Names of the enumerators above, in the same order.
 inline constexpr std::string_view kStatuses[] = {"ok", "failed", "skipped"};
 inline constexpr std::string_view kValidations[] = {"none", "load", "physics"};
 inline constexpr std::string_view kOnInvalid[] = {"fail", "skip", "resample"};
@@ -43,13 +43,14 @@ constexpr std::span<const std::string_view> WordsOf(Status) { return kStatuses; 
 constexpr std::span<const std::string_view> WordsOf(Validation) { return kValidations; }
 constexpr std::span<const std::string_view> WordsOf(OnInvalid) { return kOnInvalid; }
 
-inline constexpr Status kByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
+// Alphabetical order.
+inline constexpr Status kStatusesByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
 
 template <typename Enum>
 constexpr std::string_view NameOf(Enum value) {
   return WordsOf(value)[static_cast<std::size_t>(value)];
 }
-/// Nothing if it is not one of the words.
+/// Returns the enumerator with that name, or nothing if no enumerator has it.
 template <typename Enum>
 constexpr std::optional<Enum> Find(std::string_view word) {
   for (std::size_t i = 0; i < WordsOf(Enum()).size(); ++i) {
@@ -58,7 +59,7 @@ constexpr std::optional<Enum> Find(std::string_view word) {
   return std::nullopt;
 }
 
-/// How many variants have each status.
+/// The number of variants with each status.
 struct StatusCounts {
   std::uint64_t ok = 0;
   std::uint64_t failed = 0;
@@ -73,95 +74,76 @@ struct StatusCounts {
   std::uint64_t done() const { return ok + failed + skipped; }
 };
 
-/// One line of manifest.jsonl: what its variant's file says of how it was made (the name always),
-/// and what came of it.
+/// A line of manifest.jsonl: provenance and result of a variant. In contrast to the provenance in
+/// the variant's file, the name is always set.
 struct Record : mjcf::Provenance {
-  std::string file;       // relative to the manifest, or in the archive; empty: none was written
+  std::string file;       // relative to the manifest, or in the archive; empty: no file was written
   std::string archive;    // relative to the manifest; empty: the file is not in an archive
-  std::string spec_file;  // from the manifest's folder; empty: found by name, or not known
+  std::string spec_file;  // relative to the manifest; empty: found by its name, or not known
   std::uint64_t attempt = 0;
   std::vector<std::pair<std::string, sample::ParameterValue>> params;
   model::MassProperties mass_properties;
   model::Bounds bounds;
-  // As MuJoCo counts them in the file. nbody counts the world; 0: no object was
-  // made, and masses, bounds and counts mean nothing.
+  // MuJoCo's counts for the file. nbody includes the world. If nbody is 0, no object was made, and
+  // masses, bounds and counts are meaningless.
   int nbody = 0;
   int njnt = 0;
   int ngeom = 0;
   Validation validate = Validation::kLoad;
-  std::optional<physics::Result> physics;  // where it was asked for and could be measured
+  std::optional<physics::Result> physics;  // empty if not requested or not measurable
   OnInvalid on_invalid = OnInvalid::kFail;
   Status status = Status::kOk;
-  std::vector<std::string> findings;  // JSON objects, as diag::RenderJson makes them
-  std::string sha256;                 // of the file's bytes; empty: none was written
-  // What the file refers to: name in it, SHA-256 of the bytes. Empty if none was written.
+  std::vector<std::string> findings;  // JSON objects made by diag::RenderJson
+  std::string sha256;                 // hash of the file; empty: no file was written
+  // Assets that the file refers to: name in the file, SHA-256 of the asset.
   std::vector<std::pair<std::string, std::string>> assets;
 };
 
-/// Appends one JSON object and a line end.
+/// Appends the record as one JSON object, and a line end.
 void AppendRecord(std::string& out, const Record& record);
 
-/// Writes the same lines faster where records follow each other that differ in numbers only, as
-/// those of a batch do.
-class RecordWriter {
- public:
-  RecordWriter();
-  ~RecordWriter();
-
-  void Append(std::string& out, const Record& record);
-
- private:
-  class Form;
-  /// For the record; null if it is to be written field by field.
-  Form* FormOf(const Record& record);
-
-  std::vector<std::unique_ptr<Form>> forms_;  // the one used last first
-  std::vector<double> numbers_;               // of the record at hand
-  std::uint64_t made_ = 0;                    // forms
-  std::uint64_t hits_ = 0;                    // records from them
-};
-
-/// Appends `line`, a record as AppendRecord writes it, with the two members that it lacks:
-/// `archive` and, unless that is empty, `spec_file`.
+/// Appends `line`, which AppendRecord wrote without `archive` and `spec_file`, with these two
+/// members inserted unless they are empty.
 void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
                       const std::string& spec_file);
 
-/// What was measured, as a record's `physics` has it.
+/// Returns the JSON object that a record has as `physics`.
 std::string PhysicsJson(const physics::Result& result);
 
-/// Nothing, and why, if the line is not a record.
+/// Returns the record of a line; nothing, and the reason in `why_not`, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
-/// Reads the records of a manifest one after the other, in constant memory: there may be a hundred
-/// million.
+/// Reads the records of a manifest one after the other, in constant memory, because a manifest may
+/// have a hundred million lines.
 class RecordReader {
  public:
-  /// Nothing, and a finding, if the file cannot be read. Sources and findings must outlive the
-  /// reader: a line that is not a record is a finding at its place.
+  /// Returns a reader; nothing, after adding a finding, if the file cannot be read. Later, each
+  /// line that is not a record becomes a finding at that line, so sources and findings must outlive
+  /// the reader.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings);
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
-  /// Replaces `record` with the one on the next line. A bad line is only a finding; the next call
-  /// continues with the line after it. Beyond kMaxBadLines, bad lines are only counted. Where the
-  /// file cannot be read on, there is a finding.
+  /// Replaces `record` with the record on the next line. After a bad line, the next call continues
+  /// with the following line. The first kMaxBadLines bad lines become findings; further ones are
+  /// only counted. An error of the file system is a finding, too.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
   std::uint64_t bad_lines() const { return bad_lines_; }
 
-  /// The last line: its number, from 1 up, and its text without the end.
+  /// Number of the last line read, counted from 1, and its text without the line end.
   std::uint32_t number() const { return number_; }
   const std::string& text() const { return text_; }
-  /// Whether that line has no line end, because it was still being written.
+  /// Returns true if the last line read has no line end, because it was still being written.
   bool torn() const { return lines_.torn(); }
-  /// The place of that line, for further findings about it.
+  /// Returns the place of the last line read, for further findings about it.
   diag::SourceMark Mark() const;
 
  private:
-  RecordReader(bytes::Lines lines, std::string name, diag::Sources& sources,
+  RecordReader(bytes::LineReader lines, std::string name, diag::Sources& sources,
                diag::Findings& findings);
 
-  bytes::Lines lines_;
+  bytes::LineReader lines_;
   std::string name_;
   diag::Sources* sources_;
   diag::Findings* findings_;
@@ -170,11 +152,11 @@ class RecordReader {
   std::uint64_t bad_lines_ = 0;
 };
 
-/// How `record` differs from one of the same batch, in words: "seed is '7', not
-/// '3'". Empty: both come from one command, whatever their indices.
+/// Describes the first difference that shows that two records belong to different batches: "seed is
+/// '7', not '3'". Empty if the records can come from one command.
 std::string DifferenceOfBatch(const Record& record, const Record& other);
 
-/// schemas/manifest.schema.json.
+/// Returns the JSON Schema of a record, the text of schemas/manifest.schema.json.
 std::string ManifestSchema();
 
 }  // namespace mjforge::manifest

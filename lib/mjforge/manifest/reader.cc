@@ -1,3 +1,5 @@
+// Reading a manifest record by record, in constant memory.
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -6,14 +8,14 @@
 
 namespace mjforge::manifest {
 
-RecordReader::RecordReader(bytes::Lines lines, std::string name, diag::Sources& sources,
+RecordReader::RecordReader(bytes::LineReader lines, std::string name, diag::Sources& sources,
                            diag::Findings& findings)
     : lines_(std::move(lines)), name_(std::move(name)), sources_(&sources), findings_(&findings) {}
 
 std::optional<RecordReader> RecordReader::Open(const std::filesystem::path& file,
                                                diag::Sources& sources, diag::Findings& findings) {
   std::string why_not;
-  std::optional<bytes::Lines> lines = bytes::Lines::Open(file, why_not);
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file, why_not);
   if (!lines) {
     findings.Add(diag::Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': {}", file.string(), why_not));

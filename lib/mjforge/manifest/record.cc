@@ -1,3 +1,5 @@
+// Writing, reading and comparing records by the table of fields, and the JSON Schema of that table.
+
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
@@ -6,9 +8,22 @@
 
 namespace mjforge::manifest {
 
+void AppendRecord(std::string& out, const Record& record) {
+  diag::Json json(expr::AppendExactNumber, std::move(out));
+  json.StartObject();
+  for (const RecordField& field : RecordFields()) {
+    if (field.is_absent != nullptr && field.is_absent(record)) continue;
+    json.Key(field.key);
+    field.write(json, record);
+  }
+  json.EndObject();
+  out = json.Take();
+  out += '\n';
+}
+
 void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
                       const std::string& spec_file) {
-  // A quote within a value has a backslash before it, so that only a key is found.
+  // Quotes within values are escaped, so `next` is found only where it is a key.
   const auto insert = [&](std::string_view key, const std::string& value, std::string_view next) {
     const std::size_t at = line.find(next);
     out += line.substr(0, at);

@@ -1,3 +1,5 @@
+// The table of the fields of a record: key, schema, meaning, writing and reading of each.
+
 #include "mjforge/manifest/record_fields.h"
 
 #include <fmt/format.h>
@@ -10,7 +12,7 @@
 #include <variant>
 
 #include "mjforge/expr/expr.h"
-#include "mjforge/manifest/record_alike.h"
+#include "mjforge/manifest/record_values.h"
 
 namespace mjforge::manifest {
 namespace {
@@ -20,167 +22,145 @@ using model::MassProperties;
 using physics::Result;
 using Value = rapidjson::Value;
 
-// A member of what was measured.
-template <typename Of>
-struct Measured {
-  const char* key;
-  std::variant<double Of::*, int Of::*, bool Of::*, std::string Of::*, Eigen::Vector3d Of::*,
-               std::vector<double> Of::*>
-      at;
-};
+constexpr JsonMember<Result> kResult[] = {{"dropped", &Result::dropped},
+                                          {"at_rest", &Result::at_rest},
+                                          {"time", &Result::time},
+                                          {"drift", &Result::drift},
+                                          {"tilt", &Result::tilt},
+                                          {"speed", &Result::speed},
+                                          {"penetration", &Result::penetration},
+                                          {"sink", &Result::sink},
+                                          {"energy_gain", &Result::energy_gain},
+                                          {"ncon", &Result::ncon},
+                                          {"nefc", &Result::nefc},
+                                          {"overlap", &Result::overlap}};
 
-constexpr Measured<Result> kResult[] = {{"dropped", &Result::dropped},
-                                        {"at_rest", &Result::at_rest},
-                                        {"time", &Result::time},
-                                        {"drift", &Result::drift},
-                                        {"tilt", &Result::tilt},
-                                        {"speed", &Result::speed},
-                                        {"penetration", &Result::penetration},
-                                        {"sink", &Result::sink},
-                                        {"energy_gain", &Result::energy_gain},
-                                        {"ncon", &Result::ncon},
-                                        {"nefc", &Result::nefc},
-                                        {"overlap", &Result::overlap}};
+constexpr JsonMember<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
+                                                {"overshoot", &Result::Joint::overshoot},
+                                                {"reach", &Result::Joint::reach},
+                                                {"penetration", &Result::Joint::penetration},
+                                                {"return_error", &Result::Joint::return_error}};
 
-constexpr Measured<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
-                                              {"overshoot", &Result::Joint::overshoot},
-                                              {"reach", &Result::Joint::reach},
-                                              {"penetration", &Result::Joint::penetration},
-                                              {"return_error", &Result::Joint::return_error}};
+constexpr JsonMember<Result::Stability> kStability[] = {{"angle", &Result::Stability::angle},
+                                                        {"energy", &Result::Stability::energy}};
 
-constexpr Measured<Result::Stability> kStability[] = {{"angle", &Result::Stability::angle},
-                                                      {"energy", &Result::Stability::energy}};
+constexpr JsonMember<Result::Holding> kHolding[] = {{"balls", &Result::Holding::balls},
+                                                    {"held", &Result::Holding::held},
+                                                    {"emptied", &Result::Holding::emptied}};
 
-constexpr Measured<Result::Holding> kHolding[] = {{"balls", &Result::Holding::balls},
-                                                  {"held", &Result::Holding::held},
-                                                  {"emptied", &Result::Holding::emptied}};
+constexpr JsonMember<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
+                                                    {"fit", &Result::Fitting::fit}};
 
-constexpr Measured<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
-                                                  {"fit", &Result::Fitting::fit}};
-
-constexpr Measured<Result::Grasp> kGrasp[] = {
+constexpr JsonMember<Result::Grasp> kGrasp[] = {
     {"site", &Result::Grasp::site},   {"body", &Result::Grasp::body},
     {"pos", &Result::Grasp::pos},     {"quat", &Result::Grasp::quat},
     {"width", &Result::Grasp::width}, {"held", &Result::Grasp::held}};
 
-constexpr Measured<Result::SimReady> kSimReady[] = {
+constexpr JsonMember<Result::SimReady> kSimReady[] = {
     {"ground_drop", &Result::SimReady::ground_drop},
     {"slope_drop", &Result::SimReady::slope_drop},
     {"full_range_sweep", &Result::SimReady::full_range_sweep},
     {"self_collision", &Result::SimReady::self_collision}};
 
-template <typename Of, std::size_t n>
-void PutAll(Json& json, const Of& of, const Measured<Of> (&members)[n]) {
-  for (const Measured<Of>& member : members)
-    std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
+// Calls `use` with key, value and member table of each list or object within a physics result, in
+// the order in which they are written.
+template <typename AnyResult, typename Use>
+void ForEachPart(AnyResult& result, const Use& use) {
+  use("joints", result.joints, kJoint);
+  use("stability", result.stability, kStability);
+  use("holds", result.holds, kHolding);
+  use("fits", result.fits, kFitting);
+  use("grasps", result.grasps, kGrasp);
+  use("simready", result.simready, kSimReady);
 }
 
-template <typename Of, std::size_t n>
-bool GetAll(const Value& object, Of& of, const Measured<Of> (&members)[n]) {
-  for (const Measured<Of>& member : members) {
-    if (!object.IsObject() || !object.HasMember(member.key)) return false;
-    const Value& value = object[member.key];
-    if (!std::visit([&](auto at) { return Get(value, of.*at).empty(); }, member.at)) return false;
-  }
-  return true;
-}
+template <typename Part>
+constexpr bool kIsList = requires(const Part& part) {
+  part.empty();
+};
 
 template <typename Of, std::size_t n>
-std::string SchemaOf(const Measured<Of> (&members)[n]) {
-  // As the variant of a member has them.
+std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
+  // In the order of the alternatives of JsonMember::at.
   constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
-                                 R"("string")",           R"("array")",   R"("array")"};
+                                 R"("string")",           R"("array")",   R"("array")",
+                                 R"("integer")"};
   std::string text;
-  for (const Measured<Of>& member : members) {
+  for (const JsonMember<Of>& member : members) {
     text += fmt::format(R"({}"{}": {{"type": {}}})", text.empty() ? "" : ", ", member.key,
                         kTypes[member.at.index()]);
   }
   return text;
 }
 
-template <typename Of, std::size_t n>
-std::string ObjectSchemaOf(const char* key, const Measured<Of> (&members)[n]) {
-  return fmt::format(R"("{}": {{"type": "object", "properties": {{{}}}}})", key, SchemaOf(members));
-}
-
-template <typename Of, std::size_t n>
-std::string ListSchemaOf(const char* key, const Measured<Of> (&members)[n]) {
-  return fmt::format(
-      R"("{}": {{"type": "array", "items": {{"type": "object", "properties": {{{}}}}}}})", key,
-      SchemaOf(members));
+std::string ResultSchema() {
+  std::string text = SchemaOf(kResult);
+  Result result;
+  ForEachPart(result, [&](const char* key, const auto& part, const auto& members) {
+    const std::string object =
+        fmt::format(R"("type": "object", "properties": {{{}}})", SchemaOf(members));
+    text += kIsList<std::remove_cvref_t<decltype(part)>>
+                ? fmt::format(R"(, "{}": {{"type": "array", "items": {{{}}}}})", key, object)
+                : fmt::format(R"(, "{}": {{{}}})", key, object);
+  });
+  return text;
 }
 
 void PutResult(Json& json, const Result& result) {
   json.StartObject();
   PutAll(json, result, kResult);
-  const auto put_list = [&](const char* key, const auto& list, const auto& members) {
-    json.Key(key);
-    json.StartArray();
-    for (const auto& of : list) {
+  ForEachPart(result, [&](const std::string_view key, const auto& part, const auto& members) {
+    const auto put = [&](const auto& object) {
       json.StartObject();
-      PutAll(json, of, members);
+      PutAll(json, object, members);
       json.EndObject();
+    };
+    if constexpr (kIsList<std::remove_cvref_t<decltype(part)>>) {
+      if (part.empty() && key != "joints") return;
+      json.Key(key);
+      json.StartArray();
+      for (const auto& object : part) put(object);
+      json.EndArray();
+    } else if (part) {
+      json.Key(key);
+      put(*part);
     }
-    json.EndArray();
-  };
-  put_list("joints", result.joints, kJoint);
-  const auto put = [&](const char* key, const auto& of, const auto& members) {
-    if (!of) return;
-    json.Key(key);
-    json.StartObject();
-    PutAll(json, *of, members);
-    json.EndObject();
-  };
-  put("stability", result.stability, kStability);
-  put("holds", result.holds, kHolding);
-  put("fits", result.fits, kFitting);
-  if (!result.grasps.empty()) put_list("grasps", result.grasps, kGrasp);
-  put("simready", result.simready, kSimReady);
+  });
   json.EndObject();
 }
 
-Kind GetResult(const Value& value, Result& result) {
-  constexpr Kind kWhat = "what was measured";
-  if (!GetAll(value, result, kResult)) return kWhat;
-  const auto get_list = [&](const char* key, auto& list, const auto& members) {
-    if (!value.HasMember(key) || !value[key].IsArray()) return false;
-    return std::ranges::all_of(value[key].GetArray(), [&](const Value& of) {
-      return GetAll(of, list.emplace_back(), members);
-    });
-  };
-  if (!get_list("joints", result.joints, kJoint)) return kWhat;
-  if (value.HasMember("grasps") && !get_list("grasps", result.grasps, kGrasp)) return kWhat;
-  const auto get = [&](const char* key, auto& of, const auto& members) {
-    if (!value.HasMember(key)) return true;
-    of = std::remove_reference_t<decltype(*of)>();
-    return GetAll(value[key], *of, members);
-  };
-  if (!get("stability", result.stability, kStability) || !get("holds", result.holds, kHolding) ||
-      !get("fits", result.fits, kFitting) || !get("simready", result.simready, kSimReady)) {
-    return kWhat;
-  }
-  return {};
+ExpectedKind GetResult(const Value& value, Result& result) {
+  bool is_good = GetAll(value, result, kResult) && value.HasMember("joints");
+  ForEachPart(result, [&](const char* key, auto& part, const auto& members) {
+    if (!is_good || !value.HasMember(key)) return;
+    const Value& member = value[key];
+    if constexpr (kIsList<std::remove_cvref_t<decltype(part)>>) {
+      is_good = member.IsArray() && std::ranges::all_of(member.GetArray(), [&](const Value& item) {
+                  return GetAll(item, part.emplace_back(), members);
+                });
+    } else {
+      is_good = GetAll(member, part.emplace(), members);
+    }
+  });
+  return is_good ? ExpectedKind() : "what was measured";
 }
 
-enum class Scope { kVariant, kBatch };  // kBatch: the same in all records of a batch
+// A field of scope kBatch has the same value in all records of a batch.
+enum class FieldScope { kVariant, kBatch };
 
-template <auto member, Scope scope = Scope::kVariant>
+template <auto member, FieldScope scope = FieldScope::kVariant>
 RecordField Field(const char* key, std::string schema, std::string_view doc) {
   RecordField field{key, std::move(schema), doc,
                     [](Json& json, const Record& record) { Put(json, record.*member); },
                     [](const Value& value, Record& record) { return Get(value, record.*member); }};
-  field.is_alike = [](const Record& a, const Record& b) { return IsAlike(a.*member, b.*member); };
-  field.numbers = [](const Record& record, std::vector<double>& out) {
-    AppendNumbers(record.*member, out);
-  };
-  if constexpr (scope == Scope::kBatch)
+  if constexpr (scope == FieldScope::kBatch)
     field.same = [](const Record& a, const Record& b) { return a.*member == b.*member; };
   return field;
 }
 
-// Left out while it has nothing to say.
-template <auto member, Scope scope = Scope::kVariant>
-RecordField Optional(const char* key, std::string schema, std::string_view doc) {
+// A field that is left out while the member has its default value.
+template <auto member, FieldScope scope = FieldScope::kVariant>
+RecordField OptionalField(const char* key, std::string schema, std::string_view doc) {
   RecordField field = Field<member, scope>(key, std::move(schema), doc);
   field.is_absent = [](const Record& record) {
     return record.*member == std::remove_cvref_t<decltype(record.*member)>();
@@ -188,45 +168,34 @@ RecordField Optional(const char* key, std::string schema, std::string_view doc) 
   return field;
 }
 
-// What there is only where an object was made, else null.
+// A property of the object; null if no object was made.
 template <auto... way>
-RecordField OfObject(const char* key, std::string schema, std::string_view doc) {
-  RecordField field{key, std::move(schema), doc,
-                    [](Json& json, const Record& record) {
-                      record.nbody > 0 ? Put(json, (record.*....*way)) : json.Value(nullptr);
-                    },
-                    [](const Value& value, Record& record) {
-                      return value.IsNull() ? Kind() : Get(value, (record.*....*way));
-                    }};
-  field.is_alike = [](const Record& a, const Record& b) {
-    return (a.nbody > 0) == (b.nbody > 0) && IsAlike((a.*....*way), (b.*....*way));
-  };
-  field.numbers = [](const Record& record, std::vector<double>& out) {
-    if (record.nbody > 0) AppendNumbers((record.*....*way), out);
-  };
-  return field;
+RecordField ObjectField(const char* key, std::string schema, std::string_view doc) {
+  return {key, std::move(schema), doc,
+          [](Json& json, const Record& record) {
+            record.nbody > 0 ? Put(json, (record.*....*way)) : json.Value(nullptr);
+          },
+          [](const Value& value, Record& record) {
+            return value.IsNull() ? ExpectedKind() : Get(value, (record.*....*way));
+          }};
 }
 
-// A text that is null where there is none.
+// A text; null if it is empty.
 template <std::string Record::*member>
-RecordField OrNull(const char* key, std::string schema, std::string_view doc) {
+RecordField NullableField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,
           [](Json& json, const Record& record) {
             (record.*member).empty() ? json.Value(nullptr) : json.Value(record.*member);
           },
           [](const Value& value, Record& record) {
-            return value.IsNull() ? Kind() : Get(value, record.*member);
+            return value.IsNull() ? ExpectedKind() : Get(value, record.*member);
           }};
 }
 
-RecordField Physics() {
+RecordField PhysicsField() {
   return {
       "physics",
-      fmt::format(R"("type": "object", "properties": {{{}, {}, {}, {}, {}, {}, {}}})",
-                  SchemaOf(kResult), ListSchemaOf("joints", kJoint),
-                  ObjectSchemaOf("stability", kStability), ObjectSchemaOf("holds", kHolding),
-                  ObjectSchemaOf("fits", kFitting), ListSchemaOf("grasps", kGrasp),
-                  ObjectSchemaOf("simready", kSimReady)),
+      fmt::format(R"("type": "object", "properties": {{{}}})", ResultSchema()),
       "Measurements of its behaviour, in SI units; left out if none were made.",
       [](Json& json, const Record& record) { PutResult(json, *record.physics); },
       [](const Value& value, Record& record) { return GetResult(value, record.physics.emplace()); },
@@ -239,7 +208,7 @@ void PutFindings(Json& json, const Record& record) {
   json.EndArray();
 }
 
-Kind GetFindings(const Value& value, Record& record) {
+ExpectedKind GetFindings(const Value& value, Record& record) {
   if (!value.IsArray()) return "a list";
   for (const Value& finding : value.GetArray()) {
     rapidjson::StringBuffer buffer;
@@ -257,35 +226,36 @@ constexpr const char* kText = R"("type": "string")";
 constexpr const char* kHash = R"("type": "string", "pattern": "^[0-9a-f]{64}$")";
 
 const std::array kFields = {
-    OrNull<&Record::file>(
+    NullableField<&Record::file>(
         "file", R"("type": ["string", "null"])",
         "The object's file, relative to the manifest or in the archive; null if none was "
         "written."),
-    Optional<&Record::archive>("archive", kText,
-                               "The archive that holds the file, relative to the manifest."),
+    OptionalField<&Record::archive>("archive", kText,
+                                    "The archive that holds the file, relative to the manifest."),
     Field<&Record::name>("name", kText, "The object's name and the prefix of all names in it."),
     Field<&Record::index>("index", kWhole, "The variant's number in the family."),
-    Field<&Record::seed, Scope::kBatch>("seed", kWhole, "The seed of all draws."),
+    Field<&Record::seed, FieldScope::kBatch>("seed", kWhole, "The seed of all draws."),
     Field<&Record::attempt>("attempt", kWhole, "How many draws were rejected before this one."),
-    Field<&Record::spec, Scope::kBatch>("spec", kText,
-                                        "The spec: its name in the catalogue, or its file's name."),
-    Optional<&Record::spec_file>(
+    Field<&Record::spec, FieldScope::kBatch>(
+        "spec", kText, "The spec: its name in the catalogue, or its file's name."),
+    OptionalField<&Record::spec_file>(
         "spec_file", kText,
         "The spec's file, relative to the manifest; left out if it is found by its name, or "
         "has only the root folder in common with the manifest."),
-    Field<&Record::spec_sha256, Scope::kBatch>(
+    Field<&Record::spec_sha256, FieldScope::kBatch>(
         "spec_sha256", kHash, "SHA-256 of the text of all files that the spec was read from."),
-    Optional<&Record::settings, Scope::kBatch>(
+    OptionalField<&Record::settings, FieldScope::kBatch>(
         "set", R"("type": "object", "additionalProperties": {"type": "string"})",
         "Parameters that were set in place of the spec's own values, as YAML."),
-    Optional<&Record::assets_as, Scope::kBatch>("assets_as", R"("enum": ["files"])",
-                                                "How meshes and textures that no file has are "
-                                                "written: as files beside the object; left out "
-                                                "if they are in its file."),
-    Optional<&Record::sampler, Scope::kBatch>(
+    OptionalField<&Record::assets_as, FieldScope::kBatch>(
+        "assets_as", R"("enum": ["files"])",
+        "How meshes and textures that no file has are "
+        "written: as files beside the object; left out "
+        "if they are in its file."),
+    OptionalField<&Record::sampler, FieldScope::kBatch>(
         "sampler", R"("enum": ["sobol", "latin", "grid"])",
         "How the draws are spread over the batch; left out if they are random."),
-    Optional<&Record::batch, Scope::kBatch>(
+    OptionalField<&Record::batch, FieldScope::kBatch>(
         "batch", R"("type": "integer", "minimum": 1)",
         "The number of variants that the draws are spread over; left out if none are."),
     Field<&Record::params>(
@@ -293,43 +263,43 @@ const std::array kFields = {
         R"("type": "object", "additionalProperties": {"type": ["number", "boolean", )"
         R"("string", "array"], "items": {"type": "number"}})",
         "The value of each parameter."),
-    OfObject<&Record::mass_properties, &MassProperties::mass>(
+    ObjectField<&Record::mass_properties, &MassProperties::mass>(
         "mass", kNumber, "Mass, kg; null, here and below, if no object was made."),
-    OfObject<&Record::mass_properties, &MassProperties::p_FCm>(
+    ObjectField<&Record::mass_properties, &MassProperties::p_FCm>(
         "com",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 3, )"
         R"("maxItems": 3)",
         "Centre of mass in the root body's frame, m."),
-    OfObject<&Record::mass_properties, &MassProperties::I_Cm_F>(
+    ObjectField<&Record::mass_properties, &MassProperties::I_Cm_F>(
         "inertia",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 6, )"
         R"("maxItems": 6)",
         "Inertia about the centre of mass, along the root body's axes, kg m^2: "
         "xx yy zz xy xz yz."),
-    OfObject<&Record::bounds, &Bounds::aabb>(
+    ObjectField<&Record::bounds, &Bounds::aabb>(
         "aabb",
         R"("type": ["object", "null"], "required": ["min", "max"], "properties": )"
         R"({"min": {"type": "array", "items": {"type": "number"}}, )"
         R"("max": {"type": "array", "items": {"type": "number"}}})",
         "Bounds of the collision parts in the root body's frame, m."),
-    OfObject<&Record::bounds, &Bounds::top_offset>(
+    ObjectField<&Record::bounds, &Bounds::top_offset>(
         "top_offset", kNumber, "z of the highest point of a collision part, m."),
-    OfObject<&Record::bounds, &Bounds::bottom_offset>(
+    ObjectField<&Record::bounds, &Bounds::bottom_offset>(
         "bottom_offset", kNumber, "z of the lowest point of a collision part, m."),
-    OfObject<&Record::bounds, &Bounds::horizontal_radius>(
+    ObjectField<&Record::bounds, &Bounds::horizontal_radius>(
         "horizontal_radius", kNumber, "Largest distance of a collision part from the z axis, m."),
-    OfObject<&Record::nbody>("nbody", kCount,
-                             "Bodies in the file as MuJoCo counts them, the world included."),
-    OfObject<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
-    OfObject<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
-    Field<&Record::target, Scope::kBatch>("target", kText,
-                                          "The host that the file is written for."),
-    Field<&Record::validate, Scope::kBatch>(
+    ObjectField<&Record::nbody>("nbody", kCount,
+                                "Bodies in the file as MuJoCo counts them, the world included."),
+    ObjectField<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
+    ObjectField<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
+    Field<&Record::target, FieldScope::kBatch>("target", kText,
+                                               "The host that the file is written for."),
+    Field<&Record::validate, FieldScope::kBatch>(
         "validate", R"("enum": ["load", "none", "physics"])",
         "How the variant was checked: load, whether MuJoCo loads the file as intended; physics, "
         "whether the object also behaves."),
-    Physics(),
-    Optional<&Record::on_invalid, Scope::kBatch>(
+    PhysicsField(),
+    OptionalField<&Record::on_invalid, FieldScope::kBatch>(
         "on_invalid", R"("enum": ["skip", "resample"])",
         "What happens to an invalid variant; left out if it fails."),
     Field<&Record::status>(
@@ -339,9 +309,10 @@ const std::array kFields = {
                 R"("type": "array", "items": {"type": "object", "required": ["severity", )"
                 R"("code", "message"]})",
                 "Errors and warnings about this variant.", PutFindings, GetFindings},
-    OrNull<&Record::sha256>("sha256", R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
-                            "SHA-256 of the file's bytes."),
-    Optional<&Record::assets>(
+    NullableField<&Record::sha256>("sha256",
+                                   R"("type": ["string", "null"], "pattern": "^[0-9a-f]{64}$")",
+                                   "SHA-256 of the file's bytes."),
+    OptionalField<&Record::assets>(
         "assets", fmt::format(R"("type": "object", "additionalProperties": {{{}}})", kHash),
         "The meshes and pictures that the file refers to, by their names in it, with the SHA-256 "
         "of their bytes; left out if there are none."),

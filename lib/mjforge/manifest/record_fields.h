@@ -1,11 +1,10 @@
-#pragma once
+// The table of a record's fields, which writer, reader, schema and comparison use.
 
-// The one table of a record's fields: writer, reader, schema and comparison follow it.
+#pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <rapidjson/document.h>
 
@@ -17,18 +16,15 @@ struct RecordField {
   const char* key;
   std::string schema;  // members of the field's JSON Schema, on one line
   std::string_view doc;
-  void (*write)(diag::Json&, const Record&);  // the value
-  /// What the value must be, "a text"; empty: it is, and the record has it now.
+  void (*write)(diag::Json&, const Record&);  // writes the value, without the key
+  /// Stores the value in the record and returns an empty text, or returns the kind of value that
+  /// was expected: "a text".
   std::string_view (*read)(const rapidjson::Value&, Record&);
-  bool (*is_absent)(const Record&) = nullptr;            // left out where this says so
-  bool (*same)(const Record&, const Record&) = nullptr;  // null: may differ within a batch
-  /// Whether the values of two records are written alike, apart from the numbers that `numbers`
-  /// appends, in the order in which they are written.
-  bool (*is_alike)(const Record&, const Record&) = nullptr;
-  void (*numbers)(const Record&, std::vector<double>&) = nullptr;
+  bool (*is_absent)(const Record&) = nullptr;            // true: the field is left out; null: never
+  bool (*same)(const Record&, const Record&) = nullptr;  // null: the value may vary in a batch
 };
 
-/// In the order of a line.
+/// Returns all fields in the order in which a line has them.
 std::span<const RecordField> RecordFields();
 
 }  // namespace mjforge::manifest

@@ -1,11 +1,13 @@
+// Conversion of the values of records and seals to JSON (Put) and back (Get).
+
 #pragma once
 
-// The values of a record's fields, to JSON and back.
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <type_traits>
+#include <variant>
 
 #include <rapidjson/document.h>
 
@@ -14,8 +16,8 @@
 namespace mjforge::manifest {
 
 using diag::Json;
-/// What a value must be, "a text"; empty: it is.
-using Kind = std::string_view;
+/// The kind of value that a member must have, "a text"; empty if the value has that kind.
+using ExpectedKind = std::string_view;
 
 template <typename T>
 using Members = std::vector<std::pair<std::string, T>>;
@@ -36,7 +38,7 @@ void Put(Json& json, const Members<T>& members) {
   json.EndObject();
 }
 
-// In the order of MJCF's fullinertia.
+// Rows and columns of an inertia in the order of MJCF's fullinertia.
 inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
@@ -53,33 +55,28 @@ inline void Put(Json& json, const model::Box3& box) {
   json.EndObject();
 }
 
-template <typename T>
-void Put(Json& json, const tape::Traced<T>& traced) {
-  Put(json, traced.value());
-}
-
-inline Kind Get(const rapidjson::Value& value, std::string& text) {
+inline ExpectedKind Get(const rapidjson::Value& value, std::string& text) {
   if (!value.IsString()) return "a text";
   text.assign(value.GetString(), value.GetStringLength());
   return {};
 }
 
 template <std::integral T>
-Kind Get(const rapidjson::Value& value, T& number) {
+ExpectedKind Get(const rapidjson::Value& value, T& number) {
   if (!value.Is<T>()) return std::is_same_v<T, bool> ? "true or false" : "a whole number";
   number = value.Get<T>();
   return {};
 }
 
-// What was not finite has no other word in JSON than null.
-inline Kind Get(const rapidjson::Value& value, double& number) {
+// Numbers that are not finite are written as null.
+inline ExpectedKind Get(const rapidjson::Value& value, double& number) {
   if (!value.IsNumber() && !value.IsNull()) return "a number";
   number = value.IsNull() ? std::nan("") : value.GetDouble();
   return {};
 }
 
 template <typename Enum>
-requires std::is_enum_v<Enum> Kind Get(const rapidjson::Value& value, Enum& word) {
+requires std::is_enum_v<Enum> ExpectedKind Get(const rapidjson::Value& value, Enum& word) {
   const std::optional<Enum> found = value.IsString() ? Find<Enum>(value.GetString()) : std::nullopt;
   if (!found) return "a word that is known here";
   word = *found;
@@ -87,16 +84,16 @@ requires std::is_enum_v<Enum> Kind Get(const rapidjson::Value& value, Enum& word
 }
 
 template <typename T>
-Kind Get(const rapidjson::Value& value, std::vector<T>& list) {
+ExpectedKind Get(const rapidjson::Value& value, std::vector<T>& list) {
   if (!value.IsArray()) return "a list";
   for (const rapidjson::Value& item : value.GetArray()) {
-    if (const Kind kind = Get(item, list.emplace_back()); !kind.empty())
+    if (const ExpectedKind kind = Get(item, list.emplace_back()); !kind.empty())
       return "a list of its kind";
   }
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
+inline ExpectedKind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
   if (value.IsString()) return Get(value, parameter.emplace<std::string>());
   if (value.IsBool()) return Get(value, parameter.emplace<bool>());
   if (value.IsArray() && !value.Empty() && value[0].IsString())
@@ -106,23 +103,24 @@ inline Kind Get(const rapidjson::Value& value, sample::ParameterValue& parameter
 }
 
 template <typename T>
-Kind Get(const rapidjson::Value& value, Members<T>& members) {
+ExpectedKind Get(const rapidjson::Value& value, Members<T>& members) {
   if (!value.IsObject()) return "an object";
   for (const auto& [name, item] : value.GetObject()) {
     auto& member = members.emplace_back(name.GetString(), T());
-    if (const Kind kind = Get(item, member.second); !kind.empty()) return "an object of its kind";
+    if (const ExpectedKind kind = Get(item, member.second); !kind.empty())
+      return "an object of its kind";
   }
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, Eigen::Vector3d& point) {
+inline ExpectedKind Get(const rapidjson::Value& value, Eigen::Vector3d& point) {
   std::vector<double> numbers;
   if (!Get(value, numbers).empty() || numbers.size() != 3) return "a point";
   point = Eigen::Map<const Eigen::Vector3d>(numbers.data());
   return {};
 }
 
-inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
+inline ExpectedKind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
   std::vector<double> numbers;
   if (!Get(value, numbers).empty() || numbers.size() != kInertia.size()) return "an inertia";
   for (std::size_t i = 0; i < kInertia.size(); ++i) {
@@ -132,18 +130,37 @@ inline Kind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia) {
   return {};
 }
 
+/// Returns false if the member is missing or has another kind.
 template <typename T>
-Kind Get(const rapidjson::Value& value, tape::Traced<T>& traced) {
-  T read;
-  const Kind kind = Get(value, read);
-  if (kind.empty()) traced = read;
-  return kind;
+bool GetMember(const rapidjson::Value& object, const char* key, T& member) {
+  return object.IsObject() && object.HasMember(key) && Get(object[key], member).empty();
 }
 
-inline Kind Get(const rapidjson::Value& value, model::Box3& box) {
-  const bool read = value.IsObject() && value.HasMember("min") && value.HasMember("max") &&
-                    Get(value["min"], box.min).empty() && Get(value["max"], box.max).empty();
-  return read ? "" : "a box";
+inline ExpectedKind Get(const rapidjson::Value& value, model::Box3& box) {
+  return GetMember(value, "min", box.min) && GetMember(value, "max", box.max) ? "" : "a box";
+}
+
+/// Key of a JSON member, and the C++ member that holds its value.
+template <typename Of>
+struct JsonMember {
+  const char* key;
+  std::variant<double Of::*, int Of::*, bool Of::*, std::string Of::*, Eigen::Vector3d Of::*,
+               std::vector<double> Of::*, std::uint64_t Of::*>
+      at;
+};
+
+template <typename Of, std::size_t n>
+void PutAll(Json& json, const Of& of, const JsonMember<Of> (&members)[n]) {
+  for (const JsonMember<Of>& member : members)
+    std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
+}
+
+/// Returns false if a member is missing or has another kind.
+template <typename Of, std::size_t n>
+bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&members)[n]) {
+  return std::ranges::all_of(members, [&](const JsonMember<Of>& member) {
+    return std::visit([&](auto at) { return GetMember(object, member.key, of.*at); }, member.at);
+  });
 }
 
 }  // namespace mjforge::manifest

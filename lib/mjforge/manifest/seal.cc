@@ -1,80 +1,57 @@
+// Writing, reading and comparing the seals of finished batches.
+
 #include "mjforge/manifest/seal.h"
 
 #include <fmt/format.h>
-#include <rapidjson/document.h>
 
-#include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/manifest/record_values.h"
 
 namespace mjforge::manifest {
 namespace {
 
-using diag::Json;
 using rapidjson::Value;
 
 constexpr int kVersion = 1;
 
-// The last member is the checksum of the text before it.
+// The last member of a seal: the checksum of the text before this member.
 constexpr std::string_view kOwn = R"(,"xxh128":")";
 
-void Put(Json& json, const SealedFile& file) {
+constexpr JsonMember<Seal> kMembers[] = {
+    {"name", &Seal::name},   {"output", &Seal::output}, {"per_archive", &Seal::per_archive},
+    {"spec", &Seal::spec},   {"first", &Seal::first},   {"count", &Seal::count},
+    {"shard", &Seal::shard}, {"shards", &Seal::shards}, {"records", &Seal::records}};
+
+void PutFile(Json& json, const SealedFile& file) {
   json.StartObject();
   json.Member("file", file.file);
-  json.Member("bytes", file.whole.size);
-  json.Member("xxh128", file.whole.checksum);
+  json.Member("bytes", file.content.size);
+  json.Member("xxh128", file.content.checksum);
   json.EndObject();
 }
 
-bool Get(const Value& object, const char* key, std::uint64_t& number) {
-  const auto member = object.FindMember(key);
-  if (member == object.MemberEnd() || !member->value.IsUint64()) return false;
-  number = member->value.GetUint64();
-  return true;
+bool GetFile(const Value& value, SealedFile& file) {
+  return GetMember(value, "file", file.file) && GetMember(value, "bytes", file.content.size) &&
+         GetMember(value, "xxh128", file.content.checksum);
 }
 
-bool Get(const Value& object, const char* key, std::string& text) {
-  const auto member = object.FindMember(key);
-  if (member == object.MemberEnd() || !member->value.IsString()) return false;
-  text.assign(member->value.GetString(), member->value.GetStringLength());
-  return true;
-}
-
-bool Get(const Value& value, SealedFile& file) {
-  return value.IsObject() && Get(value, "file", file.file) &&
-         Get(value, "bytes", file.whole.size) && Get(value, "xxh128", file.whole.checksum);
-}
-
-bool Get(const Value& object, std::map<std::string, std::string>& texts) {
-  for (const auto& [name, text] : object.GetObject()) {
-    if (!text.IsString()) return false;
-    texts.emplace(name.GetString(), text.GetString());
-  }
-  return true;
-}
-
-bool Get(const Value& object, Seal& seal) {
-  const auto manifest = object.FindMember("manifest");
-  const auto archives = object.FindMember("archives");
-  const auto assets = object.FindMember("assets");
-  if (!Get(object, "name", seal.name) || !Get(object, "output", seal.output) ||
-      !Get(object, "per_archive", seal.per_archive) || !Get(object, "spec", seal.spec) ||
-      !Get(object, "first", seal.first) || !Get(object, "count", seal.count) ||
-      !Get(object, "shard", seal.shard) || !Get(object, "shards", seal.shards) ||
-      !Get(object, "records", seal.records) || manifest == object.MemberEnd() ||
-      !Get(manifest->value, seal.manifest) || archives == object.MemberEnd() ||
-      !archives->value.IsArray() || assets == object.MemberEnd() || !assets->value.IsObject() ||
-      !Get(assets->value, seal.assets)) {
+bool GetSeal(const Value& object, Seal& seal) {
+  Members<std::string> assets;
+  if (!GetAll(object, seal, kMembers) || !object.HasMember("manifest") ||
+      !GetFile(object["manifest"], seal.manifest) || !object.HasMember("archives") ||
+      !object["archives"].IsArray() || !GetMember(object, "assets", assets)) {
     return false;
   }
-  for (const Value& archive : archives->value.GetArray()) {
-    if (!Get(archive, seal.archives.emplace_back())) return false;
-  }
-  return seal.shards > 0 && seal.shard < seal.shards;
+  seal.assets = {assets.begin(), assets.end()};
+  return seal.shards > 0 && seal.shard < seal.shards &&
+         std::ranges::all_of(object["archives"].GetArray(), [&](const Value& archive) {
+           return GetFile(archive, seal.archives.emplace_back());
+         });
 }
 
 }  // namespace
 
-std::filesystem::path SealOf(const std::filesystem::path& manifest) {
+std::filesystem::path SealPathOf(const std::filesystem::path& manifest) {
   return std::filesystem::path(manifest).replace_extension(".seal.json");
 }
 
@@ -82,20 +59,12 @@ std::string SealText(const Seal& seal) {
   Json json(expr::AppendExactNumber);
   json.StartObject();
   json.Member("mjforge_seal", kVersion);
-  json.Member("name", seal.name);
-  json.Member("output", seal.output);
-  json.Member("per_archive", seal.per_archive);
-  json.Member("spec", seal.spec);
-  json.Member("first", seal.first);
-  json.Member("count", seal.count);
-  json.Member("shard", seal.shard);
-  json.Member("shards", seal.shards);
-  json.Member("records", seal.records);
+  PutAll(json, seal, kMembers);
   json.Key("manifest");
-  Put(json, seal.manifest);
+  PutFile(json, seal.manifest);
   json.Key("archives");
   json.StartArray();
-  for (const SealedFile& archive : seal.archives) Put(json, archive);
+  for (const SealedFile& archive : seal.archives) PutFile(json, archive);
   json.EndArray();
   json.Key("assets");
   json.StartObject();
@@ -111,7 +80,7 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
   if (!diag::IsNestedTooDeep(text))
     document.Parse<rapidjson::kParseIterativeFlag>(text.data(), text.size());
   std::uint64_t version = 0;
-  if (document.HasParseError() || !document.IsObject() || !Get(document, "mjforge_seal", version)) {
+  if (document.HasParseError() || !GetMember(document, "mjforge_seal", version)) {
     why_not = "it is not a seal";
     return std::nullopt;
   }
@@ -122,7 +91,7 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
   Seal seal;
   const std::string_view body = text.substr(0, text.rfind(kOwn));
   std::string checksum;
-  if (Get(document, seal) && Get(document, "xxh128", checksum) &&
+  if (GetSeal(document, seal) && GetMember(document, "xxh128", checksum) &&
       checksum == bytes::ChecksumOf(body))
     return seal;
   why_not = "it is damaged";

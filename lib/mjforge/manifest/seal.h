@@ -1,3 +1,5 @@
+// The seal of a finished batch or shard: sizes and checksums of its manifest and archives.
+
 #pragma once
 
 #include <cstdint>
@@ -12,46 +14,46 @@
 
 namespace mjforge::manifest {
 
-/// A file as it was when its batch was done.
+/// Size and checksum of a file when its batch was finished.
 struct SealedFile {
-  std::string file;  // beside the seal
-  bytes::Prefix whole;
+  std::string file;  // name in the folder of the seal
+  bytes::Prefix content;
 };
 
-/// What vouches for a batch that is done, or for one shard of it: which variants there must be, and
-/// size and checksum of its manifest and its archives. (Each object's hash is in its record.) It
-/// stands beside the manifest and gets its name just before it.
+/// Certificate of a finished batch, or of one shard: the range of its variants, and size and
+/// checksum of its manifest and archives. Hashes of objects are in the records. The file of the
+/// seal is beside the manifest and gets its final name just before the manifest does.
 struct Seal {
-  /// What shapes the output and no record says: --name as it was given, the archive's name with its
+  /// Options that determine the output but are not in records: --name, the archive's name with its
   /// %05d (empty: a folder), and --per-archive (0: not a series).
   std::string name;
   std::string output;
   std::uint64_t per_archive = 0;
-  /// As the records have it.
+  /// Record::spec of all records.
   std::string spec;
-  /// The whole batch.
+  /// Range of the whole batch.
   std::uint64_t first = 0;
   std::uint64_t count = 0;
-  /// The part of it that was made, and its records.
+  /// The shard that this seal describes, and the number of its records.
   std::uint64_t shard = 0;
   std::uint64_t shards = 1;
   std::uint64_t records = 0;
   SealedFile manifest;
   std::vector<SealedFile> archives;
-  /// What the objects refer to: name in them, SHA-256 of the bytes.
+  /// Assets of the objects: name in the objects' files, SHA-256 of the asset.
   std::map<std::string, std::string> assets;
 };
 
-/// "out/manifest.jsonl" -> "out/manifest.seal.json".
-std::filesystem::path SealOf(const std::filesystem::path& manifest);
+/// Returns the path of the seal of a manifest: "out/manifest.seal.json" for "out/manifest.jsonl".
+std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
-/// One line of JSON, with its end.
+/// Returns the seal as one line of JSON, with the line end.
 std::string SealText(const Seal& seal);
-/// Nothing, and why, if the text is not a seal.
+/// Parses a seal; returns nothing, and the reason in `why_not`, if the text is not a valid one.
 std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not);
 
-/// How two seals differ in what shapes the output, in words: "per_archive is '10', not '20'".
-/// Empty: they do not.
+/// Describes the first option in which two seals' outputs differ: "per_archive is '10', not '20'".
+/// Empty if all such options are equal.
 std::string DifferenceOfOutput(const Seal& seal, const Seal& other);
 
 }  // namespace mjforge::manifest

@@ -16,11 +16,10 @@ model::Attribute Numbers(std::string_view name, std::initializer_list<double> nu
 }
 
 // As robosuite's own objects have them: there, but not to be seen.
-model::Site BoundsSite(std::string name, const std::array<tape::Traced<double>, 3>& pos,
-                       diag::SourceMark mark) {
+model::Site BoundsSite(std::string name, const Eigen::Vector3d& pos, diag::SourceMark mark) {
   model::Site site;
   site.name = std::move(name);
-  site.X_BS.p = tape::Gather<Eigen::Vector3d>(pos);
+  site.X_BS.p = pos;
   site.attributes.push_back(Numbers("rgba", {0, 0, 0, 0}));
   site.mark = mark;
   return site;
@@ -30,7 +29,7 @@ void PutIntoOuterBody(model::Object& object) {
   model::Body outer;
   outer.mark = object.bodies.front().mark;
   const model::Bounds& bounds = object.bounds;
-  const tape::Traced<double> radius = bounds.horizontal_radius;
+  const double radius = bounds.horizontal_radius;
   outer.sites.push_back(BoundsSite("bottom_site", {0.0, 0.0, bounds.bottom_offset}, outer.mark));
   outer.sites.push_back(BoundsSite("top_site", {0.0, 0.0, bounds.top_offset}, outer.mark));
   // x is the radius; robosuite's half size of the object takes y from it, too.
@@ -47,10 +46,7 @@ void AddRegionBox(model::Object& object) {
   part.role = model::Role::kVisual;
   part.as_is = true;
   part.shape = {model::GeomType::kBox, object.bounds.half_size(), nullptr};
-  const auto middle = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return Eigen::Vector3d((a + b) / 2);
-  };
-  part.X_BG.p = tape::Apply(middle, box.min, box.max);
+  part.X_BG.p = (box.min + box.max) / 2;
   part.attributes = {Numbers("contype", {0}), Numbers("conaffinity", {0}), Numbers("group", {1}),
                      Numbers("rgba", {0, 1, 0, 0})};
   part.mark = root.mark;

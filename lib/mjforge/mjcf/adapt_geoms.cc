@@ -24,7 +24,7 @@ struct Lost {
 };
 
 bool Contradicts(const Part& part, const model::Attribute& group, const TargetRules& rules) {
-  const double number = group.numbers.empty() ? -1 : tape::Fixed(group.numbers[0]);
+  const double number = group.numbers.empty() ? -1 : group.numbers[0];
   const bool on_collision = part.role != Role::kVisual && group.applies != Applies::kVisual;
   const bool on_visual = part.role != Role::kCollision && group.applies != Applies::kCollision;
   return (on_collision && number != rules.collision_group) ||

@@ -28,14 +28,13 @@ using model::TriangleMesh;
 constexpr int kSides = 16;
 
 TriangleMesh Prism(const Eigen::Vector3d& size) {
-  std::array<double, 2 * kSides> polygon;
+  std::array<Eigen::Vector2d, kSides> polygon;
   for (std::size_t i = 0; i < kSides; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kSides;
-    polygon[2 * i] = size.x() * WithoutNoise(std::cos(angle));
-    polygon[2 * i + 1] = size.x() * WithoutNoise(std::sin(angle));
+    polygon[i] = {size.x() * WithoutNoise(std::cos(angle)),
+                  size.x() * WithoutNoise(std::sin(angle))};
   }
-  std::string why_not;
-  return model::MakePrism(polygon, 2 * size.y(), why_not).value_or(TriangleMesh());
+  return solid::MakeConvexPrism(polygon, 2 * size.y()).value_or(TriangleMesh());
 }
 
 // Points of edges cut in half, each made once.
@@ -131,7 +130,6 @@ class Replacement {
       // MuJoCo would take it from the mesh.
       body.explicit_inertial = true;
     }
-    KeepDistinct();
     if (twins_.empty()) return;
     for (model::Section& section : object_.sections) {
       if (section.info->name == "contact") continue;
@@ -144,14 +142,6 @@ class Replacement {
   diag::SourceMark first;
 
  private:
-  using Size = tape::Traced<Eigen::Vector3d>;
-  /// A round shape that was replaced.
-  struct Shape {
-    GeomType type;
-    Size size;
-    int mesh;  // in Object::meshes
-  };
-
   static std::string_view KindOf(const model::Attribute& attribute, const model::Element& element) {
     if (!attribute.refers.starts_with('@')) return attribute.refers;
     for (const model::Attribute& other : element.attributes) {
@@ -220,60 +210,26 @@ class Replacement {
   }
 
   int MeshOf(const Part& part) {
-    const Size& size = part.shape.size;
-    const auto [found, is_new] = shapes_by_size_.try_emplace(
-        {part.shape.type, size.x(), size.y(), size.z()}, shapes_.size());
-    if (!is_new) {
-      const Shape& same = shapes_[found->second];
-      tape::Test([](const auto& a, const auto& b) { return a == b; }, size, same.size);
-      return same.mesh;
-    }
-    const auto mesh_of = part.shape.type == GeomType::kCylinder ? Prism : Ellipsoid;
+    const Eigen::Vector3d& size = part.shape.size;
+    const auto [found, is_new] =
+        meshes_.try_emplace({part.shape.type, size.x(), size.y(), size.z()}, object_.meshes.size());
+    if (!is_new) return static_cast<int>(found->second);
     auto asset = std::make_unique<model::MeshAsset>();
     asset->name = part.name + "_convex";
     while (!mesh_names_.insert(asset->name).second) asset->name += '_';
-    asset->mesh = mesh_of(size);
+    asset->mesh = part.shape.type == GeomType::kCylinder ? Prism(size) : Ellipsoid(size);
     asset->is_hull = true;
     asset->mark = part.mark;
-    if (tape::Tape* tape = size.tape()) {
-      asset->mesh.tape = tape;
-      tape->Add([mesh_of, &mesh = asset->mesh, &again = *size.at()] {
-        const TriangleMesh other = mesh_of(again);
-        const bool same = other.vertices.size() == mesh.vertices.size();
-        if (same) std::ranges::copy(other.vertices, mesh.vertices.begin());
-        return same;
-      });
-    }
-    const int mesh = static_cast<int>(object_.meshes.size());
     object_.meshes.push_back(std::move(asset));
-    shapes_.push_back({part.shape.type, size, mesh});
-    return mesh;
-  }
-
-  // Only variants where no two of the sizes become equal go this way.
-  void KeepDistinct() const {
-    tape::Tape* tape = nullptr;
-    for (const Shape& shape : shapes_) tape = tape != nullptr ? tape : shape.size.tape();
-    if (tape == nullptr) return;
-    std::vector<std::pair<GeomType, const Eigen::Vector3d*>> places;
-    for (const Shape& shape : shapes_) {
-      places.emplace_back(shape.type, &PlaceOf(*tape, shape.size));
-    }
-    tape->Add([places = std::move(places)] {
-      std::set<std::tuple<GeomType, double, double, double>> known;
-      return std::ranges::all_of(places, [&](const auto& place) {
-        const auto& [type, size] = place;
-        return known.emplace(type, size->x(), size->y(), size->z()).second;
-      });
-    });
+    return static_cast<int>(found->second);
   }
 
   model::Object& object_;
   std::set<std::string, std::less<>> mesh_names_;
   std::set<std::string, std::less<>> referred_;            // geoms
   std::map<std::string, std::string, std::less<>> twins_;  // of those replaced
-  std::vector<Shape> shapes_;                              // one for each size
-  std::map<std::tuple<GeomType, double, double, double>, std::size_t> shapes_by_size_;
+  // Indices in Object::meshes, by the type and size of the shape that the mesh replaces.
+  std::map<std::tuple<GeomType, double, double, double>, std::size_t> meshes_;
 };
 
 }  // namespace

@@ -16,24 +16,16 @@ constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"
 using Spelling = ElementWriter::Spelling;
 
 template <typename Vector>
-void WriteVectors(std::string_view begin, const std::vector<Vector>& vectors, tape::Tape* tape,
-                  ElementWriter& writer, Spelling spelling = Spelling::kNumber) {
+void WriteVectors(std::string_view name, const std::vector<Vector>& vectors, ElementWriter& writer,
+                  Spelling spelling = Spelling::kNumber) {
   if (vectors.empty()) return;
-  writer.Raw(begin);
-  for (const Vector& vector : vectors) {
-    for (const double& number : vector) {
-      writer.Append(
-          tape == nullptr ? Traced<double>(number) : Traced<double>(number, *tape, number),
-          spelling);
-    }
-  }
-  writer.Raw("\"");
+  writer.Numbers(name, {vectors.front().data(), vectors.size() * vectors.front().size()}, spelling);
 }
 
 void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
   const model::TriangleMesh& mesh = asset.mesh;
   if (mesh.in_micrometres) writer.Raw(" scale=\"1e-06 1e-06 1e-06\"");
-  WriteVectors(" vertex=\"", mesh.vertices, mesh.tape, writer,
+  WriteVectors("vertex", mesh.vertices, writer,
                mesh.in_micrometres ? Spelling::kMicrometres : Spelling::kNumber);
   // MuJoCo makes normals of the triangles that share a vertex, which differ hardly. Where a texture
   // begins and ends they share none; below square micrometres it takes their area for none.
@@ -41,14 +33,10 @@ void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
   if (are_computed)
     writer.Raw(" smoothnormal=\"true\"");
   else
-    WriteVectors(" normal=\"", mesh.normals, mesh.tape, writer);
-  WriteVectors(" texcoord=\"", mesh.texcoords, mesh.tape, writer);
+    WriteVectors("normal", mesh.normals, writer);
+  WriteVectors("texcoord", mesh.texcoords, writer);
   if (asset.is_hull) return;
-  writer.Raw(" face=\"");
-  for (const std::array<int, 3>& triangle : mesh.triangles) {
-    for (const int corner : triangle) writer.Append(corner);
-  }
-  writer.Raw("\"");
+  writer.Integers("face", {mesh.triangles.front().data(), 3 * mesh.triangles.size()});
 }
 
 class AssetWriter {

@@ -29,25 +29,17 @@ Principal PrincipalOf(const Eigen::Matrix3d& inertia) {
   return {Eigen::Quaterniond(axes), solver.eigenvalues()};
 }
 
-Traced<Eigen::Vector3d> Lifted(const Traced<Eigen::Vector3d>& p, const Traced<double>& lift) {
-  const auto lifted = [](Eigen::Vector3d at, double by) {
-    at.z() += by;
-    return at;
-  };
-  return tape::Apply(lifted, p, lift);
-}
-
 class BodyWriter {
  public:
   BodyWriter(const model::Object& object, const GeomGroups& groups, ElementWriter& writer)
       : object_(object), groups_(groups), writer_(writer) {}
 
   /// The body's start and everything in it but child bodies and the end.
-  void Begin(const model::Body& body, const Traced<double>& lift) {
+  void Begin(const model::Body& body, double lift) {
     writer_.Open("body", body.mark);
     if (!body.name.empty()) writer_.Text("name", body.name);
     model::Pose pose = body.X_PB;
-    if (body.parent < 0) pose.p = Lifted(pose.p, lift);
+    if (body.parent < 0) pose.p.z() += lift;
     writer_.Pose(pose);
     for (const model::Attribute& attribute : body.attributes) writer_.Attribute(attribute);
     writer_.Content();
@@ -69,11 +61,11 @@ class BodyWriter {
       writer_.Raw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
       writer_.Close();
     } else if (body.explicit_inertial) {
-      const Traced<Principal> principal = tape::Apply(PrincipalOf, properties.I_Cm_F);
+      const Principal principal = PrincipalOf(properties.I_Cm_F);
       writer_.Open("inertial", body.mark);
-      writer_.Pose({properties.p_FCm, tape::Member(principal, &Principal::axes)});
+      writer_.Pose({properties.p_FCm, principal.axes});
       writer_.Number("mass", properties.mass);
-      writer_.Vector("diaginertia", tape::Member(principal, &Principal::moments));
+      writer_.Vector("diaginertia", principal.moments);
       writer_.Close();
     }
   }
@@ -105,10 +97,14 @@ class BodyWriter {
 
   void Part(const model::Part& part) {
     if (part.as_is) return AsItIs(part);
+    std::size_t shape = 0;  // bytes of the text
+    std::size_t shape_end = 0;
     if (part.role != Role::kVisual) {
       writer_.Open("geom", part.mark);
       writer_.Text("name", part.name);
+      shape = writer_.size();
       Shape(part);
+      shape_end = writer_.size();
       Mass(part);
       CollisionRest(part);
       writer_.Close();
@@ -116,7 +112,11 @@ class BodyWriter {
     if (part.role == Role::kCollision) return;
     writer_.Open("geom", part.mark);
     writer_.Text("name", part.name, kVisualSuffix);
-    Shape(part);
+    if (shape_end > 0) {
+      writer_.Repeat(shape, shape_end);
+    } else {
+      Shape(part);
+    }
     VisualRest(part);
     writer_.Close();
   }
@@ -142,11 +142,9 @@ class BodyWriter {
     writer_.Pose(part.X_BG);
   }
 
-  void Size(model::GeomType type, const Traced<Eigen::Vector3d>& size) {
+  void Size(model::GeomType type, const Eigen::Vector3d& size) {
     if (type == model::GeomType::kSphere && groups_.sphere_sizes == 3) {
-      const std::array radii = {tape::Element(size, 0), tape::Element(size, 0),
-                                tape::Element(size, 0)};
-      writer_.Point("size", tape::Gather<Eigen::Vector3d>(radii));
+      writer_.Point("size", Eigen::Vector3d::Constant(size[0]));
       return;
     }
     writer_.Vector("size", size, static_cast<std::size_t>(model::SizeCount(type)));
@@ -231,7 +229,7 @@ std::vector<int> DepthFirst(const model::Object& object) {
   return order;
 }
 
-void WriteBodies(const model::Object& object, const GeomGroups& groups, const Traced<double>& lift,
+void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
                  ElementWriter& writer) {
   BodyWriter bodies(object, groups, writer);
   std::vector<int> open;

@@ -17,18 +17,13 @@
 
 namespace mjforge::mjcf {
 
-using tape::Traced;
-
 /// Rotating and adding leaves noise where zeros belong; below a femtometre (or
 /// that part of a turn) nothing is meant.
 inline double WithoutNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
-/// As expr::WriteNumber.
-char* WriteSpelled(double number, Slot::Spelling spelling, char* out);
-
 class ElementWriter {
  public:
-  using Spelling = Slot::Spelling;
+  enum class Spelling { kNumber, kWithoutNoise, kMicrometres };
 
   /// Appends to the document's text and origins; the text must be empty or end with a whole line.
   explicit ElementWriter(MjcfDocument& document);
@@ -48,25 +43,27 @@ class ElementWriter {
   void Text(std::string_view name, std::string_view value, std::string_view suffix);
   /// Attributes, written unchanged: ` group="3"`.
   void Raw(std::string_view attributes) { text_ += attributes; }
-  void Number(std::string_view name, const Traced<double>& value);
-  void Numbers(std::string_view name, std::span<const Traced<double>> values,
+  void Number(std::string_view name, double value);
+  void Numbers(std::string_view name, std::span<const double> values,
                Spelling spelling = Spelling::kNumber);
   /// The first `count` elements.
   template <typename V>
-  void Vector(std::string_view name, const Traced<V>& value,
-              std::size_t count = V::SizeAtCompileTime, Spelling spelling = Spelling::kNumber) {
-    Begin(name);
-    for (std::size_t i = 0; i < count; ++i) Append(tape::Element(value, i), spelling);
-    text_ += '"';
+  void Vector(std::string_view name, const V& value, std::size_t count = V::SizeAtCompileTime,
+              Spelling spelling = Spelling::kNumber) {
+    Numbers(name, {value.data(), count}, spelling);
   }
-  void Point(std::string_view name, const Traced<Eigen::Vector3d>& value) {
+  void Point(std::string_view name, const Eigen::Vector3d& value) {
     Vector(name, value, 3, Spelling::kWithoutNoise);
   }
-  /// One more number of the attribute at hand.
-  void Append(const Traced<double>& number, Spelling spelling = Spelling::kNumber);
+  /// An attribute of whole numbers.
+  void Integers(std::string_view name, std::span<const int> values);
   /// `pos`, and `quat` where it is not the identity.
   void Pose(const model::Pose& pose);
   void Attribute(const model::Attribute& attribute);
+
+  /// The text from `begin` to `end`, written once more.
+  void Repeat(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
+  std::size_t size() const { return text_.size(); }
 
  private:
   void Indent();
@@ -74,9 +71,11 @@ class ElementWriter {
   void Begin(std::string_view name);
   void Finish(std::string_view end);
   void Escaped(std::string_view value);
+  /// Appends the numbers, one space apart; `write` writes one and returns its end.
+  template <typename T, typename Write>
+  void AppendAll(std::span<const T> values, const Write& write);
 
   std::string& text_;
-  std::vector<Slot>& slots_;
   std::vector<LineOrigin>& origins_;
   int line_ = 1;  // being written
   std::size_t depth_ = 0;

@@ -5,32 +5,27 @@
 namespace mjforge::mjcf {
 namespace {
 
-void AddPose(const model::Pose& pose, const Traced<double>& lift,
-             std::vector<Traced<double>>& out) {
-  out.push_back(tape::Element(pose.p, 0));
-  out.push_back(tape::Element(pose.p, 1));
-  out.push_back(tape::Element(pose.p, 2) + lift);
-  const auto wxyz = [](const Eigen::Quaterniond& q) {
-    return Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
-  };
-  const Traced<Eigen::Vector4d> turn = tape::Apply(wxyz, pose.q);
-  for (std::size_t i = 0; i < 4; ++i) out.push_back(tape::Element(turn, i));
+void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
+  out.push_back(pose.p[0]);
+  out.push_back(pose.p[1]);
+  out.push_back(pose.p[2] + lift);
+  const Eigen::Vector4d quat = model::Wxyz(pose.q);
+  out.insert(out.end(), quat.begin(), quat.end());
 }
 
-void AddZero(const model::Joint& joint, std::vector<Traced<double>>& out) {
+void AddZero(const model::Joint& joint, std::vector<double>& out) {
   if (joint.type == "ball") {
     for (const double number : {1.0, 0.0, 0.0, 0.0}) out.emplace_back(number);
     return;
   }
   const auto ref = std::ranges::find(joint.attributes, "ref", &model::Attribute::name);
-  out.push_back(ref == joint.attributes.end() ? Traced<double>(0.0) : ref->numbers.front());
+  out.push_back(ref == joint.attributes.end() ? 0.0 : ref->numbers.front());
 }
 
 }  // namespace
 
-std::vector<Traced<double>> StartPositions(const model::Object& object,
-                                           const Traced<double>& lift) {
-  std::vector<Traced<double>> positions;
+std::vector<double> StartPositions(const model::Object& object, double lift) {
+  std::vector<double> positions;
   const auto has_start = [](const model::Joint& joint) { return !joint.start.empty(); };
   const auto is_posed = [&](const model::Body& body) {
     return std::ranges::any_of(body.joints, has_start);
@@ -51,8 +46,8 @@ std::vector<Traced<double>> StartPositions(const model::Object& object,
   return positions;
 }
 
-void WriteKeyframe(const model::Object& object, const Traced<double>& lift, ElementWriter& writer) {
-  const std::vector<Traced<double>> positions = StartPositions(object, lift);
+void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer) {
+  const std::vector<double> positions = StartPositions(object, lift);
   if (positions.empty()) return;
   writer.Open("keyframe");
   writer.Content();

@@ -12,7 +12,6 @@ namespace {
 // Keeps the memory.
 void Clear(MjcfDocument& document) {
   document.text.clear();
-  document.slots.clear();
   document.origins.clear();
   document.assets.clear();
   document.made_files.clear();
@@ -43,7 +42,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   const TargetRules& rules = RulesOf(target);
   const bool scene = rules.scene;
   Clear(document);
-  document.lift = scene ? LiftOntoFloor(object) : Traced<double>(0);
+  document.lift = scene ? LiftOntoFloor(object) : 0;
 
   AppendProvenance(provenance, document);
   ElementWriter writer(document);

@@ -42,16 +42,6 @@ struct LineOrigin {
   bool operator==(const LineOrigin&) const = default;
 };
 
-/// A number in a text that differs between variants.
-struct Slot {
-  enum class Spelling { kIndex, kNumber, kWithoutNoise, kMicrometres };
-
-  std::size_t begin = 0;  // bytes of the text
-  std::size_t end = 0;
-  Spelling spelling = Spelling::kNumber;
-  const double* number = nullptr;  // where a run of the tape leaves it; null: the variant's index
-};
-
 /// How meshes and textures that no file has are written.
 enum class AssetForm {
   kInline,  // into the text
@@ -72,8 +62,6 @@ struct MadeFile {
 
 struct MjcfDocument {
   std::string text;
-  /// In the order of the text: of the index, and of the numbers of an object on a tape.
-  std::vector<Slot> slots;
   std::vector<LineOrigin> origins;  // by line
   /// Byte where a <size> element may be inserted; npos if MuJoCo must get the text unchanged (a
   /// scene has contacts).
@@ -83,7 +71,7 @@ struct MjcfDocument {
   std::size_t world_position = 0;
   /// The host gives the root body a free joint, so the file has none.
   bool host_frees = false;
-  tape::Traced<double> lift = 0;  // m, added to the height of the root body
+  double lift = 0;  // m, added to the height of the root body
   /// Files the text refers to.
   bytes::Assets assets;
   /// Others, which are still to be made.
@@ -93,25 +81,6 @@ struct MjcfDocument {
   diag::SourceMark Origin(int line) const;
 };
 
-/// A document whose text is taken over for other variants, with other numbers in the slots.
-class Form {
- public:
-  /// The places of the slots' numbers must outlive the form: tape, object, parameters.
-  explicit Form(MjcfDocument document);
-
-  /// Replaces the content of `document`, reusing its memory.
-  void Fill(std::uint64_t index, MjcfDocument& document);
-
- private:
-  /// Where a byte of the document is in the text that was filled last.
-  std::size_t Moved(std::size_t position) const;
-
-  MjcfDocument document_;
-  const double* lift_;              // on the tape; null: the same in all variants
-  std::vector<std::size_t> first_;  // by slot: the first one with the same number, spelled alike
-  std::vector<std::pair<std::size_t, std::size_t>> filled_;  // by slot: bytes of the last text
-};
-
 /// The name of a visual geom is its part's name with this suffix.
 inline constexpr std::string_view kVisualSuffix = "_vis";
 
@@ -119,8 +88,7 @@ inline constexpr std::string_view kVisualSuffix = "_vis";
 inline constexpr std::string_view kStartSuffix = "_start";
 /// qpos of the joints at the start, in MuJoCo's order; empty if none has a position of its own.
 /// `lift`, m, is added to the height of bodies of the world.
-std::vector<tape::Traced<double>> StartPositions(const model::Object& object,
-                                                 const tape::Traced<double>& lift);
+std::vector<double> StartPositions(const model::Object& object, double lift);
 
 /// Object::bodies in the order of the text, which is MuJoCo's: depth first.
 std::vector<int> DepthFirst(const model::Object& object);

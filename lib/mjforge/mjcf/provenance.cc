@@ -120,9 +120,7 @@ void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
   AppendPair("spec", provenance.spec, out);
   AppendPair("sha256", provenance.spec_sha256, out);
   AppendPair("seed", std::to_string(provenance.seed), out);
-  const std::string index = std::to_string(provenance.index);
-  AppendPair("index", index, out);
-  document.slots.push_back({out.size() - index.size(), out.size(), Slot::Spelling::kIndex});
+  AppendPair("index", std::to_string(provenance.index), out);
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
   if (!provenance.assets_as.empty()) AppendPair("assets", provenance.assets_as, out);

@@ -9,10 +9,7 @@ namespace {
 
 // Names of the scene's own elements have a hyphen, which an object's cannot have.
 
-bool Finite(const model::Box3& box) {
-  const auto finite = [](const Eigen::Vector3d& corner) { return corner.allFinite(); };
-  return tape::Test(finite, box.min) && tape::Test(finite, box.max);
-}
+bool Finite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
 
 /// Looking from `eye` at `target`, upright: a camera looks along its -z, its y is up.
 Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
@@ -42,14 +39,10 @@ View ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
 
 }  // namespace
 
-Traced<double> LiftOntoFloor(const model::Object& object) {
+double LiftOntoFloor(const model::Object& object) {
   if (object.bodies.empty()) return 0;
-  const auto finite = [](double z) { return std::isfinite(z); };
-  if (!tape::Test(finite, tape::Element(object.bounds.aabb.min, 2))) return 0;
-  const auto lift = [](const Eigen::Vector3d& lowest, const Eigen::Vector3d& root) {
-    return -lowest.z() - root.z();
-  };
-  return tape::Apply(lift, object.bounds.aabb.min, object.bodies.front().X_PB.p);
+  const double lowest = object.bounds.aabb.min.z();
+  return std::isfinite(lowest) ? -lowest - object.bodies.front().X_PB.p.z() : 0;
 }
 
 void WriteSceneAssets(ElementWriter& writer) {
@@ -64,17 +57,16 @@ void WriteSceneAssets(ElementWriter& writer) {
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer) {
   model::Box3 box = object.bounds.aabb;
   if (!Finite(box)) box = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  const Traced<View> view = tape::Apply(ViewOf, box.min, box.max);
-  const auto eye = tape::Member(view, &View::eye);
+  const View view = ViewOf(box.min, box.max);
 
   writer.Open("light");
   writer.Text("name", "scene-light");
-  writer.Point("pos", tape::Member(view, &View::light));
+  writer.Point("pos", view.light);
   writer.Point("dir", Eigen::Vector3d(-1, 2, -6).normalized());
   writer.Close();
   writer.Open("camera");
   writer.Text("name", "scene-camera");
-  writer.Pose({eye, tape::Apply(LookAt, eye, tape::Member(view, &View::center))});
+  writer.Pose({view.eye, LookAt(view.eye, view.center)});
   writer.Close();
 
   writer.Line(

@@ -42,7 +42,7 @@ void WriteSettings(const model::Object& object, ElementWriter& writer) {
   }
 }
 
-void WriteSections(const model::Object& object, const Traced<double>& lift, ElementWriter& writer) {
+void WriteSections(const model::Object& object, double lift, ElementWriter& writer) {
   for (const model::Section& section : object.sections) {
     if (!IsSetting(section)) WriteSection(section, writer);
   }

@@ -25,7 +25,7 @@ void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writ
                  MjcfDocument& document);
 
 /// The tree of bodies. `lift`, m, is added to the height of root bodies.
-void WriteBodies(const model::Object& object, const GeomGroups& groups, const Traced<double>& lift,
+void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
                  ElementWriter& writer);
 
 /// An element with its attributes and everything in it.
@@ -33,13 +33,13 @@ void WriteElement(const model::Element& element, ElementWriter& writer);
 /// Settings of the whole model (option, size, visual, statistic, custom).
 void WriteSettings(const model::Object& object, ElementWriter& writer);
 /// Sections that refer to bodies (contact, equality, tendon, actuator, sensor), and the keyframe.
-void WriteSections(const model::Object& object, const Traced<double>& lift, ElementWriter& writer);
+void WriteSections(const model::Object& object, double lift, ElementWriter& writer);
 
 /// The keyframe of the positions that joints start from, if any has one.
-void WriteKeyframe(const model::Object& object, const Traced<double>& lift, ElementWriter& writer);
+void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer);
 
 /// How far a scene lifts the object so that it rests on the floor at z = 0, m.
-Traced<double> LiftOntoFloor(const model::Object& object);
+double LiftOntoFloor(const model::Object& object);
 /// Room for the contacts and constraints of a large object, if MuJoCo's default sizes might not be
 /// enough.
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);

@@ -137,8 +137,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   const std::optional<Pose> X_FW = ReadPose(reader, entry);
 
   if (!X_FW) return;
-  const std::shared_ptr<sample::Evaluator> nested = SampleNested(scope, entry, path);
-  if (nested == nullptr) return;
+  std::optional<sample::Evaluator> nested = SampleNested(scope, entry, path);
+  if (!nested) return;
 
   const Pose X_SW = X_SF * *X_FW;
   const bool corner = scope.places_corners();
@@ -179,9 +179,9 @@ void Assembly::Move(const Pose& X_BC, const Extent& from, int parent) {
 void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body) {
   const spec::ObjectSpec& spec = scope.values.spec();
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
-  const std::optional<Traced<double>> mass = reader.Number(*spec.mass);
+  const std::optional<double> mass = reader.Number(*spec.mass);
   if (!mass) return;
-  Traced<double> sum = 0.0;
+  double sum = 0.0;
   for (std::size_t i = first_part; i < body().parts.size(); ++i) sum = sum + body().parts[i].mass;
   for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
     sum = sum + object_.bodies[i].mass_properties.mass;
@@ -191,11 +191,10 @@ void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t fir
     reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
     return;
   }
-  const Traced<double> factor = *mass / sum;
+  const double factor = *mass / sum;
   ScaleMass(factor, object_.bodies, at_, first_part, first_body);
-  for (const BodyMass& body : body_masses_) {
-    if (body.values == &scope.values) body.values->SetVariable(body.slot, body.mass * factor);
-  }
+  for (const auto& [slot, body_mass] : scope.body_masses)
+    scope.values.SetVariable(slot, body_mass * factor);
 }
 
 }  // namespace mjforge::model

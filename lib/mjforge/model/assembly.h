@@ -55,8 +55,8 @@ class Assembly {
   // nested.cc
   /// The values of the spec that an entry brings, with the entry's parameters set; null after a
   /// finding.
-  std::shared_ptr<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
-                                                  sample::StreamId path);
+  std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
+                                                sample::StreamId path);
   void ReadTotalSize(Scope& scope);
   void ReadChecks(Scope& scope);  // checks.cc
   void ReadFitting(Scope& scope, const spec::Checks::Fitting& entry);
@@ -114,9 +114,8 @@ class Assembly {
                     const MaterialState*& material);
   bool ReadMass(FieldReader& reader, const spec::Entry& entry, const MaterialState* material,
                 Part& part);
-  bool SetMass(FieldReader& reader, const std::optional<Traced<double>>& mass, Part& part);
-  bool SetDensity(FieldReader& reader, const spec::Field& field, const Traced<double>& density,
-                  Part& part);
+  bool SetMass(FieldReader& reader, const std::optional<double>& mass, Part& part);
+  bool SetDensity(FieldReader& reader, const spec::Field& field, double density, Part& part);
 
   // views.cc
   /// Cameras and lights; `path` is that of the body.
@@ -136,13 +135,6 @@ class Assembly {
 
   Object object_;
   diag::Findings& findings_;
-  /// NAME.mass of a body, which the spec's own `mass:` scales.
-  struct BodyMass {
-    sample::Evaluator* values = nullptr;
-    int slot = 0;
-    Traced<double> mass;
-  };
-  std::vector<BodyMass> body_masses_;
   Repetition repetition_;
   Assets assets_;
   References references_;

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -22,12 +20,12 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// What a solid is made of.
+/// A shape of the room `solid` and its places in the spec, for findings.
 struct SolidInput {
-  std::vector<Traced<double>> numbers;
-  std::vector<std::vector<diag::SourceMark>> marks;  // of the points of each of its outlines
-  bool turns_vary = false;  // the turns of its pieces depend on numbers that vary
-  std::function<solid::Shape(std::span<const double>)> shape_of;
+  const solid::SolidShape& shape;
+  const spec::Field& field;  // the main outline, path or size
+  /// Places of the points of each outline: the main one, then the holes.
+  const std::vector<std::vector<diag::SourceMark>>& marks;
 };
 
 /// The factors of `scale`, that many; 1 without one. Nothing after a finding.
@@ -46,8 +44,8 @@ class Assets {
 
   /// The part gets the look of a shape that MuJoCo does not have, and the mass of the true solid;
   /// returns its pieces, with their poses in the part's frame. `texture`: its coordinates.
-  std::optional<std::vector<Part>> AddShape(FieldReader& reader, const spec::Field& field,
-                                            const SolidInput& input, Part& part);
+  std::optional<std::vector<Part>> AddShape(const FieldReader& reader, const SolidInput& input,
+                                            Part& part);
   /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);
@@ -64,8 +62,6 @@ class Assets {
   void CheckPixels();
   /// As ShareTexture, for a mesh that an attached file brings, renamed to `name`.
   int ShareMesh(const MeshAsset& mesh, const std::string& name);
-  /// Once all are there: only variants where none of them become equal go this way.
-  void KeepDistinct();
   /// The name of the file's copy: its own with _ for what some system does not take in a name, and
   /// with _2, _3, ... where that is taken.
   std::string OutputName(const std::filesystem::path& file);
@@ -73,18 +69,16 @@ class Assets {
  private:
   struct Source {  // of a mesh read from a file
     std::filesystem::path file;
-    Traced<Eigen::Vector3d> scale = Eigen::Vector3d::Ones();
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones();
     bool is_solid = true;
     std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
-  void Report(const FieldReader& reader, const spec::Field& field, const SolidInput& input,
-              const solid::Fault& fault);
-  std::vector<Part> AddSolid(const SolidInput& input, const solid::Solid& solid, Part& part);
-  /// A mesh that is written as text; one without normals is a convex hull. `made` is the mesh on
-  /// its tape, null if it is on none.
-  void AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part);
-  void AddFile(const std::filesystem::path& file, const Traced<Eigen::Vector3d>& scale,
+  void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
+  std::vector<Part> AddSolid(const solid::Solid& solid, Part& part);
+  /// A mesh that is written as text; one without normals is a convex hull.
+  void AddInline(TriangleMesh mesh, Part& part);
+  void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, Part& part);
   void Share(int index, Part& part);
   bool ReadPicture(FieldReader& reader, const spec::Field& field,

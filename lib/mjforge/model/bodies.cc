@@ -100,8 +100,8 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                     const std::string& name, std::size_t index, sample::StreamId path) {
   if (entry.head.nested != nullptr) {
-    const std::shared_ptr<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
-    if (nested == nullptr) return;
+    std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
+    if (!nested) return;
     Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
     HandIn(scope, entry.head, path, inner);
     AddSpec(inner);
@@ -123,9 +123,9 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
   SumMass(object_.bodies[index], assets_);
   const spec::Field* field = entry.head.Find(Key::kMass);
   if (field == nullptr) return;
-  const std::optional<Traced<double>> mass = reader.Number(*field);
+  const std::optional<double> mass = reader.Number(*field);
   if (!mass) return;
-  const Traced<double> sum = MassFrom(object_.bodies, index).mass;
+  const double sum = MassFrom(object_.bodies, index).mass;
   if (sum > 0) {
     ScaleMass(*mass / sum, object_.bodies, at_, body().parts.size(), index);
   } else {
@@ -159,20 +159,20 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& ent
 void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                              std::size_t index) {
   if (entry.first_property < 0) return;
-  Traced<Eigen::Vector3d> half = Eigen::Vector3d::Zero();
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();
   if (!bounds.aabb.empty()) half = bounds.half_size();
-  const Traced<double> values[] = {bounds.top_offset,
-                                   bounds.bottom_offset,
-                                   bounds.horizontal_radius,
-                                   tape::Element(half, 0),
-                                   tape::Element(half, 1),
-                                   tape::Element(half, 2),
-                                   MassFrom(object_.bodies, index).mass};
+  const double values[] = {bounds.top_offset,
+                           bounds.bottom_offset,
+                           bounds.horizontal_radius,
+                           half[0],
+                           half[1],
+                           half[2],
+                           MassFrom(object_.bodies, index).mass};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
   }
   const int mass = entry.first_property + static_cast<int>(std::size(values)) - 1;
-  body_masses_.push_back({&scope.values, mass, values[std::size(values) - 1]});
+  scope.body_masses.emplace_back(mass, values[std::size(values) - 1]);
 }
 
 void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -182,8 +182,8 @@ void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& e
   body.X_PB = *X_PB;
   if (body.parent != scope.body) return;
   if (scope.places_corners() && !bounds.aabb.empty()) {
-    body.X_PB.p = tape::Apply(OriginFromCorner, X_PB->p, X_PB->q, *scope.total_size,
-                              bounds.aabb.min, bounds.aabb.max);
+    body.X_PB.p =
+        OriginFromCorner(X_PB->p, X_PB->q, *scope.total_size, bounds.aabb.min, bounds.aabb.max);
   }
   body.X_PB = scope.X_BS * body.X_PB;
 }

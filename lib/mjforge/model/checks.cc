@@ -52,10 +52,9 @@ constexpr RangeCheck kRanges[] = {
 std::optional<Eigen::Vector2d> ReadRange(const spec::Field& field, FieldReader& reader) {
   const auto range = reader.Vector<2>(field);
   if (!range) return std::nullopt;
-  const Eigen::Vector2d fixed = tape::Fixed(*range);
-  if (fixed.x() > fixed.y())
+  if (range->x() > range->y())
     reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
-  return fixed;
+  return range;
 }
 
 void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
@@ -65,7 +64,7 @@ void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
   }
   for (const NumberCheck& check : kNumbers) {
     if (check.key == field.info->key)
-      checks.*check.member = tape::Fixed(reader.Number(field).value_or(checks.*check.member));
+      checks.*check.member = reader.Number(field).value_or(checks.*check.member);
   }
   for (const RangeCheck& check : kRanges) {
     if (check.key == field.info->key)
@@ -78,10 +77,9 @@ void ReadGrasping(const spec::Field& field, FieldReader& reader, Grasping& grasp
   const std::pair<std::string_view, double Grasping::*> numbers[] = {
       {"width", &Grasping::width}, {"force", &Grasping::force}, {"pull", &Grasping::pull}};
   for (const auto& [name, member] : numbers) {
-    if (name == key) grasps.*member = tape::Fixed(reader.Number(field).value_or(grasps.*member));
+    if (name == key) grasps.*member = reader.Number(field).value_or(grasps.*member);
   }
-  if (key == "tries")
-    grasps.tries = static_cast<int>(tape::Fixed(reader.Number(field).value_or(grasps.tries)));
+  if (key == "tries") grasps.tries = static_cast<int>(reader.Number(field).value_or(grasps.tries));
 }
 
 void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) {
@@ -89,18 +87,18 @@ void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) 
   if (key == "ball") {
     sample::Numbers sizes;
     if (!reader.Numbers(field, sizes)) return;
-    holds.ball = {tape::Fixed(sizes.front()), tape::Fixed(sizes.back())};
+    holds.ball = {sizes.front(), sizes.back()};
     if (holds.ball.x() > holds.ball.y())
       reader.Report(diag::Code::kModelBadValue, field, "has the larger diameter first");
   } else if (key == "at") {
-    if (const auto at = reader.Vector<2>(field)) holds.at = tape::Fixed(*at);
+    if (const auto at = reader.Vector<2>(field)) holds.at = *at;
   } else if (key == "without") {
     holds.without = reader.Text(field).value_or("");
   } else if (key == "empties") {
     holds.empties = reader.Boolean(field).value_or(holds.empties);
   } else if (const auto number = reader.Number(field)) {
-    if (key == "drop") holds.drop = tape::Fixed(*number);
-    if (key == "balls") holds.balls = static_cast<int>(tape::Fixed(*number));
+    if (key == "drop") holds.drop = *number;
+    if (key == "balls") holds.balls = static_cast<int>(*number);
   }
 }
 
@@ -114,7 +112,7 @@ constexpr std::pair<std::string_view, std::optional<double> JointCheck::*> kOfJo
 void ReadJointField(const spec::Field& field, FieldReader& reader, JointCheck& check) {
   for (const auto& [key, member] : kOfJoints) {
     if (key != field.info->key) continue;
-    if (const auto number = reader.Number(field)) check.*member = tape::Fixed(*number);
+    if (const auto number = reader.Number(field)) check.*member = *number;
   }
   if (field.info->key == "rests") check.rests = ReadRange(field, reader);
 }
@@ -125,7 +123,7 @@ void ReadPartField(const spec::Field& field, FieldReader& reader, PartCheck& che
       {"thickness", &PartCheck::thickness}, {"aspect", &PartCheck::aspect}};
   for (const auto& [key, member] : numbers) {
     if (key != field.info->key) continue;
-    if (const auto number = reader.Number(field)) check.*member = tape::Fixed(*number);
+    if (const auto number = reader.Number(field)) check.*member = *number;
   }
 }
 
@@ -140,12 +138,12 @@ void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entr
     check.joints.emplace_back(scope.values.Text(joint, root));
   FieldReader reader(scope.values, findings_, "joint check", check.joints.front(), root);
   for (const spec::Field& field : entry.entry.fields) ReadJointField(field, reader, check);
-  for (const spec::Position& at : entry.at) {
+  for (const spec::JointPosition& at : entry.at) {
     sample::Numbers numbers;
     scope.values.Vector(at.value, root, numbers);
     auto& [joint, position] = check.positions.emplace_back();
     joint = scope.values.Text(at.joint, root);
-    for (const auto& number : numbers) position.push_back(tape::Fixed(number));
+    for (const auto& number : numbers) position.push_back(number);
   }
 }
 

@@ -38,9 +38,9 @@ struct Fitting {
   /// A free body, whose site `tip` is laid on the hole's; empty: a peg.
   std::string body;
   std::string tip;
-  std::array<tape::Traced<double>, 2> peg = {};  // m, full sides; or a diameter, twice
+  std::array<double, 2> peg = {};  // m, full sides; or a diameter, twice
   bool is_round = true;
-  tape::Traced<double> depth = 0;  // m, how far the tip has to get
+  double depth = 0;  // m, how far the tip has to get
   diag::SourceMark mark;
 
   bool operator==(const Fitting&) const = default;
@@ -136,8 +136,8 @@ struct Expectation {
   /// Full names of bodies or, where there is no body of that name, of parts.
   std::string first;
   std::string second;
-  std::optional<tape::Traced<double>> min;  // m, of a gap
-  std::optional<tape::Traced<double>> max;
+  std::optional<double> min;  // m, of a gap
+  std::optional<double> max;
   /// By full names; joints that are not here are where they start.
   std::vector<std::pair<std::string, sample::Numbers>> positions;
   std::string doc;  // why

@@ -20,13 +20,8 @@ void Assembly::AddExpectations(Scope& scope) {
   if (spec.expectations.empty() || findings_.HasErrors()) return;
   if (spec.mass_slot >= 0) scope.values.SetVariable(spec.mass_slot, object_.mass_properties.mass);
   if (spec.bounds_slot >= 0) {
-    const auto extent = [](const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
-      return Eigen::Vector3d(max - min);
-    };
-    const Box3& box = object_.bounds.aabb;
-    const Traced<Eigen::Vector3d> size = tape::Apply(extent, box.min, box.max);
-    for (std::size_t i = 0; i < 3; ++i)
-      scope.values.SetVariable(spec.bounds_slot + static_cast<int>(i), tape::Element(size, i));
+    const Eigen::Vector3d size = object_.bounds.aabb.max - object_.bounds.aabb.min;
+    for (int i = 0; i < 3; ++i) scope.values.SetVariable(spec.bounds_slot + i, size[i]);
   }
   for (const spec::Expectation& entry : spec.expectations) {
     const std::size_t unmet = object_.unmet.size();
@@ -74,7 +69,7 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
   FieldReader reader(scope.values, findings_, "expectation", "gap", scope.values.root());
   if (const spec::Field* min = entry.entry.Find(Key::kMin)) expectation.min = reader.Number(*min);
   if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
-  for (const spec::Position& at : entry.at) {
+  for (const spec::JointPosition& at : entry.at) {
     Position position;
     position.shown = scope.values.Text(at.joint, scope.values.root());
     position.joint = scope.prefix + position.shown;

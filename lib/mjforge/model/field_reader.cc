@@ -18,11 +18,6 @@ const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
 }
 
-bool Holds(const spec::Field& field, const Traced<double>& number) {
-  return tape::Test([info = field.info](double value) { return spec::Holds(*info, value); },
-                    number);
-}
-
 }  // namespace
 
 std::string FieldReader::Owner() const {
@@ -57,9 +52,9 @@ void FieldReader::ReportNumber(const spec::Field& field, double number, std::siz
                 std::move(hint));
 }
 
-std::optional<Traced<double>> FieldReader::Number(const spec::Field& field) {
-  const Traced<double> number = values_.Number(field.value, PathOf(field));
-  if (Holds(field, number)) return number;
+std::optional<double> FieldReader::Number(const spec::Field& field) {
+  const double number = values_.Number(field.value, PathOf(field));
+  if (spec::Holds(*field.info, number)) return number;
   ReportNumber(field, number, 0, 1);
   return std::nullopt;
 }
@@ -68,7 +63,7 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   values_.Vector(field.value, PathOf(field), out);
   bool good = true;
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (Holds(field, out[i])) continue;
+    if (spec::Holds(*field.info, out[i])) continue;
     ReportNumber(field, out[i], i, out.size());
     good = false;
   }
@@ -123,8 +118,8 @@ std::optional<std::string> FieldReader::Text(const spec::Field& field) {
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
   std::optional<std::string> word = Text(field);
   if (!word) return std::nullopt;
+  if (expr::HasWord(field.info->words, *word)) return word;
   const std::vector<std::string_view> known = expr::WordsOf(field.info->words);
-  if (std::ranges::find(known, *word) != known.end()) return word;
   Report(Code::kModelBadValue, field,
          fmt::format("is {}; it must be one of {}", Quoted(*word), fmt::join(known, ", ")),
          diag::DidYouMean(*word, known));
@@ -142,16 +137,16 @@ bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {
   out.name = field.info->key;
   out.applies = field.info->applies;
   out.refers = field.info->refers;
-  switch (field.info->slot) {
-    case spec::Slot::kNumber:
-    case spec::Slot::kInteger: {
-      const std::optional<Traced<double>> number = Number(field);
+  switch (field.info->kind) {
+    case spec::FieldKind::kNumber:
+    case spec::FieldKind::kInteger: {
+      const std::optional<double> number = Number(field);
       if (number) out.numbers.push_back(*number);
       return number.has_value();
     }
-    case spec::Slot::kNumbers:
+    case spec::FieldKind::kNumbers:
       return Numbers(field, out.numbers);
-    case spec::Slot::kBoolean: {
+    case spec::FieldKind::kBoolean: {
       const std::optional<bool> value = Boolean(field);
       if (value) out.text = *value ? "true" : "false";
       return value.has_value();

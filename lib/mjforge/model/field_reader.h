@@ -25,14 +25,14 @@ class FieldReader {
     return child;
   }
 
-  std::optional<Traced<double>> Number(const spec::Field& field);
+  std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
   /// As Numbers, for a field that must have exactly N numbers.
   template <int N>
-  std::optional<Traced<Eigen::Matrix<double, N, 1>>> Vector(const spec::Field& field) {
+  std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
     sample::Numbers numbers;
     if (!Numbers(field, numbers) || !HasCount(field, numbers, N)) return std::nullopt;
-    return tape::Gather<Eigen::Matrix<double, N, 1>>({numbers.data(), N});
+    return Eigen::Matrix<double, N, 1>(numbers.data());
   }
   bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
   std::optional<sample::PointList> Points(const spec::Field& field);
@@ -54,9 +54,8 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
-  /// What draws nothing needs no stream.
   sample::StreamId PathOf(const spec::Field& field) const {
-    return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
+    return sample::Child(path_, field.info->key);
   }
   /// Says what is wrong with one of the `count` numbers of a field.
   void ReportNumber(const spec::Field& field, double number, std::size_t position,

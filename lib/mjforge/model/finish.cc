@@ -57,7 +57,6 @@ void Assembly::Finish(Scope& scope) {
                       : "every part is left out by its 'if' or 'for'");
     return;
   }
-  assets_.KeepDistinct();
   assets_.CheckPixels();
   CheckUniqueNames(object_, findings_);
   references_.Check();

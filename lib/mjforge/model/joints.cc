@@ -25,9 +25,9 @@ bool ReadType(FieldReader& reader, const spec::Entry& entry, Joint& joint) {
 }
 
 // What MuJoCo asks of the limits of a joint of this type, or nothing.
-std::string_view BrokenRange(std::string_view type, const Traced<Eigen::Vector2d>& range) {
-  const Traced<double> lower = tape::Element(range, 0);
-  const Traced<double> upper = tape::Element(range, 1);
+std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range) {
+  const double lower = range[0];
+  const double upper = range[1];
   if (type == "free") return "has no meaning for a free joint";
   if (type == "ball") {
     if (lower != 0) return "must begin with 0 for a ball joint";
@@ -40,7 +40,7 @@ std::string_view BrokenRange(std::string_view type, const Traced<Eigen::Vector2d
 bool ReadRange(FieldReader& reader, const spec::Entry& entry, Joint& joint) {
   const spec::Field* range_field = entry.Find(Key::kRange);
   const spec::Field* limited_field = entry.Find(Key::kLimited);
-  std::optional<Traced<Eigen::Vector2d>> range;
+  std::optional<Eigen::Vector2d> range;
   if (range_field != nullptr) {
     range = reader.Vector<2>(*range_field);
     if (!range) return false;

@@ -40,19 +40,6 @@ Eigen::Vector3d UnitInertia(const Shape& shape) {
   return Eigen::Vector3d::Zero();
 }
 
-// Mass, centre and inertia, as a step of a tape leaves them.
-struct RigidBody {
-  double mass = 0;
-  Eigen::Vector3d p_FCm = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();
-};
-
-MassProperties PropertiesOf(const Traced<RigidBody>& body) {
-  return {.mass = tape::Member(body, &RigidBody::mass),
-          .p_FCm = tape::Member(body, &RigidBody::p_FCm),
-          .I_Cm_F = tape::Member(body, &RigidBody::I_Cm_F)};
-}
-
 // A point near the mesh: tetrahedra from there cancel less than from a far origin.
 Eigen::Vector3d Middle(const TriangleMesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -64,7 +51,7 @@ Eigen::Vector3d Middle(const TriangleMesh& mesh) {
 // d = det(a b c): volume d / 6, first moment d / 24 (a + b + c), second moments
 // d / 120 (aa' + bb' + cc' + ss'), s = a + b + c. Source: Tonon, "Explicit exact
 // formulas for the 3-D tetrahedron inertia tensor", 2004.
-RigidBody MeshMass(const TriangleMesh& mesh, double density) {
+MassProperties MeshMass(const TriangleMesh& mesh, double density) {
   const Eigen::Vector3d p_GM = Middle(mesh);
   double volume6 = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -79,7 +66,7 @@ RigidBody MeshMass(const TriangleMesh& mesh, double density) {
     first += d * s;
     second += d * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
   }
-  RigidBody result;
+  MassProperties result;
   if (volume6 == 0) return result;
   const Eigen::Vector3d p_MCm = first / (4 * volume6);
   const Eigen::Matrix3d about_Cm =
@@ -129,56 +116,34 @@ double Volume(const Shape& shape) {
 }
 
 MassProperties MassOf(const Shape& shape, double density) {
-  const auto mass = [type = shape.type, mesh = shape.mesh, density](const Eigen::Vector3d& size) {
-    if (type == GeomType::kMesh) return MeshMass(*mesh, density);
-    const Shape solid = {.type = type, .size = size};
-    RigidBody result;
-    result.mass = density * Volume(solid);
-    result.I_Cm_F.diagonal() = result.mass * UnitInertia(solid);
-    return result;
-  };
-  return PropertiesOf(tape::Note(shape.tape(), mass, shape.size));
+  if (shape.type == GeomType::kMesh) return MeshMass(*shape.mesh, density);
+  MassProperties result;
+  result.mass = density * Volume(shape);
+  result.I_Cm_F.diagonal() = result.mass * UnitInertia(shape);
+  return result;
 }
 
 MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F) {
-  using Eigen::Matrix3d;
-  using Eigen::Quaterniond;
-  using Eigen::Vector3d;
-  const auto center = [](const Quaterniond& q, const Vector3d& p, const Vector3d& p_FCm) {
-    return Vector3d(q * p_FCm + p);
-  };
-  const auto inertia = [](const Quaterniond& q, const Matrix3d& I_Cm_F) {
-    const Matrix3d R_AF = q.toRotationMatrix();
-    return Matrix3d(R_AF * I_Cm_F * R_AF.transpose());
-  };
+  const Eigen::Matrix3d R_AF = X_AF.q.toRotationMatrix();
   return {.mass = properties_F.mass,
-          .p_FCm = tape::Apply(center, X_AF.q, X_AF.p, properties_F.p_FCm),
-          .I_Cm_F = tape::Apply(inertia, X_AF.q, properties_F.I_Cm_F)};
+          .p_FCm = X_AF * properties_F.p_FCm,
+          .I_Cm_F = R_AF * properties_F.I_Cm_F * R_AF.transpose()};
 }
 
 MassProperties Combine(const MassProperties& a, const MassProperties& b) {
-  using Eigen::Matrix3d;
-  using Eigen::Vector3d;
-  const auto combined = [](double a_mass, const Vector3d& a_center, const Matrix3d& a_inertia,
-                           double b_mass, const Vector3d& b_center, const Matrix3d& b_inertia) {
-    RigidBody both;
-    both.mass = a_mass + b_mass;
-    if (both.mass == 0) return both;
-    both.p_FCm = (a_mass * a_center + b_mass * b_center) / both.mass;
-    both.I_Cm_F = a_inertia + PointInertia(a_mass, a_center - both.p_FCm) + b_inertia +
-                  PointInertia(b_mass, b_center - both.p_FCm);
-    return both;
-  };
-  return PropertiesOf(tape::Apply(combined, a.mass, a.p_FCm, a.I_Cm_F, b.mass, b.p_FCm, b.I_Cm_F));
+  MassProperties both;
+  both.mass = a.mass + b.mass;
+  if (both.mass == 0) return both;
+  both.p_FCm = (a.mass * a.p_FCm + b.mass * b.p_FCm) / both.mass;
+  both.I_Cm_F = a.I_Cm_F + PointInertia(a.mass, a.p_FCm - both.p_FCm) + b.I_Cm_F +
+                PointInertia(b.mass, b.p_FCm - both.p_FCm);
+  return both;
 }
 
-MassProperties Scaled(const MassProperties& properties, const Traced<double>& factor) {
-  const auto scaled = [](const Eigen::Matrix3d& inertia, double by) {
-    return Eigen::Matrix3d(inertia * by);
-  };
+MassProperties Scaled(const MassProperties& properties, double factor) {
   return {.mass = properties.mass * factor,
           .p_FCm = properties.p_FCm,
-          .I_Cm_F = tape::Apply(scaled, properties.I_Cm_F, factor)};
+          .I_Cm_F = properties.I_Cm_F * factor};
 }
 
 }  // namespace mjforge::model

@@ -37,10 +37,6 @@ bool AreSame(const TriangleMesh& a, const TriangleMesh& b) {
          a.texcoords == b.texcoords;
 }
 
-bool AreSame(const Traced<Eigen::Vector3d>& a, const Traced<Eigen::Vector3d>& b) {
-  return tape::Test([](const auto& one, const auto& other) { return one == other; }, a, b);
-}
-
 // In the name of a file, on some system.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
@@ -54,15 +50,15 @@ bool IsUnportable(char c) {
 std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
                                          std::size_t count) {
   const spec::Field* field = entry.Find(Key::kScale);
-  if (field == nullptr) return sample::Numbers(count, Traced<double>(1));
+  if (field == nullptr) return sample::Numbers(count, 1);
   sample::Numbers numbers;
   if (!reader.Numbers(*field, numbers)) return std::nullopt;
-  for (const Traced<double>& number : numbers) {
+  for (double number : numbers) {
     if (number != 0) continue;
     reader.Report(Code::kModelBadValue, *field, "is zero");
     return std::nullopt;
   }
-  if (numbers.size() == 1) numbers.resize(count, Traced<double>(numbers[0]));
+  if (numbers.size() == 1) numbers.resize(count, double{numbers[0]});
   if (!reader.HasCount(*field, numbers, count)) return std::nullopt;
   return numbers;
 }
@@ -82,18 +78,13 @@ void Assets::Share(int index, Part& part) {
                 .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
 }
 
-void Assets::AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part) {
+void Assets::AddInline(TriangleMesh mesh, Part& part) {
   const std::size_t hash = HashOf(mesh);
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const auto index = static_cast<std::size_t>(it->second);
     const TriangleMesh& other = object_.meshes[index]->mesh;
     if (!sources_[index].file.empty() || !AreSame(other, mesh)) continue;
-    if (mesh.tape != nullptr) {
-      mesh.tape->Add([&other, made] { return HashOf(*made) == HashOf(other); });
-    } else if (other.tape != nullptr) {
-      other.tape->Add([&other, hash] { return HashOf(other) == hash; });
-    }
     return Share(it->second, part);
   }
   auto asset = std::make_unique<MeshAsset>();
@@ -101,15 +92,6 @@ void Assets::AddInline(TriangleMesh mesh, const TriangleMesh* made, Part& part) 
   asset->mesh = std::move(mesh);
   asset->is_hull = asset->mesh.normals.empty();
   asset->mark = part.mark;
-  if (asset->mesh.tape != nullptr) {
-    asset->mesh.tape->Add([&mesh = asset->mesh, made] {
-      // Texts know the places of the numbers.
-      std::ranges::copy(made->vertices, mesh.vertices.begin());
-      std::ranges::copy(made->normals, mesh.normals.begin());
-      std::ranges::copy(made->texcoords, mesh.texcoords.begin());
-      return true;
-    });
-  }
   const int index = static_cast<int>(object_.meshes.size());
   object_.meshes.push_back(std::move(asset));
   sources_.emplace_back();
@@ -124,7 +106,7 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   const std::optional<std::string> name = reader.Text(*field);
   const std::optional<sample::Numbers> factors = ReadScale(reader, entry, 3);
   if (!name || !factors) return false;
-  const auto scale = tape::Gather<Eigen::Vector3d>({factors->data(), 3});
+  const Eigen::Vector3d scale(factors->data());
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedMesh& content = assembler_.ReadFile(file);
   if (!content.exists) {
@@ -150,28 +132,19 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   return true;
 }
 
-void Assets::AddFile(const std::filesystem::path& file, const Traced<Eigen::Vector3d>& scale,
+void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                      const Assembler::CachedMesh& content, Part& part) {
   const std::size_t hash = HashOf(file, scale);
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const Source& source = sources_[static_cast<std::size_t>(it->second)];
-    if (source.file == file && AreSame(source.scale, scale)) return Share(it->second, part);
+    if (source.file == file && source.scale == scale) return Share(it->second, part);
   }
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
   asset->mesh = Scaled(*content.mesh, scale);
   asset->scale = scale;
   asset->mark = part.mark;
-  if (tape::Tape* tape = scale.tape()) {
-    asset->mesh.tape = tape;
-    tape->Add([&mesh = asset->mesh, &unscaled = *content.mesh, &by = *scale.at()] {
-      const TriangleMesh again = Scaled(unscaled, by);
-      if (again.triangles != mesh.triangles) return false;       // mirrored, or not
-      std::ranges::copy(again.vertices, mesh.vertices.begin());  // texts know their places
-      return true;
-    });
-  }
   if (content.fit_for_mujoco) {
     asset->file = file;
     asset->output_file = OutputName(file);
@@ -188,7 +161,7 @@ int Assets::ShareMesh(const MeshAsset& mesh, const std::string& name) {
   const auto [begin, end] = by_hash_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
-    if (other.file == mesh.file && !other.is_hull && AreSame(other.scale, mesh.scale) &&
+    if (other.file == mesh.file && !other.is_hull && other.scale == mesh.scale &&
         other.attributes == mesh.attributes) {
       return it->second;
     }
@@ -209,32 +182,6 @@ std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
   if (!source.is_solid) return std::nullopt;
   if (!source.unit_mass) source.unit_mass = MassOf(shape, 1);
   return source.unit_mass;
-}
-
-void Assets::KeepDistinct() {
-  tape::Tape* tape = nullptr;
-  for (const auto& asset : object_.meshes) tape = tape != nullptr ? tape : asset->mesh.tape;
-  if (tape == nullptr) return;
-  // By what they are shared by: vertices, or file and scale.
-  std::vector<std::function<std::size_t()>> hashes;
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const MeshAsset& asset = *object_.meshes[i];
-    // Those with attributes come from attached files, and do not vary.
-    if (!asset.attributes.empty()) continue;
-    if (asset.file.empty() && sources_[i].file.empty()) {
-      hashes.emplace_back([&mesh = asset.mesh] { return HashOf(mesh); });
-    } else {
-      hashes.emplace_back([file = sources_[i].file, &scale = PlaceOf(*tape, asset.scale)] {
-        return HashOf(file, scale);
-      });
-    }
-  }
-  tape->Add([hashes = std::move(hashes)] {
-    std::vector<std::size_t> now;
-    for (const auto& hash : hashes) now.push_back(hash());
-    std::ranges::sort(now);
-    return std::ranges::adjacent_find(now) == now.end();
-  });
 }
 
 std::string Assets::OutputName(const std::filesystem::path& file) {

@@ -1,37 +1,18 @@
 #pragma once
 
-// Triangle meshes: read from OBJ and STL, made from a convex polygon.
+// Triangle meshes: read from OBJ and STL.
 
-#include <array>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include <Eigen/Dense>
 
-#include "mjforge/tape/tape.h"
+#include "mjforge/solid/solid.h"
 
 namespace mjforge::model {
 
-/// A surface of triangles, counter-clockwise seen from outside. m.
-struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<Eigen::Vector3d> normals = {};    // none, or for each vertex, of length 1
-  std::vector<Eigen::Vector2d> texcoords = {};  // none, or for each vertex
-  bool in_micrometres = false;                  // all vertices are at whole ones
-  /// The tape that moves them; null if they are the same in all variants.
-  tape::Tape* tape = nullptr;
-};
-
-/// The prism over a convex polygon (x, y pairs, in either direction; neighbouring corners may lie
-/// on one line), centred on z = 0 with full height `height` > 0. On failure returns nothing and
-/// says why ("polygon is not convex at corner 3", "polygon needs at least 3 corners", "polygon has
-/// no area").
-std::optional<TriangleMesh> MakePrism(std::span<const double> polygon, double height,
-                                      std::string& why_not);
+using solid::TriangleMesh;
 
 /// Reads a .obj or .stl file (by its ending, any case), each coordinate times
 /// `scale`; equal vertices are merged; a mirroring scale turns the triangles so

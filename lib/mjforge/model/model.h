@@ -4,8 +4,7 @@
 // everything that MuJoCo would not notice or would not explain.
 //
 // An Assembler asks an Evaluator for one value after the other, and every number of the Object is
-// computed from these. If they are traced, the numbers are, too, and what the Object looks like
-// apart from its numbers is noted as tests on the tape.
+// computed from these.
 
 #include <filesystem>
 #include <map>

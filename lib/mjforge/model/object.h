@@ -39,7 +39,7 @@ struct MeshAsset {
   /// itself.
   bool is_hull = false;
   std::string output_file;  // its name in assets/
-  Traced<Eigen::Vector3d> scale = Eigen::Vector3d::Ones();
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   /// For the mesh of an attached file: the other attributes of its element (refpos, refquat, inline
   /// vertices); `mesh` is the result with all of them applied.
   std::vector<Attribute> attributes;
@@ -82,8 +82,8 @@ struct Part {
   Pose X_BG;
   /// kg; 0 for a visual part. MJCF states the density instead if that was given (`density` > 0), so
   /// that MuJoCo computes the mass from the same number.
-  Traced<double> mass = 0;
-  Traced<double> density = 0;
+  double mass = 0;
+  double density = 0;
   /// Of density 1, in G: the true solid that has the mass, where that is not `shape`.
   std::optional<MassProperties> solid;
   int material = -1;  // in Object::materials
@@ -97,9 +97,9 @@ struct Part {
 struct Joint {
   std::string name;
   std::string_view type = "free";  // free ball slide hinge
-  Traced<Eigen::Vector3d> pos = Eigen::Vector3d::Zero();
-  Traced<Eigen::Vector3d> axis = Eigen::Vector3d::UnitZ();
-  std::optional<Traced<Eigen::Vector2d>> range;  // limited if present
+  Eigen::Vector3d pos = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  std::optional<Eigen::Vector2d> range;  // limited if present
   /// Where it stands at the start, as qpos has it: m or rad, of a ball joint w, x, y, z. Empty: at
   /// its zero.
   sample::Numbers start;
@@ -110,7 +110,7 @@ struct Joint {
 struct Site {
   std::string name;
   GeomType type = GeomType::kSphere;
-  Traced<Eigen::Vector3d> size = Eigen::Vector3d::Constant(0.005);
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(0.005);
   Pose X_BS;
   int material = -1;
   std::vector<Attribute> attributes;
@@ -139,10 +139,10 @@ struct Body {
 /// Extents of the collision parts in the root frame (all parts if none collides).
 struct Bounds {
   Box3 aabb;
-  Traced<double> top_offset = 0;         // aabb.max.z, m
-  Traced<double> bottom_offset = 0;      // aabb.min.z, m
-  Traced<double> horizontal_radius = 0;  // largest distance from the root's z axis, m
-  Traced<Eigen::Vector3d> half_size() const;
+  double top_offset = 0;         // aabb.max.z, m
+  double bottom_offset = 0;      // aabb.min.z, m
+  double horizontal_radius = 0;  // largest distance from the root's z axis, m
+  Eigen::Vector3d half_size() const;
 };
 
 struct Object {
@@ -158,9 +158,6 @@ struct Object {
   std::vector<Expectation> expectations;
   std::vector<diag::Finding> unmet;  // conditions of `expect:` that do not hold
 };
-
-/// Takes all numbers of the object off their tape; it must stay where it is.
-void TakeOffTape(Object& object, tape::Links& links);
 
 /// X_RootB of every body with all joints at zero; that of the first body, the root, is the
 /// identity.

@@ -50,9 +50,9 @@ void HardenContacts(std::vector<Attribute>& attributes) {
 }
 
 // What a material's texture asks for.
-solid::Texture TextureOf(const Object& object, int index) {
-  using Unit = solid::Texture::Unit;
-  solid::Texture texture = {.unit = Unit::kNone};
+solid::TextureMapping TextureOf(const Object& object, int index) {
+  using Unit = solid::TextureMapping::Unit;
+  solid::TextureMapping texture = {.unit = Unit::kNone};
   if (index < 0) return texture;
   const Material& material = object.materials[static_cast<std::size_t>(index)];
   if (material.texture < 0) return texture;
@@ -65,7 +65,7 @@ solid::Texture TextureOf(const Object& object, int index) {
     if (attribute.name == "texuniform" && attribute.text == "true") texture.unit = Unit::kMetre;
     if (attribute.name != "texrepeat") continue;
     const std::size_t last = attribute.numbers.size() - 1;
-    texture.repeat = {tape::Fixed(attribute.numbers[0]), tape::Fixed(attribute.numbers[last])};
+    texture.repeat = {attribute.numbers[0], attribute.numbers[last]};
   }
   // As MuJoCo computes them: half as often as `texrepeat` says.
   if (texture.unit == Unit::kMetre) texture.repeat /= 2;
@@ -82,14 +82,9 @@ Box3 BoxOf(const Part& part, const std::vector<Part>& pieces, const Pose& X_FG) 
 
 }  // namespace
 
-Traced<Eigen::Vector3d> FromCorner(const Traced<Eigen::Vector3d>& p,
-                                   const Traced<Eigen::Vector3d>& total_size,
-                                   const Traced<Eigen::Vector3d>& lower) {
-  using Eigen::Vector3d;
-  const auto from_corner = [](const Vector3d& at, const Vector3d& half, const Vector3d& corner) {
-    return Vector3d(at - half - corner);
-  };
-  return tape::Apply(from_corner, p, total_size, lower);
+Eigen::Vector3d FromCorner(const Eigen::Vector3d& p, const Eigen::Vector3d& total_size,
+                           const Eigen::Vector3d& lower) {
+  return p - total_size - lower;
 }
 
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
@@ -179,8 +174,8 @@ bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry
   return true;
 }
 
-bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field,
-                          const Traced<double>& density, Part& part) {
+bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double density,
+                          Part& part) {
   const bool may_be_zero = part.role == Role::kVisual;
   if (density == 0 && !may_be_zero) {
     reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
@@ -205,7 +200,7 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
     }
   }
   if (field != nullptr) {
-    const std::optional<Traced<double>> number = reader.Number(*field);
+    const std::optional<double> number = reader.Number(*field);
     if (!number || !SetDensity(reader, *field, *number, part)) return false;
     return SetMass(reader, mass != nullptr ? number : std::nullopt, part);
   }
@@ -214,7 +209,7 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
 }
 
 // The mass given, or that of the part's density.
-bool Assembly::SetMass(FieldReader& reader, const std::optional<Traced<double>>& mass, Part& part) {
+bool Assembly::SetMass(FieldReader& reader, const std::optional<double>& mass, Part& part) {
   const std::optional<MassProperties> unit =
       part.solid ? part.solid : assets_.UnitMassOf(part.shape, part.mesh);
   if (!unit) {

@@ -8,96 +8,79 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 using spec::Key;
-using Rotation = Traced<Quaterniond>;
-using SixNumbers = Traced<Eigen::Matrix<double, 6, 1>>;
 
 // MuJoCo's mjEPS: axes shorter than this are refused there.
 constexpr double kShortest = 1e-14;
 
-Traced<Vector3d> FirstOf(const SixNumbers& numbers) {
-  return tape::Apply([](const auto& six) { return Vector3d(six.template head<3>()); }, numbers);
+bool HasLength(const Eigen::Ref<const Eigen::VectorXd>& vector) {
+  return vector.stableNorm() > kShortest;
 }
 
-Traced<Vector3d> SecondOf(const SixNumbers& numbers) {
-  return tape::Apply([](const auto& six) { return Vector3d(six.template tail<3>()); }, numbers);
-}
-
-template <int N>
-bool HasLength(const Traced<Eigen::Matrix<double, N, 1>>& vector) {
-  return tape::Test([](const auto& v) { return v.stableNorm() > kShortest; }, vector);
-}
-
-std::optional<Rotation> ReadQuat(FieldReader& reader, const spec::Field& field) {
+std::optional<Quaterniond> ReadQuat(FieldReader& reader, const spec::Field& field) {
   const auto q = reader.Vector<4>(field);
   if (!q) return std::nullopt;
   if (!HasLength(*q)) {
     reader.Report(Code::kModelBadRotation, field, "is zero");
     return std::nullopt;
   }
-  const auto rotation = [](const Vector4d& wxyz) {
-    const Vector4d unit = wxyz.stableNormalized();
-    return Quaterniond(unit(0), unit(1), unit(2), unit(3));
-  };
-  return tape::Apply(rotation, *q);
+  const Vector4d unit = q->stableNormalized();
+  return Quaterniond(unit(0), unit(1), unit(2), unit(3));
 }
 
-std::optional<Rotation> ReadAxisAngle(FieldReader& reader, const spec::Field& field) {
+std::optional<Quaterniond> ReadAxisAngle(FieldReader& reader, const spec::Field& field) {
   const auto numbers = reader.Vector<4>(field);
   if (!numbers) return std::nullopt;
-  const auto axis = tape::Apply([](const Vector4d& v) { return Vector3d(v.head<3>()); }, *numbers);
+  const Vector3d axis = numbers->head<3>();
   if (!HasLength(axis)) {
     reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
     return std::nullopt;
   }
-  return tape::Apply(FromAxisAngle, axis, tape::Element(*numbers, 3));
+  return FromAxisAngle(axis, (*numbers)[3]);
 }
 
-std::optional<Rotation> ReadXyAxes(FieldReader& reader, const spec::Field& field) {
+std::optional<Quaterniond> ReadXyAxes(FieldReader& reader, const spec::Field& field) {
   const auto numbers = reader.Vector<6>(field);
   if (!numbers) return std::nullopt;
-  const Traced<Vector3d> x = FirstOf(*numbers);
-  const Traced<Vector3d> y = SecondOf(*numbers);
+  const Vector3d x = numbers->head<3>();
+  const Vector3d y = numbers->tail<3>();
   if (!HasLength(x) || !HasLength(y)) {
     reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
     return std::nullopt;
   }
-  const auto crosses = [](const Vector3d& a, const Vector3d& b) {
-    return a.stableNormalized().cross(b.stableNormalized()).norm() > 1e-10;
-  };
-  if (!tape::Test(crosses, x, y)) {
+  if (!(x.stableNormalized().cross(y.stableNormalized()).norm() > 1e-10)) {
     reader.Report(Code::kModelBadRotation, field, "has parallel axes");
     return std::nullopt;
   }
-  return tape::Apply(FromXyAxes, x, y);
+  return FromXyAxes(x, y);
 }
 
-std::optional<Rotation> ReadOrientation(FieldReader& reader, const spec::Entry& entry) {
+std::optional<Quaterniond> ReadOrientation(FieldReader& reader, const spec::Entry& entry) {
   if (const spec::Field* field = entry.Find(Key::kQuat)) return ReadQuat(reader, *field);
   if (const spec::Field* field = entry.Find(Key::kAxisAngle)) return ReadAxisAngle(reader, *field);
   if (const spec::Field* field = entry.Find(Key::kXyAxes)) return ReadXyAxes(reader, *field);
   if (const spec::Field* field = entry.Find(Key::kEuler)) {
     const auto angles = reader.Vector<3>(*field);
     if (!angles) return std::nullopt;
-    return tape::Apply(FromEuler, *angles);
+    return FromEuler(*angles);
   }
   if (const spec::Field* field = entry.Find(Key::kZAxis)) {
     const auto z = ReadDirection(reader, *field);
     if (!z) return std::nullopt;
-    return tape::Apply(FromZAxis, *z);
+    return FromZAxis(*z);
   }
-  return Rotation(Quaterniond::Identity());
+  return Quaterniond::Identity();
 }
 
 }  // namespace
 
-std::optional<Traced<Vector3d>> ReadDirection(FieldReader& reader, const spec::Field& field) {
+std::optional<Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field) {
   const auto direction = reader.Vector<3>(field);
   if (!direction) return std::nullopt;
   if (!HasLength(*direction)) {
     reader.Report(Code::kModelBadRotation, field, "is zero");
     return std::nullopt;
   }
-  return tape::Apply([](const Vector3d& v) { return v.stableNormalized(); }, *direction);
+  return direction->stableNormalized();
 }
 
 std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
@@ -108,7 +91,7 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
     if (pos) pose.p = *pos;
     good = pos.has_value();
   }
-  const std::optional<Rotation> q = ReadOrientation(reader, entry);
+  const std::optional<Quaterniond> q = ReadOrientation(reader, entry);
   if (!good || !q) return std::nullopt;
   pose.q = *q;
   return pose;
@@ -120,38 +103,27 @@ std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
                                const spec::Field* up_field) {
   const auto ends = reader.Vector<6>(field);
   if (!ends) return std::nullopt;
-  const Traced<Vector3d> from = FirstOf(*ends);
-  const Traced<Vector3d> to = SecondOf(*ends);
-  const auto half_length = [](const Vector3d& a, const Vector3d& b) {
-    return (a - b).stableNorm() / 2;
-  };
-  const Traced<double> half = tape::Apply(half_length, from, to);
+  const Vector3d from = ends->head<3>();
+  const Vector3d to = ends->tail<3>();
+  const double half = (from - to).stableNorm() / 2;
   if (!(half > kShortest)) {
     reader.Report(Code::kModelBadValue, field, "has two equal end points");
     return std::nullopt;
   }
-  const auto middle = [](const Vector3d& a, const Vector3d& b) { return Vector3d((a + b) / 2); };
-  Span span = {.pose = {.p = tape::Apply(middle, from, to)}, .half_length = half};
+  Span span = {.pose = {.p = (from + to) / 2}, .half_length = half};
   if (up_field == nullptr) {
-    const auto along = [](const Vector3d& a, const Vector3d& b) { return FromZAxis(a - b); };
-    span.pose.q = tape::Apply(along, from, to);
+    span.pose.q = FromZAxis(from - to);
     return span;
   }
-  const std::optional<Traced<Vector3d>> up = ReadDirection(reader, *up_field);
+  const std::optional<Vector3d> up = ReadDirection(reader, *up_field);
   if (!up) return std::nullopt;
-  const auto crosses = [](const Vector3d& a, const Vector3d& b, const Vector3d& u) {
-    return (a - b).stableNormalized().cross(u).norm() > 1e-10;
-  };
-  if (!tape::Test(crosses, from, to, *up)) {
+  const Vector3d z = (from - to).stableNormalized();
+  if (!(z.cross(*up).norm() > 1e-10)) {
     reader.Report(Code::kModelBadRotation, *up_field, "is along `fromto`");
     return std::nullopt;
   }
-  const auto rolled = [](const Vector3d& a, const Vector3d& b, const Vector3d& u) {
-    const Vector3d z = (a - b).stableNormalized();
-    const Vector3d x = u.cross(z);
-    return FromXyAxes(x, z.cross(x));
-  };
-  span.pose.q = tape::Apply(rolled, from, to, *up);
+  const Vector3d x = up->cross(z);
+  span.pose.q = FromXyAxes(x, z.cross(x));
   return span;
 }
 

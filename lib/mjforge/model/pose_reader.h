@@ -12,13 +12,13 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 /// The pose and half length that `fromto` gives.
 struct Span {
   Pose pose;
-  Traced<double> half_length = 0;
+  double half_length = 0;
 };
 /// `up` may be null: then z is turned the shortest way; else y points along it, as far as it can.
 std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
                                const spec::Field* up);
 
 /// The unit vector along a field's three numbers.
-std::optional<Traced<Eigen::Vector3d>> ReadDirection(FieldReader& reader, const spec::Field& field);
+std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::model

@@ -4,18 +4,7 @@
 
 namespace mjforge::model {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
-Pose Pose::operator*(const Pose& X_BC) const {
-  const auto moved = [](const Quaterniond& q_AB, const Vector3d& p_BC, const Vector3d& p_AB) {
-    return Vector3d(q_AB * p_BC + p_AB);
-  };
-  const auto turned = [](const Quaterniond& q_AB, const Quaterniond& q_BC) {
-    return (q_AB * q_BC).normalized();
-  };
-  return {tape::Apply(moved, q, X_BC.p, p), tape::Apply(turned, q, X_BC.q)};
-}
+Pose Pose::operator*(const Pose& X_BC) const { return {q * X_BC.p + p, (q * X_BC.q).normalized()}; }
 
 Eigen::Quaterniond FromEuler(const Eigen::Vector3d& angles) {
   const Eigen::Quaterniond x(Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()));

@@ -4,16 +4,12 @@
 
 #include <Eigen/Dense>
 
-#include "mjforge/tape/tape.h"
-
 namespace mjforge::model {
-
-using tape::Traced;
 
 /// Pose of a frame B in a frame A, X_AB: a point p_B is p_A = q * p_B + p.
 struct Pose {
-  Traced<Eigen::Vector3d> p = Eigen::Vector3d::Zero();            // m
-  Traced<Eigen::Quaterniond> q = Eigen::Quaterniond::Identity();  // unit
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();            // m
+  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  // unit
 
   /// X_AC = X_AB * X_BC.
   Pose operator*(const Pose& X_BC) const;
@@ -21,6 +17,8 @@ struct Pose {
   Pose Inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
 };
 
+/// The numbers of MJCF's `quat`: w x y z.
+inline Eigen::Vector4d Wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 /// Angles about the moving x, y and z axes in turn (MuJoCo's eulerseq "xyz"), rad.
 Eigen::Quaterniond FromEuler(const Eigen::Vector3d& angles);
 /// Rotation by `angle` (rad) about `axis` (not zero; any length).

@@ -27,13 +27,11 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
   return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kRounding;
 }
 
-Eigen::Vector4d Normalized(const Eigen::Vector4d& q) { return q.normalized(); }
-
 }  // namespace
 
 void Assembly::ReadPositions(Scope& scope) {
   const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
-  for (const spec::Position& entry : scope.values.spec().pose) {
+  for (const spec::JointPosition& entry : scope.values.spec().pose) {
     Position& position = positions_.emplace_back();
     position.shown = scope.values.Text(entry.joint, pose);
     position.joint = scope.prefix + position.shown;
@@ -100,16 +98,15 @@ std::optional<sample::Numbers> Assembly::Placed(std::string_view what, const Pos
                wanted == 4 ? "a quaternion: w, x, y, z" : "");
   }
   if (wanted == 4) {
-    const auto q = tape::Gather<Eigen::Vector4d>(std::span(numbers.data(), wanted));
-    const auto is_turn = [](const Eigen::Vector4d& w) { return w.norm() > kRounding; };
-    if (!tape::Test(is_turn, q)) return bad("is not a rotation: all numbers are 0");
-    const Traced<Eigen::Vector4d> unit = tape::Apply(Normalized, q);
-    for (std::size_t i = 0; i < wanted; ++i) numbers[i] = tape::Element(unit, i);
-    if (joint.range && !tape::Test(IsTurnedWithin, *joint.range, unit)) {
+    const Eigen::Vector4d q(numbers.data());
+    if (!(q.norm() > kRounding)) return bad("is not a rotation: all numbers are 0");
+    const Eigen::Vector4d unit = q.normalized();
+    numbers.assign(unit.begin(), unit.end());
+    if (joint.range && !IsTurnedWithin(*joint.range, unit)) {
       return bad(fmt::format("is turned by more than its range, {} rad",
                              expr::NumberText((*joint.range)(1))));
     }
-  } else if (joint.range && !tape::Test(IsWithin, *joint.range, numbers[0])) {
+  } else if (joint.range && !IsWithin(*joint.range, numbers[0])) {
     const double number = numbers[0];
     // Somebody may think in degrees.
     const bool is_degrees = joint.type == "hinge" && std::abs(number) > 2 * std::numbers::pi &&

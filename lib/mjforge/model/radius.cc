@@ -105,7 +105,9 @@ double MeshRadius(const TriangleMesh& mesh, const Pose& X_AG) {
   return std::sqrt(largest);
 }
 
-double RadiusOf(const Shape& shape, const Pose& X_AG) {
+}  // namespace
+
+double HorizontalRadius(const Shape& shape, const Pose& X_AG) {
   const Eigen::Vector3d& s = shape.size;
   switch (shape.type) {
     case GeomType::kSphere:
@@ -124,17 +126,6 @@ double RadiusOf(const Shape& shape, const Pose& X_AG) {
       return MeshRadius(*shape.mesh, X_AG);
   }
   return 0;
-}
-
-}  // namespace
-
-Traced<double> HorizontalRadius(const Shape& shape, const Pose& X_AG) {
-  const auto radius = [type = shape.type, mesh = shape.mesh](const Eigen::Vector3d& size,
-                                                             const Eigen::Vector3d& p,
-                                                             const Eigen::Quaterniond& q) {
-    return RadiusOf({.type = type, .size = size, .mesh = mesh}, {p, q});
-  };
-  return tape::Note(shape.tape(), radius, shape.size, X_AG.p, X_AG.q);
 }
 
 }  // namespace mjforge::model

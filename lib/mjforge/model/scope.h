@@ -17,7 +17,7 @@ namespace mjforge::model {
 struct MaterialState {
   bool ready = false;
   int index = -1;  // in Object::materials; -1: it has no look
-  std::optional<Traced<double>> density;
+  std::optional<double> density;
   const spec::Field* density_field = nullptr;
   std::vector<Attribute> contact;
 };
@@ -36,7 +36,9 @@ struct Scope {
   /// name, of this spec and of that one.
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
-  std::optional<Traced<Eigen::Vector3d>> total_size;
+  std::optional<Eigen::Vector3d> total_size;
+  /// The slot and the value, kg, of NAME.mass of each body, which the spec's own `mass:` scales.
+  std::vector<std::pair<int, double>> body_masses;
 
   /// placement: corner, in a declared box.
   bool places_corners() const {
@@ -59,9 +61,8 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<A
 /// placement: corner. `p` is where the lower corner of something should be, counted from that of
 /// the declared box, with half sizes `total_size`; `lower` is the corner seen from the thing's
 /// origin. Where the origin is then.
-Traced<Eigen::Vector3d> FromCorner(const Traced<Eigen::Vector3d>& p,
-                                   const Traced<Eigen::Vector3d>& total_size,
-                                   const Traced<Eigen::Vector3d>& lower);
+Eigen::Vector3d FromCorner(const Eigen::Vector3d& p, const Eigen::Vector3d& total_size,
+                           const Eigen::Vector3d& lower);
 
 bool HasErrorsSince(const diag::Findings& findings, std::size_t first);
 

@@ -28,7 +28,7 @@ bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_vie
 }
 
 bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view type,
-              const std::optional<Traced<double>>& half_length, Part& part) {
+              const std::optional<double>& half_length, Part& part) {
   const spec::Field* field = entry.Find(Key::kSize);
   if (field == nullptr) {
     reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
@@ -47,7 +47,7 @@ bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view ty
   }
   if (half_length) numbers.push_back(*half_length);
   numbers.resize(3);
-  part.shape.size = tape::Gather<Eigen::Vector3d>({numbers.data(), 3});
+  part.shape.size = Eigen::Vector3d(numbers.data());
   return true;
 }
 
@@ -64,14 +64,15 @@ GeomType TypeOf(std::string_view word) {
 
 std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                      const std::filesystem::path& folder,
-                                     const solid::Texture& texture, Assets& assets, Part& part) {
+                                     const solid::TextureMapping& texture, Assets& assets,
+                                     Part& part) {
   const spec::Field* type = Required(reader, entry, Key::kType, "type", part.mark);
   if (type == nullptr) return std::nullopt;
   const std::optional<std::string> word = reader.Word(*type);
   if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
   part.shape.type = TypeOf(*word);
   PlacedShape placed;
-  std::optional<Traced<double>> half_length;
+  std::optional<double> half_length;
   if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
     const std::optional<Span> span = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
     if (!span) return std::nullopt;

@@ -17,7 +17,8 @@ struct PlacedShape {
 /// after a finding.
 std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                      const std::filesystem::path& folder,
-                                     const solid::Texture& texture, Assets& assets, Part& part);
+                                     const solid::TextureMapping& texture, Assets& assets,
+                                     Part& part);
 
 /// The type that a word of the field table names; prisms and lathes are meshes.
 GeomType TypeOf(std::string_view word);

@@ -7,12 +7,6 @@
 namespace mjforge::model {
 namespace {
 
-// Of a box, as a step of a tape leaves them.
-struct Ends {
-  Eigen::Vector3d min;
-  Eigen::Vector3d max;
-};
-
 double MeshSupport(const TriangleMesh& mesh, const Eigen::Vector3d& direction) {
   double largest = -std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
@@ -21,9 +15,8 @@ double MeshSupport(const TriangleMesh& mesh, const Eigen::Vector3d& direction) {
   return largest;
 }
 
-Ends MeshEnds(const TriangleMesh& mesh, const Eigen::Vector3d& p, const Eigen::Matrix3d& R_AG) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Ends box = {Eigen::Vector3d::Constant(kInfinity), Eigen::Vector3d::Constant(-kInfinity)};
+Box3 MeshBounds(const TriangleMesh& mesh, const Eigen::Vector3d& p, const Eigen::Matrix3d& R_AG) {
+  Box3 box;
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     const Eigen::Vector3d p_A = R_AG * vertex;
     box.min = box.min.cwiseMin(p_A);
@@ -32,18 +25,6 @@ Ends MeshEnds(const TriangleMesh& mesh, const Eigen::Vector3d& p, const Eigen::M
   box.min += p;
   box.max += p;
   return box;
-}
-
-// Every shape but the mesh is symmetric about its centre, so that one support
-// value an axis gives both sides of the box.
-Ends EndsOf(GeomType type, const TriangleMesh* mesh, const Eigen::Vector3d& size,
-            const Eigen::Vector3d& p, const Eigen::Quaterniond& q) {
-  const Eigen::Matrix3d R_AG = q.toRotationMatrix();
-  if (type == GeomType::kMesh) return MeshEnds(*mesh, p, R_AG);
-  const Shape shape = {.type = type, .size = size};
-  Eigen::Vector3d half;
-  for (Eigen::Index i = 0; i < 3; ++i) half(i) = Support(shape, R_AG.row(i).transpose());
-  return {p - half, p + half};
 }
 
 }  // namespace
@@ -117,20 +98,19 @@ Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& directio
   return Eigen::Vector3d::Zero();
 }
 
+// Every shape but the mesh is symmetric about its centre, so that one support
+// value an axis gives both sides of the box.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {
-  const auto ends = [type = shape.type, mesh = shape.mesh](const auto&... numbers) {
-    return EndsOf(type, mesh, numbers...);
-  };
-  const Traced<Ends> box = tape::Note(shape.tape(), ends, shape.size, X_AG.p, X_AG.q);
-  return {.min = tape::Member(box, &Ends::min), .max = tape::Member(box, &Ends::max)};
+  const Eigen::Matrix3d R_AG = X_AG.q.toRotationMatrix();
+  if (shape.type == GeomType::kMesh) return MeshBounds(*shape.mesh, X_AG.p, R_AG);
+  Eigen::Vector3d half;
+  for (Eigen::Index i = 0; i < 3; ++i) half(i) = Support(shape, R_AG.row(i).transpose());
+  return {.min = X_AG.p - half, .max = X_AG.p + half};
 }
 
 void Box3::Add(const Box3& other) {
-  using Eigen::Vector3d;
-  const auto least = [](const Vector3d& a, const Vector3d& b) { return Vector3d(a.cwiseMin(b)); };
-  const auto most = [](const Vector3d& a, const Vector3d& b) { return Vector3d(a.cwiseMax(b)); };
-  min = tape::Apply(least, min, other.min);
-  max = tape::Apply(most, max, other.max);
+  min = min.cwiseMin(other.min);
+  max = max.cwiseMax(other.max);
 }
 
 }  // namespace mjforge::model

@@ -24,18 +24,15 @@ int SizeCount(GeomType type);
 /// along z), ellipsoid (three radii), box (three half lengths); all > 0.
 struct Shape {
   GeomType type = GeomType::kSphere;
-  Traced<Eigen::Vector3d> size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
   const TriangleMesh* mesh = nullptr;  // kMesh only; closed; not owned
-
-  /// The tape that its size or its vertices are on; null if they are the same in all variants.
-  tape::Tape* tape() const { return mesh != nullptr ? mesh->tape : size.tape(); }
 };
 
 /// Mass, centre of mass and inertia of a rigid body in a frame F.
 struct MassProperties {
-  Traced<double> mass = 0;                                   // kg
-  Traced<Eigen::Vector3d> p_FCm = Eigen::Vector3d::Zero();   // centre of mass, m
-  Traced<Eigen::Matrix3d> I_Cm_F = Eigen::Matrix3d::Zero();  // about it, along F's axes, kg m^2
+  double mass = 0;                                   // kg
+  Eigen::Vector3d p_FCm = Eigen::Vector3d::Zero();   // centre of mass, m
+  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();  // about it, along F's axes, kg m^2
 };
 
 double Volume(const Shape& shape);  // m^3
@@ -51,7 +48,7 @@ MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F);
 MassProperties Combine(const MassProperties& a, const MassProperties& b);
 
 /// The same body, `factor` times as dense.
-MassProperties Scaled(const MassProperties& properties, const Traced<double>& factor);
+MassProperties Scaled(const MassProperties& properties, double factor);
 
 /// The largest value of dot(direction, point) over the shape; direction of any length.
 double Support(const Shape& shape, const Eigen::Vector3d& direction_G);
@@ -60,8 +57,8 @@ double Support(const Shape& shape, const Eigen::Vector3d& direction_G);
 Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& direction_G);
 
 struct Box3 {
-  Traced<Eigen::Vector3d> min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Traced<Eigen::Vector3d> max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
   bool empty() const { return min.x() > max.x(); }
   void Add(const Box3& other);
 };
@@ -70,7 +67,7 @@ Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
 
 /// The largest distance of a point of the shape from the z axis of A. Exact up
 /// to rounding.
-Traced<double> HorizontalRadius(const Shape& shape, const Pose& X_AG);
+double HorizontalRadius(const Shape& shape, const Pose& X_AG);
 
 /// Is the point in the shape, surface included?
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A);

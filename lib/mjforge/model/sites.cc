@@ -35,7 +35,7 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
     good &= reader.Numbers(*size, numbers);
     // MuJoCo lets its default, 0.005, stand for those left out.
     numbers.resize(3, 0.005);
-    site.size = tape::Gather<Eigen::Vector3d>({numbers.data(), 3});
+    site.size = Eigen::Vector3d(numbers.data());
   }
   const std::optional<Pose> pose = ReadPose(reader, entry);
   if (pose) site.X_BS = scope.X_BS * *pose;

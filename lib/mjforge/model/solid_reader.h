@@ -15,8 +15,8 @@ bool IsSolid(std::string_view type, const spec::Entry& entry);
 /// `texture`: what its coordinates are for.
 std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
                                            std::string_view type,
-                                           const std::optional<Traced<double>>& half_length,
-                                           const solid::Texture& texture, Assets& assets,
+                                           const std::optional<double>& half_length,
+                                           const solid::TextureMapping& texture, Assets& assets,
                                            Part& part);
 
 }  // namespace mjforge::model

@@ -15,12 +15,11 @@ Bounds BoundsOfAll(const ForEach& for_each) {
     if (some_collide && part.role == Role::kVisual) return;
     bounds.aabb.Add(BoundsOf(part.shape, X_FG));
     bounds.horizontal_radius =
-        tape::Apply([](double a, double b) { return std::max(a, b); }, bounds.horizontal_radius,
-                    HorizontalRadius(part.shape, X_FG));
+        std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
   });
   if (bounds.aabb.empty()) return bounds;
-  bounds.top_offset = tape::Element(bounds.aabb.max, 2);
-  bounds.bottom_offset = tape::Element(bounds.aabb.min, 2);
+  bounds.top_offset = bounds.aabb.max[2];
+  bounds.bottom_offset = bounds.aabb.min[2];
   return bounds;
 }
 
@@ -37,15 +36,13 @@ std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) 
   return X_FB;
 }
 
-Bounds DeclaredBounds(const Traced<Eigen::Vector3d>& total_size) {
-  using Eigen::Vector3d;
+Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   Bounds bounds;
-  bounds.aabb.min = tape::Apply([](const Vector3d& size) { return Vector3d(-size); }, total_size);
+  bounds.aabb.min = -total_size;
   bounds.aabb.max = total_size;
-  bounds.top_offset = tape::Element(bounds.aabb.max, 2);
-  bounds.bottom_offset = tape::Element(bounds.aabb.min, 2);
-  bounds.horizontal_radius =
-      tape::Apply([](const Vector3d& size) { return size.head<2>().norm(); }, total_size);
+  bounds.top_offset = bounds.aabb.max[2];
+  bounds.bottom_offset = bounds.aabb.min[2];
+  bounds.horizontal_radius = total_size.head<2>().norm();
   return bounds;
 }
 
@@ -70,8 +67,8 @@ void SumMass(Body& body, Assets& assets) {
   body.mass_properties = sum;
 }
 
-void ScaleMass(const Traced<double>& factor, std::vector<Body>& bodies, std::size_t body,
-               std::size_t first_part, std::size_t first_body) {
+void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,
+               std::size_t first_body) {
   const auto scale = [&factor](std::vector<Part>& parts, std::size_t first) {
     for (std::size_t i = first; i < parts.size(); ++i) {
       parts[i].mass = parts[i].mass * factor;
@@ -125,11 +122,7 @@ void ShareMass(std::vector<Body>& bodies) {
   }
 }
 
-Traced<Eigen::Vector3d> Bounds::half_size() const {
-  using Eigen::Vector3d;
-  return tape::Apply([](const Vector3d& lo, const Vector3d& hi) { return Vector3d((hi - lo) / 2); },
-                     aabb.min, aabb.max);
-}
+Eigen::Vector3d Bounds::half_size() const { return (aabb.max - aabb.min) / 2; }
 
 std::vector<Pose> BodyPoses(const Object& object) { return PosesFrom(object.bodies, 0); }
 

@@ -13,7 +13,7 @@ using diag::Code;
 using spec::Key;
 
 // MuJoCo has no default for the pixels of a generated texture.
-const Traced<double> kPixels = 64;
+constexpr double kPixels = 64;
 
 Attribute* Find(std::vector<Attribute>& attributes, std::string_view name) {
   for (Attribute& attribute : attributes) {
@@ -24,7 +24,7 @@ Attribute* Find(std::vector<Attribute>& attributes, std::string_view name) {
 
 void FillInPixels(std::vector<Attribute>& attributes) {
   const Attribute* width = Find(attributes, "width");
-  const Traced<double> pixels = width != nullptr ? width->numbers[0] : kPixels;
+  const double pixels = width != nullptr ? width->numbers[0] : kPixels;
   for (const std::string_view name : {"width", "height"}) {
     if (Find(attributes, name) != nullptr) continue;
     Attribute& attribute = attributes.emplace_back();
@@ -84,16 +84,16 @@ std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Mat
 }
 
 void Assets::CheckPixels() {
-  const auto side = [](Texture& texture, std::string_view name) -> Traced<double> {
+  const auto side = [](Texture& texture, std::string_view name) -> double {
     const Attribute* attribute = Find(texture.attributes, name);
-    return attribute == nullptr ? Traced<double>(0.0) : attribute->numbers[0];
+    return attribute == nullptr ? 0.0 : attribute->numbers[0];
   };
-  Traced<double> pixels = 0.0;
+  double pixels = 0.0;
   for (Texture& texture : object_.textures) {
-    if (texture.files.empty()) pixels = pixels + side(texture, "width") * side(texture, "height");
+    if (texture.files.empty()) pixels += side(texture, "width") * side(texture, "height");
     for (const TextureFile& picture : texture.files) {
       const auto content = assembler_.ReadTexture(picture.file).pixels;
-      pixels = pixels + static_cast<double>(content.value_or(0));
+      pixels += static_cast<double>(content.value_or(0));
     }
     if (!(pixels > static_cast<double>(bytes::kMaxPixels))) continue;
     findings_.Add(Code::kModelBadTexture, texture.mark,

@@ -23,31 +23,25 @@ Attribute* FindIn(Element& view, std::string_view name) {
   return found == view.attributes.end() ? nullptr : &*found;
 }
 
-void SetVector(Element& view, std::string_view name, const Traced<Eigen::Vector3d>& vector) {
+void SetVector(Element& view, std::string_view name, const Eigen::Vector3d& vector) {
   Attribute* attribute = FindIn(view, name);
   if (attribute == nullptr) attribute = &view.attributes.emplace_back();
   attribute->name = name;
-  attribute->numbers.clear();
-  for (std::size_t i = 0; i < 3; ++i) attribute->numbers.push_back(tape::Element(vector, i));
+  attribute->numbers.assign(vector.begin(), vector.end());
 }
 
-Traced<Eigen::Vector3d> VectorOf(Element& view, std::string_view name,
-                                 const Eigen::Vector3d& otherwise) {
+Eigen::Vector3d VectorOf(Element& view, std::string_view name, const Eigen::Vector3d& otherwise) {
   const Attribute* attribute = FindIn(view, name);
   if (attribute == nullptr) return otherwise;
-  return tape::Gather<Eigen::Vector3d>(std::span(attribute->numbers.data(), 3));
+  return Eigen::Vector3d(attribute->numbers.data());
 }
 
-void SetTurn(Element& view, const Traced<Eigen::Quaterniond>& q) {
+void SetTurn(Element& view, const Eigen::Quaterniond& q) {
   Attribute* attribute = FindIn(view, kQuat);
   if (attribute == nullptr) attribute = &view.attributes.emplace_back();
   attribute->name = kQuat;
-  attribute->numbers.clear();
-  const auto wxyz = [](const Eigen::Quaterniond& turn) {
-    return Eigen::Vector4d(turn.w(), turn.x(), turn.y(), turn.z());
-  };
-  const Traced<Eigen::Vector4d> numbers = tape::Apply(wxyz, q);
-  for (std::size_t i = 0; i < 4; ++i) attribute->numbers.push_back(tape::Element(numbers, i));
+  const Eigen::Vector4d quat = Wxyz(q);
+  attribute->numbers.assign(quat.begin(), quat.end());
 }
 
 // MJCF has these in degrees, whatever its compiler element says.
@@ -55,18 +49,15 @@ void ToDegrees(Element& view) {
   for (const std::string_view name : {"fovy", "cutoff"}) {
     Attribute* attribute = FindIn(view, name);
     if (attribute == nullptr) continue;
-    Traced<double>& angle = attribute->numbers.front();
-    angle = angle * (180 / std::numbers::pi);
+    attribute->numbers.front() *= 180 / std::numbers::pi;
   }
 }
 
-Traced<Eigen::Quaterniond> TurnOf(Element& view) {
+Eigen::Quaterniond TurnOf(Element& view) {
   const Attribute* attribute = FindIn(view, kQuat);
   if (attribute == nullptr) return Eigen::Quaterniond::Identity();
-  const auto turn = [](const Eigen::Vector4d& wxyz) {
-    return Eigen::Quaterniond(wxyz(0), wxyz(1), wxyz(2), wxyz(3));
-  };
-  return tape::Apply(turn, tape::Gather<Eigen::Vector4d>(std::span(attribute->numbers.data(), 4)));
+  const auto& wxyz = attribute->numbers;
+  return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
 }  // namespace
@@ -79,17 +70,13 @@ void MoveView(const Pose& X_AB, Element& view) {
     SetTurn(view, X_AV.q);
     return;
   }
-  const auto turned = [](const Eigen::Quaterniond& q, const Eigen::Vector3d& dir) {
-    return Eigen::Vector3d(q * dir);
-  };
-  const auto dir = VectorOf(view, kDir, -Eigen::Vector3d::UnitZ());
-  SetVector(view, kDir, tape::Apply(turned, X_AB.q, dir));
+  SetVector(view, kDir, X_AB.q * VectorOf(view, kDir, -Eigen::Vector3d::UnitZ()));
 }
 
 void Assembly::AddViews(Scope& scope, const std::vector<spec::Entry>& entries,
                         sample::StreamId path) {
   for (const spec::Entry& entry : entries) {
-    const bool is_camera = entry.element == &spec::CameraElement();
+    const bool is_camera = entry.element == &spec::kCameraElement;
     const sample::StreamId list = sample::Child(path, is_camera ? "cameras" : "lights");
     if (!repetition_.Count(entry, scope.values, body().elements.size())) continue;
     repetition_.ForEach(entry, scope.values, list, [&] { AddView(scope, entry, list); });

@@ -1,3 +1,5 @@
+// Tar archives by libarchive: segments in memory, and reading one member.
+
 #include "mjforge/output/archive.h"
 
 #include <archive.h>
@@ -14,7 +16,7 @@
 namespace mjforge::output {
 namespace {
 
-// POSIX: two blocks of zeros.
+// A tar archive ends with two blocks of zeros (POSIX).
 constexpr std::size_t kEndBytes = 1024;
 
 template <auto release>
@@ -25,7 +27,7 @@ using Writer = std::unique_ptr<archive, Free<archive_write_free>>;
 using Reader = std::unique_ptr<archive, Free<archive_read_free>>;
 using Entry = std::unique_ptr<archive_entry, Free<archive_entry_free>>;
 
-// Only a lack of memory or a library built without a format.
+// Throws if a call failed; this happens only if memory is exhausted or libarchive lacks a format.
 void Require(int status, archive* writer) {
   if (status != ARCHIVE_OK) {
     const char* words = archive_error_string(writer);
@@ -72,30 +74,30 @@ std::string Compress(std::string_view bytes) {
 
 }  // namespace
 
-struct Segment::State {
+struct Segment::TarWriter {
   ArchiveFormat format;
-  std::string members;  // as tar has them; before the writer, which writes there to its end
+  std::string members;  // declared before the writer, which still appends here when destroyed
   std::string compressed;
   Writer writer{archive_write_new()};
   Entry entry{archive_entry_new()};
 };
 
 Segment::Segment(ArchiveFormat format)
-    : state_(new State{.format = format, .members = {}, .compressed = {}}) {
-  archive* writer = state_->writer.get();
+    : tar_(new TarWriter{.format = format, .members = {}, .compressed = {}}) {
+  archive* writer = tar_->writer.get();
   Require(archive_write_set_format_ustar(writer), writer);
-  Open(writer, state_->members);
+  Open(writer, tar_->members);
 }
 
-// The writer ends its archive when it goes, in bytes that go with it.
+// The destructor of the writer appends the end of the archive to `members`, which nobody reads.
 Segment::~Segment() = default;
 
 bool Segment::Add(const std::string& name, std::string_view bytes, diag::Findings& findings) {
-  archive* writer = state_->writer.get();
-  const std::size_t before = state_->members.size();
-  Describe(state_->entry.get(), name, bytes.size());
-  if (archive_write_header(writer, state_->entry.get()) != ARCHIVE_OK) {
-    state_->members.resize(before);
+  archive* writer = tar_->writer.get();
+  const std::size_t before = tar_->members.size();
+  Describe(tar_->entry.get(), name, bytes.size());
+  if (archive_write_header(writer, tar_->entry.get()) != ARCHIVE_OK) {
+    tar_->members.resize(before);
     findings.Add(
         diag::Code::kOutputCannotWrite, {},
         fmt::format("cannot put '{}' into the archive: {}", name, archive_error_string(writer)));
@@ -107,12 +109,12 @@ bool Segment::Add(const std::string& name, std::string_view bytes, diag::Finding
 }
 
 std::string_view Segment::Bytes() {
-  const std::string& members = state_->members;
-  if (members.empty() || state_->format == ArchiveFormat::kTar) return members;
-  return state_->compressed = Compress(members);
+  const std::string& members = tar_->members;
+  if (members.empty() || tar_->format == ArchiveFormat::kTar) return members;
+  return tar_->compressed = Compress(members);
 }
 
-void Segment::Clear() { state_->members.clear(); }
+void Segment::Clear() { tar_->members.clear(); }
 
 std::string ArchiveEnd(ArchiveFormat format) {
   const std::string end(kEndBytes, '\0');
@@ -137,7 +139,8 @@ std::optional<std::string> ReadMember(const std::filesystem::path& file, const s
   archive_entry* entry = nullptr;
   const auto next = [&] { return archive_read_next_header(reader.get(), &entry); };
   if (status == ARCHIVE_OK) status = next();
-  // A warning is about a member that is not ours: its name, which is null then, or its attributes.
+  // A warning concerns a member that mjforge did not write: a name that cannot be converted, which
+  // is null then, or unusual attributes.
   for (; status == ARCHIVE_OK || status == ARCHIVE_WARN; status = next()) {
     const char* path = archive_entry_pathname(entry);
     if (path == nullptr || path != name) continue;

@@ -1,3 +1,5 @@
+// Tar archives, optionally compressed by Zstandard: writing them in segments, reading one member.
+
 #pragma once
 
 #include <filesystem>
@@ -10,13 +12,13 @@
 
 namespace mjforge::output {
 
-/// How archives are written. Their bytes depend on names and contents alone: there are no times and
-/// no owners, and members are in the order in which they were added.
+/// Formats of archives. The bytes of an archive depend only on the names, contents and order of its
+/// members; times and owners are constant.
 enum class ArchiveFormat { kTar, kTarZstd };
 
-/// Some members of an archive, one after the other. An archive is its segments and ArchiveEnd(),
-/// one after the other; if compressed, each is a separate frame, so that several processes can work
-/// on one archive.
+/// Consecutive members of an archive. An archive is the concatenation of its segments and
+/// ArchiveEnd(). In a compressed archive, each of these is a separate frame, so that several
+/// processes can make segments of one archive.
 class Segment {
  public:
   explicit Segment(ArchiveFormat format);
@@ -24,24 +26,25 @@ class Segment {
   Segment(const Segment&) = delete;
   Segment& operator=(const Segment&) = delete;
 
-  /// A regular file, mode 0644. A finding if its name is too long for ustar: 100
-  /// bytes, with folders 255.
+  /// Adds a regular file with mode 0644. If the name is too long for ustar (100 bytes, 255 with
+  /// folders), returns false and adds a finding.
   bool Add(const std::string& name, std::string_view bytes, diag::Findings& findings);
-  /// The bytes, until the next Add or Clear. Empty without members.
+  /// Returns the bytes of the segment, valid until the next Add or Clear; empty if the segment has
+  /// no members.
   std::string_view Bytes();
-  /// Starts anew.
+  /// Removes all members.
   void Clear();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct TarWriter;
+  std::unique_ptr<TarWriter> tar_;
 };
 
-/// The bytes that end an archive.
+/// Returns the bytes that end an archive.
 std::string ArchiveEnd(ArchiveFormat format);
 
-/// The bytes of the member `name` of an archive, compressed or not; nothing and a
-/// finding if there is none or it cannot be read.
+/// Returns the bytes of the member `name` of an archive of either format; nothing, after adding a
+/// finding, if the archive does not contain that member or cannot be read.
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
                                       diag::Findings& findings);
 

@@ -1,3 +1,5 @@
+// Parsing of -o, and the names of objects, archives and manifests.
+
 #include "mjforge/output/destination.h"
 
 #include <fmt/compile.h>
@@ -11,21 +13,21 @@ namespace {
 constexpr std::string_view kTar = ".tar";
 constexpr std::string_view kTarZstd = ".tar.zst";
 
-// The place of "%05d" in a pattern.
-struct Number {
+// Position and width of "%05d" in a pattern.
+struct NumberPlaceholder {
   std::size_t at = 0;
   std::size_t length = 0;
   std::uint64_t width = 0;
 };
 
-std::optional<Number> FindNumber(std::string_view pattern) {
+std::optional<NumberPlaceholder> FindNumberPlaceholder(std::string_view pattern) {
   const std::size_t at = pattern.find('%');
   const std::size_t end = pattern.find('d', at);
   if (at == pattern.npos || end == pattern.npos) return std::nullopt;
   const std::string_view digits = pattern.substr(at + 1, end - at - 1);
   const std::optional<std::uint64_t> width = digits.empty() ? 0 : ReadIndex(digits);
   if (!width || *width > 20) return std::nullopt;
-  return Number{at, digits.size() + 2, *width};
+  return NumberPlaceholder{at, digits.size() + 2, *width};
 }
 
 std::string WithoutEnding(std::string_view name) {
@@ -35,10 +37,10 @@ std::string WithoutEnding(std::string_view name) {
   return std::string(name);
 }
 
-// "x_%05d.tar" -> "x", the name that all archives of the series share.
+// Returns the name that the archives of a series have in common: "x" for "x_%05d.tar".
 std::string StemOf(const Destination& destination) {
   std::string stem = WithoutEnding(destination.path.filename().string());
-  if (const std::optional<Number> number = FindNumber(stem)) {
+  if (const std::optional<NumberPlaceholder> number = FindNumberPlaceholder(stem)) {
     stem.erase(number->at, number->length);
     stem.erase(stem.find_last_not_of("_-.") + 1);
   }
@@ -49,7 +51,7 @@ std::string StemOf(const Destination& destination) {
 
 std::filesystem::path Destination::Archive(std::uint64_t number) const {
   std::string name = path.filename().string();
-  if (const std::optional<Number> place = FindNumber(name)) {
+  if (const std::optional<NumberPlaceholder> place = FindNumberPlaceholder(name)) {
     name.replace(place->at, place->length, fmt::format("{:0{}}", number, place->width));
   }
   return path.parent_path() / name;
@@ -84,7 +86,7 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
                           .path = text,
                           .format = zstd ? ArchiveFormat::kTarZstd : ArchiveFormat::kTar};
   const std::string name = destination.path.filename().string();
-  const std::optional<Number> number = FindNumber(name);
+  const std::optional<NumberPlaceholder> number = FindNumberPlaceholder(name);
   const auto percents = std::count(text.begin(), text.end(), '%');
   if (percents > (number ? 1 : 0)) {
     why_not = "a series of archives has one %d or %05d in its file's name, and no other %";

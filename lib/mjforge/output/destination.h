@@ -1,3 +1,5 @@
+// Destinations of a batch: parsing of -o, and the names of objects, archives and manifests.
+
 #pragma once
 
 #include <cstdint>
@@ -10,7 +12,7 @@
 
 namespace mjforge::output {
 
-/// One part of a batch that several commands make: `index` counts from 0.
+/// A part of a batch that is divided among several commands; `index` counts from 0.
 struct Shard {
   std::uint64_t index = 0;
   std::uint64_t count = 1;
@@ -18,40 +20,43 @@ struct Shard {
   bool IsWhole() const { return count == 1; }
 };
 
-/// Where a batch goes.
+/// Destination of a batch.
 struct Destination {
   enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives };
 
   Kind kind = Kind::kNowhere;
-  std::filesystem::path path;  // of archives in a series: with %05d for the number
+  std::filesystem::path path;  // kArchives: with %05d as the placeholder of the number
   ArchiveFormat format = ArchiveFormat::kTar;
-  std::uint64_t per_archive = 0;  // variants in each archive of a series
+  std::uint64_t per_archive = 0;  // kArchives: number of variants in each archive
 
   bool IsArchive() const { return kind == Kind::kArchive || kind == Kind::kArchives; }
-  /// The file of archive `number` of a series, counted from 0; for a single archive, its file.
+  /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
+  /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
-  /// For a folder DIR/manifest.jsonl, for archives STEM.manifest.jsonl beside them; for a shard
-  /// with "-00003-of-00008" before the ending.
+  /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
+  /// archives; with "-00003-of-00008" before the extension for a shard.
   std::filesystem::path Manifest(const Shard& shard) const;
-  /// The folder that holds the manifest.
+  /// Returns the folder of the manifest.
   std::filesystem::path Folder() const;
 };
 
-/// The destination that `-o text` names: "-", FILE.xml, FILE.tar or FILE.tar.zst (a series with one
-/// %d or %05d in its name), else a folder. Nothing, and why, if the text is not valid.
+/// Parses the argument of -o: "-", FILE.xml, FILE.tar or FILE.tar.zst (a series if the name has one
+/// %d or %05d); any other text is a folder. Returns nothing, and the reason in `why_not`, if the
+/// text is not valid.
 std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
                                             std::string& why_not);
 
-/// The name of variant `index`, "hammer_000042"; with .xml, the name of its file.
+/// Returns the name of variant `index`, "hammer_000042": its file's name without the extension.
 std::string VariantStem(std::string_view name, std::uint64_t index);
 
-/// The number that all of `digits` spells, "000042"; nothing if it is none.
+/// Parses a text of decimal digits, "000042"; returns nothing if it is not a number.
 std::optional<std::uint64_t> ReadIndex(std::string_view digits);
 
-/// A folder holds at most this many files; further files go to subfolders, so that a file's place
-/// depends on its index alone.
+/// Number of files in a folder; files with larger indices go to subfolders, so that the path of a
+/// file depends only on its index.
 inline constexpr std::uint64_t kFilesPerFolder = 10'000;
-/// "hammer_000042.xml", "0020000/hammer_023456.xml".
+/// Returns the path of a variant's file within the folder: "hammer_000042.xml",
+/// "0020000/hammer_023456.xml".
 std::string PlaceInFolder(std::string_view name, std::uint64_t index);
 
 }  // namespace mjforge::output

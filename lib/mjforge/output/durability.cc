@@ -1,3 +1,5 @@
+// Synchronization of folders with the disk.
+
 #include "mjforge/output/durability.h"
 
 #include <fcntl.h>
@@ -12,7 +14,7 @@ namespace mjforge::output {
 bool SyncFolder(const std::filesystem::path& folder, bool contents, diag::Findings& findings) {
   const std::filesystem::path name = folder.empty() ? "." : folder;
   const int descriptor = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  // Some file systems cannot wait for a folder.
+  // Some file systems cannot synchronize a folder: EINVAL.
   const bool synced =
       descriptor >= 0 &&
       ((contents ? ::syncfs(descriptor) : ::fsync(descriptor)) == 0 || errno == EINVAL);

@@ -1,3 +1,5 @@
+// Durability of outputs: what a power cut may destroy, and synchronization of folders.
+
 #pragma once
 
 #include <filesystem>
@@ -7,13 +9,14 @@
 
 namespace mjforge::output {
 
-/// What a cut of the power may take. kNone: what the system has not written by itself, up to half a
-/// minute of work and files that look finished; kBatch: nothing that a manifest says is there.
+/// Data that a power cut may destroy. kNone: everything that the system has not written by itself,
+/// which is up to half a minute of work, including files under their final names. kBatch: nothing
+/// that a manifest lists.
 enum class Durability { kNone, kBatch };
 inline constexpr std::string_view kDurabilities[] = {"none", "batch"};
 
-/// Waits until the names in a folder are on the disk; with `contents`, the contents of all files of
-/// its file system, too. A finding if that fails.
+/// Waits until the names in a folder are on the disk; with `contents`, also the contents of all
+/// files of its file system. If that fails, returns false and adds a finding.
 bool SyncFolder(const std::filesystem::path& folder, bool contents, diag::Findings& findings);
 
 }  // namespace mjforge::output

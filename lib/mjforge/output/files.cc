@@ -1,26 +1,17 @@
+// Reading files, and permission to replace existing ones.
+
 #include <fmt/format.h>
 
-#include <system_error>
-
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
 namespace {
 
-// The comment that opens an object is shorter than this, settings and all.
+// Limit of the comment at the start of an object's file, which includes all settings.
 constexpr std::size_t kCommentBytes = 64 * 1024;
 
 }  // namespace
-
-bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
-               diag::Findings& findings, Durability durability) {
-  std::string ignored;
-  if (if_changed && bytes::Read(file, bytes.size(), ignored) == bytes) return true;
-  const std::unique_ptr<AtomicFile> target = AtomicFile::Create(file, findings);
-  return target && target->Append(bytes, findings) && target->Commit(durability, findings);
-}
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings) {
@@ -37,7 +28,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
   std::error_code ignored;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
-  // A pipe would have us wait for somebody to write, a device is not ours to replace.
+  // Opening a pipe would block until somebody writes to it; a device must not be replaced.
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},
                  fmt::format("'{}' is a pipe or a device, not a file", file.string()),
@@ -48,7 +39,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
   std::string why_not;
   const std::optional<std::string> opening = bytes::ReadStart(file, bytes, why_not);
   if (opening && is_ours(*opening)) return true;
-  AddForeign(file, findings);
+  AddForeignFile(file, findings);
   return false;
 }
 
@@ -56,7 +47,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
   return MayReplace(
       file, force, kCommentBytes,
       [](std::string_view opening) {
-        // After a power cut a file may end, or have zeros, anywhere.
+        // After a power cut, a file may end at any byte or contain zeros from there on.
         constexpr std::string_view kMark = "<!-- mjforge ";
         const std::string_view left = opening.substr(0, opening.find('\0'));
         const bool is_cut = left.find("-->") == left.npos &&
@@ -66,7 +57,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& f
       findings);
 }
 
-void AddForeign(const std::filesystem::path& file, diag::Findings& findings) {
+void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings) {
   findings.Add(diag::Code::kOutputExists, {},
                fmt::format("'{}' exists and was not made by mjforge", file.string()),
                "choose another place, or overwrite it with --force");

@@ -1,13 +1,15 @@
+// Rules for Make: targets, dependencies, and escaping of names.
+
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
 
 std::string EscapeForMake(std::string_view name) {
   std::string text;
-  std::size_t backslashes = 0;  // that end `text`
+  std::size_t backslashes = 0;  // number of backslashes at the end of `text`
   for (const char c : name) {
     if (c == ' ' || c == '\t') {
-      // Make halves the backslashes before an escaped blank.
+      // Make halves the backslashes before an escaped blank, so double them.
       text.append(backslashes + 1, '\\');
     } else if (c == '#') {
       text += '\\';

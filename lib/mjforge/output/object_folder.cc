@@ -1,3 +1,5 @@
+// Folders of objects and their assets, and removal of abandoned temporary files.
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -14,18 +16,18 @@
 namespace mjforge::output {
 namespace {
 
-// Assets that are not looked at again. Those that are made may be many in each variant.
-constexpr std::size_t kMostKnown = 10'000;
+// Limit of assets remembered as done, because each variant may have generated assets of its own.
+constexpr std::size_t kMaxRememberedAssets = 10'000;
 
-// Whether a power cut may have left `present` of `bytes`: their beginning, and zeros.
+// Returns true if a power cut may have reduced `bytes` to `present`: a prefix, followed by zeros.
 bool IsBeginningOf(std::string_view present, std::string_view bytes) {
   if (present.size() > bytes.size()) return false;
   const auto [end, other] = std::ranges::mismatch(present, bytes);
   return std::all_of(end, present.end(), [](char c) { return c == 0; });
 }
 
-// Whether no living process has it, which would hold its lock.
-bool IsLeft(const std::filesystem::path& file) {
+// Returns true if no running process holds the lock of a temporary file.
+bool IsAbandoned(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return false;
   const bool left = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
@@ -34,38 +36,37 @@ bool IsLeft(const std::filesystem::path& file) {
 }
 
 template <typename Iterator>
-void RemoveHalfWrittenIn(Iterator at, std::error_code& error,
-                         const std::function<bool(const std::string&)>& is_ours) {
+void RemoveAbandonedIn(Iterator at, std::error_code& error,
+                       const std::function<bool(const std::string&)>& is_ours) {
   std::vector<std::filesystem::path> found;
   for (; !error && at != Iterator(); at.increment(error)) {
-    const std::optional<std::string> file = UnderConstruction(at->path().filename().string());
-    if (file && is_ours(*file) && IsLeft(at->path())) found.push_back(at->path());
+    const std::optional<std::string> file = FinalNameOf(at->path().filename().string());
+    if (file && is_ours(*file) && IsAbandoned(at->path())) found.push_back(at->path());
   }
   for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
 }
 
 }  // namespace
 
-std::optional<std::uint64_t> IndexOf(std::string_view file) {
+std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
   const std::size_t start = file.rfind('_');
   if (start == file.npos || !file.ends_with(".xml")) return std::nullopt;
   return ReadIndex(file.substr(start + 1, file.size() - start - 5));
 }
 
-void RemoveHalfWritten(const std::filesystem::path& folder, bool below,
-                       const std::function<bool(const std::string&)>& is_ours) {
+void RemoveAbandoned(const std::filesystem::path& folder, bool below,
+                     const std::function<bool(const std::string&)>& is_ours) {
   const std::filesystem::path start = folder.empty() ? "." : folder;
   std::error_code error;
   if (below) {
-    RemoveHalfWrittenIn(std::filesystem::recursive_directory_iterator(start, error), error,
-                        is_ours);
+    RemoveAbandonedIn(std::filesystem::recursive_directory_iterator(start, error), error, is_ours);
   } else {
-    RemoveHalfWrittenIn(std::filesystem::directory_iterator(start, error), error, is_ours);
+    RemoveAbandonedIn(std::filesystem::directory_iterator(start, error), error, is_ours);
   }
 }
 
 MadeFolders::~MadeFolders() {
-  // rmdir refuses a folder that holds anything.
+  // rmdir fails for a folder that is not empty.
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
 }
 
@@ -83,7 +84,7 @@ bool MadeFolders::MakeOne(const std::filesystem::path& path, bool follow,
       return true;
     }
     error = errno;
-    found = error == EEXIST && exists();  // another process may have been quicker
+    found = error == EEXIST && exists();  // another process may have made it meanwhile
   }
   if (found && S_ISDIR(status.st_mode)) return true;
   findings.Add(diag::Code::kOutputCannotWrite, {},
@@ -125,7 +126,7 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
                "make the batch anew, without --resume");
 }
 
-// Keeps a copy that is there with the same bytes.
+// An existing copy with the same bytes stays untouched.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
   std::optional<std::string> read;
@@ -147,8 +148,8 @@ bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::p
       return false;
     }
   }
-  // What is made is known by its name, which a power cut does not change: as for objects, the
-  // batch waits for all of them together.
+  // Generated assets are not synchronized one by one: like objects, they can be made again after a
+  // power cut, and the batch waits for all of them together.
   return WriteFile(target, bytes, false, findings,
                    asset.made ? Durability::kNone : overwrite_.durability);
 }
@@ -164,7 +165,7 @@ bool ObjectFolder::CopyAssets(const mjcf::MjcfDocument& document,
     const auto hash = std::ranges::find(hashes, asset.name, &AssetHashes::value_type::first);
     if (!CopyAsset(asset, target, hash == hashes.end() ? std::string() : hash->second, findings))
       return false;
-    if (assets_.size() >= kMostKnown) assets_.clear();
+    if (assets_.size() >= kMaxRememberedAssets) assets_.clear();
     assets_.insert(target);
   }
   return true;
@@ -174,13 +175,13 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
                          diag::Findings& findings, const AssetHashes& hashes) {
   const std::filesystem::path path = folder_ / file;
   const std::filesystem::path folder = path.parent_path();
-  if (folder != known_folder_) {
+  if (folder != last_folder_) {
     const std::filesystem::path below = std::filesystem::path(file).parent_path();
     if (!folders_.Make(folder_, findings) || !folders_.MakeBelow(folder_, below, findings))
       return false;
-    known_folder_ = folder;
+    last_folder_ = folder;
   }
-  // Assets first: an object never stands there without what it refers to.
+  // Assets first, so that an object's file never exists without its assets.
   return MayReplace(path, overwrite_.force, findings) &&
          CopyAssets(document, folder, hashes, findings) &&
          WriteFile(path, document.text, overwrite_.if_changed, findings);

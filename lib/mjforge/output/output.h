@@ -1,6 +1,6 @@
-#pragma once
+// Writing of files, folders and archives; a file appears complete or not at all.
 
-// Bytes -> files, folders and archives. A file appears whole or not at all.
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -21,39 +21,39 @@
 
 namespace mjforge::output {
 
-/// What may happen to files that are there already.
-struct Overwrite {
+/// Treatment of existing files.
+struct OverwritePolicy {
   bool force = false;       // replace files that mjforge did not make
-  bool if_changed = false;  // leave a file that has the same bytes untouched, with its time
-  // Of assets, which may already be there when the batch is continued.
+  bool if_changed = false;  // leave a file with the same bytes untouched, including its time
+  // Durability of copied assets, which a resumed batch does not write again.
   Durability durability = Durability::kNone;
-  // SHA-256 of assets that others may replace: an older run of the same batch made them.
+  // SHA-256 of assets that may be replaced, because an earlier run of the same batch wrote them.
   std::set<std::string> assets = {};
 };
 
-/// Writes beside the file and renames. On failure nothing is left and a finding
-/// is added. The folder must exist. With `if_changed` a file with these bytes is
-/// left as it is.
+/// Writes a temporary file beside `file` and renames it. If that fails, removes the temporary file,
+/// adds a finding and returns false. The folder must exist. With `if_changed`, a file that already
+/// has these bytes stays untouched.
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings, Durability durability = Durability::kNone);
 
-/// The whole content of a file; nothing and a finding if it cannot be read or has more than `limit`
-/// bytes.
+/// Returns the content of a file; nothing, after adding a finding, if it cannot be read or has more
+/// than `limit` bytes.
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings);
 
-/// Whether `file` may get other bytes: it is not there, `is_ours` says so of its first bytes, or
-/// `force`. A pipe or a device never may. False, and a finding, if it may not.
+/// Returns true if `file` may be written: it does not exist, `is_ours` accepts its first `bytes`
+/// bytes, or `force` is set. Otherwise, and always for a pipe or a device, adds a finding and
+/// returns false.
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
-/// True if nothing would be lost by writing `file`: it does not exist, it is an object that mjforge
-/// wrote or the beginning of one (a power cut may leave nothing but zeros), or `force` says so.
-/// Else a finding.
+/// Performs this check for an object's file: accepts an object that mjforge wrote, and the remains
+/// of one after a power cut, which may be a prefix or only zeros.
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
-/// Adds "'FILE' exists and was not made by mjforge".
-void AddForeign(const std::filesystem::path& file, diag::Findings& findings);
+/// Adds the finding "'FILE' exists and was not made by mjforge".
+void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings);
 
 /// Folders made for a batch; the destructor removes those still empty.
 class MadeFolders {
@@ -63,9 +63,9 @@ class MadeFolders {
   MadeFolders& operator=(const MadeFolders&) = delete;
   ~MadeFolders();
 
-  /// Makes the folder and those above it that are missing.
+  /// Makes the folder and all missing folders above it.
   bool Make(const std::filesystem::path& folder, diag::Findings& findings);
-  /// The same for a folder below one that is there; there, links to other places are refused.
+  /// Makes `folder` below the existing `base`; below `base`, symbolic links are rejected.
   bool MakeBelow(const std::filesystem::path& base, const std::filesystem::path& folder,
                  diag::Findings& findings);
 
@@ -75,28 +75,28 @@ class MadeFolders {
   std::vector<std::filesystem::path> made_;  // outermost first
 };
 
-/// Adds "'NAME' was changed while the batch was made".
+/// Adds the finding "'NAME' was changed while the batch was made".
 void AddAssetChanged(const std::string& name, diag::Findings& findings);
 
-/// Names of assets in a document, and the SHA-256 of their bytes.
+/// Names of assets in a document, and the SHA-256 of each asset.
 using AssetHashes = std::vector<std::pair<std::string, std::string>>;
 
-/// The content of an asset's file; nothing, and a finding, if it cannot be read or, unless `sha256`
-/// is empty, has another hash.
+/// Returns the content of an asset's file; nothing, after adding a finding, if it cannot be read or
+/// if `sha256` is not empty and differs from its hash.
 std::optional<std::string> ReadAsset(const std::filesystem::path& file, const std::string& sha256,
                                      diag::Findings& findings);
 
-/// Objects in a folder with the assets they need. Several processes may fill one
-/// folder at the same time, with different files.
+/// A folder of objects and their assets. Several processes may write different files to one folder
+/// at the same time.
 class ObjectFolder {
  public:
-  ObjectFolder(std::filesystem::path folder, const Overwrite& overwrite)
+  ObjectFolder(std::filesystem::path folder, const OverwritePolicy& overwrite)
       : folder_(std::move(folder)), overwrite_(overwrite) {}
 
-  /// Writes one object's file (its name may have folders in it, which are made) and, before it, its
-  /// assets beside it, each once. Existing files that mjforge did not make are replaced only as
-  /// `overwrite` says. An asset whose bytes do not have the hash that `hashes` has for its name
-  /// (manifest::Record::assets) was changed in the meantime, which is a finding.
+  /// Writes an object's file, whose name may contain folders, and first its assets beside it, each
+  /// asset once. Files that mjforge did not make are replaced only if the overwrite policy allows
+  /// it. `hashes` are manifest::Record::assets; an asset with another hash was changed in the
+  /// meantime, which is a finding.
   bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings,
              const AssetHashes& hashes = {});
 
@@ -107,26 +107,27 @@ class ObjectFolder {
                  const std::string& sha256, diag::Findings& findings) const;
 
   std::filesystem::path folder_;
-  Overwrite overwrite_;
+  OverwritePolicy overwrite_;
   MadeFolders folders_;
-  std::filesystem::path known_folder_;      // that the last file went to
-  std::set<std::filesystem::path> assets_;  // done
+  std::filesystem::path last_folder_;       // folder of the last file
+  std::set<std::filesystem::path> assets_;  // assets that are done
 };
 
-/// Removes what killed processes left half-written in a folder: hidden files whose final names
-/// `is_ours` accepts and that no living process has. With `below`, in its subfolders, too.
-void RemoveHalfWritten(const std::filesystem::path& folder, bool below,
-                       const std::function<bool(const std::string&)>& is_ours);
+/// Removes the temporary files of killed processes from a folder, and with `below` from its
+/// subfolders: hidden files whose final names `is_ours` accepts and that no running process has
+/// locked.
+void RemoveAbandoned(const std::filesystem::path& folder, bool below,
+                     const std::function<bool(const std::string&)>& is_ours);
 
-/// "hammer_000042.xml" -> 42; nothing for other names.
-std::optional<std::uint64_t> IndexOf(std::string_view file);
+/// Returns the index in an object's file name: 42 for "hammer_000042.xml"; nothing for other names.
+std::optional<std::uint64_t> IndexOfFile(std::string_view file);
 
-/// "TARGETS: FILES" for Make, as compilers write it for -MF: one file per line, with spaces, # and
-/// $ escaped. Targets are written as given. With `phony` each file is also a target, so that Make
-/// continues when it is gone.
+/// Returns the rule "TARGETS: FILES" for Make in the format of compilers' -MF: one file per line,
+/// with spaces, # and $ escaped. Targets are written unchanged. With `phony`, each file is also a
+/// target without a rule, so that Make continues if a file is deleted.
 std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
                      bool phony);
-/// A target's name as a rule needs it.
+/// Escapes a name for use in a rule.
 std::string EscapeForMake(std::string_view name);
 
 }  // namespace mjforge::output

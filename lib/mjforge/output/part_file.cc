@@ -1,3 +1,5 @@
+// A long file under construction: locking, reserved blocks, early writeback, renaming.
+
 #include "mjforge/output/part_file.h"
 
 #include <fcntl.h>
@@ -17,15 +19,16 @@
 namespace mjforge::output {
 namespace {
 
-// Writing goes on while the next bytes are made: then there is little left to wait for.
-constexpr std::uint64_t kBeginEvery = std::uint64_t{8} << 20;
+// Writeback is requested for each such block while the next bytes are made, so that the final
+// synchronization has little left to do.
+constexpr std::uint64_t kWritebackBytes = std::uint64_t{8} << 20;
 
-// Blocks that a long file has in advance take a third off the system's work for each write. Where
-// the disk is nearly full they would be missing elsewhere: for the manifest beside an archive.
+// Blocks reserved in advance save a third of the system's work for each write. None are reserved if
+// less than kEnoughRoom is available, because the manifest beside an archive needs room as well.
 constexpr std::uint64_t kReserve = std::uint64_t{8} << 20;
 constexpr std::uint64_t kEnoughRoom = std::uint64_t{1} << 30;
 
-// Another process may be dying at the moment, its workers with it.
+// A killed process and its workers may need some time to end and release the lock.
 constexpr int kLockTries = 20;
 constexpr auto kLockPause = std::chrono::milliseconds(50);
 
@@ -47,22 +50,22 @@ PartFile::PartFile(std::filesystem::path file, std::filesystem::path temporary, 
 
 PartFile::~PartFile() {
   if (descriptor_ < 0) return;
-  GiveBack();
+  ReleaseReserve();
   ::close(descriptor_);
 }
 
-std::filesystem::path PartFile::NameOf(const std::filesystem::path& file) {
+std::filesystem::path PartFile::TemporaryNameOf(const std::filesystem::path& file) {
   return file.parent_path() / fmt::format(".{}.part", file.filename().string());
 }
 
 bool PartFile::Exists(const std::filesystem::path& file) {
   std::error_code ignored;
-  return std::filesystem::exists(NameOf(file), ignored);
+  return std::filesystem::exists(TemporaryNameOf(file), ignored);
 }
 
 std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                                          diag::Findings& findings) {
-  const std::filesystem::path temporary = NameOf(file);
+  const std::filesystem::path temporary = TemporaryNameOf(file);
   for (int tries = 1;;) {
     const int descriptor =
         ::open(temporary.c_str(),
@@ -89,7 +92,7 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                    "wait for it, or choose another place");
       return nullptr;
     }
-    // Who had it may have given it its name in between: then this is another file.
+    // The process that had the lock may have renamed the part in between.
     if (!IsSameFile(descriptor, temporary)) {
       ::close(descriptor);
       continue;
@@ -99,7 +102,7 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
   }
 }
 
-// Not every file system can; writing goes on without.
+// Errors are ignored, because not every file system can reserve blocks.
 void PartFile::Reserve(std::uint64_t end) {
   if (end < kReserve || end <= reserved_) return;
   reserved_ = end + kReserve;
@@ -110,7 +113,7 @@ void PartFile::Reserve(std::uint64_t end) {
               static_cast<::off_t>(reserved_ - size_));
 }
 
-bool PartFile::GiveBack() {
+bool PartFile::ReleaseReserve() {
   return reserved_ == 0 || ::ftruncate(descriptor_, static_cast<::off_t>(size_)) == 0;
 }
 
@@ -119,11 +122,11 @@ bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
   if (!WriteAll(descriptor_, bytes, file_, findings)) return false;
   size_ += bytes.size();
   checksum_.Add(bytes);
-  if (size_ - begun_ >= kBeginEvery) {
-    // Only a hint.
-    ::sync_file_range(descriptor_, static_cast<::off64_t>(begun_),
-                      static_cast<::off64_t>(size_ - begun_), SYNC_FILE_RANGE_WRITE);
-    begun_ = size_;
+  if (size_ - writeback_end_ >= kWritebackBytes) {
+    // Errors do not matter here, because this call is only a hint.
+    ::sync_file_range(descriptor_, static_cast<::off64_t>(writeback_end_),
+                      static_cast<::off64_t>(size_ - writeback_end_), SYNC_FILE_RANGE_WRITE);
+    writeback_end_ = size_;
   }
   return true;
 }
@@ -134,7 +137,7 @@ bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
     return false;
   }
   size_ = size;
-  begun_ = size;
+  writeback_end_ = size;
   reserved_ = 0;
   checksum_.Clear();
   if (size == 0) return true;
@@ -157,7 +160,7 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     Drop();
     return true;
   }
-  if (!GiveBack()) {
+  if (!ReleaseReserve()) {
     AddCannotWrite(file_, errno, findings);
     return false;
   }
@@ -166,8 +169,9 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     AddCannotWrite(file_, errno, findings);
     return false;
   }
-  // The lock goes after the name: until then nobody else opens the file under its old one. On a
-  // network disk or at a quota, only close() says that writing failed.
+  // Closing releases the lock, so this must follow the renaming: otherwise another process could
+  // open the part by its old name. On a network disk or at a quota, only close() reports that
+  // writing failed.
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     AddCannotWrite(file_, errno, findings);
     return false;

@@ -1,3 +1,5 @@
+// A long file under construction that a later process can continue.
+
 #pragma once
 
 #include <cstdint>
@@ -11,18 +13,19 @@
 
 namespace mjforge::output {
 
-/// A long file under construction. Until Commit() it is called ".NAME.part" in the same folder; it
-/// stays there if the process ends, so that a later process can continue it. Only one process at a
-/// time can have it open.
+/// A long file under construction. Until Commit(), its name is ".NAME.part" in the same folder. The
+/// file remains if the process ends, so that a later process can continue it. Only one process at a
+/// time can open it.
 class PartFile {
  public:
-  /// Takes what an earlier process left, or an empty file. Nothing and a finding if that fails,
-  /// another process has it, or something else than a file (a link, a pipe) has its name.
+  /// Opens the part that an earlier process left, or a new one. Returns nothing, after adding a
+  /// finding, if that fails, if another process has opened the part, or if its name belongs to a
+  /// link, a pipe or a device.
   static std::unique_ptr<PartFile> Open(const std::filesystem::path& file,
                                         diag::Findings& findings);
-  /// What `file` is called while it is under construction.
-  static std::filesystem::path NameOf(const std::filesystem::path& file);
-  /// Whether an earlier process left something.
+  /// Returns the name of `file` while it is under construction.
+  static std::filesystem::path TemporaryNameOf(const std::filesystem::path& file);
+  /// Returns true if `file` is under construction.
   static bool Exists(const std::filesystem::path& file);
 
   PartFile(const PartFile&) = delete;
@@ -30,33 +33,33 @@ class PartFile {
   ~PartFile();
 
   std::uint64_t size() const { return size_; }
-  /// Of all its bytes; known once Truncate or Append was called.
+  /// Checksum of all bytes; of a part that already had bytes, only valid after Truncate.
   std::string checksum() const { return checksum_.Text(); }
   const std::filesystem::path& temporary() const { return temporary_; }
   bool Append(std::string_view bytes, diag::Findings& findings);
-  /// Keeps the first `size` bytes; there must be that many.
+  /// Keeps the first `size` bytes; the file must have at least that many.
   bool Truncate(std::uint64_t size, diag::Findings& findings);
-  /// Waits until its bytes are on the disk.
+  /// Waits until all bytes are on the disk.
   bool Sync(diag::Findings& findings);
-  /// Gives it its final name; with kBatch, once its bytes are on the disk, and waits until the name
-  /// is there as well. With `if_changed`, an existing file with the same bytes is left untouched
-  /// and this one is removed.
+  /// Renames the part to its final name; with kBatch, waits before that until the bytes are on the
+  /// disk, and afterwards until the name is. With `if_changed`, an existing file with the same
+  /// bytes stays untouched, and the part is removed.
   bool Commit(bool if_changed, Durability durability, diag::Findings& findings);
-  /// Removes it.
+  /// Removes the part.
   void Drop();
 
  private:
   PartFile(std::filesystem::path file, std::filesystem::path temporary, int descriptor,
            std::uint64_t size);
   void Reserve(std::uint64_t end);
-  bool GiveBack();
+  bool ReleaseReserve();
 
   std::filesystem::path file_;
   std::filesystem::path temporary_;
   int descriptor_ = -1;  // -1: committed or dropped
   std::uint64_t size_ = 0;
-  std::uint64_t begun_ = 0;     // bytes that the system was asked to write
-  std::uint64_t reserved_ = 0;  // bytes for which blocks were asked; 0: for none
+  std::uint64_t writeback_end_ = 0;  // end of the bytes whose writeback was requested
+  std::uint64_t reserved_ = 0;       // end of the reserved blocks; 0: none were reserved
   bytes::Checksum checksum_;
 };
 

@@ -1,3 +1,4 @@
+// Checks of how a model behaves in simulations, and the texts of their findings.
 #include "mjforge/physics/behaviour.h"
 
 #include <fmt/format.h>
@@ -10,77 +11,88 @@
 #include <utility>
 #include <vector>
 
-#include "mjforge/physics/adrift.h"
-#include "mjforge/physics/coupling.h"
-#include "mjforge/physics/drive.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/drop.h"
 #include "mjforge/physics/joint_checks.h"
-#include "mjforge/physics/passing.h"
-#include "mjforge/physics/resting.h"
-#include "mjforge/physics/rounding.h"
-#include "mjforge/physics/settle.h"
+#include "mjforge/physics/joint_couplings.h"
+#include "mjforge/physics/joint_drive.h"
+#include "mjforge/physics/joint_rest.h"
+#include "mjforge/physics/parent_penetration.h"
 #include "mjforge/physics/simready.h"
 #include "mjforge/physics/stability.h"
+#include "mjforge/physics/unsupported_links.h"
 
 namespace mjforge::physics {
 namespace {
 
 using diag::Code;
+using expr::ExceededLimit;
+using expr::RoundedText;
+using expr::SpeedText;
+using static_checks::Reporter;
 
 constexpr const char* kHarderContacts = "use harder contacts: a smaller solref, solimp closer to 1";
 constexpr const char* kMakeRoom = "make room, use another `pose`, or add `contact: exclude`";
 constexpr const char* kInTheWay = "use a shorter range, make room, or add `contact: exclude`";
 
-constexpr double kSameRange = 1e-6;  // a limit and a range may come from the same parameter
+constexpr double kSameRange = 1e-6;  // rounding: limit and range may come from the same parameter
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// MuJoCo steps any model; what comes of steps that are longer than a fall says nothing.
+// Limits of timesteps and of their number. MuJoCo accepts any timestep, but results are useless if
+// it is longer than the fall.
 constexpr double kShortestStep = 1e-5;  // s
-constexpr double kLongestStep = 0.02;   // s; from 2 mm above the floor things fall for 0.02 s
+constexpr double kLongestStep = 0.02;   // s; a fall of 2 mm takes 0.02 s
 constexpr double kMostSteps = 1e7;
 
 class Behaviour {
  public:
   Behaviour(mjModel& m, Workspace& workspace, const model::Object& object, diag::SourceMark mark,
-            Verdict& verdict)
-      : m_(m), workspace_(workspace), object_(object), mark_(mark), verdict_(verdict) {}
+            Reporter& reporter)
+      : m_(m), workspace_(workspace), object_(object), mark_(mark), reporter_(reporter) {}
 
   void Check(Result& result) {
-    if (!CanStep() || !JointChecks(m_, object_.name, verdict_.checks()).Verify(verdict_)) return;
-    const Trouble trouble = Drop({}, result);
-    for (const std::string& warning : trouble.warnings) {
-      verdict_.Error(Code::kPhysicsUnstable, mark_,
-                     fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
-                     trouble.blown_up ? "use a smaller timestep, softer contacts, or larger masses "
-                                        "and inertias for its forces"
-                                      : "");
+    if (!CanStep() || !JointChecks(m_, object_.name, reporter_.checks()).Verify(reporter_)) return;
+    const DropOutcome outcome = Drop({}, result);
+    for (const std::string& warning : outcome.warnings) {
+      reporter_.Error(Code::kPhysicsUnstable, mark_,
+                      fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
+                      outcome.has_diverged
+                          ? "use a smaller timestep, softer contacts, or larger masses "
+                            "and inertias for its forces"
+                          : "");
     }
-    if (trouble.blown_up) return;
-    ReportDrop(trouble, result);
-    for (const Misplaced& misplaced : MisplacedJoints(m_, *end_, object_.name, verdict_.checks()))
-      ReportMisplaced(misplaced);
+    if (outcome.has_diverged) return;
+    ReportDrop(outcome, result);
+    for (const JointOffRange& off_range :
+         FindJointsOffRange(m_, *end_, object_.name, reporter_.checks()))
+      ReportOffRange(off_range);
     CheckStability(result);
     CheckRanges();
-    for (const Adrift& adrift : AdriftBodies(m_, workspace_.For(m_))) ReportAdrift(adrift);
-    const Drives drives = DriveJoints(m_, workspace_.For(m_), object_.name, verdict_.checks());
-    for (const Jam& jam : drives.jams) ReportJam(jam);
-    for (const Passing& passing : PassingJoints(m_, workspace_, object_.name, verdict_.checks()))
-      ReportPassing(passing);
-    for (const Driven& driven : drives.joints) {
+    for (const UnsupportedLink& link : FindUnsupportedLinks(m_, workspace_.For(m_)))
+      ReportUnsupported(link);
+    const DriveResults drives =
+        DriveJoints(m_, workspace_.For(m_), object_.name, reporter_.checks());
+    for (const InitialPenetration& initial : drives.initial_penetrations)
+      ReportInitialPenetration(initial);
+    for (const ParentPenetration& penetration :
+         FindParentPenetrations(m_, workspace_, object_.name, reporter_.checks()))
+      ReportParentPenetration(penetration);
+    for (const DrivenJoint& driven : drives.joints) {
       result.joints.push_back(driven.measured);
       ReportJoint(driven);
     }
-    if (verdict_.checks().simready)
-      CheckSimReady(m_, workspace_, drives, {object_.name, mark_}, verdict_, result);
+    if (reporter_.checks().simready)
+      CheckSimReady(m_, workspace_, drives, object_.name, mark_, reporter_, result);
   }
 
  private:
   bool CanStep() {
     const double timestep = m_.opt.timestep;
-    const double time = verdict_.checks().settle_time;
+    const double time = reporter_.checks().settle_time;
     if (timestep >= kShortestStep && timestep <= kLongestStep && time / timestep <= kMostSteps) {
       return true;
     }
-    verdict_.Error(
+    reporter_.Error(
         Code::kPhysicsUnstable, mark_,
         fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s", object_.name, time,
                     timestep),
@@ -89,28 +101,26 @@ class Behaviour {
     return false;
   }
 
-  Trouble Drop(const Nudge& nudge, Result& result) {
-    for (;;) {
-      mjData& d = workspace_.For(m_);
-      Trouble trouble = Settle(m_, d, verdict_.checks(), nudge, result);
+  DropOutcome Drop(const Nudge& nudge, Result& result) {
+    return Simulate(m_, workspace_, [&](mjData& d) {
+      result = {};  // discards a drop without room for its contacts
       end_ = &d;
-      // Without room for its contacts it would have fallen through the floor.
-      if (!MakeRoom(m_, d)) return trouble;
-      result = {};
-    }
+      return SimulateDrop(m_, d, reporter_.checks(), nudge, result);
+    });
   }
 
   void CheckStability(Result& result) {
-    const int body = result.dropped && result.at_rest ? NudgedBody(m_, *end_) : -1;
-    if (body < 0) return;
-    const Margin margin = MarginOf(m_, *end_, body, result.sink);
+    if (!result.dropped || !result.at_rest) return;
+    const std::optional<int> body = FreeStandingBody(m_, *end_);
+    if (!body) return;
+    const StabilityMargin margin = FindStabilityMargin(m_, *end_, *body, result.sink);
     result.stability = margin.least;
-    const model::Checks& checks = verdict_.checks();
+    const model::Checks& checks = reporter_.checks();
     if (!checks.stable || result.tilt > checks.tilt) return;
     const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
     const double height =
-        end_->subtree_com[3 * body + 2] - compiled::CollidingBox(m_, *end_, body).min.z();
-    // As fast as an inverted pendulum of this height has to be to lean over as far.
+        end_->subtree_com[3 * *body + 2] - compiled::CollidingBox(m_, *end_, *body).min.z();
+    // Speed at which an inverted pendulum of this height reaches the tilt of the nudge.
     const double speed = checks.nudge * std::sqrt(gravity * std::max(height, 0.0));
     std::vector<Nudge> nudges = {{.speed = speed, .azimuth = margin.azimuth}};
     for (int side = 0; side < 4; ++side)
@@ -118,51 +128,50 @@ class Behaviour {
           {.tilt = checks.nudge, .azimuth = margin.azimuth + side * std::numbers::pi / 2});
     for (const Nudge& nudge : nudges) {
       Result nudged;
-      const Trouble trouble = Drop(nudge, nudged);
-      if (!trouble.blown_up && nudged.tilt <= checks.tilt) continue;
+      const DropOutcome outcome = Drop(nudge, nudged);
+      if (!outcome.has_diverged && nudged.tilt <= checks.tilt) continue;
       ReportToppling(nudge, margin, nudged);
       return;
     }
   }
 
-  void ReportToppling(const Nudge& nudge, const Margin& margin, const Result& nudged) {
+  void ReportToppling(const Nudge& nudge, const StabilityMargin& margin, const Result& nudged) {
     const std::string how =
         nudge.tilt > 0 ? fmt::format("tilted by {} deg", RoundedText(kDegrees * nudge.tilt))
                        : fmt::format("pushed at {} m/s", RoundedText(nudge.speed));
-    verdict_.Error(Code::kPhysicsTopples, mark_,
-                   fmt::format("'{}' topples when it is {}: it leans over by {} deg; at rest it "
-                               "can be tilted by {} deg ({:.2g} J)",
-                               object_.name, how, RoundedText(kDegrees * nudged.tilt),
-                               RoundedText(kDegrees * margin.least.angle), margin.least.energy),
-                   "give it a wider foot or a lower centre of mass, or set `nudge`");
+    reporter_.Error(Code::kPhysicsTopples, mark_,
+                    fmt::format("'{}' topples when it is {}: it leans over by {} deg; at rest it "
+                                "can be tilted by {} deg ({:.2g} J)",
+                                object_.name, how, RoundedText(kDegrees * nudged.tilt),
+                                RoundedText(kDegrees * margin.least.angle), margin.least.energy),
+                    "give it a wider foot or a lower centre of mass, or set `nudge`");
   }
 
-  void ReportMoving(const Misplaced& misplaced) {
-    verdict_.Error(
-        Code::kPhysicsJointRests, misplaced.check->mark,
+  void ReportMoving(const JointOffRange& off_range) {
+    reporter_.Error(
+        Code::kPhysicsJointRests, off_range.check->mark,
         fmt::format("joint '{}' is at {} and still moves, by {} in a second: it leaves "
                     "where `rests` has it, {} to {}",
-                    compiled::NameOf(m_, mjOBJ_JOINT, misplaced.joint),
-                    Distance(misplaced.joint, misplaced.position),
-                    Distance(misplaced.joint, misplaced.speed),
-                    Distance(misplaced.joint, misplaced.low),
-                    Distance(misplaced.joint, misplaced.high)),
+                    JointName(off_range.joint), Distance(off_range.joint, off_range.position),
+                    Distance(off_range.joint, off_range.speed),
+                    Distance(off_range.joint, off_range.low),
+                    Distance(off_range.joint, off_range.high)),
         "hold it by a spring or dry friction, or, if it comes to rest later, set a longer "
         "`settle_time`");
   }
 
-  void ReportMisplaced(const Misplaced& misplaced) {
-    if (misplaced.speed != 0) return ReportMoving(misplaced);
-    const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, misplaced.joint);
-    const bool is_asked = misplaced.check != nullptr;
-    verdict_.Error(
-        Code::kPhysicsJointRests, is_asked ? misplaced.check->mark : MarkOf(name),
+  void ReportOffRange(const JointOffRange& off_range) {
+    if (off_range.speed != 0) return ReportMoving(off_range);
+    const std::string name = JointName(off_range.joint);
+    const bool is_asked = off_range.check != nullptr;
+    reporter_.Error(
+        Code::kPhysicsJointRests, is_asked ? off_range.check->mark : MarkOf(name),
         fmt::format("joint '{}' rests at {}, {} beyond {}, {} to {}", name,
-                    Distance(misplaced.joint, misplaced.position),
-                    Distance(misplaced.joint, misplaced.beyond),
+                    Distance(off_range.joint, off_range.position),
+                    Distance(off_range.joint, off_range.beyond),
                     is_asked ? "where `rests` has it" : "its range",
-                    Distance(misplaced.joint, misplaced.low),
-                    Distance(misplaced.joint, misplaced.high)),
+                    Distance(off_range.joint, off_range.low),
+                    Distance(off_range.joint, off_range.high)),
         is_asked
             ? "look at springs, `springref`, dry friction, and weight; a limit of the range gives "
               "way a little, too; if it comes to rest later, set a longer `settle_time`"
@@ -170,27 +179,27 @@ class Behaviour {
               "softer spring");
   }
 
-  /// Ranges that no real joint has.
+  /// Reports ranges that real joints do not have.
   void CheckRanges() {
-    const model::Checks& checks = verdict_.checks();
-    const Couplings couplings(m_);
+    const model::Checks& checks = reporter_.checks();
+    const JointCouplings couplings(m_);
     const model::Box3& box = object_.bounds.aabb;
     const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
     for (int joint = 0; joint < m_.njnt; ++joint) {
       if (m_.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
-      const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, joint);
+      const std::string name = JointName(joint);
       const double range =
           (m_.jnt_range[2 * joint + 1] - m_.jnt_range[2 * joint]) * (1 - kSameRange);
       if (m_.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
-        const Beyond beyond(kDegrees * range, kDegrees * checks.hinge_range);
-        verdict_.Warning(Code::kPhysicsJointRange, MarkOf(name),
-                         fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
-                                     beyond.value, beyond.limit),
-                         "angles are in radians; a screw or a valve sets checks.hinge_range");
+        const ExceededLimit beyond(kDegrees * range, kDegrees * checks.hinge_range);
+        reporter_.Warning(Code::kPhysicsJointRange, MarkOf(name),
+                          fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
+                                      beyond.value, beyond.limit),
+                          "angles are in radians; a screw or a valve sets checks.hinge_range");
       }
       if (m_.jnt_type[joint] == mjJNT_SLIDE && range > checks.slide_range * size && size > 0) {
-        const Beyond beyond(1000 * range, 1000 * checks.slide_range * size);
-        verdict_.Warning(
+        const ExceededLimit beyond(1000 * range, 1000 * checks.slide_range * size);
+        reporter_.Warning(
             Code::kPhysicsJointRange, MarkOf(name),
             fmt::format("joint '{}' slides by {} mm, more than {} mm, {} times the "
                         "object's size",
@@ -200,65 +209,64 @@ class Behaviour {
     }
   }
 
-  void ReportJam(const Jam& jam) {
-    if (!(jam.depth > verdict_.checks().joint_penetration)) return;
-    verdict_.Error(
-        Code::kPhysicsJointCollides, jam.check != nullptr ? jam.check->mark : mark_,
-        fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
-                    "is driven",
-                    compiled::NameOf(m_, mjOBJ_BODY, jam.body1),
-                    compiled::NameOf(m_, mjOBJ_BODY, jam.body2), RoundedText(1000 * jam.depth)),
-        jam.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
+  void ReportInitialPenetration(const InitialPenetration& initial) {
+    if (!(initial.depth > reporter_.checks().joint_penetration)) return;
+    reporter_.Error(Code::kPhysicsJointCollides,
+                    initial.check != nullptr ? initial.check->mark : mark_,
+                    fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
+                                "is driven",
+                                BodyName(initial.body1), BodyName(initial.body2),
+                                RoundedText(1000 * initial.depth)),
+                    initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
   }
 
-  void ReportAdrift(const Adrift& adrift) {
-    const std::string body = compiled::NameOf(m_, mjOBJ_BODY, adrift.body);
-    verdict_.Warning(Code::kPhysicsLoose, MarkOf(m_.body_jntadr[adrift.body]),
-                     fmt::format("body '{}' hangs in the air: {} mm from all else of '{}'", body,
-                                 RoundedText(1000 * adrift.distance), object_.name),
-                     "look at its `pos` and the units");
+  void ReportUnsupported(const UnsupportedLink& link) {
+    const std::string body = BodyName(link.body);
+    reporter_.Warning(Code::kPhysicsLoose, MarkOf(m_.body_jntadr[link.body]),
+                      fmt::format("body '{}' hangs in the air: {} mm from all else of '{}'", body,
+                                  RoundedText(1000 * link.distance), object_.name),
+                      "look at its `pos` and the units");
   }
 
-  void ReportPassing(const Passing& passing) {
-    const std::string name = compiled::NameOf(m_, mjOBJ_JOINT, passing.joint);
-    verdict_.Warning(
+  void ReportParentPenetration(const ParentPenetration& penetration) {
+    const std::string name = JointName(penetration.joint);
+    reporter_.Warning(
         Code::kPhysicsJointPasses, MarkOf(name),
         fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
                     "not let the two collide",
-                    name, compiled::NameOf(m_, mjOBJ_BODY, passing.body),
-                    RoundedText(1000 * passing.depth),
-                    compiled::NameOf(m_, mjOBJ_BODY, passing.parent),
-                    Distance(passing.joint, passing.where)),
+                    name, BodyName(penetration.body), RoundedText(1000 * penetration.depth),
+                    BodyName(penetration.parent), Distance(penetration.joint, penetration.where)),
         "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
-  /// An error if the value is above the limit. `text` has places for the object's name {0} and, in
-  /// units of 1 / scale, for value {1} and limit {2}.
+  /// Reports a value above its limit. `text` has placeholders for the object's name {0}, and for
+  /// value {1} and limit {2} multiplied by `scale`.
   void ReportAbove(Code code, double value, double limit, double scale, const char* text,
                    const char* hint) {
     if (!(value > limit)) return;
-    const Beyond beyond(scale * value, scale * limit);
-    verdict_.Error(code, mark_,
-                   fmt::format(fmt::runtime(text), object_.name, beyond.value, beyond.limit), hint);
+    const ExceededLimit beyond(scale * value, scale * limit);
+    reporter_.Error(code, mark_,
+                    fmt::format(fmt::runtime(text), object_.name, beyond.value, beyond.limit),
+                    hint);
   }
 
-  void ReportDrop(const Trouble& trouble, const Result& result) {
-    const model::Checks& checks = verdict_.checks();
+  void ReportDrop(const DropOutcome& outcome, const Result& result) {
+    const model::Checks& checks = reporter_.checks();
     ReportAbove(Code::kPhysicsGainsEnergy, result.energy_gain, checks.energy_gain, 1,
                 "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2}",
                 "look for parts that push each other apart, springs, or actuators");
     if (!result.at_rest && result.dropped && result.ncon == 0) {
-      verdict_.Warning(Code::kPhysicsNotAtRest, mark_,
-                       fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
-                                   RoundedText(result.time), SpeedText(result.speed)),
-                       "check gravity and the contact bits (contype, conaffinity)");
-    } else if (!result.at_rest && (result.dropped || SaysRests(checks))) {
-      verdict_.Warning(
+      reporter_.Warning(Code::kPhysicsNotAtRest, mark_,
+                        fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
+                                    RoundedText(result.time), SpeedText(result.speed)),
+                        "check gravity and the contact bits (contype, conaffinity)");
+    } else if (!result.at_rest && (result.dropped || HasRestRanges(checks))) {
+      reporter_.Warning(
           Code::kPhysicsNotAtRest, mark_,
           fmt::format("'{}' still moves after {} s: body '{}' at {}, {} mm from where it began; at "
                       "rest it is slower than {} for 0.1 s",
-                      object_.name, RoundedText(result.time), trouble.fastest,
-                      SpeedText(result.speed), RoundedText(1000 * trouble.way),
+                      object_.name, RoundedText(result.time), outcome.fastest,
+                      SpeedText(result.speed), RoundedText(1000 * outcome.way),
                       SpeedText(checks.rest_speed)),
           "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
     }
@@ -277,9 +285,9 @@ class Behaviour {
                 "give it a level foot or more friction");
   }
 
-  void ReportJoint(const Driven& driven) {
+  void ReportJoint(const DrivenJoint& driven) {
     const Result::Joint& joint = driven.measured;
-    if (driven.blown_up) {
+    if (driven.has_diverged) {
       ErrorOf(joint, Code::kPhysicsUnstable,
               fmt::format("the simulation diverges as joint '{}' is driven", joint.name));
       return;
@@ -287,7 +295,7 @@ class Behaviour {
     ReportLimits(driven);
     ReportObstacles(driven);
     const double most =
-        Limit(driven, &model::JointCheck::joint_return, verdict_.checks().joint_return);
+        Limit(driven, &model::JointCheck::joint_return, reporter_.checks().joint_return);
     if (joint.return_error > most * driven.range) {
       ErrorOf(joint, Code::kPhysicsJointNotBack,
               fmt::format("joint '{}' does not come back: it ends {} from where it started",
@@ -295,16 +303,16 @@ class Behaviour {
     }
   }
 
-  /// What an entry of checks.joints says, or else what holds for all.
-  static double Limit(const Driven& driven, std::optional<double> model::JointCheck::*own,
+  /// Returns the limit of the entry of checks.joints that names the joint, or else the usual limit.
+  static double Limit(const DrivenJoint& driven, std::optional<double> model::JointCheck::*own,
                       double usual) {
     return driven.check != nullptr ? (driven.check->*own).value_or(usual) : usual;
   }
 
-  void ReportLimits(const Driven& driven) {
+  void ReportLimits(const DrivenJoint& driven) {
     const Result::Joint& joint = driven.measured;
     const double most = driven.range * Limit(driven, &model::JointCheck::overshoot,
-                                             verdict_.checks().joint_overshoot);
+                                             reporter_.checks().joint_overshoot);
     const std::string range = Distance(driven.joint, driven.range);
     if (driven.outside > most) {
       ErrorOf(joint, Code::kPhysicsJointOvershoots,
@@ -319,8 +327,8 @@ class Behaviour {
     }
   }
 
-  void ReportObstacles(const Driven& driven) {
-    const model::Checks& checks = verdict_.checks();
+  void ReportObstacles(const DrivenJoint& driven) {
+    const model::Checks& checks = reporter_.checks();
     const Result::Joint& joint = driven.measured;
     if (joint.penetration >
         Limit(driven, &model::JointCheck::penetration, checks.joint_penetration)) {
@@ -342,9 +350,10 @@ class Behaviour {
                     : "it is held back by something that an equality or a tendon couples it to");
   }
 
-  diag::SourceMark MarkOf(int joint) const {
-    return MarkOf(compiled::NameOf(m_, mjOBJ_JOINT, joint));
-  }
+  std::string BodyName(int id) const { return compiled::NameOf(m_, mjOBJ_BODY, id); }
+  std::string JointName(int id) const { return compiled::NameOf(m_, mjOBJ_JOINT, id); }
+
+  diag::SourceMark MarkOf(int joint) const { return MarkOf(JointName(joint)); }
   diag::SourceMark MarkOf(const std::string& joint) const {
     for (const model::Body& body : object_.bodies) {
       const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);
@@ -354,26 +363,26 @@ class Behaviour {
   }
 
   void ErrorOf(const Result::Joint& joint, Code code, std::string message, const char* hint = "") {
-    verdict_.Error(code, MarkOf(joint.name), std::move(message), hint);
+    reporter_.Error(code, MarkOf(joint.name), std::move(message), hint);
   }
 
   std::string Distance(int joint, double value) const {
-    return DistanceText(m_.jnt_type[joint] == mjJNT_SLIDE, value);
+    return expr::DistanceText(m_.jnt_type[joint] == mjJNT_SLIDE, value);
   }
 
   mjModel& m_;
   Workspace& workspace_;
   const model::Object& object_;
   diag::SourceMark mark_;
-  Verdict& verdict_;
-  mjData* end_ = nullptr;  // of the last drop
+  Reporter& reporter_;
+  mjData* end_ = nullptr;  // final state of the last drop
 };
 
 }  // namespace
 
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
-                    diag::SourceMark mark, Verdict& verdict, Result& result) {
-  Behaviour(m, workspace, object, mark, verdict).Check(result);
+                    diag::SourceMark mark, Reporter& reporter, Result& result) {
+  Behaviour(m, workspace, object, mark, reporter).Check(result);
 }
 
 }  // namespace mjforge::physics

@@ -1,17 +1,19 @@
+// Checks of how a model behaves in simulations: drop, stability, joints that rest and are driven.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include "mjforge/physics/physics.h"
 #include "mjforge/physics/simulation.h"
-#include "mjforge/physics/verdict.h"
+#include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::physics {
 
-/// Simulates a model and says what is not as it should be. `object` is what the model was made
-/// from, or read into; `mark` is for findings of the whole. Fills in all of `result` except the
-/// overlap. Changes the model's room for contacts. May throw std::exception.
+/// Simulates a model, reports what violates its checks, and fills in `result` except the overlap
+/// and the tests with probe bodies. `object` is the object from which the model was made, or which
+/// was read from it. Findings about the whole object point at `mark`. May change the model's room
+/// for contacts. May throw std::exception.
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
-                    diag::SourceMark mark, Verdict& verdict, Result& result);
+                    diag::SourceMark mark, static_checks::Reporter& reporter, Result& result);
 
 }  // namespace mjforge::physics

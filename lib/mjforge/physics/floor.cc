@@ -1,3 +1,4 @@
+// Floor on which objects are dropped.
 #include "mjforge/physics/floor.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace mjforge::physics {
 namespace {
 
-/// The lowest point of all that can collide; planes have none.
+/// Returns the height of the lowest point of all colliding geoms, except planes.
 double LowestPoint(const mjModel& m) {
   const compiled::Data d = compiled::MakeData(m);
   mj_kinematics(&m, d.get());
@@ -29,7 +30,7 @@ double DropHeight(const mjModel& m) { return 0.002 + LargestMargin(m); }
 
 void LevelFloor(mjModel& m, int geom) {
   for (const compiled::ArrayField& field : compiled::ArrayFields(mjOBJ_GEOM)) {
-    if (field.variable != nullptr) continue;  // user data
+    if (field.variable != nullptr) continue;  // user data has no default
     std::visit(
         [&](auto array) {
           std::copy_n(field.usual->begin(), field.count, m.*array + field.count * geom);
@@ -40,7 +41,7 @@ void LevelFloor(mjModel& m, int geom) {
   mju_unit4(m.geom_quat + 4 * geom);
   const mjtNum pos[] = {0, 0, LowestPoint(m) - DropHeight(m)};
   mju_copy3(m.geom_pos + 3 * geom, pos);
-  engine::TellBody(m, geom);
+  engine::UpdateBodyOf(m, geom);
 }
 
 }  // namespace mjforge::physics

@@ -1,3 +1,4 @@
+// Search for grasps: casts rays from both sides, and sorts pairs of faces by their cost.
 #include "mjforge/physics/grasp_search.h"
 
 #include <algorithm>
@@ -17,17 +18,17 @@ namespace {
 using compiled::VectorAt;
 using Eigen::Vector3d;
 
-constexpr double kRoom = 0.005;     // m, on either side of what they close on
-constexpr double kAside = 0.0003;   // m, from a ray to those that tell how its face lies
-constexpr double kFriction = 1;     // of the jaws: the tangent of the friction cone
-constexpr double kSeam = 2e-5;      // m, from a point to its rays: pieces may meet at it
+constexpr double kMargin = 0.005;   // m, between each jaw and its face before the jaws close
+constexpr double kAside = 0.0003;   // m, from a ray to those that measure the slope of its face
+constexpr double kFriction = 1;     // tangent of the friction cone of the jaws
+constexpr double kSeam = 2e-5;      // m, from a point to its rays, which then miss seams of pieces
 constexpr double kThinnest = 5e-4;  // m
-constexpr double kOffset = 0.008;   // m, beside a site
-constexpr double kPerOffset = 20;   // 1/m: what a metre beside a site costs, as slopes do
-constexpr int kApproaches = 8;
-constexpr int kPoints = 48;  // in the box of an object that has no sites
+constexpr double kOffset = 0.008;   // m, of points beside a site
+constexpr double kPerOffset = 20;   // 1/m, cost of the distance from a site; slopes cost 1
+constexpr int kApproaches = 8;      // directions of the fingers about a line
+constexpr int kPoints = 48;         // in the box of an object without sites
 
-/// Each of the 26 neighbours of a cube, and not its opposite.
+/// Returns the directions to the 26 neighbours of a cube, one of each opposite pair.
 std::vector<Vector3d> Directions() {
   std::vector<Vector3d> directions;
   directions.reserve(13);
@@ -41,7 +42,7 @@ std::vector<Vector3d> Directions() {
   return directions;
 }
 
-/// Two directions across.
+/// Returns two directions perpendicular to `way`.
 std::pair<Vector3d, Vector3d> Across(const Vector3d& way) {
   const Vector3d one = way.unitOrthogonal();
   return {one, way.cross(one)};
@@ -53,38 +54,38 @@ model::Pose Frame(const Vector3d& p_W, const Vector3d& y, const Vector3d& z) {
 
 }  // namespace
 
-/// Between two faces.
-struct GraspSearch::Line {
-  Vector3d middle = Vector3d::Zero();
+/// Line between two opposite faces.
+struct GraspSearch::FaceLine {
+  Vector3d middle = Vector3d::Zero();  // world
   Vector3d way = Vector3d::UnitY();
-  double width = 0;
-  double cost = 0;
-  int body = 0;
+  double width = 0;  // m
+  double cost = 0;   // the smallest is best
+  int body = 0;      // body with the first face
 };
 
-double OpeningFor(const Candidate& candidate, const model::Grasping& grasping) {
-  return std::min(candidate.width + 2 * kRoom, grasping.width);
+double OpeningFor(const GraspCandidate& candidate, const model::Grasping& grasping) {
+  return std::min(candidate.width + 2 * kMargin, grasping.width);
 }
 
-GraspSearch::GraspSearch(const mjModel& m, mjData& d, const Jaws& jaws,
+GraspSearch::GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper,
                          std::span<const mjtNum> start, const model::Grasping& grasping)
-    : m_(m), d_(d), jaws_(jaws), start_(start), grasping_(grasping) {
+    : m_(m), d_(d), gripper_(gripper), start_(start), grasping_(grasping) {
   for (int geom = 0; geom < m.ngeom; ++geom) {
     const bool is_solid = compiled::GeomTypeOf(m.geom_type[geom]).has_value();
-    if (is_solid && compiled::Collides(m, geom) && !jaws.Has(geom)) geoms_.push_back(geom);
+    if (is_solid && compiled::Collides(m, geom) && !gripper.Has(geom)) geoms_.push_back(geom);
   }
-  jaws.Place(d, start, {}, 0);
+  gripper.Place(d, start, {}, 0);
   mj_kinematics(&m, &d);
   mj_comPos(&m, &d);
 }
 
-std::vector<Candidate> GraspSearch::At(const model::Pose& X_WS, int only) const {
+std::vector<GraspCandidate> GraspSearch::AtSite(const model::Pose& X_WS, int body) const {
   const Vector3d p_W = X_WS.p;
   const Eigen::Quaterniond q = X_WS.q;
-  std::vector<Line> lines = LinesThrough(p_W, q, only);
+  std::vector<FaceLine> lines = LinesThrough(p_W, q, body);
   for (int side = 0; side < 6; ++side) {
     const Vector3d offset = q * ((side % 2 == 0 ? kOffset : -kOffset) * Vector3d::Unit(side / 2));
-    for (Line line : LinesThrough(p_W + offset, q, only)) {
+    for (FaceLine line : LinesThrough(p_W + offset, q, body)) {
       line.cost += kPerOffset * kOffset;
       lines.push_back(line);
     }
@@ -92,19 +93,19 @@ std::vector<Candidate> GraspSearch::At(const model::Pose& X_WS, int only) const 
   return Best(std::move(lines));
 }
 
-std::vector<Candidate> GraspSearch::On(int root) const {
+std::vector<GraspCandidate> GraspSearch::Anywhere(int root) const {
   const model::Box3 box = compiled::CollidingBox(m_, d_, root);
   if (box.empty()) return {};
   const Vector3d sides = box.max - box.min;
   const Vector3d center = VectorAt(d_.subtree_com, root);
   boost::random::sobol sequence(3);
-  std::vector<Line> lines;
+  std::vector<FaceLine> lines;
   for (int i = 0; i < kPoints; ++i) {
     Vector3d share;
     for (double& number : share)
       number = static_cast<double>(sequence()) / static_cast<double>(sequence.max());
     const Vector3d p_W = box.min + sides.cwiseProduct(share);
-    for (Line line : LinesThrough(p_W, Eigen::Quaterniond::Identity(), root)) {
+    for (FaceLine line : LinesThrough(p_W, Eigen::Quaterniond::Identity(), root)) {
       line.cost += (line.middle - center).norm() / sides.norm();
       lines.push_back(line);
     }
@@ -112,6 +113,8 @@ std::vector<Candidate> GraspSearch::On(int root) const {
   return Best(std::move(lines));
 }
 
+/// Returns the distance to the nearest geom of the object along a ray, or infinity. Sets `hit` to
+/// the geom.
 double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (const int geom : geoms_) {
@@ -130,60 +133,65 @@ double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit
   return nearest;
 }
 
-bool GraspSearch::IsPartOf(int geom, int only) const {
+/// Returns true if a geom is on a body that the grasp may be on; see AtSite().
+bool GraspSearch::IsPartOf(int geom, int owner) const {
   const int body = m_.geom_bodyid[geom];
-  const bool is_root = m_.body_rootid[only] == only;
-  return is_root ? m_.body_rootid[body] == only : m_.body_weldid[body] == m_.body_weldid[only];
+  const bool is_root = m_.body_rootid[owner] == owner;
+  return is_root ? m_.body_rootid[body] == owner : m_.body_weldid[body] == m_.body_weldid[owner];
 }
 
-std::vector<GraspSearch::Line> GraspSearch::LinesThrough(const Vector3d& p_W,
-                                                         const Eigen::Quaterniond& q_WS,
-                                                         int only) const {
-  std::vector<Line> lines;
+/// Returns the lines through a point between faces within the friction cones, in 13 directions.
+std::vector<GraspSearch::FaceLine> GraspSearch::LinesThrough(const Vector3d& p_W,
+                                                             const Eigen::Quaterniond& q_WS,
+                                                             int owner) const {
+  std::vector<FaceLine> lines;
   for (const Vector3d& direction : Directions()) {
     const Vector3d way = q_WS * direction;
     const auto [one, two] = Across(way);
     const Vector3d start = p_W + kSeam * (one + two / 2);
-    Line line{.way = way};
-    double ends[2] = {0, 0};  // along the way from the point
-    bool fits = true;
-    for (int side = 0; side < 2 && fits; ++side) {
+    FaceLine line{.way = way};
+    double ends[2] = {0, 0};  // distances of the faces from the point, m
+    bool is_grasp = true;
+    for (int side = 0; side < 2 && is_grasp; ++side) {
       const Vector3d inwards = side == 0 ? Vector3d(-way) : way;
       const Vector3d from = start - grasping_.width / 2 * inwards;
       int hit = 0;
       const double distance = Distance(from, inwards, hit);
-      fits = distance < grasping_.width && IsPartOf(hit, only);
-      if (!fits) break;
+      is_grasp = distance < grasping_.width && IsPartOf(hit, owner);
+      if (!is_grasp) break;
       int beside = 0;
       const Eigen::Vector2d slope(Distance(from + kAside * one, inwards, beside) - distance,
                                   Distance(from + kAside * two, inwards, beside) - distance);
       line.cost = std::max(line.cost, slope.norm() / kAside);
-      fits = line.cost <= kFriction;
+      is_grasp = line.cost <= kFriction;
       ends[side] = grasping_.width / 2 - distance;
       if (side == 0) line.body = m_.geom_bodyid[hit];
     }
     line.width = ends[0] + ends[1];
-    if (!fits || line.width < kThinnest || line.width + kRoom > grasping_.width) continue;
+    if (!is_grasp || line.width < kThinnest || line.width + kMargin > grasping_.width) continue;
     line.middle = p_W + (ends[0] - ends[1]) / 2 * way;
     lines.push_back(line);
   }
   return lines;
 }
 
-bool GraspSearch::IsFree(const Candidate& candidate) const {
-  jaws_.Place(d_, start_, candidate.X_WJ, OpeningFor(candidate, grasping_));
+/// Returns true if the open gripper touches nothing.
+bool GraspSearch::IsFree(const GraspCandidate& candidate) const {
+  gripper_.Place(d_, start_, candidate.X_WJ, OpeningFor(candidate, grasping_));
   mj_kinematics(&m_, &d_);
   mj_collision(&m_, &d_);
-  return !jaws_.Touch(d_);
+  return !gripper_.Touches(d_);
 }
 
-std::vector<Candidate> GraspSearch::Best(std::vector<Line> lines) const {
-  std::ranges::stable_sort(lines, {}, &Line::cost);
-  std::vector<Candidate> best;
-  std::vector<Line> taken;
-  for (const Line& line : lines) {
+/// Returns the cheapest grasps that differ by more than 20 deg or two offsets, each with the first
+/// approach on which the gripper is free.
+std::vector<GraspCandidate> GraspSearch::Best(std::vector<FaceLine> lines) const {
+  std::ranges::stable_sort(lines, {}, &FaceLine::cost);
+  std::vector<GraspCandidate> best;
+  std::vector<FaceLine> taken;
+  for (const FaceLine& line : lines) {
     if (std::ssize(best) == grasping_.tries) break;
-    const bool is_known = std::ranges::any_of(taken, [&](const Line& other) {
+    const bool is_known = std::ranges::any_of(taken, [&](const FaceLine& other) {
       return std::abs(line.way.dot(other.way)) > std::cos(std::numbers::pi / 9) &&
              (line.middle - other.middle).norm() < 2 * kOffset;
     });
@@ -192,7 +200,8 @@ std::vector<Candidate> GraspSearch::Best(std::vector<Line> lines) const {
     for (int i = 0; i < kApproaches; ++i) {
       const double angle = 2 * std::numbers::pi * i / kApproaches;
       const Vector3d approach = std::cos(angle) * one + std::sin(angle) * two;
-      const Candidate candidate = {Frame(line.middle, line.way, approach), line.width, line.body};
+      const GraspCandidate candidate = {Frame(line.middle, line.way, approach), line.width,
+                                        line.body};
       if (!IsFree(candidate)) continue;
       best.push_back(candidate);
       taken.push_back(line);

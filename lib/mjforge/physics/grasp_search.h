@@ -1,3 +1,4 @@
+// Search for grasps: pairs of opposite faces between which a gripper has room.
 #pragma once
 
 #include <span>
@@ -6,51 +7,51 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/model/model.h"
-#include "mjforge/physics/jaws.h"
+#include "mjforge/physics/gripper.h"
 
 namespace mjforge::physics {
 
-/// A place where jaws can close: two faces of one tree of bodies opposite each other, both within
-/// the friction cone of the line between them, and room for the jaws around them.
-struct Candidate {
-  model::Pose X_WJ;  // of the jaws, in the world
+/// Grasp on two opposite faces of one tree of bodies. The line between the faces is inside the
+/// friction cones of both, and the open gripper touches nothing.
+struct GraspCandidate {
+  model::Pose X_WJ;  // pose of the gripper in the world
   double width = 0;  // m, between the faces
-  int body = 0;      // that has the first face
+  int body = 0;      // body with the first face
 };
 
-/// How far the jaws are open as they come, m.
-double OpeningFor(const Candidate& candidate, const model::Grasping& grasping);
+/// Returns the opening of the gripper before it closes, m.
+double OpeningFor(const GraspCandidate& candidate, const model::Grasping& grasping);
 
-/// Looks for places where the jaws can close on an object whose joints are where `start` has
-/// them. `m` is a model of WithJaws(). Faces are found by rays from both sides.
+/// Finds grasps on an object whose joints are at `start`. Rays from both sides find the faces. `m`
+/// is a model of a text of WithGripper().
 class GraspSearch {
  public:
-  GraspSearch(const mjModel& m, mjData& d, const Jaws& jaws, std::span<const mjtNum> start,
+  GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper, std::span<const mjtNum> start,
               const model::Grasping& grasping);
 
-  /// Along lines through a site and beside it, in directions of its frame, faces of what `only`
-  /// is: a body, with all that is welded to it, or a root, with all on it. Best ones first, at
-  /// most grasping.tries.
-  std::vector<Candidate> At(const model::Pose& X_WS, int only) const;
+  /// Returns grasps at a site, along lines through it or beside it, in directions of its frame.
+  /// Both faces belong to `body` or to bodies welded to it; if it is a root, to any body of its
+  /// tree. At most grasping.tries, the best first.
+  std::vector<GraspCandidate> AtSite(const model::Pose& X_WS, int body) const;
 
-  /// Anywhere in the box of a root body, those near its centre of mass first.
-  std::vector<Candidate> On(int root) const;
+  /// Returns grasps anywhere in the box of a root body; those near its centre of mass are first.
+  std::vector<GraspCandidate> Anywhere(int root) const;
 
  private:
-  struct Line;
-  std::vector<Line> LinesThrough(const Eigen::Vector3d& p_W, const Eigen::Quaterniond& q_WS,
-                                 int only) const;
-  std::vector<Candidate> Best(std::vector<Line> lines) const;
+  struct FaceLine;
+  std::vector<FaceLine> LinesThrough(const Eigen::Vector3d& p_W, const Eigen::Quaterniond& q_WS,
+                                     int owner) const;
+  std::vector<GraspCandidate> Best(std::vector<FaceLine> lines) const;
   double Distance(const Eigen::Vector3d& from, const Eigen::Vector3d& way, int& hit) const;
-  bool IsFree(const Candidate& candidate) const;
-  bool IsPartOf(int geom, int only) const;
+  bool IsFree(const GraspCandidate& candidate) const;
+  bool IsPartOf(int geom, int owner) const;
 
   const mjModel& m_;
   mjData& d_;
-  const Jaws& jaws_;
+  const Gripper& gripper_;
   std::span<const mjtNum> start_;
   const model::Grasping& grasping_;
-  std::vector<int> geoms_;  // that jaws can touch
+  std::vector<int> geoms_;  // colliding geoms of the object
 };
 
 }  // namespace mjforge::physics

@@ -1,21 +1,21 @@
+// Entries of checks.joints: lookup of joints, and findings about unknown joints and bad positions.
 #include "mjforge/physics/joint_checks.h"
 
 #include <algorithm>
-#include <optional>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
-#include "mjforge/physics/named.h"
-#include "mjforge/physics/rounding.h"
-#include "mjforge/physics/travel.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/check_names.h"
+#include "mjforge/physics/joint_paths.h"
 
 namespace mjforge::physics {
 namespace {
 
-std::size_t SizeOf(const mjModel& m, int joint) {
+std::size_t PositionSize(const mjModel& m, int joint) {
   switch (m.jnt_type[joint]) {
     case mjJNT_FREE:
       return 7;
@@ -26,59 +26,57 @@ std::size_t SizeOf(const mjModel& m, int joint) {
   }
 }
 
-// By more than rounding.
-bool IsBeyond(const compiled::JointRange& range, double position) {
+// Returns true if a position is outside a range by more than a rounding error.
+bool IsOutside(const compiled::JointRange& range, double position) {
   const double rounding = 1e-6 * (range.high - range.low);
   return position < range.low - rounding || position > range.high + rounding;
 }
 
-// Why a joint cannot stand there; empty: it can.
-std::string WhyNotAt(const mjModel& m, int joint, const std::string& name,
-                     std::span<const double> position) {
-  const std::size_t size = SizeOf(m, joint);
+// Returns why a joint cannot have a position; nothing if it can.
+std::optional<std::string> PositionProblem(const mjModel& m, int joint, const std::string& name,
+                                           std::span<const double> position) {
+  const std::size_t size = PositionSize(m, joint);
   if (position.size() != size) {
     return fmt::format("the position of joint '{}' takes {} number{}, not {}", name, size,
                        size == 1 ? "" : "s", position.size());
   }
   const std::optional<compiled::JointRange> range = compiled::RangeOf(m, joint);
   const bool is_limited = compiled::HasOneNumber(m, joint) && range && range->limited;
-  if (!is_limited || !IsBeyond(*range, position.front())) return {};
+  if (!is_limited || !IsOutside(*range, position.front())) return std::nullopt;
   const bool is_slide = m.jnt_type[joint] == mjJNT_SLIDE;
   return fmt::format("joint '{}' cannot stand at {}: its range is {} to {}", name,
-                     DistanceText(is_slide, position.front()), DistanceText(is_slide, range->low),
-                     DistanceText(is_slide, range->high));
+                     expr::DistanceText(is_slide, position.front()),
+                     expr::DistanceText(is_slide, range->low),
+                     expr::DistanceText(is_slide, range->high));
 }
 
 }  // namespace
 
-bool JointChecks::Verify(Verdict& verdict) const {
+bool JointChecks::Verify(static_checks::Reporter& reporter) const {
   bool is_right = true;
   const auto wrong = [&](diag::Code code, const model::JointCheck& check, const std::string& what,
                          std::string hint = {}) {
     is_right = false;
-    verdict.Error(code, check.mark, "checks.joints: " + what, std::move(hint));
+    reporter.Error(code, check.mark, "checks.joints: " + what, std::move(hint));
   };
   const auto exists = [&](const model::JointCheck& check, const std::string& name) {
-    if (Find(name) >= 0) return true;
-    std::vector<std::string> names;
-    names.reserve(static_cast<std::size_t>(m_.njnt));
-    for (int joint = 0; joint < m_.njnt; ++joint)
-      names.push_back(OwnName(m_, mjOBJ_JOINT, joint, object_));
-    const std::vector<std::string_view> known(names.begin(), names.end());
+    if (Find(name)) return true;
+    const std::vector<std::string> names = OwnNames(m_, mjOBJ_JOINT, object_);
     wrong(diag::Code::kModelUnknownReference, check,
-          fmt::format("the object has no joint '{}'", name), diag::DidYouMean(name, known));
+          fmt::format("the object has no joint '{}'", name),
+          diag::DidYouMean(name, std::vector<std::string_view>(names.begin(), names.end())));
     return false;
   };
   for (const model::JointCheck& check : checks_.joints) {
     for (const std::string& name : check.joints) {
-      if (!exists(check, name) || !check.rests || compiled::HasOneNumber(m_, Find(name))) continue;
+      if (!exists(check, name) || !check.rests || compiled::HasOneNumber(m_, *Find(name))) continue;
       wrong(diag::Code::kModelBadValue, check,
             fmt::format("`rests` is for hinges and slides, which '{}' is not", name));
     }
     for (const auto& [name, position] : check.positions) {
       if (!exists(check, name)) continue;
-      const std::string why_not = WhyNotAt(m_, Find(name), name, position);
-      if (!why_not.empty()) wrong(diag::Code::kModelBadValue, check, why_not);
+      const auto problem = PositionProblem(m_, *Find(name), name, position);
+      if (problem) wrong(diag::Code::kModelBadValue, check, *problem);
     }
   }
   return is_right;
@@ -96,7 +94,7 @@ std::vector<int> JointChecks::Others() const {
 std::vector<int> JointChecks::JointsOf(const model::JointCheck& check) const {
   std::vector<int> joints;
   for (const std::string& name : check.joints) {
-    if (CanBeDriven(Find(name))) joints.push_back(Find(name));
+    if (CanBeDriven(*Find(name))) joints.push_back(*Find(name));
   }
   return joints;
 }
@@ -105,7 +103,7 @@ std::vector<mjtNum> JointChecks::StartOf(const model::JointCheck& check) const {
   const std::span<const mjtNum> usual = compiled::StartOf(m_);
   std::vector<mjtNum> start(usual.begin(), usual.end());
   for (const auto& [name, numbers] : check.positions)
-    std::ranges::copy(numbers, start.begin() + m_.jnt_qposadr[Find(name)]);
+    std::ranges::copy(numbers, start.begin() + m_.jnt_qposadr[*Find(name)]);
   return start;
 }
 
@@ -113,9 +111,8 @@ bool JointChecks::CanBeDriven(int joint) const {
   return !PathsOf(m_, joint, compiled::StartOf(m_)).empty();
 }
 
-int JointChecks::Find(const std::string& joint) const {
-  const int own = mj_name2id(&m_, mjOBJ_JOINT, fmt::format("{}_{}", object_, joint).c_str());
-  return own >= 0 ? own : mj_name2id(&m_, mjOBJ_JOINT, joint.c_str());
+std::optional<int> JointChecks::Find(const std::string& joint) const {
+  return IdOf(m_, mjOBJ_JOINT, object_, joint);
 }
 
 bool JointChecks::Names(const model::JointCheck& check, int joint) const {

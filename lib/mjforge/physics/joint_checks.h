@@ -1,5 +1,7 @@
+// Entries of checks.joints, applied to the joints of a compiled model.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,36 +9,35 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/model/model.h"
-#include "mjforge/physics/verdict.h"
+#include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::physics {
 
-/// What checks.joints say of a model's joints, whose names may begin with the object's. `m` and
-/// `checks` must outlive it.
+/// Finds the joints that entries of checks.joints name, with or without "OBJECT_" in front of the
+/// name. `m` and `checks` must outlive this object.
 class JointChecks {
  public:
   JointChecks(const mjModel& m, std::string_view object, const model::Checks& checks)
       : m_(m), object_(object), checks_(checks) {}
 
-  /// Reports joints that the model does not have, and positions that they cannot have. False: there
-  /// are some, and no other function may be asked.
-  bool Verify(Verdict& verdict) const;
+  /// Reports joints that the model does not have, and impossible positions. If it returns false, no
+  /// other function may be called.
+  bool Verify(static_checks::Reporter& reporter) const;
 
-  /// Joints that no entry drives or leaves out, and whose range can be driven.
+  /// Returns the joints that no entry names and that can be driven.
   std::vector<int> Others() const;
 
-  /// Those of an entry whose range can be driven.
+  /// Returns the joints of an entry that can be driven.
   std::vector<int> JointsOf(const model::JointCheck& check) const;
 
-  /// Whether an entry speaks of a joint.
+  /// Returns true if an entry names a joint.
   bool Names(const model::JointCheck& check, int joint) const;
 
-  /// Where joints stand as the entry's are driven, nq numbers.
+  /// Returns the positions (nq) from which the joints of an entry are driven.
   std::vector<mjtNum> StartOf(const model::JointCheck& check) const;
 
  private:
-  /// -1: there is none.
-  int Find(const std::string& joint) const;
+  std::optional<int> Find(const std::string& joint) const;
   bool CanBeDriven(int joint) const;
 
   const mjModel& m_;

@@ -1,3 +1,4 @@
+// Simulation data that is reused, room for contacts, and the state of a simulation.
 #include "mjforge/physics/simulation.h"
 
 #include <algorithm>
@@ -8,12 +9,12 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kMostContacts = 10'000;  // of 600 bytes
+constexpr int kMostContacts = 10'000;  // 600 bytes each
 
 }  // namespace
 
 mjData& Workspace::For(const mjModel& m) {
-  // All numbers of mjModel that mjData's arrays depend on stand before nbuffer.
+  // In mjModel, all numbers that the sizes of mjData depend on are declared before nbuffer.
   const auto sizes = std::as_bytes(std::span(&m, 1)).first(offsetof(mjModel, nbuffer));
   if (data_ && std::ranges::equal(sizes, sizes_)) {
     mj_resetData(&m, data_.get());
@@ -28,22 +29,22 @@ mjData& Workspace::For(const mjModel& m) {
 bool MakeRoom(mjModel& m, const mjData& d) {
   const bool crowded =
       d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
-  engine::Room room = engine::RoomOf(m);
+  engine::BufferSizes room = engine::BufferSizesOf(m);
   if (!crowded || room.contacts >= kMostContacts) return false;
   room.contacts = std::min(4 * std::max(room.contacts, 100), kMostContacts);
   room.rows = std::max(room.rows, 500) + 4 * room.contacts;  // pyramids of condim 3
-  // As for mjcf's sizes: linear in the contacts for a body or a few.
+  // Stack size, in numbers: linear in the contacts for few degrees of freedom, as in mjcf/size.cc.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
-  engine::SetRoom(m, room);
+  engine::SetBufferSizes(m, room);
   return true;
 }
 
-Fastest FastestPoint(const mjModel& m, const mjData& d) {
-  Fastest fastest;
+FastestBody FindFastestBody(const mjModel& m, const mjData& d) {
+  FastestBody fastest;
   for (int i = 0; i < m.ngeom; ++i) {
     const int body = m.geom_bodyid[i];
     if (m.body_weldid[body] == 0) continue;
-    // MuJoCo's cvel is about the centre of mass of the whole tree, rotation first.
+    // MuJoCo's cvel is relative to the centre of mass of the whole tree; the rotation comes first.
     const mjtNum* cvel = d.cvel + 6 * body;
     const Eigen::Map<const Eigen::Vector3d> turn(cvel);
     const Eigen::Map<const Eigen::Vector3d> move(cvel + 3);
@@ -55,13 +56,30 @@ Fastest FastestPoint(const mjModel& m, const mjData& d) {
   return fastest;
 }
 
+std::vector<int> FreeBodies(const mjModel& m) {
+  std::vector<int> bodies;
+  for (int joint = 0; joint < m.njnt; ++joint) {
+    if (m.jnt_type[joint] == mjJNT_FREE) bodies.push_back(m.jnt_bodyid[joint]);
+  }
+  return bodies;
+}
+
+model::Box3 CollidingBox(const mjModel& m, const mjData& d, const std::vector<int>& roots) {
+  model::Box3 all;
+  for (const int root : roots) {
+    const model::Box3 box = compiled::CollidingBox(m, d, root);
+    if (!box.empty()) all.Add(box);
+  }
+  return all;
+}
+
 double DeepestContact(const mjData& d) {
   double deepest = 0;
   for (int i = 0; i < d.ncon; ++i) deepest = std::max(deepest, -d.contact[i].dist);
   return deepest;
 }
 
-bool HasBlownUp(const mjData& d) {
+bool HasDiverged(const mjData& d) {
   return d.warning[mjWARN_BADQPOS].number > 0 || d.warning[mjWARN_BADQVEL].number > 0 ||
          d.warning[mjWARN_BADQACC].number > 0;
 }

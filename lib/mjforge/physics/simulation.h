@@ -1,3 +1,4 @@
+// Simulation data that is reused, room for contacts, and the state of a simulation.
 #pragma once
 
 #include <cstddef>
@@ -8,37 +9,55 @@
 
 namespace mjforge::physics {
 
-/// MuJoCo's mjData, kept from one model to the next where it fits: most members
-/// of a family have the same sizes, and making it costs as much as 50 steps.
+/// MuJoCo's mjData, reused for models with the same sizes. Most variants of a spec have the same
+/// sizes, and to allocate the data costs as much as 50 steps.
 class Workspace {
  public:
-  /// Data for the model at its initial state, valid until the next call. Throws std::exception if
-  /// there is not enough memory.
+  /// Returns data for the model at its initial state, valid until the next call. Throws
+  /// std::exception if there is not enough memory.
   mjData& For(const mjModel& m);
 
  private:
   compiled::Data data_;
-  std::vector<std::byte> sizes_;  // of the model it was made for
+  std::vector<std::byte> sizes_;  // sizes in the model for which the data was allocated
 };
 
-/// Makes more room for contacts and constraint rows if one of them ran out of it in the last steps.
-/// True if it did: the data must then be made anew. False, too, if that would be too much.
+/// Makes more room for contacts and constraint rows if the last steps ran out of it. Returns true
+/// if it did, so that the data must be allocated again; false also if the limit is reached.
 bool MakeRoom(mjModel& m, const mjData& d);
 
-struct Fastest {
+/// Calls `simulate` with data at the initial state, again with more room as long as its contacts
+/// do not fit. Returns the result of the last call.
+template <typename Simulation>
+auto Simulate(mjModel& m, Workspace& workspace, const Simulation& simulate) {
+  for (;;) {
+    mjData& d = workspace.For(m);
+    auto result = simulate(d);
+    if (!MakeRoom(m, d)) return result;
+  }
+}
+
+/// An upper bound of the speed of any point, and the body with that point.
+struct FastestBody {
   double speed = 0;  // m/s
   int body = 0;
 };
-/// The fastest point, no point of a geom being farther from its body's centre of mass than the
-/// geom's centre and bounding radius say.
-Fastest FastestPoint(const mjModel& m, const mjData& d);
+/// Assumes that each geom has a point at its bounding radius from its centre.
+FastestBody FindFastestBody(const mjModel& m, const mjData& d);
 
-/// How deep the deepest contact is, m.
+/// Bodies with free joints.
+std::vector<int> FreeBodies(const mjModel& m);
+
+/// Box around the colliding geoms of the trees with these roots, in the world frame.
+model::Box3 CollidingBox(const mjModel& m, const mjData& d, const std::vector<int>& roots);
+
+/// Depth of the deepest contact, m.
 double DeepestContact(const mjData& d);
 
-/// Whether MuJoCo found numbers that are NaN or too large and reset the data.
-bool HasBlownUp(const mjData& d);
-/// MuJoCo's words for what went wrong since the data was reset.
+/// Returns true if MuJoCo found numbers that are NaN or too large and reset the data.
+bool HasDiverged(const mjData& d);
+
+/// MuJoCo's warnings since the data was reset.
 std::vector<std::string> WarningsOf(const mjData& d);
 
 }  // namespace mjforge::physics

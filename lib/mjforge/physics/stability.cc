@@ -1,3 +1,4 @@
+// Static stability: height of the centre of mass over the floor at each tilt, by support functions.
 #include "mjforge/physics/stability.h"
 
 #include <algorithm>
@@ -13,22 +14,23 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kWays = 72;
+constexpr int kDirections = 72;
 constexpr double kStep = 0.5 * std::numbers::pi / 180;
-constexpr double kFlat = 1e-9;  // of the height: the centre of a ball does not rise
-constexpr double kUneven = 10 * std::numbers::pi / 180;  // it lies more evenly than that
+// Rounding error as a share of the height, because the centre of a ball does not rise.
+constexpr double kFlat = 1e-9;
+constexpr double kUneven = 10 * std::numbers::pi / 180;  // largest tilt due to uneven sinking
 
-/// What the floor can touch, about the centre of mass.
-class Hull {
+/// Convex hull of the colliding geoms of a tree of bodies, relative to its centre of mass.
+class ObjectHull {
  public:
-  Hull(const mjModel& m, const mjData& d, int root) {
+  ObjectHull(const mjModel& m, const mjData& d, int root) {
     const Eigen::Vector3d center = compiled::VectorAt(d.subtree_com, root);
     for (int geom = 0; geom < m.ngeom; ++geom) {
       if (m.body_rootid[m.geom_bodyid[geom]] != root || !compiled::Collides(m, geom)) continue;
       const std::optional<model::GeomType> type = compiled::GeomTypeOf(m.geom_type[geom]);
       if (!type) continue;
       model::Pose pose = compiled::GeomPose(d, geom);
-      pose.p = pose.p.value() - center;
+      pose.p = pose.p - center;
       if (*type == model::GeomType::kMesh) {
         const int mesh = m.geom_dataid[geom];
         const float* vertices = m.mesh_vert + 3 * m.mesh_vertadr[mesh];
@@ -45,13 +47,13 @@ class Hull {
     }
   }
 
-  /// How far below the centre of mass the lowest point is if `down` is downwards.
+  /// Returns the distance of the lowest point below the centre of mass, if `down` points down.
   double Below(const Eigen::Vector3d& down) const {
     double lowest = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : points_) lowest = std::max(lowest, p.dot(down));
     for (const auto& [shape, pose] : shapes_) {
-      const double own = model::Support(shape, pose.q.value().conjugate() * down);
-      lowest = std::max(lowest, pose.p.value().dot(down) + own);
+      const double own = model::Support(shape, pose.q.conjugate() * down);
+      lowest = std::max(lowest, pose.p.dot(down) + own);
     }
     return lowest;
   }
@@ -63,15 +65,15 @@ class Hull {
 
 }  // namespace
 
-Margin MarginOf(const mjModel& m, const mjData& d, int root, double sink) {
-  const Hull hull(m, d, root);
+StabilityMargin FindStabilityMargin(const mjModel& m, const mjData& d, int root, double sink) {
+  const ObjectHull hull(m, d, root);
   const double height = hull.Below(-Eigen::Vector3d::UnitZ());
   const double weight =
       m.body_subtreemass[root] * Eigen::Map<const Eigen::Vector3d>(m.opt.gravity).norm();
-  Margin margin;
+  StabilityMargin margin;
   margin.least = {.angle = std::numbers::pi, .energy = std::numeric_limits<double>::infinity()};
-  for (int way = 0; way < kWays; ++way) {
-    const double azimuth = 2 * std::numbers::pi * way / kWays;
+  for (int way = 0; way < kDirections; ++way) {
+    const double azimuth = 2 * std::numbers::pi * way / kDirections;
     double highest = height;
     double angle = 0;
     for (double tilt = kStep; tilt < std::numbers::pi; tilt += kStep) {

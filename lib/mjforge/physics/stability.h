@@ -1,3 +1,4 @@
+// Static stability of an object that rests on a level floor: how far it can tilt before it topples.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -6,17 +7,17 @@
 
 namespace mjforge::physics {
 
-/// How far an object that rests on a level floor can be tilted before it topples.
-struct Margin {
+struct StabilityMargin {
   Result::Stability least;
-  double azimuth = 0;  // rad, from x towards y: the way it topples first
+  double azimuth = 0;  // rad, from x towards y: direction in which the object topples first
 };
 
-/// From the hull of all that collides of the tree of body `root`, and its centre of mass, as
-/// mj_kinematics and mj_comPos left them: as it is tilted, its centre rises over the floor up to
-/// the angle where it topples, by the height that costs the energy. Looks every 0.5 deg along 72
-/// ways. Both are 0 for what rolls or stands on a point. It lies up to `sink` (m) in the floor,
-/// more at one end than at the other: rising or falling by less means nothing.
-Margin MarginOf(const mjModel& m, const mjData& d, int root, double sink);
+/// Computes the margin from the convex hull of the colliding geoms of a tree of bodies and its
+/// centre of mass, as mj_kinematics and mj_comPos computed them. As the object tilts, its centre of
+/// mass rises up to the angle at which it topples; that height costs the energy. Tries steps of
+/// 0.5 deg in 72 directions. Angle and energy are 0 if the object rolls or stands on a point.
+/// Contacts are up to `sink` (m) deep, more at one end than at the other, so that smaller changes
+/// of the height are ignored.
+StabilityMargin FindStabilityMargin(const mjModel& m, const mjData& d, int root, double sink);
 
 }  // namespace mjforge::physics

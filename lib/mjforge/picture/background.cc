@@ -1,4 +1,5 @@
-#include <algorithm>
+// Backgrounds of pictures: their names, and the composition of an image with its background.
+
 #include <array>
 #include <charconv>
 
@@ -7,20 +8,9 @@
 namespace mjforge::picture {
 namespace {
 
-constexpr std::array<std::string_view, 5> kLayers = {"visual", "collision", "bounds", "inertia",
-                                                     "joints"};
-
 Background Plain(Background::Color color) { return {color, color, false}; }
 
 }  // namespace
-
-std::span<const std::string_view> LayerNames() { return kLayers; }
-
-std::optional<Layer> ParseLayer(std::string_view name) {
-  const auto* found = std::find(kLayers.begin(), kLayers.end(), name);
-  if (found == kLayers.end()) return std::nullopt;
-  return static_cast<Layer>(found - kLayers.begin());
-}
 
 std::optional<Background> ParseBackground(std::string_view text) {
   if (text == "studio") return Background();
@@ -42,7 +32,7 @@ void PutOn(const Background& background, Image& image) {
   if (background.transparent) return;
   std::size_t at = 0;
   for (int y = 0; y < image.height; ++y) {
-    // In 1/256 steps of the way down.
+    // Position between top and bottom, in steps of 1/256.
     const int down = image.height > 1 ? 256 * y / (image.height - 1) : 0;
     std::array<int, 3> behind = {};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -1,3 +1,5 @@
+// Camera placement: fits convex shapes into the viewing frustum by their support functions.
+
 #include "mjforge/picture/camera.h"
 
 #include <algorithm>
@@ -7,20 +9,22 @@
 namespace mjforge::picture {
 namespace {
 
-// From the object to the eye: front, a little from the right, from above.
+// Default direction from the object to the eye: from the front, right and above.
 const Eigen::Vector3d kToEye(1, -1.55, 1.05);
-// A long lens, so that upright edges look upright.
-constexpr double kHalfAngle = 12.5 * std::numbers::pi / 180;  // of the picture's shorter side
-// What is left free at each side, of half the picture.
+// Half the field of view along the picture's shorter side. The long lens keeps vertical edges
+// nearly parallel.
+constexpr double kHalfAngle = 12.5 * std::numbers::pi / 180;
+// Margin at each side, as a share of half the picture.
 constexpr double kMargin = 0.10;
 
-// Half the space's diagonal at least: nothing has less than its own size.
+// Minimum radius of the shapes' bounding sphere, so that a single point can be framed.
 constexpr double kSmallest = 1e-9;  // m
 
-// Where across the eye stands at a depth so that what sticks out to both sides is
-// seen under the same angle: that angle's tangent is the least that holds all of it.
-double Balanced(const Shapes& shapes, const Eigen::Vector3d& across, const Eigen::Vector3d& forward,
-                double depth, double most) {
+// Returns the position of the eye along `across` that centres the silhouette: from the given depth
+// along `forward`, both of its edges are seen under the same angle. Bisection finds the tangent of
+// that angle, which is the smallest that contains the shapes and is at most `most`.
+double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
+                 const Eigen::Vector3d& forward, double depth, double most) {
   constexpr int kSteps = 40;
   double least = 0;
   for (int i = 0; i < kSteps; ++i) {
@@ -32,8 +36,8 @@ double Balanced(const Shapes& shapes, const Eigen::Vector3d& across, const Eigen
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
 
-// Where it looks, and what is right of that: where it looks straight down, as the azimuth says.
-void Turn(const View& view, Camera& camera) {
+// Sets the camera's axes. The azimuth determines `right` even if the camera looks straight down.
+void SetAxes(const View& view, Camera& camera) {
   constexpr double kDegree = std::numbers::pi / 180;
   camera.forward = -kToEye.normalized();
   camera.right = camera.forward.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -51,11 +55,11 @@ void Turn(const View& view, Camera& camera) {
 
 }  // namespace
 
-// Shapes are inside a frustum exactly if their support in the direction of each
-// of its four sides is; two opposite sides give the depth that the eye needs.
-Camera FrameShapes(const Shapes& shapes, double width, double height, const View& view) {
+// Shapes are inside a frustum if and only if their support function in the direction of each of its
+// four side normals is. Each pair of opposite sides gives an upper bound of the eye's depth.
+Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view) {
   Camera camera;
-  Turn(view, camera);
+  SetAxes(view, camera);
   const double shorter = std::min(width, height);
   camera.tan_x = std::tan(kHalfAngle) * width / shorter;
   camera.tan_y = std::tan(kHalfAngle) * height / shorter;
@@ -74,13 +78,13 @@ Camera FrameShapes(const Shapes& shapes, double width, double height, const View
   const double nearest = -shapes.Support(-camera.forward);
   const double depth = std::min(
       {-(x_right + x_left) / (2 * tx), -(y_up + y_down) / (2 * ty), nearest - 0.5 * camera.radius});
-  camera.eye = Balanced(shapes, camera.right, camera.forward, depth, tx) * camera.right +
-               Balanced(shapes, camera.up, camera.forward, depth, ty) * camera.up +
+  camera.eye = CenterEye(shapes, camera.right, camera.forward, depth, tx) * camera.right +
+               CenterEye(shapes, camera.up, camera.forward, depth, ty) * camera.up +
                depth * camera.forward;
   camera.near = 0.5 * (nearest - depth);
   if (view.distance) {
     camera.eye = camera.center - *view.distance * camera.forward;
-    // Within the shapes, too, something must be between the two planes.
+    // The near plane stays in front of the eye even if the eye is inside the shapes.
     camera.near = std::max(0.5 * (nearest - camera.eye.dot(camera.forward)), 0.01 * camera.radius);
   }
   camera.far = (camera.center - camera.eye).dot(camera.forward) + 12 * camera.radius;

@@ -1,3 +1,5 @@
+// Camera that frames a set of shapes.
+
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,27 +11,28 @@
 
 namespace mjforge::picture {
 
-/// A camera that looks at some shapes.
+/// A perspective camera that looks at some shapes.
 struct Camera {
   Eigen::Vector3d eye;      // W
   Eigen::Vector3d right;    // W, unit
   Eigen::Vector3d up;       // W, unit
   Eigen::Vector3d forward;  // W, unit
-  double tan_x = 0;         // of half the angle of view, from side to side
-  double tan_y = 0;         // from top to bottom
+  double tan_x = 0;         // tangent of half the horizontal field of view
+  double tan_y = 0;         // tangent of half the vertical field of view
   double near = 0;          // m
   double far = 0;           // m
-  Eigen::Vector3d center;   // of a ball around the shapes
-  double radius = 0;        // of that ball, m
+  Eigen::Vector3d center;   // W, center of a sphere around the shapes
+  double radius = 0;        // radius of this sphere, m
 
-  /// Where a point of the world is in a picture of this size, from its top left, pixels.
+  /// Projects a point of the world into a picture of this size: pixels from the top left.
   Eigen::Vector2d Project(const Eigen::Vector3d& point, int width, int height) const;
 };
 
-/// A camera for a picture of this shape.
-Camera FrameShapes(const Shapes& shapes, double width, double height, const View& view = {});
+/// Returns a camera for a picture with this ratio of width to height. All shapes are in the
+/// picture unless `view` sets the distance.
+Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view = {});
 
-/// The camera for rows [top, bottom) of a picture `height` rows high.
+/// Returns MuJoCo's camera for rows [top, bottom) of a picture that is `height` rows high.
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height);
 
 }  // namespace mjforge::picture

@@ -1,3 +1,5 @@
+// OpenGL context from EGL, which is loaded at run time.
+
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -24,13 +26,15 @@ struct Egl {
   decltype(&::eglMakeCurrent) MakeCurrent = nullptr;
 
   bool FindAll(void* library) {
-    return Find(library, "eglGetProcAddress", GetProcAddress) &&
-           Find(library, "eglGetDisplay", GetDisplay) &&
-           Find(library, "eglInitialize", Initialize) && Find(library, "eglTerminate", Terminate) &&
-           Find(library, "eglBindAPI", BindApi) && Find(library, "eglChooseConfig", ChooseConfig) &&
-           Find(library, "eglCreateContext", CreateContext) &&
-           Find(library, "eglDestroyContext", DestroyContext) &&
-           Find(library, "eglMakeCurrent", MakeCurrent);
+    return FindFunction(library, "eglGetProcAddress", GetProcAddress) &&
+           FindFunction(library, "eglGetDisplay", GetDisplay) &&
+           FindFunction(library, "eglInitialize", Initialize) &&
+           FindFunction(library, "eglTerminate", Terminate) &&
+           FindFunction(library, "eglBindAPI", BindApi) &&
+           FindFunction(library, "eglChooseConfig", ChooseConfig) &&
+           FindFunction(library, "eglCreateContext", CreateContext) &&
+           FindFunction(library, "eglDestroyContext", DestroyContext) &&
+           FindFunction(library, "eglMakeCurrent", MakeCurrent);
   }
 };
 
@@ -39,14 +43,14 @@ class EglContext : public GlContext {
   explicit EglContext(const Egl& egl) : egl_(egl) {}
   ~EglContext() override {
     if (display_ == EGL_NO_DISPLAY) return;
-    const DriversOwn drivers_own;
+    const LeakCheckPause pause;
     egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) egl_.DestroyContext(display_, context_);
     egl_.Terminate(display_);
   }
   std::string_view name() const override { return "EGL"; }
 
-  /// Mesa without any window system, else the first device, else whatever there is.
+  /// Tries Mesa without a window system, then the first device, then the default display.
   bool Start() {
     const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         egl_.GetProcAddress("eglGetPlatformDisplayEXT"));
@@ -112,7 +116,7 @@ class EglContext : public GlContext {
 
 }  // namespace
 
-// The library stays open: drivers do not like to be unloaded.
+// Never closes the library, because some drivers crash when they are unloaded.
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not) {
   void* library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   Egl egl;
@@ -125,7 +129,7 @@ std::unique_ptr<GlContext> OpenEgl(std::string& why_not) {
     why_not = "EGL: no driver provides an OpenGL context";
     return nullptr;
   }
-  MakeVisible(kLibrary);
+  ExportSymbols(kLibrary);
   return context;
 }
 

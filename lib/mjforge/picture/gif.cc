@@ -1,17 +1,116 @@
+// Animated GIF: a palette for all frames by splitting boxes of colors, frames written by giflib.
+
 #include <fmt/format.h>
 #include <gif_lib.h>
 
-#include <array>
+#include <algorithm>
+#include <new>
 #include <stdexcept>
+#include <unordered_map>
 
-#include "mjforge/picture/palette.h"
+#include "mjforge/picture/picture.h"
 
 namespace mjforge::picture {
 namespace {
 
-constexpr std::size_t kMostColors = 255;  // the last one stands for "nothing"
-constexpr int kTransparent = 255;
-constexpr int kVisible = 128;  // of 255: GIF knows no half-transparent pixels
+constexpr std::size_t kMaxColors = 255;
+constexpr GifPixelType kTransparent = 255;  // index that is not a color
+// Pixels with at least this alpha are opaque, because GIF has no partial transparency.
+constexpr int kMinAlpha = 128;
+
+struct CountedColor {
+  Background::Color rgb;
+  double count;  // number of pixels
+};
+
+// Colors that share an index, and their mean over all pixels.
+struct ColorBox {
+  std::span<CountedColor> colors;
+  Background::Color mean = {};
+  std::size_t channel = 0;  // channel with the largest error
+  double error = 0;         // sum of squared differences from the mean in this channel
+  double middle = 0;        // mean of this channel, not rounded
+
+  explicit ColorBox(std::span<CountedColor> all) : colors(all) {
+    for (std::size_t c = 0; c < mean.size(); ++c) {
+      double count = 0;
+      double sum = 0;
+      double squares = 0;
+      for (const CountedColor& color : colors) {
+        count += color.count;
+        sum += color.count * color.rgb[c];
+        squares += color.count * color.rgb[c] * color.rgb[c];
+      }
+      mean[c] = static_cast<std::uint8_t>(sum / count + 0.5);
+      const double error_of_channel = squares - sum * sum / count;
+      if (error_of_channel <= error) continue;
+      channel = c;
+      error = error_of_channel;
+      middle = sum / count;
+    }
+  }
+};
+
+// Splits the box with the largest error at its mean until there are kMaxColors boxes: a variance
+// based split as by S. J. Wan, S. K. M. Wong and P. Prusinkiewicz (An algorithm for
+// multidimensional data clustering, ACM Transactions on Mathematical Software 14, 1988).
+std::vector<ColorBox> SplitColors(std::vector<CountedColor>& colors) {
+  constexpr double kRounding = 0.25;  // two pixels of different colors have an error of 0.5
+  std::vector<ColorBox> boxes = {ColorBox(colors)};
+  while (boxes.size() < kMaxColors) {
+    ColorBox& worst = *std::ranges::max_element(boxes, {}, &ColorBox::error);
+    if (worst.error < kRounding) break;
+    const auto upper = std::ranges::partition(worst.colors, [&](const CountedColor& color) {
+      return color.rgb[worst.channel] <= worst.middle;
+    });
+    worst = ColorBox(worst.colors.first(worst.colors.size() - upper.size()));
+    boxes.emplace_back(upper);
+  }
+  return boxes;
+}
+
+std::uint32_t KeyOf(const std::uint8_t* rgb) {
+  return static_cast<std::uint32_t>(rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
+}
+
+struct Palette {
+  std::array<GifColorType, 256> colors = {};
+  std::unordered_map<std::uint32_t, GifPixelType> indices;  // by the keys of the frames' colors
+  bool has_holes = false;                                   // true if any pixel is transparent
+
+  explicit Palette(std::span<const Image> frames) {
+    std::unordered_map<std::uint32_t, CountedColor> counted;
+    for (const Image& frame : frames) {
+      for (std::size_t i = 0; i < frame.rgba.size(); i += 4) {
+        const std::uint8_t* pixel = frame.rgba.data() + i;
+        if (pixel[3] < kMinAlpha) {
+          has_holes = true;
+        } else {
+          ++counted.try_emplace(KeyOf(pixel), CountedColor{{pixel[0], pixel[1], pixel[2]}, 0})
+                .first->second.count;
+        }
+      }
+    }
+    std::vector<CountedColor> all;
+    for (const auto& [key, color] : counted) all.push_back(color);
+    if (all.empty()) return;
+    GifPixelType index = 0;
+    for (const ColorBox& box : SplitColors(all)) {
+      colors[index] = {box.mean[0], box.mean[1], box.mean[2]};
+      for (const CountedColor& color : box.colors) indices[KeyOf(color.rgb.data())] = index;
+      ++index;
+    }
+  }
+
+  std::vector<GifPixelType> IndicesOf(const Image& frame) const {
+    std::vector<GifPixelType> pixels(frame.rgba.size() / 4, kTransparent);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const std::uint8_t* pixel = frame.rgba.data() + 4 * i;
+      if (pixel[3] >= kMinAlpha) pixels[i] = indices.at(KeyOf(pixel));
+    }
+    return pixels;
+  }
+};
 
 extern "C" int AppendGif(GifFileType* gif, const GifByteType* bytes, int count) {
   static_cast<std::string*>(gif->UserData)
@@ -19,80 +118,65 @@ extern "C" int AppendGif(GifFileType* gif, const GifByteType* bytes, int count) 
   return count;
 }
 
-// What giflib allocated, until the end.
-struct FreeGif {
+struct CloseGif {
   void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
-  void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
 };
-using GifFile = std::unique_ptr<GifFileType, FreeGif>;
-using GifMap = std::unique_ptr<ColorMapObject, FreeGif>;
+using GifFile = std::unique_ptr<GifFileType, CloseGif>;
 
 void CheckGif(const GifFile& gif, int status) {
   if (status != GIF_OK) throw std::runtime_error(GifErrorString(gif->Error));
 }
 
-GifMap MapOf(const Palette& palette) {
-  constexpr int kColors = 256;
-  std::array<GifColorType, kColors> colors = {};
-  for (std::size_t i = 0; i < palette.colors().size(); ++i) {
-    const Background::Color& color = palette.colors()[i];
-    colors[i] = {color[0], color[1], color[2]};
-  }
-  GifMap map(GifMakeMapObject(kColors, colors.data()));
-  if (!map) throw std::bad_alloc();
-  return map;
-}
-
-// For ever, as browsers read it.
+// Writes the extension that makes viewers repeat the animation endlessly.
 void PutLoop(const GifFile& gif) {
-  const std::array<GifByteType, 3> forever = {1, 0, 0};
+  constexpr std::array<GifByteType, 3> kForever = {1, 0, 0};
   CheckGif(gif, EGifPutExtensionLeader(gif.get(), APPLICATION_EXT_FUNC_CODE));
   CheckGif(gif, EGifPutExtensionBlock(gif.get(), 11, "NETSCAPE2.0"));
-  CheckGif(gif, EGifPutExtensionBlock(gif.get(), 3, forever.data()));
+  CheckGif(gif, EGifPutExtensionBlock(gif.get(), 3, kForever.data()));
   CheckGif(gif, EGifPutExtensionTrailer(gif.get()));
 }
 
-void PutFrame(const GifFile& gif, const Image& image, const Palette& palette, int delay) {
+void PutFrame(const GifFile& gif, const Image& frame, std::vector<GifPixelType> pixels, int delay,
+              int disposal) {
   GraphicsControlBlock control = {};
-  control.DisposalMode = DISPOSE_BACKGROUND;
+  control.DisposalMode = disposal;
   control.DelayTime = delay / 10;
   control.TransparentColor = kTransparent;
   std::array<GifByteType, 4> block = {};
   EGifGCBToExtension(&control, block.data());
   CheckGif(gif, EGifPutExtension(gif.get(), GRAPHICS_EXT_FUNC_CODE, 4, block.data()));
-  CheckGif(gif, EGifPutImageDesc(gif.get(), 0, 0, image.width, image.height, false, nullptr));
-  std::vector<GifPixelType> line(static_cast<std::size_t>(image.width));
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint8_t* pixel = image.rgba.data() + static_cast<std::size_t>(y) * line.size() * 4;
-    for (GifPixelType& number : line) {
-      number = pixel[3] < kVisible ? kTransparent : palette.Nearest(pixel);
-      pixel += 4;
-    }
-    CheckGif(gif, EGifPutLine(gif.get(), line.data(), image.width));
-  }
+  CheckGif(gif, EGifPutImageDesc(gif.get(), 0, 0, frame.width, frame.height, false, nullptr));
+  CheckGif(gif, EGifPutLine(gif.get(), pixels.data(), static_cast<int>(pixels.size())));
 }
 
 }  // namespace
 
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts) {
   if (frames.empty()) throw std::invalid_argument("an animation without frames");
+  Palette palette(frames);
+  const ColorMapObject map = {256, 8, false, palette.colors.data()};
   std::string bytes;
-  const Palette palette(frames, kMostColors);
-  const auto map = MapOf(palette);
-  {
-    int error = 0;
-    const GifFile gif(EGifOpen(&bytes, AppendGif, &error));
-    if (!gif) throw std::runtime_error(GifErrorString(error));
-    EGifSetGifVersion(gif.get(), true);
-    CheckGif(gif, EGifPutScreenDesc(gif.get(), frames.front().width, frames.front().height, 8, 0,
-                                    map.get()));
-    for (const auto& [key, value] : texts) {
-      const std::string comment = fmt::format("{}: {}", key, value);
-      CheckGif(gif, EGifPutComment(gif.get(), comment.c_str()));
+  GifFile gif(EGifOpen(&bytes, AppendGif, nullptr));
+  if (!gif) throw std::bad_alloc();
+  EGifSetGifVersion(gif.get(), true);
+  CheckGif(gif, EGifPutScreenDesc(gif.get(), frames[0].width, frames[0].height, 8, 0, &map));
+  for (const auto& [key, value] : texts)
+    CheckGif(gif, EGifPutComment(gif.get(), fmt::format("{}: {}", key, value).c_str()));
+  PutLoop(gif);
+  std::vector<GifPixelType> before;
+  for (const Image& frame : frames) {
+    const std::vector<GifPixelType> pixels = palette.IndicesOf(frame);
+    std::vector<GifPixelType> changed = pixels;
+    // A pixel that does not change is left transparent, which makes the file smaller. With holes,
+    // the screen is cleared after each frame.
+    for (std::size_t i = 0; !palette.has_holes && i < before.size(); ++i) {
+      if (pixels[i] == before[i]) changed[i] = kTransparent;
     }
-    PutLoop(gif);
-    for (const Image& frame : frames) PutFrame(gif, frame, palette, delay);
+    PutFrame(gif, frame, std::move(changed), delay,
+             palette.has_holes ? DISPOSE_BACKGROUND : DISPOSE_DO_NOT);
+    before = pixels;
   }
+  gif.reset();
   return bytes;
 }
 

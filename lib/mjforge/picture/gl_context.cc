@@ -1,3 +1,5 @@
+// Choice between EGL and OSMesa, by the environment variable MUJOCO_GL or by what works.
+
 #include "mjforge/picture/gl_context.h"
 
 #include <fmt/format.h>
@@ -20,22 +22,22 @@ constexpr std::array<std::string_view, 3> kWords = {"egl", "osmesa", "disable"};
 }  // namespace
 
 #ifdef __SANITIZE_ADDRESS__
-DriversOwn::DriversOwn() { __lsan_disable(); }
-DriversOwn::~DriversOwn() { __lsan_enable(); }
+LeakCheckPause::LeakCheckPause() { __lsan_disable(); }
+LeakCheckPause::~LeakCheckPause() { __lsan_enable(); }
 #else
-DriversOwn::DriversOwn() = default;
-DriversOwn::~DriversOwn() = default;
+LeakCheckPause::LeakCheckPause() = default;
+LeakCheckPause::~LeakCheckPause() = default;
 #endif
 
-void MakeVisible(const char* library) { ::dlopen(library, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
+void ExportSymbols(const char* library) { ::dlopen(library, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD); }
 
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not) {
-  const DriversOwn drivers_own;
+  const LeakCheckPause pause;
   const char* variable = std::getenv("MUJOCO_GL");
   const std::string_view word = variable == nullptr ? "" : variable;
   if (word == "egl") return OpenEgl(why_not);
   if (word == "osmesa") return OpenOsmesa(why_not);
-  // The words that MuJoCo's Python bindings take for "do not draw".
+  // Values of MUJOCO_GL by which MuJoCo's Python bindings turn rendering off.
   constexpr std::array<std::string_view, 5> kNone = {"disable", "disabled", "off", "false", "0"};
   if (std::ranges::find(kNone, word) != kNone.end()) {
     why_not = fmt::format("MUJOCO_GL={} turns drawing off", word);

@@ -1,8 +1,10 @@
-#pragma once
+// OpenGL contexts without a display.
+//
+// MuJoCo looks up OpenGL's functions by eglGetProcAddress, or else by OSMesaGetProcAddress, among
+// the global symbols of the process (2.2.2, dlopen(NULL)). Therefore only the symbols of the
+// library that works become global.
 
-// OpenGL without a display. MuJoCo finds its functions by eglGetProcAddress, else
-// OSMesaGetProcAddress, among the symbols that the whole process sees (2.2.2,
-// dlopen(NULL)); so the library that works, and no other, becomes visible.
+#pragma once
 
 #include <dlfcn.h>
 
@@ -12,7 +14,7 @@
 
 namespace mjforge::picture {
 
-/// Current on this thread from its opening to its end.
+/// A context that is current on this thread while it exists.
 class GlContext {
  public:
   GlContext() = default;
@@ -23,31 +25,33 @@ class GlContext {
   virtual std::string_view name() const = 0;
 };
 
-/// Nothing, and why, if it does not work.
+/// Opens a context through EGL or OSMesa. Returns null, and the reason, if that fails.
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 
-/// While it lives, a leak checker does not count what is allocated: drivers keep a few hundred
-/// bytes forever. Has no effect without a leak checker.
-class DriversOwn {
+/// Exempts allocations from the leak checker while it exists, because drivers never free a few
+/// hundred bytes. Has no effect without a leak checker.
+class LeakCheckPause {
  public:
-  DriversOwn();
-  // Not trivial where there is a leak checker.
-  ~DriversOwn();  // NOLINT(performance-trivially-destructible)
-  DriversOwn(const DriversOwn&) = delete;
-  DriversOwn& operator=(const DriversOwn&) = delete;
+  LeakCheckPause();
+  // Not trivial in builds with a leak checker.
+  ~LeakCheckPause();  // NOLINT(performance-trivially-destructible)
+  LeakCheckPause(const LeakCheckPause&) = delete;
+  LeakCheckPause& operator=(const LeakCheckPause&) = delete;
 };
 
-/// The one that MUJOCO_GL names, else the first that works. Nothing, and why, if none works.
+/// Opens the context that MUJOCO_GL names, or else the first that works. Returns null, and the
+/// reason, if none works.
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
 
-/// Sets the address of a function in a library that is open; false if it has none.
+/// Sets `function` to the address of a function in an open library; returns false if the library
+/// has no such function.
 template <typename Function>
-bool Find(void* library, const char* name, Function& function) {
+bool FindFunction(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(::dlsym(library, name));
   return function != nullptr;
 }
-/// Makes the symbols of a library that is open visible to the whole process.
-void MakeVisible(const char* library);
+/// Makes the symbols of an open library global in the process.
+void ExportSymbols(const char* library);
 
 }  // namespace mjforge::picture

@@ -1,3 +1,6 @@
+// Layers of a picture: their names, and the marks of bounds, inertia and joints on the faded
+// object.
+
 #include "mjforge/picture/layers.h"
 
 #include <fmt/format.h>
@@ -15,6 +18,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Color = std::array<float, 4>;
 
+constexpr std::array<std::string_view, 5> kLayers = {"visual", "collision", "bounds", "inertia",
+                                                     "joints"};
+
 constexpr Color kBox = {0.10F, 0.28F, 0.62F, 1};
 constexpr Color kDisk = {0.95F, 0.55F, 0.10F, 0.35F};
 constexpr Color kMark = {0.80F, 0.10F, 0.15F, 1};
@@ -22,27 +28,27 @@ constexpr Color kInertia = {0.20F, 0.45F, 0.80F, 0.45F};
 
 const Matrix3d kUpright = Matrix3d::Identity();
 
-// Half the diagonal of the box around the object, m: what marks are measured by.
-double RadiusOf(const Shapes& shapes) { return (shapes.Max() - shapes.Min()).norm() / 2; }
+// Half the diagonal of the bounding box, m. The sizes of marks are multiples of it.
+double RadiusOf(const PlacedShapes& shapes) { return (shapes.Max() - shapes.Min()).norm() / 2; }
 
-// A rotation that takes z to `axis`.
-Matrix3d Along(const Vector3d& axis) {
+// Returns a rotation that maps z to `axis`.
+Matrix3d RotationTo(const Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
 }
 
-void Rod(const Vector3d& from, const Vector3d& to, double radius, const Color& color,
-         Scene& scene) {
+void AddRod(const Vector3d& from, const Vector3d& to, double radius, const Color& color,
+            Scene& scene) {
   const Vector3d along = to - from;
   if (along.norm() <= 0) return;
   scene.Add(mjGEOM_CAPSULE, {radius, radius, along.norm() / 2}, (from + to) / 2,
-            Along(along.normalized()), color);
+            RotationTo(along.normalized()), color);
 }
 
-void Ball(const Vector3d& at, double radius, const Color& color, Scene& scene) {
+void AddBall(const Vector3d& at, double radius, const Color& color, Scene& scene) {
   scene.Add(mjGEOM_SPHERE, {radius, radius, radius}, at, kUpright, color);
 }
 
-// The twelve edges of a box.
+// Draws the twelve edges of a box.
 void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int corner = 0; corner < 4; ++corner) {
@@ -51,12 +57,12 @@ void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& s
       from[(axis + 2) % 3] = (corner / 2 == 0 ? min : max)[(axis + 2) % 3];
       Vector3d to = from;
       to[axis] = max[axis];
-      Rod(from, to, radius, kBox, scene);
+      AddRod(from, to, radius, kBox, scene);
     }
   }
 }
 
-// Colors that are told apart on a faded object.
+// Returns a color that differs from its neighbours and from the faded object.
 Color JointColor(int joint) {
   constexpr std::array<Color, 6> kColors = {
       Color{0.85F, 0.20F, 0.15F, 1}, Color{0.10F, 0.45F, 0.85F, 1}, Color{0.10F, 0.60F, 0.30F, 1},
@@ -68,7 +74,7 @@ struct JointMark {
   const mjModel& m;
   const mjData& d;
   int joint;
-  double radius;  // of the object
+  double radius;  // half the diagonal of the object's bounding box, m
   Scene& scene;
 
   std::string Name() const { return m.names + m.name_jntadr[joint]; }
@@ -79,7 +85,7 @@ struct JointMark {
   double End(int i) const { return m.jnt_range[2 * joint + i]; }
   double Thickness() const { return 0.012 * radius; }
 
-  // A number there, and below the picture what has this number.
+  // Puts a number at `place`, and explains the number in the legend below the picture.
   void Label(const Vector3d& place, std::string_view range) const {
     const std::size_t number = scene.legend().size() + 1;
     scene.AddLabel(place, fmt::format("{}", number));
@@ -89,16 +95,15 @@ struct JointMark {
   void Arrow(const Vector3d& from, const Vector3d& to) const {
     const Color color = JointColor(joint);
     const Vector3d along = (to - from).normalized();
-    Rod(from, to, Thickness(), color, scene);
+    AddRod(from, to, Thickness(), color, scene);
     const double head = 4 * Thickness();
     scene.Add(mjGEOM_ARROW1, {2.2 * Thickness(), 2.2 * Thickness(), 3 * head}, to - head * along,
-              Along(along), color);
+              RotationTo(along), color);
     scene.AddToFrame({.p_WS = to + head * along});
   }
 
-  // From one end of the range to the other, about the axis, as the body's centre of
-  // mass goes.
-  void Hinge() const {
+  // Draws the axis, and the arc through which the body's centre of mass moves over the range.
+  void DrawHinge() const {
     const Color color = JointColor(joint);
     const Vector3d axis = Axis();
     const Vector3d anchor = Anchor();
@@ -114,10 +119,10 @@ struct JointMark {
       return anchor + Eigen::AngleAxisd(from + (to - from) * i / kSegments, axis) * arm;
     };
     for (int i = 0; i < kSegments; ++i) {
-      Rod(at(i), at(i + 1), 0.7 * Thickness(), color, scene);
+      AddRod(at(i), at(i + 1), 0.7 * Thickness(), color, scene);
       scene.AddToFrame({.p_WS = at(i)});
     }
-    Ball(anchor + arm, 2 * Thickness(), color, scene);
+    AddBall(anchor + arm, 2 * Thickness(), color, scene);
     const std::string range =
         Limited() ? fmt::format("{:.3g} to {:.3g} deg", End(0) * 180 / std::numbers::pi,
                                 End(1) * 180 / std::numbers::pi)
@@ -126,20 +131,20 @@ struct JointMark {
     Label(anchor + higher * radius * axis, range);
   }
 
-  void Slide() const {
+  void DrawSlide() const {
     const Vector3d axis = Axis();
     const Vector3d anchor = compiled::VectorAt(d.xipos, m.jnt_bodyid[joint]);
     const double from = Limited() ? End(0) - Value() : -0.4 * radius;
     const double to = Limited() ? End(1) - Value() : 0.4 * radius;
     Arrow(anchor + from * axis, anchor + to * axis);
-    Ball(anchor, 2.2 * Thickness(), JointColor(joint), scene);
+    AddBall(anchor, 2.2 * Thickness(), JointColor(joint), scene);
     const std::string range =
         Limited() ? fmt::format("{:.4g} to {:.4g} m", End(0), End(1)) : "unlimited";
     Label(anchor + to * axis, range);
   }
 
-  void BallJoint() const {
-    Ball(Anchor(), 0.06 * radius, JointColor(joint), scene);
+  void DrawBallJoint() const {
+    AddBall(Anchor(), 0.06 * radius, JointColor(joint), scene);
     Label(Anchor(), Limited() ? fmt::format("ball, to {:.3g} deg", End(1) * 180 / std::numbers::pi)
                               : "ball, unlimited");
   }
@@ -147,7 +152,15 @@ struct JointMark {
 
 }  // namespace
 
-void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene) {
+std::span<const std::string_view> LayerNames() { return kLayers; }
+
+std::optional<Layer> ParseLayer(std::string_view name) {
+  const auto* found = std::find(kLayers.begin(), kLayers.end(), name);
+  if (found == kLayers.end()) return std::nullopt;
+  return static_cast<Layer>(found - kLayers.begin());
+}
+
+void DrawBounds(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   const Vector3d min = around.Min();
   const Vector3d max = around.Max();
@@ -160,8 +173,8 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
   const Vector3d head(root.x(), root.y(), max.z());
   scene.Add(mjGEOM_CYLINDER, {reach, reach, thin}, foot + Vector3d(0, 0, 2 * thin), kUpright,
             kDisk);
-  Rod(foot, head, 1.5 * thin, kMark, scene);
-  Ball(root, 8 * thin, kMark, scene);
+  AddRod(foot, head, 1.5 * thin, kMark, scene);
+  AddBall(root, 8 * thin, kMark, scene);
   scene.AddToFrame(
       {.solid = {model::GeomType::kBox, Vector3d((max - min) / 2)}, .p_WS = (min + max) / 2});
   scene.AddToFrame({.solid = {model::GeomType::kCylinder, Vector3d(reach, thin, 0)}, .p_WS = foot});
@@ -173,9 +186,9 @@ void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene)
                  fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x(), size.y(), size.z()));
 }
 
-// The solid box with the inertia I and the mass m has the half sizes a, b, c with
-// I_x = m/3 (b^2 + c^2) and so on.
-void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scene) {
+// A solid box of mass m and half sizes a, b, c has the inertia I_x = m/3 (b^2 + c^2), and I_y and
+// I_z accordingly; solved here for the half sizes.
+void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   const double radius = RadiusOf(around);
   for (int i = 1; i < m.nbody; ++i) {
@@ -191,20 +204,20 @@ void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scen
     const Matrix3d axes =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.data->ximat + 9 * i);
     scene.Add(mjGEOM_BOX, half, center, axes, kInertia);
-    Ball(center, 0.025 * radius, kMark, scene);
+    AddBall(center, 0.025 * radius, kMark, scene);
     scene.AddToFrame({.solid = {model::GeomType::kBox, half}, .p_WS = center, .R_WS = axes});
     scene.AddLabel(center, fmt::format("{} {:.3g} kg", m.names + m.name_bodyadr[i], mass));
   }
 }
 
-void DrawJoints(const Subject::State& state, const Shapes& around, Scene& scene) {
+void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const double radius = RadiusOf(around);
   for (int i = 0; i < state.model->njnt; ++i) {
     const JointMark mark{*state.model, *state.data, i, radius, scene};
-    const int type = state.model->jnt_type[i];  // a free joint goes anywhere
-    if (type == mjJNT_HINGE) mark.Hinge();
-    if (type == mjJNT_SLIDE) mark.Slide();
-    if (type == mjJNT_BALL) mark.BallJoint();
+    const int type = state.model->jnt_type[i];  // a free joint has no mark
+    if (type == mjJNT_HINGE) mark.DrawHinge();
+    if (type == mjJNT_SLIDE) mark.DrawSlide();
+    if (type == mjJNT_BALL) mark.DrawBallJoint();
   }
 }
 

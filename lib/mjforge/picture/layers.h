@@ -1,13 +1,15 @@
+// Marks that layers draw in addition to the faded object.
+
 #pragma once
 
 #include "mjforge/picture/scene.h"
 
 namespace mjforge::picture {
 
-// Each draws into a scene what its layer shows in addition to the faded object. `around` is the
-// object's shape.
-void DrawBounds(const Subject::State& state, const Shapes& around, Scene& scene);
-void DrawInertias(const Subject::State& state, const Shapes& around, Scene& scene);
-void DrawJoints(const Subject::State& state, const Shapes& around, Scene& scene);
+// These functions add the marks of a layer to a scene: the bounding box, boxes of equal inertia, or
+// the axes and ranges of joints. `around` are the object's shapes.
+void DrawBounds(const Subject::State& state, const PlacedShapes& around, Scene& scene);
+void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene& scene);
+void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& scene);
 
 }  // namespace mjforge::picture

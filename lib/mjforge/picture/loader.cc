@@ -1,6 +1,9 @@
+// Loading of models from MJCF as subjects of pictures.
+
 #include <exception>
 #include <new>
 
+#include "mjforge/backport/backport.h"
 #include "mjforge/picture/subject.h"
 
 namespace mjforge::picture {
@@ -17,7 +20,7 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
     state->data = compiled::MakeData(*state->model);
     return std::make_unique<Subject>(std::move(state));
   } catch (const std::bad_alloc&) {
-    throw;  // not MuJoCo's fault
+    throw;  // not an error of the model
   } catch (const std::exception& error) {
     why_not = error.what();
     return nullptr;
@@ -43,7 +46,7 @@ std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const bytes::
 }
 
 std::unique_ptr<Subject> Loader::LoadFile(const std::filesystem::path& file, std::string& why_not) {
-  return Make(state_->engine.LoadFile(file), why_not);
+  return Make(backport::LoadFile(state_->engine, file), why_not);
 }
 
 }  // namespace mjforge::picture

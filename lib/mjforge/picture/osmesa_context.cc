@@ -1,3 +1,5 @@
+// OpenGL context from OSMesa, Mesa's software renderer, which is loaded at run time.
+
 #include <array>
 
 #include "mjforge/picture/gl_context.h"
@@ -5,7 +7,7 @@
 namespace mjforge::picture {
 namespace {
 
-// From GL/osmesa.h and GL/gl.h, which need a package of their own.
+// Declarations of GL/osmesa.h and GL/gl.h, repeated here because the headers need another package.
 constexpr unsigned kRgba = 0x1908;          // GL_RGBA
 constexpr unsigned kUnsignedByte = 0x1401;  // GL_UNSIGNED_BYTE
 using CreateContext = void* (*)(unsigned format, int depth_bits, int stencil_bits, int accum_bits,
@@ -18,7 +20,7 @@ class OsmesaContext : public GlContext {
  public:
   OsmesaContext(void* context, DestroyContext destroy) : context_(context), destroy_(destroy) {}
   ~OsmesaContext() override {
-    const DriversOwn drivers_own;
+    const LeakCheckPause pause;
     destroy_(context_);
   }
   std::string_view name() const override { return "OSMesa"; }
@@ -28,7 +30,7 @@ class OsmesaContext : public GlContext {
   }
 
  private:
-  static constexpr int kSide = 16;  // of a window that nothing is drawn in
+  static constexpr int kSide = 16;  // size of the default framebuffer, which is not used
 
   void* context_;
   DestroyContext destroy_;
@@ -48,9 +50,9 @@ std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not) {
   CreateContext create = nullptr;
   DestroyContext destroy = nullptr;
   MakeCurrent make_current = nullptr;
-  if (library == nullptr || !Find(library, "OSMesaCreateContextExt", create) ||
-      !Find(library, "OSMesaDestroyContext", destroy) ||
-      !Find(library, "OSMesaMakeCurrent", make_current)) {
+  if (library == nullptr || !FindFunction(library, "OSMesaCreateContextExt", create) ||
+      !FindFunction(library, "OSMesaDestroyContext", destroy) ||
+      !FindFunction(library, "OSMesaMakeCurrent", make_current)) {
     why_not = "OSMesa: cannot open libOSMesa.so.8";
     return nullptr;
   }
@@ -61,7 +63,7 @@ std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not) {
     why_not = "OSMesa: it provides no OpenGL context";
     return nullptr;
   }
-  MakeVisible(found);
+  ExportSymbols(found);
   return context;
 }
 

@@ -1,6 +1,4 @@
-#pragma once
-
-// Models -> pictures, by MuJoCo's own renderer, without a display.
+// Pictures of MuJoCo models, rendered by MuJoCo without a display.
 //
 //   auto renderer = picture::Renderer::Open(findings);
 //   picture::Loader loader;
@@ -8,6 +6,8 @@
 //   auto subject = loader.LoadFile("hammer.xml", why_not);
 //   auto image = renderer->Draw(*subject, {.width = 640, .height = 640}, findings);
 //   std::string png = picture::EncodePng(*image, {});
+
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -25,48 +25,48 @@
 
 namespace mjforge::picture {
 
-/// Rows from the top, four bytes per pixel: red, green, blue, and alpha; colors are not
-/// premultiplied.
+/// An image of four bytes per pixel (red, green, blue, alpha), starting with the top row. Colors
+/// are not premultiplied.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-/// What is shown of a model.
+/// Parts of a model that a picture shows.
 enum class Layer {
-  kVisual,     // what a viewer shows at its defaults: groups 0 to 2
-  kCollision,  // the geoms that can collide, each in a color of its own
-  kBounds,     // the box around them, top, bottom and horizontal radius
-  kInertia,    // boxes of the same inertia as the bodies, and their centres of mass
-  kJoints      // axes, ranges and names
+  kVisual,     // geoms of the groups 0 to 2, which a viewer shows by default
+  kCollision,  // geoms that can collide, each in a different color
+  kBounds,     // bounding box of the colliding geoms; top, bottom and horizontal radius
+  kInertia,    // boxes with the same inertia as the bodies, and their centres of mass
+  kJoints      // axes, ranges and names of the joints
 };
-/// In the order of the enumeration.
+/// Names of the layers, in the order of the enumeration.
 std::span<const std::string_view> LayerNames();
 std::optional<Layer> ParseLayer(std::string_view name);
 
-/// A gradient from top to bottom, or nothing at all.
+/// A vertical gradient, or no background at all.
 struct Background {
   using Color = std::array<std::uint8_t, 3>;
   Color top = {250, 251, 252};
   Color bottom = {221, 225, 230};
   bool transparent = false;
 };
-/// "studio" (the default), "transparent", "white", "black", "gray", "#rrggbb".
+/// Reads "studio" (the default), "transparent", "white", "black", "gray" or "#rrggbb".
 std::optional<Background> ParseBackground(std::string_view text);
-/// The image with the background behind it.
+/// Puts the background behind the image.
 void PutOn(const Background& background, Image& image);
 
 /// Sizes of pictures, in pixels.
 inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
-/// Where the camera is, in the terms of MuJoCo's mjvCamera. The defaults: from the front, right and
-/// above, as close as everything shown still fits.
+/// Position of the camera, in the terms of MuJoCo's mjvCamera. By default the camera looks from the
+/// front, right and above, and is as close as it can be with all shapes in the picture.
 struct View {
-  std::optional<double> azimuth;    // deg, of the direction it looks in; 0: x, 90: y
-  std::optional<double> elevation;  // deg, of the same; -90: down, 90: up
-  std::optional<double> distance;   // m, from the middle of what is shown
+  std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x, 90: along y
+  std::optional<double> elevation;  // deg, viewing direction; -90: down, 90: up
+  std::optional<double> distance;   // m, from the center of the shown shapes
 };
 
 struct Options {
@@ -84,11 +84,11 @@ struct Joint {
   Type type = Type::kHinge;
   bool limited = false;
   std::array<double, 2> range = {0, 0};
-  double value = 0;  // of hinges and slides
+  double value = 0;  // for hinges and slides
 };
 
-/// Positions of some joints: the joint's number, and rad or m.
-using Pose = std::vector<std::pair<int, double>>;
+/// Positions of some joints: pairs of a joint's number and its position (rad or m).
+using JointPositions = std::vector<std::pair<int, double>>;
 
 /// A model in a pose.
 class Subject {
@@ -98,17 +98,18 @@ class Subject {
   ~Subject();
 
   std::vector<Joint> joints() const;
-  /// The joint's number; a name's prefix ("hammer_") may be left out if only one joint fits.
-  /// Nothing, and a finding, if there is none.
+  /// Returns the number of the joint with this name. The name's prefix ("hammer_") may be left out
+  /// if only one joint fits. Returns nothing, and adds a finding, if no joint or several joints
+  /// fit.
   std::optional<int> FindJoint(std::string_view name, diag::Findings& findings) const;
-  /// Moves a hinge (rad) or slide (m). A finding if it is neither, or the value
-  /// is outside its range.
+  /// Moves a hinge (rad) or slide (m). Returns false, and adds a finding, if the joint is neither
+  /// of these, or if the value is outside its range.
   bool SetJoint(int joint, double value, diag::Findings& findings);
 
-  /// Moves each hinge and slide, one after the other, or only `joint`, from its value to the ends
-  /// of its range and back; hinges without limits turn once around. Nothing, and a finding, if none
-  /// can move this way.
-  std::vector<Pose> Sweep(std::optional<int> joint, diag::Findings& findings) const;
+  /// Returns poses that move each hinge and slide in turn, or only `joint`, from its value to both
+  /// ends of its range and back. Hinges without limits make a full turn. Returns nothing, and adds
+  /// a finding, if no joint can move in this way.
+  std::vector<JointPositions> Sweep(std::optional<int> joint, diag::Findings& findings) const;
 
   State& state() { return *state_; }
 
@@ -116,13 +117,14 @@ class Subject {
   std::unique_ptr<State> state_;
 };
 
-/// Reads models. Keeps files it has read; one for all variants of a batch.
+/// Reads models, and caches the files that they refer to. Use one loader for all variants of a
+/// batch.
 class Loader {
  public:
   Loader();
   ~Loader();
-  /// A text, and the files it refers to by these names. Nothing, and why, if MuJoCo refuses it;
-  /// MuJoCo's warnings are ignored.
+  /// Loads a text that refers to `assets` by their names, or a file. Returns null, and the reason,
+  /// if MuJoCo rejects the model; ignores MuJoCo's warnings.
   std::unique_ptr<Subject> LoadText(const std::string& mjcf, const bytes::Assets& assets,
                                     std::string& why_not);
   std::unique_ptr<Subject> LoadFile(const std::filesystem::path& file, std::string& why_not);
@@ -132,30 +134,29 @@ class Loader {
   std::unique_ptr<State> state_;
 };
 
-/// Draws without a display: through EGL, else OSMesa, whichever is found at run time. The
-/// environment's MUJOCO_GL chooses one ("egl", "osmesa") or none ("disable", "off"). Only one at a
-/// time in a process, and always through the same library: MuJoCo looks for OpenGL's functions
-/// once.
+/// Renders without a display, through EGL or else through OSMesa, which are looked up at run time.
+/// The environment variable MUJOCO_GL chooses a library ("egl", "osmesa") or turns rendering off
+/// ("disable", "off"). A process has at most one renderer at a time, and always uses the same
+/// library, because MuJoCo looks up OpenGL's functions only once.
 class Renderer {
  public:
-  /// Nothing, and a finding, if neither works.
+  /// Returns null, and adds a finding, if neither library works.
   static std::unique_ptr<Renderer> Open(diag::Findings& findings);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Seen as the options' view says, on a floor, unless the model has planes of its own. A warning
-  /// if the layer is empty and something else is shown; nothing, and a finding, if there is nothing
-  /// to show at all. The same subject and options give the same bytes.
+  /// Draws a subject, on a floor unless the model has geoms fixed to the world. If nothing is
+  /// visible, shows geoms of other groups or else sites, and adds a warning. Returns nothing, and
+  /// adds a finding, if there is nothing to show. The same subject and options give the same bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
-  /// The same for each pose, all seen from one place that suits them all.
-  std::optional<std::vector<Image>> DrawMotion(Subject& subject, std::span<const Pose> poses,
+  /// Draws the subject in each pose, with one camera that frames all of them.
+  std::optional<std::vector<Image>> DrawMotion(Subject& subject,
+                                               std::span<const JointPositions> poses,
                                                const Options& options, diag::Findings& findings);
 
-  /// "EGL" or "OSMesa".
-  std::string_view backend() const;
-  /// One line of text; alpha only, in the given color.
+  /// Draws a line of text in the given color, on a transparent background.
   Image DrawText(std::string_view text, const Background::Color& color);
 
  private:
@@ -164,22 +165,21 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
-/// A picture of a contact sheet and the lines below it.
+/// An image in a contact sheet, and the lines of text below it.
 struct Tile {
   Image image;
   std::vector<std::string> caption;
 };
-/// Tiles of one size in rows, as square as their number allows.
+/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
-/// Keys and values of the texts in a picture's file.
+/// Keys and values of the text comments in a picture's file.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 std::string EncodePng(const Image& image, const Texts& texts);
-/// Endless animations; each frame is shown for `delay` ms.
-std::string EncodeApng(std::span<const Image> frames, int delay, const Texts& texts);
-/// In 255 colors; a pixel is either opaque or transparent.
+/// Makes an endless animation in 255 colors, whose pixels are either opaque or transparent. Each
+/// frame is shown for `delay` ms, rounded down to a multiple of 10 ms.
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
-/// Lossy; quality from 0 to 100.
+/// Compresses with losses; quality from 0 to 100.
 std::string EncodeWebp(const Image& image, int quality);
 
 }  // namespace mjforge::picture

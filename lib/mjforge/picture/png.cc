@@ -1,3 +1,5 @@
+// PNG of an image: RGB if it is opaque, otherwise RGBA.
+
 #include "mjforge/picture/picture.h"
 
 #include "mjforge/bytes/bytes.h"

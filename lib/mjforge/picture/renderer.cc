@@ -1,3 +1,5 @@
+// Rendering of a subject with MuJoCo: scene, matte, labels and legend.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,32 +10,32 @@
 #include <new>
 #include <optional>
 
+#include "mjforge/picture/font.h"
 #include "mjforge/picture/gl_context.h"
+#include "mjforge/picture/matte.h"
 #include "mjforge/picture/scene.h"
-#include "mjforge/picture/shadow.h"
 #include "mjforge/picture/sheet.h"
 #include "mjforge/picture/subject.h"
-#include "mjforge/picture/text.h"
 
 namespace mjforge::picture {
 namespace {
 
 using diag::Code;
 
-// Samples along each side of the shadow map: a few for each pixel of the picture.
+// Returns the width of the shadow map: at least two texels per pixel of the picture, within limits.
 int ShadowSize(int width, int height) {
   const auto samples = std::bit_ceil(2 * static_cast<unsigned>(std::max(width, height)));
   return std::clamp(static_cast<int>(samples), 512, 4096);
 }
 
-// Large pictures are drawn in bands, for the memory they take.
+// Pictures with more samples are drawn in horizontal bands, to limit the size of the framebuffer.
 constexpr int kMostSamples = 1 << 22;
 
 int RowsOfBand(int width, int height) {
   return std::clamp(kMostSamples / (kSamples * kSamples * width), 1, height);
 }
 
-// Meshes and textures of one model on the graphics side.
+// OpenGL objects of one model: meshes, textures and framebuffer.
 class ModelContext {
  public:
   ModelContext(mjModel& model, const Options& options) {
@@ -70,13 +72,14 @@ struct Renderer::State {
                   const Options& options);
   void DrawLabels(const Scene& scene, const Camera& camera, int height, Image& image);
   std::vector<PlacedText> DrawLegend(const Scene& scene, const Options& options);
-  std::optional<std::vector<Image>> DrawPoses(Subject& subject, std::span<const Pose> poses,
+  std::optional<std::vector<Image>> DrawPoses(Subject& subject,
+                                              std::span<const JointPositions> poses,
                                               const Options& options, diag::Findings& findings);
 };
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-// What is on the graphics side goes first.
+// Frees the font before the OpenGL context that it needs.
 Renderer::~Renderer() { state_->font.reset(); }
 
 std::unique_ptr<Renderer> Renderer::Open(diag::Findings& findings) {
@@ -96,8 +99,6 @@ std::unique_ptr<Renderer> Renderer::Open(diag::Findings& findings) {
   return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
 }
 
-std::string_view Renderer::backend() const { return state_->gl->name(); }
-
 Image Renderer::DrawText(std::string_view text, const Background::Color& color) {
   return state_->font->Draw(text, color);
 }
@@ -115,7 +116,7 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
         static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height) * 3;
     const auto draw = [&](std::vector<std::uint8_t>& samples) {
       samples.resize(bytes);
-      const DriversOwn drivers_own;
+      const LeakCheckPause pause;
       mjr_render(viewport, &scene.mujoco(), &*context);
       mjr_readPixels(samples.data(), nullptr, viewport, &*context);
     };
@@ -128,10 +129,10 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
   return matte.Finish();
 }
 
-// The scene has the upper `height` rows.
+// Draws labels into the upper `height` rows, which show the scene.
 void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, int height,
                                  Image& image) {
-  constexpr int kAside = 8;  // pixels to the right of what it names
+  constexpr int kAside = 8;  // pixels between a place and its label
   std::vector<PlacedText> labels;
   for (const Scene::Label& label : scene.labels()) {
     const Eigen::Vector2d place = camera.Project(label.p_W, image.width, height);
@@ -143,7 +144,8 @@ void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, int h
   PutLabels(std::move(labels), image);
 }
 
-// In rows, from the top left of their own, in at most a third of the picture.
+// Returns the legend in rows, in at most a third of the picture. Coordinates are relative to the
+// top left of the legend.
 std::vector<PlacedText> Renderer::State::DrawLegend(const Scene& scene, const Options& options) {
   constexpr int kGap = 10;  // pixels
   std::vector<PlacedText> texts;
@@ -173,37 +175,38 @@ std::vector<PlacedText> Renderer::State::DrawLegend(const Scene& scene, const Op
 
 std::optional<Image> Renderer::Draw(Subject& subject, const Options& options,
                                     diag::Findings& findings) {
-  const Pose as_it_is;
+  const JointPositions as_it_is;
   auto images = DrawMotion(subject, {&as_it_is, 1}, options, findings);
   if (!images) return std::nullopt;
   return std::move(images->front());
 }
 
 std::optional<std::vector<Image>> Renderer::DrawMotion(Subject& subject,
-                                                       std::span<const Pose> poses,
+                                                       std::span<const JointPositions> poses,
                                                        const Options& options,
                                                        diag::Findings& findings) {
   try {
     return state_->DrawPoses(subject, poses, options, findings);
   } catch (const std::bad_alloc&) {
-    throw;  // not MuJoCo's fault
+    throw;  // not an error of the renderer
   } catch (const std::exception& error) {
-    findings.Add(Code::kPictureNoRenderer, {},
-                 fmt::format("{} cannot draw it: {}", backend(), engine::OneLine(error.what())));
+    findings.Add(
+        Code::kPictureNoRenderer, {},
+        fmt::format("{} cannot draw it: {}", state_->gl->name(), engine::OneLine(error.what())));
     return std::nullopt;
   }
 }
 
 std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
-                                                             std::span<const Pose> poses,
+                                                             std::span<const JointPositions> poses,
                                                              const Options& options,
                                                              diag::Findings& findings) {
   mjModel& model = *subject.state().model;
   Scene scene(model);
-  Shapes all;
+  PlacedShapes all;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Pose& pose : poses) {
-    // What is lacking is lacking in all of them.
+  for (const JointPositions& pose : poses) {
+    // Every pose lacks the same things, so only the findings of the first pose are kept.
     diag::Findings again;
     subject.state().Move(pose);
     if (!scene.Fill(subject, options.layer, all.empty() ? findings : again)) return std::nullopt;
@@ -216,7 +219,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   const Camera camera = FrameShapes(all, above.width, above.height, above.view);
   ModelContext context(model, above);
   std::vector<Image> images;
-  for (const Pose& pose : poses) {
+  for (const JointPositions& pose : poses) {
     diag::Findings again;
     if (poses.size() > 1) {
       subject.state().Move(pose);

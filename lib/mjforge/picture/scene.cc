@@ -1,3 +1,5 @@
+// MuJoCo's list of geoms for a layer, with lights, floor and backdrop.
+
 #include "mjforge/picture/scene.h"
 
 #include <algorithm>
@@ -12,20 +14,20 @@ namespace {
 
 using diag::Code;
 
-// Geoms of our own beside the model's: floor, boxes, axes.
+// Room for geoms besides the model's: floor, boxes, axes.
 constexpr int kExtraGeoms = 64;
 constexpr int kExtraPerJoint = 64;
 
-// The light comes from the left behind the camera, high up; what it does not reach
-// is lit from the camera and from everywhere.
+// The key light comes from high above, behind the camera and to its left. A fill light from the
+// camera and ambient light brighten the shadows.
 const Eigen::Vector3d kKeyDirection = Eigen::Vector3d(0.22, 0.55, -1.3).normalized();
 constexpr float kKey = 0.60F;
 constexpr float kKeySpecular = 0.45F;
 constexpr float kFill = 0.40F;
 constexpr float kAmbient = 0.30F;
-constexpr float kFaded = 0.35F;   // of alpha
-constexpr double kBelow = 0.003;  // of the object's radius
-constexpr float kFloor = 0.85F;   // of the light floor's color
+constexpr float kFaded = 0.35F;   // factor of alpha
+constexpr double kBelow = 0.003;  // depth of the floor, as a share of the object's radius
+constexpr float kFloor = 0.85F;   // gray level of the light floor
 
 void SetColor(float* rgba, const std::array<float, 4>& color) {
   std::copy(color.begin(), color.end(), rgba);
@@ -53,7 +55,8 @@ bool Collides(const mjModel& m, int geom) {
   return false;
 }
 
-// Hues a golden section apart are never near each other.
+// Returns a color that differs clearly from those of nearby numbers: hues advance by the golden
+// section.
 std::array<float, 4> DistinctColor(int number) {
   const double hue = std::fmod(0.58 + 0.61803398875 * number, 1.0);
   const auto channel = [&](double shift) {
@@ -101,12 +104,12 @@ void Scene::Collect(Subject::State& state, const mjvOption& option) {
   SeparateFaces();
 }
 
-// Where faces of two geoms lie in one plane, MuJoCo lights what is common twice: its shadows
-// come from a second pass over all that is as near as what was drawn. Up to a thousandth of
-// the size keeps them apart and is not seen.
+// Shrinks boxes and cylinders by different shares of at most a thousandth, which is invisible, so
+// that no faces of two geoms coincide. MuJoCo lights coincident faces twice, because it adds the
+// key light in a second pass to everything at the depth already drawn.
 void Scene::SeparateFaces() {
   constexpr float kShare = 1e-5F;
-  constexpr int kDifferent = 101;  // more than a ring has staves
+  constexpr int kDifferent = 101;  // more than the geoms of a typical ring
   for (int i = 0; i < scene_.ngeom; ++i) {
     mjvGeom& geom = scene_.geoms[i];
     if (geom.type != mjGEOM_BOX && geom.type != mjGEOM_CYLINDER) continue;
@@ -115,7 +118,8 @@ void Scene::SeparateFaces() {
   }
 }
 
-// Without anything to look at: the geoms of other groups, else the sites.
+// Collects the visible geoms; if there are none, the geoms of all groups, and if there are none
+// either, the sites.
 void Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
   mjvOption option = VisibleOption();
   Collect(state, option);
@@ -133,7 +137,7 @@ void Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
                 std::string("nothing is visible: the picture shows ") + instead);
 }
 
-// Those of all groups.
+// Collects the colliding geoms of all groups.
 void Scene::CollectColliding(Subject::State& state) {
   mjvOption option = VisibleOption();
   std::ranges::fill(option.geomgroup, mjtByte{1});
@@ -143,11 +147,11 @@ void Scene::CollectColliding(Subject::State& state) {
   });
 }
 
-void Scene::TellApart() {
+void Scene::ColorGeoms() {
   int number = 0;
   for (mjvGeom& geom : Geoms()) {
     SetColor(geom.rgba, DistinctColor(number++));
-    engine::TakeTexture(geom);
+    engine::RemoveTexture(geom);
     geom.emission = 0;
     geom.reflectance = 0;
     geom.specular = 0.3F;
@@ -163,7 +167,7 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   const char* lacking = "there is nothing to show: no geom and no site";
   if (layer == Layer::kCollision) {
     CollectColliding(state);
-    TellApart();
+    ColorGeoms();
     lacking = "no geom can collide";
   } else {
     CollectVisible(state, findings);
@@ -174,10 +178,10 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   }
   Measure(*state.model);
   if (layer == Layer::kVisual || layer == Layer::kCollision) return true;
-  const Shapes visible = shapes_;
+  const PlacedShapes visible = shapes_;
   if (layer == Layer::kBounds) {
     CollectColliding(state);
-    Shapes colliding;
+    PlacedShapes colliding;
     for (const mjvGeom& geom : Geoms()) {
       if (!IsGround(geom)) colliding.Add(ShapeOf(*state.model, geom));
     }
@@ -191,7 +195,7 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   return true;
 }
 
-// What is drawn beside the object shines through it.
+// Makes the object translucent, so that the marks of a layer are visible through it.
 void Scene::Fade() {
   for (mjvGeom& geom : Geoms()) {
     if (!IsGround(geom)) geom.rgba[3] *= kFaded;
@@ -199,11 +203,12 @@ void Scene::Fade() {
   }
 }
 
-// Planes and height fields are what an object stands on, unless there is nothing else.
+// Measures the shapes to frame. Planes and height fields are ground and not measured, unless there
+// is nothing else.
 void Scene::Measure(const mjModel& m) {
-  shapes_ = Shapes();
+  shapes_ = PlacedShapes();
   has_ground_ = false;
-  Shapes ground;
+  PlacedShapes ground;
   for (const mjvGeom& geom : Geoms()) {
     const bool of_world = geom.objtype == mjOBJ_GEOM && m.geom_bodyid[geom.objid] == 0;
     has_ground_ = has_ground_ || of_world || IsGround(geom);
@@ -217,7 +222,7 @@ void Scene::Measure(const mjModel& m) {
     floor_height_ = shapes_.Min().z();
     return;
   }
-  // Of a plane without end a piece, so that it looks like one.
+  // Draw a finite piece of an infinite plane.
   constexpr float kPiece = 1;  // m
   for (mjvGeom& geom : Geoms()) {
     const int plane = geom.objtype == mjOBJ_GEOM ? geom.objid : -1;
@@ -235,7 +240,7 @@ mjvGeom* Scene::Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d
   mjvGeom* geom = scene_.geoms + scene_.ngeom++;
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = R_W;
   mjv_initGeom(geom, type, size.data(), p_W.data(), rows.data(), rgba.data());
-  // mjv_initGeom takes some types' sizes as MJCF has them.
+  // Set the size again, because mjv_initGeom converts the sizes of some types from MJCF's order.
   Eigen::Map<Eigen::Vector3f>(geom->size) = size.cast<float>();
   geom->category = mjCAT_DECOR;
   geom->segid = -1;
@@ -245,14 +250,14 @@ mjvGeom* Scene::Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d
 void Scene::Light(const Camera& camera, double floor_height) {
   scene_.lights[0] = MakeLight(kKeyDirection, kKey, kKeySpecular, 0);
   scene_.lights[0].castshadow = 1;
-  // MuJoCo looks for shadows from there, from the camera's near to its far plane.
+  // MuJoCo renders the shadow map from this position, between the camera's near and far planes.
   const Eigen::Vector3d eye = camera.center - (camera.near + 1.5 * camera.radius) * kKeyDirection;
   Eigen::Map<Eigen::Vector3f>(scene_.lights[0].pos) = eye.cast<float>();
   scene_.lights[1] = MakeLight(camera.forward, kFill, 0.1F, kAmbient);
   scene_.nlight = 2;
   AddBackdrop(camera);
   if (has_ground_) return;
-  // Not quite as high as the object's lowest faces, which would flicker with it.
+  // Slightly below the object's lowest faces, because coincident faces would flicker.
   const Eigen::Vector3d place(camera.center.x(), camera.center.y(),
                               floor_height - kBelow * camera.radius);
   const double side = 40 * camera.radius;
@@ -266,7 +271,7 @@ void Scene::Light(const Camera& camera, double floor_height) {
   floor_ = scene_.ngeom - 1;
 }
 
-// Whatever its light, it shines.
+// Adds a plane behind the object that emits light, so that its color does not depend on the lights.
 void Scene::AddBackdrop(const Camera& camera) {
   Eigen::Matrix3d axes;
   axes << camera.right, camera.up, -camera.forward;

@@ -1,3 +1,5 @@
+// Scene: the geoms, lights, floor and labels of a picture.
+
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -13,7 +15,7 @@
 
 namespace mjforge::picture {
 
-/// What is drawn of a subject: MuJoCo's list of geoms, and what we add.
+/// MuJoCo's list of a subject's geoms, with lights, a floor, and marks of the layer.
 class Scene {
  public:
   explicit Scene(const mjModel& model);
@@ -21,21 +23,22 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Lists what the layer shows of the subject in its pose. A warning if the layer is empty and
-  /// something else is shown; false, and a finding, if there is nothing at all.
+  /// Fills the scene with the layer of the subject in its current pose. If nothing is visible,
+  /// shows geoms of other groups or else sites, and adds a warning. Returns false, and adds a
+  /// finding, if there is nothing to show.
   bool Fill(Subject& subject, Layer layer, diag::Findings& findings);
 
-  /// What the picture must contain.
-  const Shapes& shapes() const { return shapes_; }
-  /// Where the object is lowest, m.
+  /// Shapes that the camera must frame.
+  const PlacedShapes& shapes() const { return shapes_; }
+  /// Lowest z of the object, m.
   double floor_height() const { return floor_height_; }
-  /// Text at places of the picture.
+  /// Text at a point of the scene.
   struct Label {
     Eigen::Vector3d p_W;
     std::string text;
   };
   const std::vector<Label>& labels() const { return labels_; }
-  /// Lines below the picture.
+  /// Line of the legend below the scene.
   struct Line {
     std::string text;
     std::array<float, 4> color;
@@ -44,15 +47,15 @@ class Scene {
 
   /// Adds light, a backdrop, and a floor at the given height unless there is one already.
   void Light(const Camera& camera, double floor_height);
-  /// Makes the floor and what is behind it light or black, and returns its brightness in full
-  /// light, 0..255.
+  /// Makes the floor and the backdrop light or black, and returns the brightness of the light floor
+  /// outside of shadows, 0..255.
   int SetFloor(bool light);
   void SetCamera(const mjvGLCamera& camera) { std::ranges::fill(scene_.camera, camera); }
 
   mjvScene& mujoco() { return scene_; }
 
-  /// The picture must contain this, too.
-  void AddToFrame(const Shape& shape) { shapes_.Add(shape); }
+  /// Adds a shape that the camera must frame.
+  void AddToFrame(const PlacedShape& shape) { shapes_.Add(shape); }
   void AddLabel(const Eigen::Vector3d& p_W, std::string text) {
     labels_.push_back({p_W, std::move(text)});
   }
@@ -61,7 +64,7 @@ class Scene {
     legend_.push_back({std::move(text), color});
   }
 
-  /// A further geom; false if there is no room.
+  /// Adds a geom; returns null if the list is full.
   mjvGeom* Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& p_W,
                const Eigen::Matrix3d& R_W, const std::array<float, 4>& rgba);
 
@@ -75,19 +78,19 @@ class Scene {
   void SeparateFaces();
   void CollectVisible(Subject::State& state, diag::Findings& findings);
   void CollectColliding(Subject::State& state);
-  void TellApart();
+  void ColorGeoms();
   void Fade();
   void AddBackdrop(const Camera& camera);
   void Measure(const mjModel& m);
 
   mjvScene scene_;
-  Shapes shapes_;
+  PlacedShapes shapes_;
   std::vector<Label> labels_;
   std::vector<Line> legend_;
-  bool has_ground_ = false;  // the model's: a floor or another geom fixed to the world
+  bool has_ground_ = false;  // the model has a floor or another geom fixed to the world
   double floor_height_ = 0;
-  int floor_ = -1;     // its geom
-  int backdrop_ = -1;  // its geom
+  int floor_ = -1;     // index of its geom
+  int backdrop_ = -1;  // index of its geom
 };
 
 }  // namespace mjforge::picture

@@ -1,3 +1,5 @@
+// Composition of images: contact sheets, labels, and an image over another.
+
 #include "mjforge/picture/sheet.h"
 
 #include <algorithm>
@@ -8,13 +10,13 @@ namespace {
 
 constexpr int kGap = 12;  // pixels between tiles and around them
 
-Image Empty(int width, int height) {
+Image MakeImage(int width, int height) {
   Image image{width, height, {}};
   image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   return image;
 }
 
-// As near to a square as it gets, and of those the one with the fewest empty places.
+// Returns the number of columns of a nearly square sheet with the fewest empty places.
 int ColumnsFor(int count) {
   const int square = static_cast<int>(std::ceil(std::sqrt(count)));
   int best = square;
@@ -29,7 +31,7 @@ int ColumnsFor(int count) {
   return best;
 }
 
-Background::Color InkOn(const Background& background) {
+Background::Color InkColor(const Background& background) {
   const int light = background.bottom[0] + background.bottom[1] + background.bottom[2];
   if (background.transparent || light > 3 * 110) return {40, 44, 52};
   return {235, 238, 242};
@@ -55,7 +57,7 @@ void PutOver(const Image& top, int x, int y, Image& below) {
   }
 }
 
-// The labels in their order: each goes below those it would cover.
+// Places the labels in order, and moves each below the earlier labels that it would cover.
 void PutLabels(std::vector<PlacedText> labels, Image& image) {
   std::vector<PlacedText> put;
   for (PlacedText& label : labels) {
@@ -73,7 +75,7 @@ void PutLabels(std::vector<PlacedText> labels, Image& image) {
         moved = true;
       }
     }
-    Image box = Empty(width, height);
+    Image box = MakeImage(width, height);
     for (std::size_t i = 0; i < box.rgba.size(); ++i) box.rgba[i] = i % 4 == 3 ? 200 : 255;
     PutOver(label.text, 0, 0, box);
     PutOver(box, label.x, label.y, image);
@@ -85,14 +87,14 @@ Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Backgr
   if (tiles.empty()) return {};
   const int columns = ColumnsFor(static_cast<int>(tiles.size()));
   const int rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
-  const Background::Color ink = InkOn(background);
+  const Background::Color ink = InkColor(background);
   std::size_t lines = 0;
   for (const Tile& tile : tiles) lines = std::max(lines, tile.caption.size());
   const int line_height = renderer.DrawText("x", ink).height;
   const int width = tiles.front().image.width;
   const int height = tiles.front().image.height;
   const int caption = static_cast<int>(lines) * line_height;
-  Image sheet = Empty(columns * (width + kGap) + kGap, rows * (height + caption + kGap) + kGap);
+  Image sheet = MakeImage(columns * (width + kGap) + kGap, rows * (height + caption + kGap) + kGap);
   PutOn(background, sheet);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const int left = kGap + static_cast<int>(i) % columns * (width + kGap);

@@ -1,3 +1,5 @@
+// Joints of a subject: search by name and setting of positions.
+
 #include "mjforge/picture/subject.h"
 
 #include <fmt/format.h>
@@ -11,14 +13,14 @@ using diag::Code;
 
 std::string_view NameOf(const mjModel& m, int joint) { return m.names + m.name_jntadr[joint]; }
 
-// "hammer_hinge" ends in "hinge" and a prefix.
+// Returns true if `full` is `name` with a prefix: "hammer_hinge" for "hinge".
 bool EndsIn(std::string_view full, std::string_view name) {
   return full.size() > name.size() + 1 && full.ends_with(name) &&
          full[full.size() - name.size() - 1] == '_';
 }
 
-// The joint's words with and without the prefix that all of them share.
-std::vector<std::string_view> Candidates(const mjModel& m) {
+// Names of the hinges and slides for suggestions, each also without its first words.
+std::vector<std::string_view> JointNames(const mjModel& m) {
   std::vector<std::string_view> words;
   for (int i = 0; i < m.njnt; ++i) {
     if (!compiled::HasOneNumber(m, i)) continue;
@@ -40,7 +42,7 @@ void Subject::State::Update() {
   mj_tendon(model.get(), data.get());
 }
 
-void Subject::State::Move(const Pose& pose) {
+void Subject::State::Move(const JointPositions& pose) {
   for (const auto& [joint, value] : pose) data->qpos[model->jnt_qposadr[joint]] = value;
   Update();
 }
@@ -80,7 +82,7 @@ std::optional<int> Subject::FindJoint(std::string_view name, diag::Findings& fin
                  "give its full name");
     return std::nullopt;
   }
-  const std::vector<std::string_view> candidates = Candidates(m);
+  const std::vector<std::string_view> candidates = JointNames(m);
   std::string hint = diag::DidYouMean(name, candidates);
   if (hint.empty() && candidates.empty()) hint = "the object has no hinge or slide";
   if (hint.empty()) hint = "'--layer joints' shows the joints' names";
@@ -99,7 +101,7 @@ bool Subject::SetJoint(int joint, double value, diag::Findings& findings) {
   }
   const double lo = m.jnt_range[2 * joint];
   const double hi = m.jnt_range[2 * joint + 1];
-  // What is given in degrees may miss the end by a rounding.
+  // Tolerance, because a value given in degrees is rounded when converted to radians.
   const double slack = 1e-6 * (hi - lo);
   if (m.jnt_limited[joint] != 0 && (value < lo - slack || value > hi + slack)) {
     const char* unit = m.jnt_type[joint] == mjJNT_HINGE ? "rad" : "m";

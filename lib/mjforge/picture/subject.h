@@ -1,3 +1,5 @@
+// State of a subject: MuJoCo's model and data.
+
 #pragma once
 
 #include "mjforge/compiled/compiled.h"
@@ -12,7 +14,8 @@ struct Subject::State {
 
   /// Brings poses, centres of mass and tendons up to date with qpos.
   void Update();
-  void Move(const Pose& pose);
+  /// Sets the positions of joints, and updates.
+  void Move(const JointPositions& pose);
 };
 
 }  // namespace mjforge::picture

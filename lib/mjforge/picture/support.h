@@ -1,6 +1,6 @@
-#pragma once
+// Support functions of the shapes in a scene.
 
-// How far drawn shapes reach.
+#pragma once
 
 #include <mujoco/mujoco.h>
 
@@ -13,32 +13,33 @@
 namespace mjforge::picture {
 
 /// A convex shape S in the world, m.
-struct Shape {
-  model::Shape solid = {.type = model::GeomType::kBox};  // a box for all that has no formula
+struct PlacedShape {
+  model::Shape solid = {.type = model::GeomType::kBox};  // a box if the geom has no formula
   Eigen::Vector3d p_WS = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
-  std::span<const float> vertices = {};  // of a mesh, in place of the solid: 3 each, in S
+  std::span<const float> vertices = {};  // in S, 3 numbers each; for a mesh, instead of `solid`
 
-  /// The largest dot product of `direction` with a point of it.
+  /// Returns the largest dot product of `direction` with a point of the shape.
   double Support(const Eigen::Vector3d& direction) const;
 };
 
-Shape ShapeOf(const mjModel& m, const mjvGeom& geom);
+PlacedShape ShapeOf(const mjModel& m, const mjvGeom& geom);
 
-class Shapes {
+class PlacedShapes {
  public:
-  void Add(const Shape& shape) { shapes_.push_back(shape); }
-  void Add(const Shapes& other);
+  void Add(const PlacedShape& shape) { shapes_.push_back(shape); }
+  void Add(const PlacedShapes& other);
   bool empty() const { return shapes_.empty(); }
 
   double Support(const Eigen::Vector3d& direction) const;
   Eigen::Vector3d Min() const;
   Eigen::Vector3d Max() const;
-  /// The largest distance from the vertical through a point, with a relative error of 1e-5.
+  /// Returns the largest distance from the vertical line through `axis`, with a relative error of
+  /// 1e-5.
   double HorizontalRadius(const Eigen::Vector3d& axis) const;
 
  private:
-  std::vector<Shape> shapes_;
+  std::vector<PlacedShape> shapes_;
 };
 
 }  // namespace mjforge::picture

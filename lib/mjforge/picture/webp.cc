@@ -1,3 +1,5 @@
+// Lossy WebP of an image.
+
 #include <webp/encode.h>
 
 #include <new>

@@ -1,3 +1,5 @@
+// Ticks and scales of chart axes.
+
 #include "mjforge/report/axis.h"
 
 #include <fmt/format.h>
@@ -9,11 +11,11 @@
 namespace mjforge::report {
 namespace {
 
-// What all digits of a label are rounded to, so that 3 * 0.1 is 0.3.
+// Returns the text of a tick. Rounds to a multiple of the step, so that 3 * 0.1 is shown as 0.3.
 std::string Label(double value, double step) {
   const double rounded = std::round(value / step) * step;
   if (std::abs(rounded) < step * 1e-6) return "0";
-  // As many digits as tell it from its neighbours.
+  // Enough digits to distinguish neighbouring ticks.
   const double digits = std::ceil(std::log10(std::abs(rounded) / step)) + 1;
   return fmt::format("{:.{}g}", rounded, static_cast<int>(std::clamp(digits, 6.0, 15.0)));
 }
@@ -34,7 +36,7 @@ double Axis::At(double value) const {
   return start_ + share * (end_ - start_);
 }
 
-// 1, 2 or 5 times a power of ten, as most charts have them.
+// Returns a distance of ticks: 1, 2 or 5 times a power of ten.
 double Axis::Step(int count) const {
   const double rough = hi_ / count - lo_ / count;
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -46,7 +48,7 @@ std::vector<Axis::Tick> Axis::Ticks(int count) const {
   if (scale_ == Scale::kLogarithmic) return Decades(count);
   const double step = Step(count);
   std::vector<Tick> ticks;
-  // Ends that are a multiple of the step but for rounding count as one.
+  // Tolerance: ends that are multiples of the step except for rounding errors get a tick.
   const double tolerance = step * 1e-6;
   const double first = std::ceil((lo_ - tolerance) / step);
   for (double i = first; i * step <= hi_ + tolerance; ++i) {
@@ -74,7 +76,7 @@ std::vector<Axis::Tick> Axis::Decades(int count) const {
 
 void Axis::Round(int count) {
   if (scale_ == Scale::kLogarithmic) {
-    // Ends at a 1, a 2 or a 5 are not worth a decade of empty space.
+    // Extend the range by a factor only, because whole decades would leave much empty space.
     lo_ /= 1.15;
     hi_ *= 1.15;
     return;
@@ -88,7 +90,7 @@ bool WantsLogarithm(double lo, double hi, double median) {
   return lo > 0 && hi >= 50 * lo && median < 0.2 * hi;
 }
 
-std::string Shown(double value) {
+std::string ShortNumber(double value) {
   if (value != 0 && std::abs(value) >= 1000 && std::abs(value) < 1e7) {
     return fmt::format("{:.0f}", value);
   }

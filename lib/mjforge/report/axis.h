@@ -1,3 +1,5 @@
+// Axes of charts: scales, ticks and short texts of numbers.
+
 #pragma once
 
 #include <string>
@@ -7,11 +9,11 @@ namespace mjforge::report {
 
 enum class Scale { kLinear, kLogarithmic };
 
-/// A chart's axis: maps values to places, with round numbers at its ticks.
+/// Axis of a chart: maps values to positions, and has ticks at round numbers.
 class Axis {
  public:
-  /// Values from lo to hi go to places from `start` to `end`. If lo and hi are the same, the axis
-  /// leaves some room around them; on a logarithmic axis both are above 0.
+  /// Maps values from lo to hi to positions from `start` to `end`. If lo equals hi, the axis covers
+  /// a small range around this value. A logarithmic axis needs lo > 0 and hi > 0.
   Axis(Scale scale, double lo, double hi, double start, double end);
 
   double lo() const { return lo_; }
@@ -22,9 +24,9 @@ class Axis {
     double at = 0;
     std::string label;
   };
-  /// About `count` of them, never more than twice as many.
+  /// Returns about `count` ticks, at most twice as many.
   std::vector<Tick> Ticks(int count) const;
-  /// From lo or below to hi or above, so that it starts and ends at a tick.
+  /// Extends a linear axis so that it starts and ends at a tick, and a logarithmic one by a factor.
   void Round(int count);
 
  private:
@@ -38,11 +40,11 @@ class Axis {
   double end_;
 };
 
-/// Whether numbers from lo to hi need a logarithmic axis: they are all above 0 and most are much
-/// closer to lo than to hi.
+/// Returns true if numbers from lo to hi need a logarithmic axis, because all of them are above 0
+/// and most of them are much closer to lo than to hi.
 bool WantsLogarithm(double lo, double hi, double median);
 
-/// A number for people: up to four significant digits, "0.25", "12000", "3.1e-07".
-std::string Shown(double value);
+/// Text of a number with up to four significant digits: "0.25", "12000", "3.1e-07".
+std::string ShortNumber(double value);
 
 }  // namespace mjforge::report

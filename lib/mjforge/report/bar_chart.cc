@@ -1,3 +1,5 @@
+// Bar charts: a row for each value of a parameter.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,19 +10,16 @@
 namespace mjforge::report {
 namespace {
 
-// As bars.html has them.
-constexpr double kBarLeft = 120;
-constexpr double kBarRight = 300;
 constexpr double kRow = 22;
 constexpr double kBar = 14;
 constexpr std::size_t kMaxRows = ParameterTally::kMaxWhole;
-// What fits to the left of the bars.
+// Length of a label that fits to the left of the bars.
 constexpr std::size_t kLabelBytes = 17;
 
 struct Row {
   std::string value;
   Counts drawn;
-  std::uint64_t asked = 0;
+  std::uint64_t expected = 0;
 };
 
 std::uint64_t Total(const std::vector<std::pair<std::string, Counts>>& values) {
@@ -29,7 +28,7 @@ std::uint64_t Total(const std::vector<std::pair<std::string, Counts>>& values) {
   return total;
 }
 
-// The values of both, in the order of what was asked for.
+// Returns a row for each value: first the expected values, then further drawn ones.
 std::vector<Row> RowsOf(const BarChart& chart) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> places;
@@ -38,16 +37,16 @@ std::vector<Row> RowsOf(const BarChart& chart) {
     if (is_new) rows.push_back({value, {}, 0});
     return rows[place->second];
   };
-  for (const auto& [value, counts] : chart.asked) row_of(value).asked = counts.all;
+  for (const auto& [value, counts] : chart.expected) row_of(value).expected = counts.all;
   for (const auto& [value, counts] : chart.drawn) row_of(value).drawn = counts;
   if (rows.size() <= kMaxRows) return rows;
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.drawn.all > b.drawn.all; });
-  Row others{fmt::format("{} others", Counted(rows.size() - kMaxRows + 1)), {}, 0};
+  Row others{fmt::format("{} others", CountText(rows.size() - kMaxRows + 1)), {}, 0};
   for (std::size_t i = kMaxRows - 1; i < rows.size(); ++i) {
     others.drawn.all += rows[i].drawn.all;
     others.drawn.bad += rows[i].drawn.bad;
-    others.asked += rows[i].asked;
+    others.expected += rows[i].expected;
   }
   rows.resize(kMaxRows - 1);
   rows.push_back(std::move(others));
@@ -58,30 +57,31 @@ double Share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// How many were drawn and asked for, and the largest share of a value.
+// Total numbers of drawn and expected values, and the largest share of a value.
 struct Totals {
   std::uint64_t drawn = 0;
-  std::uint64_t asked = 0;
+  std::uint64_t expected = 0;
   double most = 1e-9;
 
   double Width(std::uint64_t part, std::uint64_t whole) const {
-    return Share(part, whole) / most * (kBarRight - kBarLeft);
+    return Share(part, whole) / most * (kBarFrame.right - kBarFrame.left);
   }
 };
 
 Totals TotalsOf(const BarChart& chart, const std::vector<Row>& rows) {
-  Totals totals{.drawn = Total(chart.drawn), .asked = Total(chart.asked)};
+  Totals totals{.drawn = Total(chart.drawn), .expected = Total(chart.expected)};
   for (const Row& row : rows) {
-    totals.most =
-        std::max({totals.most, Share(row.drawn.all, totals.drawn), Share(row.asked, totals.asked)});
+    totals.most = std::max(
+        {totals.most, Share(row.drawn.all, totals.drawn), Share(row.expected, totals.expected)});
   }
   return totals;
 }
 
 std::string TextOf(const Row& row, const Totals& totals) {
   std::string text = fmt::format("{}: {} ({})", Clean(row.value, 80),
-                                 ShareText(row.drawn.all, totals.drawn), Counted(row.drawn.all));
-  if (totals.asked > 0) text += fmt::format(", expected {}", ShareText(row.asked, totals.asked));
+                                 ShareText(row.drawn.all, totals.drawn), CountText(row.drawn.all));
+  if (totals.expected > 0)
+    text += fmt::format(", expected {}", ShareText(row.expected, totals.expected));
   return text;
 }
 
@@ -98,10 +98,11 @@ void AddRow(Dictionary& dictionary, const Row& row, const Totals& totals, double
     Set(bad, "TOP", top);
     Set(bad, "WIDTH", totals.Width(row.drawn.bad, totals.drawn));
   }
-  if (totals.asked > 0) {
-    Set(Section(shown, "ASKED"), "PATH",
-        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarLeft, top - 1.5,
-                    kBarLeft + totals.Width(row.asked, totals.asked), kBar + 3, kBarLeft));
+  if (totals.expected > 0) {
+    Set(Section(shown, "EXPECTED"), "PATH",
+        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarFrame.left, top - 1.5,
+                    kBarFrame.left + totals.Width(row.expected, totals.expected), kBar + 3,
+                    kBarFrame.left));
   }
 }
 
@@ -112,7 +113,7 @@ void AddBars(Dictionary& parent, const BarChart& chart) {
   const Totals totals = TotalsOf(chart, rows);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
   std::string description;
-  double top = 4;
+  double top = kBarFrame.top;
   for (const Row& row : rows) {
     AddRow(dictionary, row, totals, top);
     description += (description.empty() ? "" : "; ") + TextOf(row, totals);

@@ -1,3 +1,5 @@
+// Rows of the table of variants: picture, parameters, findings, command.
+
 #include "mjforge/report/cards.h"
 
 #include <fmt/format.h>
@@ -9,7 +11,6 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/report/axis.h"
-#include "mjforge/report/picture_bytes.h"
 
 namespace mjforge::report {
 namespace {
@@ -17,9 +18,9 @@ namespace {
 using manifest::Record;
 using Params = std::vector<std::pair<std::string, sample::ParameterValue>>;
 
-constexpr std::size_t kOpenParams = 6;   // seen at once
-constexpr std::size_t kMaxParams = 40;   // seen at all
-constexpr std::size_t kNamedParams = 3;  // in a picture's name
+constexpr std::size_t kOpenParams = 6;   // shown without a click
+constexpr std::size_t kMaxParams = 40;   // in the page
+constexpr std::size_t kNamedParams = 3;  // in the alternative text of a picture
 constexpr std::size_t kMaxFindings = 4;
 constexpr std::size_t kValueBytes = 120;
 
@@ -41,10 +42,10 @@ bool Varies(const ParameterTally& tally) {
   });
 }
 
-// "0.123 kg"; a number that JavaScript reads for the sorting.
+// Sets the text of a measure ("0.123 kg"), and the number by which the page's script sorts.
 void SetMeasure(Dictionary& card, const char* text, const char* number, std::optional<double> value,
                 std::string_view unit) {
-  Set(card, text, value ? fmt::format("{} {}", Shown(*value), unit) : "none");
+  Set(card, text, value ? fmt::format("{} {}", ShortNumber(*value), unit) : "none");
   Set(card, number, value ? expr::NumberText(*value) : "");
 }
 
@@ -61,12 +62,12 @@ class CardMaker {
  public:
   CardMaker(const Batch& batch, const Request& request, const Thumbnailer& thumbnailer)
       : batch_(batch), request_(request), thumbnailer_(thumbnailer) {
-    for (const ParameterTally& tally : batch.gathered.params.list()) {
+    for (const ParameterTally& tally : batch.summary.params.list()) {
       if (Varies(tally)) varied_.insert(tally.name);
     }
   }
 
-  // `has_picture`: whether it has one, or no file that one could be of.
+  // Sets `has_picture` to false if the variant has a file but no picture.
   std::string Make(const ShownVariant& shown, bool& has_picture) const {
     const Record& record = shown.record;
     ctemplate::TemplateDictionary card("card");
@@ -78,8 +79,8 @@ class CardMaker {
     SetMeasure(card, "SIZE", "SIZE_NUMBER", measured(MeasureId::kSize), "m");
     const std::optional<double> rest = measured(MeasureId::kTimeToRest);
     SetMeasure(card, "IGNORED", "REST_NUMBER", rest, "s");
-    if (batch_.gathered.HasPhysics())
-      ShowText(card, "REST", rest ? fmt::format("{} s", Shown(*rest)) : "not at rest");
+    if (batch_.summary.HasPhysics())
+      ShowText(card, "REST", rest ? fmt::format("{} s", ShortNumber(*rest)) : "not at rest");
     Set(card, "REPLAY", ReplayCommand(request_, record.index));
     const Params params = Sorted(record.params);
     AddParams(card, params);
@@ -89,7 +90,7 @@ class CardMaker {
   }
 
  private:
-  // Those that differ between variants first.
+  // Moves parameters that differ between variants to the front.
   Params Sorted(Params params) const {
     std::stable_partition(params.begin(), params.end(),
                           [&](const auto& param) { return varied_.contains(param.first); });
@@ -138,9 +139,8 @@ class CardMaker {
   }
 
   bool AddPicture(Dictionary& card, const Record& record, const Params& params) const {
-    const std::optional<std::string> bytes = thumbnailer_(record);
-    const std::optional<PictureInfo> info = bytes ? ReadPictureInfo(*bytes) : std::nullopt;
-    if (!info) {
+    const std::optional<Thumbnail> thumbnail = thumbnailer_(record);
+    if (!thumbnail) {
       ShowText(card, "NO_PICTURE",
                record.file.empty() ? "no picture: it has no file"
                                    : "no picture: its file cannot be shown");
@@ -152,10 +152,10 @@ class CardMaker {
                          ValueText(params[i].second), UnitOf(params[i].first));
     }
     Dictionary& picture = Section(card, "PICTURE");
-    Set(picture, "DATA", fmt::format("data:{};base64,{}", info->type, Base64(*bytes)));
+    Set(picture, "DATA", "data:image/webp;base64," + Base64(thumbnail->webp));
     Set(picture, "ALT", alt);
-    Set(picture, "WIDTH", fmt::format("{}", info->width));
-    Set(picture, "HEIGHT", fmt::format("{}", info->height));
+    Set(picture, "WIDTH", fmt::format("{}", thumbnail->width));
+    Set(picture, "HEIGHT", fmt::format("{}", thumbnail->height));
     return true;
   }
 
@@ -165,8 +165,8 @@ class CardMaker {
   std::set<std::string> varied_;
 };
 
-// The failed and the slow as they come, then the sample in bit-reversed order: the first few of it
-// are spread over all.
+// Returns the failed and slow variants in their order, then the sample in bit-reversed order, any
+// first part of which is spread over the whole sample.
 std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) {
   const auto sample =
       std::ranges::find(chosen, ShownVariant::Reason::kSample, &ShownVariant::reason);

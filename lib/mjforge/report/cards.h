@@ -1,3 +1,5 @@
+// Rows of the table of variants.
+
 #pragma once
 
 #include <string>
@@ -8,24 +10,24 @@
 
 namespace mjforge::report {
 
-/// The variants that a page shows, each a row of its table.
+/// Rows for the variants that a page shows, and their numbers.
 struct Cards {
   std::string html;
   std::size_t failed = 0;
   std::size_t slow = 0;
   std::size_t sampled = 0;
-  std::size_t without_picture = 0;  // though they have a file
-  std::size_t left_out = 0;         // for want of room
+  std::size_t without_picture = 0;  // although the variants have a file
+  std::size_t left_out = 0;         // because the page is full
 
   std::size_t shown() const { return failed + slow + sampled; }
 };
 
-/// As many of the chosen as fit into `room` bytes: the failed, the slow, then the others, ordered
-/// so that the first few, however many, are spread over the batch.
+/// Makes the rows of the chosen variants until they fill `room` bytes: failed variants, slow ones,
+/// then the sample, in an order in which any first part is spread over the batch.
 Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
                 const Thumbnailer& thumbnailer, std::size_t room);
 
-/// The command that regenerates a variant.
+/// Returns the command that regenerates a variant.
 std::string ReplayCommand(const Request& request, std::uint64_t index);
 
 }  // namespace mjforge::report

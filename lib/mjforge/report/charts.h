@@ -1,6 +1,6 @@
-#pragma once
+// Charts of a page, as SVG that is 360 units wide.
 
-// The charts of a page: numbers -> places on an SVG 360 units wide.
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -9,37 +9,50 @@
 #include <vector>
 
 #include "mjforge/report/axis.h"
-#include "mjforge/report/gather.h"
+#include "mjforge/report/manifest_summary.h"
 #include "mjforge/report/tallies.h"
 #include "mjforge/report/templates.h"
 
 namespace mjforge::report {
 
-/// Ticks as sections with AT and LABEL.
-void AddTicks(Dictionary& chart, const char* section, const std::vector<Axis::Tick>& ticks);
+/// Edges of a chart's plot area, in units of the SVG; must match the chart's template.
+struct Frame {
+  double left = 46;
+  double right = 350;
+  double top = 18;
+  double bottom = 160;
+};
+inline constexpr Frame kHistogramFrame;
+inline constexpr Frame kScatterFrame = {.bottom = 220};
+inline constexpr Frame kBarFrame = {.left = 120, .right = 300, .top = 4};
+
+/// Fills in an axis: AXIS_TICK sections with AT and LABEL, and AXIS_LABEL, where `axis` is X or Y.
+void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,
+             std::string_view label);
 
 struct HistogramChart {
-  std::string id;       // of the page's elements; no two the same
+  std::string id;       // unique in the page
   std::string title;    // "handle_length, m"
   std::string x_label;  // "m"
   const NumberTally* drawn = nullptr;
-  const NumberTally* asked = nullptr;  // null: not known
-  bool whole = false;                  // all numbers are: a bin begins and ends between two
+  const NumberTally* expected = nullptr;  // null: not known
+  bool whole = false;                     // whole numbers: the edges of bins are between them
 };
-/// Bars for what was drawn, with the bad variants marked in them, and a line for what the spec asks
-/// for, scaled to the same total.
+/// Adds bars for the drawn values, in which the bad variants are marked, and a line for the
+/// expected values, scaled to the same total.
 void AddHistogram(Dictionary& parent, const HistogramChart& chart);
 
 struct BarChart {
   std::string id;
   std::string title;
   std::vector<std::pair<std::string, Counts>> drawn;
-  std::vector<std::pair<std::string, Counts>> asked;  // empty: not known
+  std::vector<std::pair<std::string, Counts>> expected;  // empty: not known
 };
-/// A row for each value that was drawn or asked for; if there are very many, for the most frequent.
+/// Adds a row for each value that was drawn or expected, or only for the most frequent values if
+/// there are too many.
 void AddBars(Dictionary& parent, const BarChart& chart);
 
-/// Mass against size.
+/// Adds a scatter plot of mass against size; `points` are a sample of `all` objects.
 void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t all);
 
 }  // namespace mjforge::report

@@ -1,3 +1,5 @@
+// Histogram with cells of 2^k that adapt to the range of the numbers.
+
 #include "mjforge/report/histogram.h"
 
 #include <algorithm>
@@ -6,27 +8,27 @@
 namespace mjforge::report {
 namespace {
 
-// Cells are numbered exactly up to here: the digits of a double.
+// Bits of a cell number that a double represents exactly.
 constexpr int kDigits = 52;
-// Below the smallest number that keeps all its digits.
+// Binary exponent of the smallest positive (denormal) double.
 constexpr int kLeastExponent = -1074;
 
 int ExponentOf(double value) { return value == 0 ? kLeastExponent : std::ilogb(value); }
 
 }  // namespace
 
-void Numbers::Add(double value) {
+void Statistics::Add(double value) {
   min = count == 0 ? value : std::min(min, value);
   max = count == 0 ? value : std::max(max, value);
   ++count;
   const auto n = static_cast<double>(count);
   const double distance = value - mean;
-  // The largest numbers of both signs have no distance that is a number.
+  // The difference of two huge numbers of opposite signs overflows.
   mean += std::isfinite(distance) ? distance / n : value / n - mean / n;
   m2 += distance * (value - mean);
 }
 
-double Numbers::StandardDeviation() const {
+double Statistics::StandardDeviation() const {
   return count == 0 ? 0 : std::sqrt(m2 / static_cast<double>(count));
 }
 
@@ -68,7 +70,7 @@ std::vector<std::uint64_t> Histogram::Bins(double lo, double hi, std::size_t bin
     const double middle = MiddleOf(i);
     const double half = std::ldexp(0.5, exponent_);
     if (middle + half <= lo || middle - half > hi) continue;
-    // A cell on an end belongs to the bin there.
+    // A cell at either end counts in the bin at this end.
     const double place =
         std::clamp(middle / width - lo / width, 0.0, static_cast<double>(bins - 1));
     counts[static_cast<std::size_t>(place)] += cells_[i];
@@ -85,7 +87,7 @@ double Histogram::MiddleOf(std::size_t cell) const {
   return std::ldexp(number + 0.5, exponent_);
 }
 
-// To cells of 2^exponent, a wider one.
+// Merges cells so that they are 2^exponent wide, which is wider than before.
 void Histogram::Coarsen(int exponent) {
   const int shift = std::min(exponent - exponent_, 63);
   const std::int64_t first = first_ >> shift;

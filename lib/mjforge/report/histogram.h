@@ -1,3 +1,5 @@
+// Statistics and histograms of numbers, in one pass and bounded memory.
+
 #pragma once
 
 #include <cstddef>
@@ -6,40 +8,39 @@
 
 namespace mjforge::report {
 
-/// What numbers add up to. Exact enough for any count: the mean is Welford's.
-struct Numbers {
+/// Count, range, mean and variance of numbers, by Welford's algorithm, which is accurate for any
+/// count.
+struct Statistics {
   std::uint64_t count = 0;
   double min = 0;
   double max = 0;
   double mean = 0;
-  double m2 = 0;  // sum of squared distances from the mean
+  double m2 = 0;  // sum of squared differences from the mean
   void Add(double value);
-  /// Of the whole population; 0 for one.
+  /// Standard deviation of the population (dividing by count, not count - 1).
   double StandardDeviation() const;
 };
 
-/// Counts of numbers whose range is not known in advance, in bounded memory. The cells are as wide
-/// as the smallest power of two that lets all numbers fit in kCells of them, so that they depend on
-/// the numbers alone and not on their order: neighbours are merged in pairs when a number falls
-/// outside.
+/// Histogram of numbers whose range is not known in advance, in bounded memory. The width of a cell
+/// is the smallest power of two for which kCells cells cover all numbers; pairs of cells are merged
+/// when a new number is outside. The histogram does not depend on the order of the numbers.
 class Histogram {
  public:
   static constexpr std::int64_t kCells = 8192;
 
-  /// Numbers that are not finite are skipped.
+  /// Ignores numbers that are not finite.
   void Add(double value);
 
   std::uint64_t count() const { return numbers_.count; }
-  /// Exact; 0 without numbers.
+  /// Exact values, or 0 if there are no numbers.
   double min() const { return numbers_.min; }
   double max() const { return numbers_.max; }
   double mean() const { return numbers_.mean; }
-  /// Of the whole population.
   double StandardDeviation() const { return numbers_.StandardDeviation(); }
-  /// The number below which a share `q` of all numbers lies, to within the width of a cell.
+  /// Returns the q-quantile, with an error of at most the width of a cell.
   double Quantile(double q) const;
-  /// Counts in `bins` intervals of one width from lo to hi, lo < hi. A cell counts in the bin that
-  /// holds its middle; a middle at lo or hi counts in the bin there, and one outside is left out.
+  /// Returns the counts in `bins` intervals of equal width from lo to hi, where lo < hi. A cell
+  /// counts in the bin that contains its middle. Cells outside of [lo, hi] are ignored.
   std::vector<std::uint64_t> Bins(double lo, double hi, std::size_t bins) const;
 
  private:
@@ -47,10 +48,10 @@ class Histogram {
   double MiddleOf(std::size_t cell) const;
   void Coarsen(int exponent);
 
-  Numbers numbers_;
+  Statistics numbers_;
   int exponent_ = 0;                  // a cell is 2^exponent_ wide
-  std::int64_t first_ = 0;            // the number of cells_[0]: it starts at first_ * 2^exponent_
-  std::vector<std::uint64_t> cells_;  // from that of min() to that of max()
+  std::int64_t first_ = 0;            // cells_[0] starts at first_ * 2^exponent_
+  std::vector<std::uint64_t> cells_;  // from the cell of min() to the cell of max()
 };
 
 }  // namespace mjforge::report

@@ -1,3 +1,5 @@
+// Measures of a variant that a report shows: mass, size, results of physics checks.
+
 #pragma once
 
 #include <optional>
@@ -8,7 +10,7 @@
 
 namespace mjforge::report {
 
-/// What a record says of its object in one number.
+/// A number in a record that describes the object.
 enum class MeasureId {
   kMass,
   kSize,
@@ -29,20 +31,20 @@ enum class MeasureId {
 
 struct Measure {
   MeasureId id;
-  std::string_view key;  // as the record has it
+  std::string_view key;  // in the record
   std::string_view title;
   std::string_view unit;
   std::string_view doc;
   std::optional<double> (*of)(const manifest::Record&);
-  bool is_physics = false;  // of objects that were dropped or driven
+  bool is_physics = false;  // result of a physics check
   bool is_whole = false;    // a count
 };
 
-/// In the order of MeasureId.
+/// All measures, in the order of MeasureId.
 std::span<const Measure> Measures();
 const Measure& MeasureOf(MeasureId id);
 
-/// The largest side of the object's box, m; nothing if there is no object.
+/// Returns the largest side of the object's bounding box, m; nothing if there is no object.
 std::optional<double> SizeOf(const manifest::Record& record);
 
 }  // namespace mjforge::report

@@ -1,3 +1,5 @@
+// Overview of a batch: title, statuses, facts and notices.
+
 #include <fmt/format.h>
 
 #include "mjforge/report/sections.h"
@@ -5,33 +7,33 @@
 namespace mjforge::report {
 namespace {
 
-// The bar's own units.
+// Width of the bar of statuses, in units of its SVG.
 constexpr double kBarWidth = 1000;
 
-void AddStatuses(Dictionary& page, const Gathered& gathered) {
-  if (gathered.variants == 0) return;
+void AddStatuses(Dictionary& page, const ManifestSummary& summary) {
+  if (summary.variants == 0) return;
   Dictionary& statuses = Section(page, "STATUSES");
-  std::string summary;
+  std::string text;
   double x = 0;
   using manifest::Status;
   for (const Status which : {Status::kOk, Status::kFailed, Status::kSkipped}) {
     const std::string_view status = NameOf(which);
-    const std::uint64_t count = gathered.statuses.Of(which);
-    summary += fmt::format("{}{} {}", summary.empty() ? "" : ", ", Counted(count), status);
+    const std::uint64_t count = summary.statuses.Of(which);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", CountText(count), status);
     Dictionary& tile = Section(statuses, "TILE");
     Set(tile, "STATUS", status);
-    Set(tile, "NUMBER", Counted(count));
-    Set(tile, "SHARE", ShareText(count, gathered.variants));
+    Set(tile, "NUMBER", CountText(count));
+    Set(tile, "SHARE", ShareText(count, summary.variants));
     if (count == 0) continue;
     Dictionary& piece = Section(statuses, "PIECE");
     const double width =
-        kBarWidth * static_cast<double>(count) / static_cast<double>(gathered.variants);
+        kBarWidth * static_cast<double>(count) / static_cast<double>(summary.variants);
     Set(piece, "STATUS", status);
     Set(piece, "X", x);
     Set(piece, "WIDTH", width);
     x += width;
   }
-  Set(statuses, "SUMMARY", summary);
+  Set(statuses, "SUMMARY", text);
 }
 
 void AddFact(Dictionary& page, std::string_view key, std::string_view value) {
@@ -42,14 +44,14 @@ void AddFact(Dictionary& page, std::string_view key, std::string_view value) {
   if (value.size() > 40) Section(fact, "WIDE");
 }
 
-void AddFacts(Dictionary& page, const Gathered& gathered) {
-  if (!gathered.first) return;
-  const manifest::Record& record = *gathered.first;
+void AddFacts(Dictionary& page, const ManifestSummary& summary) {
+  if (!summary.first) return;
+  const manifest::Record& record = *summary.first;
   AddFact(page, "Spec", Clean(record.spec));
   AddFact(page, "Seed", fmt::format("{}", record.seed));
   AddFact(page, "Indices",
-          gathered.variants == 1 ? fmt::format("{}", record.index)
-                                 : fmt::format("{} to {}", record.index, gathered.last_index));
+          summary.variants == 1 ? fmt::format("{}", record.index)
+                                : fmt::format("{} to {}", record.index, summary.last_index));
   AddFact(page, "Target", Clean(record.target));
   AddFact(page, "Validated by",
           record.validate == manifest::Validation::kNone ? "nothing" : NameOf(record.validate));
@@ -64,19 +66,19 @@ void AddFacts(Dictionary& page, const Gathered& gathered) {
 }  // namespace
 
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch) {
-  const Gathered& gathered = batch.gathered;
-  const std::string name = batch.recipe     ? batch.recipe->spec->name
-                           : gathered.first ? gathered.first->spec
-                                            : std::string("Empty batch");
+  const ManifestSummary& summary = batch.summary;
+  const std::string name = batch.recipe    ? batch.recipe->spec->name
+                           : summary.first ? summary.first->spec
+                                           : std::string("Empty batch");
   Set(page, "VERSION", forge::Version());
   Set(page, "NAME", Clean(name));
-  Set(page, "COUNT", Counted(gathered.variants, "variant"));
+  Set(page, "COUNT", CountText(summary.variants, "variant"));
   Set(page, "TITLE",
-      fmt::format("{}: {} - mjforge report", Clean(name), Counted(gathered.variants, "variant")));
+      fmt::format("{}: {} - mjforge report", Clean(name), CountText(summary.variants, "variant")));
   Set(page, "MANIFEST", Clean(request.manifest.generic_string()));
   if (batch.recipe) ShowText(page, "DESCRIPTION", Clean(batch.recipe->spec->description, 1000));
-  AddStatuses(page, gathered);
-  AddFacts(page, gathered);
+  AddStatuses(page, summary);
+  AddFacts(page, summary);
   if (batch.notices.empty()) return;
   Dictionary& notices = Section(page, "HAS_NOTICES");
   for (const std::string& notice : batch.notices)

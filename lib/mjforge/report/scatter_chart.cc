@@ -1,3 +1,5 @@
+// Scatter plot of mass against size.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +9,7 @@
 namespace mjforge::report {
 namespace {
 
-// As scatter.html has them.
-constexpr double kScatterLeft = 46;
-constexpr double kScatterRight = 350;
-constexpr double kScatterTop = 18;
-constexpr double kScatterBottom = 220;
-
-// Where one number is this many times the other, equal steps show only the large ones.
+// Ratio of the largest to the smallest number from which on an axis is logarithmic.
 constexpr double kWide = 20;
 
 Axis AxisOf(std::vector<double> values, double start, double end) {
@@ -26,7 +22,7 @@ Axis AxisOf(std::vector<double> values, double start, double end) {
 
 std::string RangeText(std::vector<double> values, std::string_view unit) {
   const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-  return fmt::format("{} to {} {}", Shown(*lo), Shown(*hi), unit);
+  return fmt::format("{} to {} {}", ShortNumber(*lo), ShortNumber(*hi), unit);
 }
 
 }  // namespace
@@ -38,8 +34,8 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
     sizes.push_back(point.size);
     masses.push_back(point.mass);
   }
-  const Axis x = AxisOf(sizes, kScatterLeft, kScatterRight);
-  const Axis y = AxisOf(masses, kScatterBottom, kScatterTop);
+  const Axis x = AxisOf(sizes, kScatterFrame.left, kScatterFrame.right);
+  const Axis y = AxisOf(masses, kScatterFrame.bottom, kScatterFrame.top);
   std::string good;
   std::string bad;
   for (const Point& point : points) {
@@ -54,12 +50,10 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
   Dictionary& chart = Include(parent, "SCATTER", TemplateName::kScatter);
   Set(chart, "TITLE", "Mass against size");
   Set(chart, "DESCRIPTION",
-      fmt::format("{} of {}: size {}, mass {}", Counted(points.size()), Counted(all, "object"),
+      fmt::format("{} of {}: size {}, mass {}", CountText(points.size()), CountText(all, "object"),
                   RangeText(sizes, "m"), RangeText(masses, "kg")));
-  Set(chart, "X_LABEL", "size, m");
-  Set(chart, "Y_LABEL", "mass, kg");
-  AddTicks(chart, "X_TICK", x.Ticks(5));
-  AddTicks(chart, "Y_TICK", y.Ticks(5));
+  AddAxis(chart, "X", x.Ticks(5), "size, m");
+  AddAxis(chart, "Y", y.Ticks(5), "mass, kg");
   Set(chart, "GOOD", good);
   if (!bad.empty()) Set(Section(chart, "BAD"), "PATH", bad);
 }

@@ -1,3 +1,5 @@
+// Sections of a page: findings, parameters, mass and size, physics.
+
 #include "mjforge/report/sections.h"
 
 #include <fmt/format.h>
@@ -10,7 +12,7 @@
 namespace mjforge::report {
 namespace {
 
-// A page has room for so many charts.
+// Maximum numbers of parameters on a page, and of charts for the components of a vector.
 constexpr std::size_t kMaxParameters = 100;
 constexpr std::size_t kMaxComponents = 6;
 
@@ -28,7 +30,7 @@ void AddCode(Dictionary& list, const std::string& name, const CodeTally& tally,
   Set(code, "NAME", Clean(name));
   Set(code, "MEANING", MeaningOf(name));
   Set(code, "SEVERITY", example.severity == "warning" ? "warning" : "error");
-  Set(code, "VARIANTS", Counted(tally.variants));
+  Set(code, "VARIANTS", CountText(tally.variants));
   Set(code, "SHARE", share);
   Set(code, "PERCENT", 100 * static_cast<double>(tally.variants) / static_cast<double>(variants));
   ShowText(code, "PLACE", Clean(example.place));
@@ -38,18 +40,19 @@ void AddCode(Dictionary& list, const std::string& name, const CodeTally& tally,
 }
 
 std::string StatisticsText(const Histogram& numbers) {
-  return fmt::format("{} to {}, mean {}, std {}", Shown(numbers.min()), Shown(numbers.max()),
-                     Shown(numbers.mean()), Shown(numbers.StandardDeviation()));
+  return fmt::format("{} to {}, mean {}, std {}", ShortNumber(numbers.min()),
+                     ShortNumber(numbers.max()), ShortNumber(numbers.mean()),
+                     ShortNumber(numbers.StandardDeviation()));
 }
 
 bool IsConstant(const Histogram& numbers) { return numbers.min() == numbers.max(); }
 
-// A histogram and what it adds up to, or the one value.
+// Adds a histogram and its statistics, or the value if all numbers are equal.
 void AddNumbers(Dictionary& panel, HistogramChart chart) {
   const Histogram& numbers = chart.drawn->all;
-  if (chart.asked != nullptr && chart.asked->all.count() == 0) chart.asked = nullptr;
-  if (IsConstant(numbers) && (chart.asked == nullptr || IsConstant(chart.asked->all))) {
-    ShowText(panel, "CONSTANT", Shown(numbers.min()));
+  if (chart.expected != nullptr && chart.expected->all.count() == 0) chart.expected = nullptr;
+  if (IsConstant(numbers) && (chart.expected == nullptr || IsConstant(chart.expected->all))) {
+    ShowText(panel, "CONSTANT", ShortNumber(numbers.min()));
     return;
   }
   AddHistogram(panel, chart);
@@ -61,17 +64,17 @@ std::string ComponentName(std::size_t i, std::size_t count) {
   return count <= kNames.size() ? std::string(kNames[i]) : fmt::format("{}", i);
 }
 
-// Panels of one parameter: the first has its words.
+// Adds the panels of one parameter; the first panel has the description.
 class ParameterPanels {
  public:
   ParameterPanels(Dictionary& list, const Batch& batch, const ParameterTally& drawn,
                   std::size_t number)
       : list_(list),
         drawn_(drawn),
-        asked_(batch.asked ? batch.asked->Find(drawn.name) : nullptr),
+        expected_(batch.expected ? batch.expected->Find(drawn.name) : nullptr),
         declared_(ParameterOf(batch, drawn.name)),
         id_(fmt::format("parameter-{}", number)) {
-    const auto& settings = batch.gathered.first->settings;
+    const auto& settings = batch.summary.first->settings;
     is_set_ = std::any_of(settings.begin(), settings.end(),
                           [&](const auto& setting) { return setting.first == drawn.name; });
   }
@@ -85,24 +88,24 @@ class ParameterPanels {
     const std::size_t count = drawn_.numbers.size();
     for (std::size_t i = 0; i < std::min(count, kMaxComponents); ++i) {
       Dictionary& panel = AddPanel(count == 1 ? "" : "." + ComponentName(i, count), i == 0);
-      const bool is_known = asked_ != nullptr && i < asked_->numbers.size();
+      const bool is_known = expected_ != nullptr && i < expected_->numbers.size();
       AddNumbers(panel, {fmt::format("{}-{}", id_, i), Title(), Unit(), &drawn_.numbers[i],
-                         is_known ? &asked_->numbers[i] : nullptr});
+                         is_known ? &expected_->numbers[i] : nullptr});
     }
   }
 
  private:
   void AddValues(const std::vector<std::pair<std::string, Counts>>& values) {
     Dictionary& panel = AddPanel("", true);
-    const auto asked = asked_ == nullptr ? decltype(drawn_.Values()){} : asked_->Values();
-    if (values.size() == 1 && asked.size() <= 1) {
+    const auto expected = expected_ == nullptr ? decltype(drawn_.Values()){} : expected_->Values();
+    if (values.size() == 1 && expected.size() <= 1) {
       ShowText(panel, "CONSTANT", Clean(values.front().first));
     } else {
-      AddBars(panel, {id_, Title(), values, asked});
+      AddBars(panel, {id_, Title(), values, expected});
       if (drawn_.more_texts) {
         ShowText(panel, "NOTE",
                  fmt::format("Only the first {} different texts are shown.",
-                             Counted(ParameterTally::kMaxTexts)));
+                             CountText(ParameterTally::kMaxTexts)));
       }
     }
   }
@@ -128,7 +131,7 @@ class ParameterPanels {
 
   Dictionary& list_;
   const ParameterTally& drawn_;
-  const ParameterTally* asked_;
+  const ParameterTally* expected_;
   const spec::Parameter* declared_;
   std::string id_;
   bool is_set_ = false;
@@ -143,8 +146,8 @@ std::string WordsOf(const Trial& trial) {
     case Trial::Kind::kFits:
       return "All that has to fit into holes goes in.";
     case Trial::Kind::kGrasps:
-      return fmt::format("Jaws lift and hold it; {} of {} do.", Counted(trial.held),
-                         Counted(trial.ways, "way"));
+      return fmt::format("Jaws lift and hold it; {} of {} do.", CountText(trial.held),
+                         CountText(trial.ways, "way"));
   }
   return {};
 }
@@ -157,18 +160,18 @@ void AddTrials(Dictionary& section, const Trials& trials) {
     const std::uint64_t all = trial.passed + trial.failed;
     Set(row, "NAME", trial.name.empty() ? "grasp" : Clean(trial.name));
     Set(row, "MEANING", WordsOf(trial));
-    Set(row, "PASSED", Counted(trial.passed));
-    Set(row, "FAILED", Counted(trial.failed));
+    Set(row, "PASSED", CountText(trial.passed));
+    Set(row, "FAILED", CountText(trial.failed));
     Set(row, "SHARE", ShareText(trial.passed, all));
     Set(row, "PERCENT", 100 * static_cast<double>(trial.passed) / static_cast<double>(all));
   }
 }
 
-// Measures that belong together, but for those that nothing was measured of.
-void AddMeasures(Dictionary& section, const Gathered& gathered, bool physics) {
-  for (std::size_t i = 0; i < gathered.measures.size(); ++i) {
+// Adds the measures with values: those of the physics checks, or all others.
+void AddMeasures(Dictionary& section, const ManifestSummary& summary, bool physics) {
+  for (std::size_t i = 0; i < summary.measures.size(); ++i) {
     const Measure& measure = Measures()[i];
-    const NumberTally& tally = gathered.measures[i];
+    const NumberTally& tally = summary.measures[i];
     if (measure.is_physics != physics || tally.all.count() == 0) continue;
     Dictionary& panel = Section(section, "MEASURE");
     const std::string title = measure.unit.empty()
@@ -184,84 +187,84 @@ void AddMeasures(Dictionary& section, const Gathered& gathered, bool physics) {
 
 }  // namespace
 
-void AddFindings(Dictionary& body, const Gathered& gathered) {
-  if (gathered.codes.empty()) {
+void AddFindings(Dictionary& body, const ManifestSummary& summary) {
+  if (summary.codes.empty()) {
     Section(body, "NO_FINDINGS");
     return;
   }
   Dictionary& list = Section(body, "HAS_FINDINGS");
   std::vector<std::pair<std::string, const CodeTally*>> codes;
-  for (const auto& [name, tally] : gathered.codes) codes.emplace_back(name, &tally);
-  // Errors first, then the most frequent.
+  for (const auto& [name, tally] : summary.codes) codes.emplace_back(name, &tally);
+  // Errors first, then by frequency.
   std::stable_sort(codes.begin(), codes.end(), [](const auto& a, const auto& b) {
     const bool a_warns = a.second->example.severity == "warning";
     const bool b_warns = b.second->example.severity == "warning";
     return a_warns != b_warns ? b_warns : a.second->variants > b.second->variants;
   });
-  for (const auto& [name, tally] : codes) AddCode(list, name, *tally, gathered.variants);
+  for (const auto& [name, tally] : codes) AddCode(list, name, *tally, summary.variants);
 }
 
 void AddParameters(Dictionary& body, const Batch& batch) {
-  const std::vector<ParameterTally>& drawn = batch.gathered.params.list();
+  const std::vector<ParameterTally>& drawn = batch.summary.params.list();
   if (drawn.empty()) return;
   Section(body, "PARAMETERS_LINK");
   Dictionary& section = Section(body, "PARAMETERS");
-  if (batch.gathered.statuses.ok < batch.gathered.variants) Section(section, "ANY_BAD");
-  if (batch.asked) Section(section, "ANY_ASKED");
+  if (batch.summary.statuses.ok < batch.summary.variants) Section(section, "ANY_BAD");
+  if (batch.expected) Section(section, "ANY_EXPECTED");
   if (drawn.size() > kMaxParameters) {
     ShowText(
         section, "MORE",
-        fmt::format("The first {} of {}.", kMaxParameters, Counted(drawn.size(), "parameter")));
+        fmt::format("The first {} of {}.", kMaxParameters, CountText(drawn.size(), "parameter")));
   }
   for (std::size_t i = 0; i < std::min(drawn.size(), kMaxParameters); ++i)
     ParameterPanels(section, batch, drawn[i], i)();
   if (batch.spec_text.empty()) return;
   Dictionary& text = Section(section, "SPEC_TEXT");
-  Set(text, "FILE", Clean(batch.gathered.first->spec));
+  Set(text, "FILE", Clean(batch.summary.first->spec));
   Set(text, "TEXT", batch.spec_text);
 }
 
-void AddMassAndSize(Dictionary& body, const Gathered& gathered) {
-  const std::uint64_t all = gathered.points.seen();
+void AddMassAndSize(Dictionary& body, const ManifestSummary& summary) {
+  const std::uint64_t all = summary.points.seen();
   if (all == 0) return;
   Section(body, "MEASURES_LINK");
   Dictionary& section = Section(body, "MEASURES");
-  const std::vector<Point> points = gathered.points.Take(kMaxPoints);
+  const std::vector<Point> points = summary.points.Take(kMaxPoints);
   std::string text = points.size() < all
                          ? fmt::format("{} of {} are plotted, spread over the batch.",
-                                       Counted(points.size()), Counted(all, "object"))
-                         : fmt::format("{}.", Counted(all, "object"));
+                                       CountText(points.size()), CountText(all, "object"))
+                         : fmt::format("{}.", CountText(all, "object"));
   if (std::any_of(points.begin(), points.end(), [](const Point& point) { return point.is_bad; }))
     text += "  Crosses mark variants that failed.";
   Set(section, "TEXT", text);
   AddScatter(section, points, all);
-  AddMeasures(section, gathered, false);
+  AddMeasures(section, summary, false);
 }
 
-void AddPhysics(Dictionary& body, const Gathered& gathered) {
-  if (!gathered.HasPhysics()) return;
-  const std::uint64_t measured = gathered.Of(MeasureId::kContacts).all.count();
+void AddPhysics(Dictionary& body, const ManifestSummary& summary) {
+  if (!summary.HasPhysics()) return;
+  const std::uint64_t measured = summary.Of(MeasureId::kContacts).all.count();
   Section(body, "PHYSICS_LINK");
   Dictionary& section = Section(body, "PHYSICS");
-  const std::uint64_t dropped = gathered.Of(MeasureId::kDrift).all.count();
+  const std::uint64_t dropped = summary.Of(MeasureId::kDrift).all.count();
   std::string text =
       dropped == 0
           ? std::string("These objects are fixed to the world, so none was dropped.")
           : fmt::format("{} dropped on a floor from 2 mm above it: {} came to rest.",
                         dropped == measured
-                            ? fmt::format("Each of {} was", Counted(dropped))
-                            : fmt::format("{} of {} were", Counted(dropped), Counted(measured)),
-                        Counted(gathered.Of(MeasureId::kTimeToRest).all.count()));
-  if (gathered.Of(MeasureId::kJointReach).all.count() > 0)
+                            ? fmt::format("Each of {} was", CountText(dropped))
+                            : fmt::format("{} of {} were", CountText(dropped), CountText(measured)),
+                        CountText(summary.Of(MeasureId::kTimeToRest).all.count()));
+  if (summary.Of(MeasureId::kJointReach).all.count() > 0)
     text += " Each joint was driven to both ends of its range and back.";
   Set(section, "TEXT", text);
   if (dropped > 0) {
     Dictionary& sizes = Section(section, "SIZES");
-    Set(sizes, "NCON", fmt::format("{:.0f}", gathered.Of(MeasureId::kContacts).all.max()));
-    Set(sizes, "NEFC", fmt::format("{:.0f}", gathered.Of(MeasureId::kConstraints).all.max()));
+    Set(sizes, "NCON", fmt::format("{:.0f}", summary.Of(MeasureId::kContacts).all.max()));
+    Set(sizes, "NEFC", fmt::format("{:.0f}", summary.Of(MeasureId::kConstraints).all.max()));
   }
-  AddTrials(section, gathered.trials);
-  AddMeasures(section, gathered, true);
+  AddTrials(section, summary.trials);
+  AddMeasures(section, summary, true);
 }
 
 }  // namespace mjforge::report

@@ -1,44 +1,44 @@
-#pragma once
+// Sections of a page about the whole batch, which fill the template page.html.
 
-// What a page says of a batch as a whole: numbers -> the holes of page.html.
+#pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mjforge/forge/forge.h"
-#include "mjforge/report/gather.h"
+#include "mjforge/report/manifest_summary.h"
 #include "mjforge/report/report.h"
 #include "mjforge/report/templates.h"
 
 namespace mjforge::report {
 
-/// All that is known.
+/// Data of a batch that a page shows.
 struct Batch {
-  Gathered gathered;
-  std::optional<forge::Recipe> recipe;    // if the spec is still what it was
-  std::optional<ParameterTallies> asked;  // with the recipe
-  std::string spec_text;                  // with the recipe; empty if it is too long
+  ManifestSummary summary;
+  std::optional<forge::Recipe> recipe;       // nothing if the spec is missing or has changed
+  std::optional<ParameterTallies> expected;  // with the recipe
+  std::string spec_text;                     // with the recipe; empty if it is too long
   std::vector<std::string> notices;
 };
 
-/// What the spec asks for, found by drawing its parameters afresh. This is right for every
-/// distribution, for ranges that depend on other parameters, and for requirements. The indices are
-/// the batch's, spread evenly; the seeds are different. Draws that fail are not counted.
-ParameterTallies Ask(const forge::Recipe& recipe, const Gathered& gathered);
+/// Draws the parameters again, which estimates their expected distributions even if ranges depend
+/// on other parameters or requirements reject draws. The indices are spread evenly over the batch;
+/// the seeds are different. Draws that fail are not counted.
+ParameterTallies DrawExpected(const forge::Recipe& recipe, const ManifestSummary& summary);
 
-/// Title, statuses, facts and notices.
+/// Adds title, statuses, facts and notices.
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
 
 // Sections of the body.
-void AddFindings(Dictionary& body, const Gathered& gathered);
+void AddFindings(Dictionary& body, const ManifestSummary& summary);
 void AddParameters(Dictionary& body, const Batch& batch);
-void AddMassAndSize(Dictionary& body, const Gathered& gathered);
-void AddPhysics(Dictionary& body, const Gathered& gathered);
+void AddMassAndSize(Dictionary& body, const ManifestSummary& summary);
+void AddPhysics(Dictionary& body, const ManifestSummary& summary);
 
-/// The spec's parameter of that name; null without a recipe.
+/// Returns the spec's parameter of that name; null without a recipe.
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
-/// Its unit, as a page shows it; empty for the unit 1 and for null.
+/// Returns a parameter's unit as a page shows it; empty for the unit 1 and for null.
 std::string UnitText(const spec::Parameter* parameter);
 
 }  // namespace mjforge::report

@@ -1,3 +1,5 @@
+// Counts of the values of parameters.
+
 #include "mjforge/report/tallies.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 namespace mjforge::report {
 namespace {
 
-// Of a list, the first ones.
+// Maximum number of components of a vector that are counted.
 constexpr std::size_t kMaxNumbers = 8;
 
 void Count(Counts& counts, bool is_bad) {
@@ -31,7 +33,6 @@ void NumberTally::Add(double value, bool is_bad) {
 }
 
 void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
-  ++count;
   if (const auto* text = std::get_if<std::string>(&value)) {
     AddText(*text, is_bad);
   } else if (const auto* flag = std::get_if<bool>(&value)) {
@@ -77,7 +78,7 @@ void ParameterTallies::Add(
     const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad) {
   for (std::size_t i = 0; i < params.size(); ++i) {
     const std::string& name = params[i].first;
-    // The same place in every record of a batch; a search where it is not.
+    // Search only if the position differs from that of the other records.
     auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(i, list_.size()));
     if (known == list_.end() || known->name != name) {
       known = std::ranges::find(list_, name, &ParameterTally::name);

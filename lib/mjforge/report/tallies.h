@@ -1,6 +1,6 @@
-#pragma once
+// Counts of drawn values, for good variants and for failed ones.
 
-// How often each value was drawn, for good variants and for those that failed.
+#pragma once
 
 #include <cstdint>
 #include <map>
@@ -13,14 +13,14 @@
 
 namespace mjforge::report {
 
-/// A number of each variant.
+/// Distribution of a number that each variant has.
 struct NumberTally {
   void Add(double value, bool is_bad);
 
-  Numbers good;
+  Statistics good;
   Histogram all;
   Histogram bad;
-  // Decimal logarithms of the numbers above 0, for charts that want them.
+  // Decimal logarithms of the numbers above 0, for charts with a logarithmic axis.
   Histogram log_all;
   Histogram log_bad;
 };
@@ -34,20 +34,19 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// If there are more texts than this, only the first are counted.
+  /// Maximum number of different texts that are counted.
   static constexpr std::size_t kMaxTexts = 1000;
-  /// Whole numbers are values of their own while they are this few: as many as a chart has bars.
+  /// Maximum number of different whole numbers that are counted one by one, and of bars in a chart.
   static constexpr std::size_t kMaxWhole = 24;
 
   void Add(const sample::ParameterValue& value, bool is_bad);
-  /// Each value that has a bar of its own: texts and booleans by name, whole numbers in
-  /// order while they are few. Empty: it is better shown as a histogram.
+  /// Returns the values for a bar chart: texts and booleans by name, whole numbers in ascending
+  /// order if there are few. Empty if a histogram suits the parameter better.
   std::vector<std::pair<std::string, Counts>> Values() const;
 
   std::string name;
-  std::uint64_t count = 0;
-  std::vector<NumberTally> numbers;  // one; for a vector, one per component
-  bool more_texts = false;           // there were more than kMaxTexts
+  std::vector<NumberTally> numbers;  // a single one, or one per component of a vector
+  bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:
   void AddText(const std::string& text, bool is_bad);
@@ -58,12 +57,12 @@ struct ParameterTally {
   bool all_whole_ = true;
 };
 
-/// The parameters of a batch, in the spec's order.
+/// Tallies of all parameters of a batch, in the spec's order.
 class ParameterTallies {
  public:
   void Add(const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad);
   const std::vector<ParameterTally>& list() const { return list_; }
-  /// Null if there is none of that name.
+  /// Returns null if there is no parameter of that name.
   const ParameterTally* Find(const std::string& name) const;
 
  private:

@@ -1,3 +1,5 @@
+// Templates of the page, expanded by ctemplate, and texts for them.
+
 #include "mjforge/report/templates.h"
 
 #include <ctemplate/template.h>
@@ -5,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 
 #include "mjforge/diag/diag.h"
 
@@ -26,7 +30,7 @@ ctemplate::TemplateString View(std::string_view text) {
   return ctemplate::TemplateString(text.data(), text.size());
 }
 
-// Once in the life of the program.
+// Registers the templates. Call it once per process.
 bool LoadTemplates() {
   const std::array texts = {kPageHtml, kCardHtml, kHistogramHtml, kBarsHtml, kScatterHtml};
   bool loaded = true;
@@ -78,14 +82,22 @@ std::string Clean(std::string_view text, std::size_t limit) {
   return clean.substr(0, end) + "...";
 }
 
-std::string Counted(std::uint64_t number) {
+std::string Base64(std::string_view bytes) {
+  namespace iterators = boost::archive::iterators;
+  using Digits = iterators::base64_from_binary<iterators::transform_width<const char*, 6, 8>>;
+  std::string text(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
+}
+
+std::string CountText(std::uint64_t number) {
   std::string digits = fmt::format("{}", number);
   for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, ",");
   return digits;
 }
 
-std::string Counted(std::uint64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", Counted(number), noun, number == 1 ? "" : "s");
+std::string CountText(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", CountText(number), noun, number == 1 ? "" : "s");
 }
 
 std::string ShareText(std::uint64_t part, std::uint64_t whole) {

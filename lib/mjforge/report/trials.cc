@@ -1,3 +1,5 @@
+// Counts of passed and failed physics tests.
+
 #include "mjforge/report/trials.h"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ void Trials::Add(const physics::Result& result) {
   AddGrasps(result.grasps);
 }
 
-/// One way to hold it at a site is enough.
+// A grasp at a site passes if any way to hold the object succeeds.
 void Trials::AddGrasps(const std::vector<physics::Result::Grasp>& grasps) {
   std::vector<std::pair<std::string, bool>> sites;
   for (const physics::Result::Grasp& grasp : grasps) {

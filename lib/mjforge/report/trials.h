@@ -1,6 +1,6 @@
-#pragma once
+// Counts of passed and failed physics tests of a batch.
 
-// What was tried with each variant, and how often it came out well.
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -11,22 +11,22 @@
 
 namespace mjforge::report {
 
-/// One thing that was tried.
+/// A test, and its results over the batch.
 struct Trial {
   enum class Kind { kSimReady, kHolds, kFits, kGrasps };
   Kind kind = Kind::kSimReady;
-  std::string name;  // of the test; of the site that jaws close at, empty where there is none
+  std::string name;          // name of the test, or of the grasped site; empty without a site
   std::uint64_t passed = 0;  // variants
-  std::uint64_t failed = 0;
-  std::uint64_t ways = 0;  // to grasp, in all of them
-  std::uint64_t held = 0;  // of those
+  std::uint64_t failed = 0;  // variants
+  std::uint64_t ways = 0;    // attempted grasps of all variants
+  std::uint64_t held = 0;    // successful grasps
 };
 
-/// The trials of a batch: tests of the SimReady benchmark, what is dropped in, what must fit, and
-/// grasps. A variant that a test does not apply to has neither passed nor failed it.
+/// Tests of a batch: the SimReady benchmark, containment, pegs in holes, and grasps. A variant
+/// counts neither as passed nor as failed if a test does not apply.
 class Trials {
  public:
-  /// More sites than a page can show are left out.
+  /// Maximum number of tests; further sites are left out.
   static constexpr std::size_t kMost = 100;
 
   void Add(const physics::Result& result);
@@ -34,7 +34,7 @@ class Trials {
 
  private:
   void Count(Trial::Kind kind, const std::string& name, bool passed);
-  /// Null: there is no room for one more.
+  /// Finds or adds a trial; returns null if there are kMost trials already.
   Trial* Find(Trial::Kind kind, const std::string& name);
   void AddGrasps(const std::vector<physics::Result::Grasp>& grasps);
 

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "mjforge/sample/distributions.h"
-#include "mjforge/sample/notes.h"
+#include "mjforge/sample/sample.h"
 
 namespace mjforge::sample {
 namespace {
@@ -64,9 +63,9 @@ std::string Evaluator::InputsText(const expr::Expression& expression) const {
   return text;
 }
 
-Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression, SourceMark mark) {
+double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceMark mark) {
   const double result = expression.Evaluate(variables_, lists_);
-  if (std::isfinite(result)) return NoteExpression(expression, result);
+  if (std::isfinite(result)) return result;
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (!std::isnan(variables_[static_cast<std::size_t>(input.slot)])) continue;
     // The failure of the input is the cause; it has its finding already, unless
@@ -78,7 +77,7 @@ Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression,
                 "its body was left out by 'if'");
   }
   const std::string inputs = InputsText(expression);
-  if (std::string missing = expression.WhatIsMissing(variables_, lists_); !missing.empty())
+  if (std::string missing = expression.DescribeMissingItem(variables_, lists_); !missing.empty())
     return Fail(Code::kExprOutOfRange, mark, std::move(missing),
                 inputs.empty() ? "" : "here " + inputs);
   return Fail(Code::kExprNotFinite, mark,
@@ -87,121 +86,10 @@ Traced<double> Evaluator::EvaluateExpression(const expr::Expression& expression,
                           inputs.empty() ? "" : ": ", inputs));
 }
 
-Traced<double> Evaluator::NoteExpression(const expr::Expression& expression, double value) {
-  if (!notes_ || expression.constant()) return value;
-  auto& [tape, is_sampled_first, all, places, early, decided, results] = *notes_;
-  bool varies = false;
-  bool of_parameters = true;
-  std::vector<Input> inputs;
-  for (const expr::Expression::Input& input : expression.inputs()) {
-    const auto slot = static_cast<std::size_t>(input.slot);
-    const double* place = PlaceOf(slot);
-    varies |= place != nullptr;
-    of_parameters &= place == &variables_[slot];
-    inputs.emplace_back(place, place ? 0 : std::bit_cast<std::uint64_t>(variables_[slot]));
-  }
-  if (!varies) return value;
-  const double*& noted = results[{&expression, inputs}];
-  if (noted != nullptr) return {value, tape, *noted};
-  double& at = tape.Keep(value);
-  noted = &at;
-  if (of_parameters) {
-    early[&at] = &expression;
-    tape.Add([this, &expression, &at] {
-      at = expression.Evaluate(variables_, lists_);
-      return std::isfinite(at);
-    });
-    return {value, tape, at};
-  }
-  tape.Add([this, &expression, &at, &all = *all, inputs = tape.KeepAll(inputs)] {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const auto& [place, bits] = inputs[i];
-      all[static_cast<std::size_t>(expression.inputs()[i].slot)] =
-          place ? *place : std::bit_cast<double>(bits);
-    }
-    at = expression.Evaluate(all, lists_);
-    return std::isfinite(at);
-  });
-  return {value, tape, at};
-}
+double Evaluator::Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }
 
-template <typename IsMet>
-void Evaluator::Decide(const Traced<double>& number, IsMet is_met) {
-  const double* at = number.at();
-  const auto test = [at, is_met] { return is_met(*at); };
-  const auto expression = notes_->early.find(at);
-  const bool is_parameter = at >= variables_.data() && at < variables_.data() + variables_.size();
-  if (!notes_->is_sampled_first || (!is_parameter && expression == notes_->early.end())) {
-    notes_->tape.Add(test);
-  } else if (is_parameter) {
-    notes_->tape.AddEarly(test);
-  } else {
-    notes_->tape.AddEarly([this, is_met, &of = *expression->second] {
-      return is_met(of.Evaluate(variables_, lists_));
-    });
-  }
-}
-
-bool Evaluator::IsTrue(const Traced<double>& number) {
-  const bool truth = Truth(number);
-  if (number.at() != nullptr && notes_->decided.emplace(number.at(), true).second) {
-    Decide(number, [truth](double other) { return Truth(other) == truth; });
-  }
-  return truth;
-}
-
-double Evaluator::Fixed(const Traced<double>& number) {
-  const double value = number;
-  if (number.at() != nullptr && notes_->decided.emplace(number.at(), false).second) {
-    Decide(number, [value](double other) { return other == value; });
-  }
-  return value;
-}
-
-tape::Tape* Evaluator::tape() const { return notes_ ? &notes_->tape : nullptr; }
-
-void Evaluator::NoteOn(tape::Tape& tape) {
-  NoteOn(tape, [](std::string_view) { return false; });
-  notes_->is_sampled_first = true;
-}
-
-void Evaluator::NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies) {
-  std::vector<double>& inputs = tape.Keep(std::vector<double>(variables_.size()));
-  notes_ = std::make_unique<Notes>(Notes{.tape = tape,
-                                         .is_sampled_first = false,
-                                         .inputs = &inputs,
-                                         .places = std::vector<const double*>(variables_.size())});
-  std::vector<const double*>& places = notes_->places;
-  if (!places.empty()) places[0] = &variables_[0];
-  const auto slot_varies = [&places](int slot) {
-    return places[static_cast<std::size_t>(slot)] != nullptr;
-  };
-  for (const int i : spec_.evaluation_order) {
-    const spec::Parameter& parameter = spec_.parameters[static_cast<std::size_t>(i)];
-    if (!spec::Varies(parameter.value, slot_varies) && !varies(parameter.name)) continue;
-    auto slot = static_cast<std::size_t>(parameter.slot);
-    for (int k = std::max(parameter.value.components, 1); k > 0; --k, ++slot) {
-      places[slot] = &variables_[slot];
-    }
-  }
-}
-
-const double* Evaluator::PlaceOf(std::size_t slot) const {
-  if (!notes_) return nullptr;
-  return notes_->places.empty() ? &variables_[slot] : notes_->places[slot];
-}
-
-Traced<double> Evaluator::Variable(int slot) const {
-  const auto i = static_cast<std::size_t>(slot);
-  const double* place = PlaceOf(i);
-  if (place == nullptr) return variables_[i];
-  return {variables_[i], notes_->tape, *place};
-}
-
-void Evaluator::SetVariable(int slot, const Traced<double>& value) {
-  const auto i = static_cast<std::size_t>(slot);
-  variables_[i] = value;
-  if (notes_) notes_->places[i] = value.at();
+void Evaluator::SetVariable(int slot, double value) {
+  variables_[static_cast<std::size_t>(slot)] = value;
 }
 
 void Evaluator::SetVariable(int slot, std::string_view text) {
@@ -222,7 +110,7 @@ StreamId Evaluator::ItemStream(const spec::Value& item, StreamId path, std::size
   return std::holds_alternative<spec::Draw>(item.form) ? Child(path, i) : path;
 }
 
-Traced<double> Evaluator::Number(const spec::Value& value, StreamId path) {
+double Evaluator::Number(const spec::Value& value, StreamId path) {
   if (const auto* number = std::get_if<double>(&value.form)) return *number;
   if (const auto* expression = std::get_if<expr::Expression>(&value.form)) {
     return EvaluateExpression(*expression, value.mark);
@@ -239,23 +127,19 @@ Traced<double> Evaluator::Number(const spec::Value& value, StreamId path) {
   return Fail(Code::kSampleBadArgument, value.mark, "this value is not a number");
 }
 
-double Evaluator::FixedNumber(const spec::Value& value, StreamId path) {
-  return Fixed(Number(value, path));
-}
-
 bool Evaluator::Boolean(const spec::Value& value, StreamId path) {
-  return IsTrue(Number(value, path));
+  return Truth(Number(value, path));
 }
 
 bool Evaluator::Condition(const expr::Expression& expression, SourceMark mark) {
-  return IsTrue(EvaluateExpression(expression, mark));
+  return Truth(EvaluateExpression(expression, mark));
 }
 
 void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::string& out) {
   out += piece.literal;
-  if (piece.text_slot >= 0) out += TextIn(piece.text_slot);
+  if (piece.text_slot >= 0) out += texts_[static_cast<std::size_t>(piece.text_slot)];
   if (!piece.expression) return;
-  const double result = Fixed(EvaluateExpression(*piece.expression, mark));
+  const double result = EvaluateExpression(*piece.expression, mark);
   if (piece.expression->type() == expr::Type::kText) {
     out += TextOf(*piece.expression, result);
   } else if (piece.expression->type() == expr::Type::kBoolean) {
@@ -282,11 +166,6 @@ const std::string& Evaluator::TextOf(const expr::Expression& expression, double 
   return kNone;  // of a body that is not there; reported
 }
 
-const std::string& Evaluator::TextIn(int slot) {
-  Fixed(Variable(slot));  // its key
-  return texts_[static_cast<std::size_t>(slot)];
-}
-
 std::string Evaluator::Text(const spec::Value& value, StreamId path) {
   if (const auto* text = std::get_if<spec::Text>(&value.form)) {
     std::string out;
@@ -299,9 +178,9 @@ std::string Evaluator::Text(const spec::Value& value, StreamId path) {
   }
   if (const auto* variable = std::get_if<spec::VariableReference>(&value.form);
       variable && value.type == expr::Type::kText) {
-    return TextIn(variable->slot);
+    return texts_[static_cast<std::size_t>(variable->slot)];
   }
-  const double number = FixedNumber(value, path);
+  const double number = Number(value, path);
   if (value.type == expr::Type::kBoolean) return number != 0 ? "true" : "false";
   return std::isfinite(number) ? expr::NumberText(number) : std::string();
 }

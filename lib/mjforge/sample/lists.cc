@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/sample/notes.h"
+#include "mjforge/sample/sample.h"
 
 namespace mjforge::sample {
 
@@ -46,19 +46,14 @@ Items Evaluator::Whole(const spec::VariableReference& variable, int components) 
     return items;
   }
   const auto list = static_cast<std::size_t>(variable.list);
-  const auto count = static_cast<std::size_t>(Fixed(Variable(variable.slot)));
-  const bool varies = Variable(variable.slot).at() != nullptr;
+  const std::vector<double>& numbers = lists_[list].numbers();
+  items.numbers.assign(numbers.begin(), numbers.end());
   items.texts = list_texts_[list];
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto item = [this, list, i] { return lists_[list].numbers()[i]; };
-    items.numbers.push_back(varies ? tape::Note(tape(), item) : Traced<double>(item()));
-    if (!items.texts.empty()) Fixed(items.numbers.back());
-  }
   return items;
 }
 
 std::optional<std::size_t> Evaluator::Length(const spec::Value& count, StreamId path) {
-  const double number = FixedNumber(count, Child(path, "count"));
+  const double number = Number(count, Child(path, "count"));
   if (spec::IsListLength(number)) return static_cast<std::size_t>(number);
   if (!failed_) {
     Fail(diag::Code::kSampleBadArgument, count.mark,
@@ -102,10 +97,6 @@ Items Evaluator::Arranged(const spec::Arrangement& arrangement, StreamId path) {
   for (std::size_t i = 0; i < count; ++i) {
     items.numbers.push_back(all.numbers[order[i]]);
     if (!all.texts.empty()) items.texts.push_back(all.texts[order[i]]);
-  }
-  // Another variant may have another order.
-  if (notes_) {
-    notes_->tape.Add([this, path, order] { return Order(order.size(), path) == order; });
   }
   return items;
 }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/sample/dimensions.h"
-#include "mjforge/sample/notes.h"
+#include "mjforge/sample/sample.h"
 
 namespace mjforge::sample {
 namespace {
@@ -57,12 +57,12 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
   for (const spec::Parameter& parameter : spec.parameters) {
     streams_.push_back(Child(parameters, parameter.name));
   }
+  // Imported parameters always begin with attempt 0, so that a retry in one spec does not change
+  // what another one sees.
+  const DrawKey shared_key = {key.seed, key.index, 0};
   for (const auto& shared : spec.shared)
-    shared_.emplace_back(*shared, key, SharedStream(*shared), findings, sampler);
+    shared_.emplace_back(*shared, shared_key, SharedStream(*shared), findings, sampler);
 }
-
-Evaluator::Evaluator(Evaluator&& other) noexcept = default;
-Evaluator::~Evaluator() = default;
 
 void Evaluator::SetComponents(const spec::Parameter& parameter,
                               std::span<const double> components) {
@@ -97,42 +97,13 @@ void Evaluator::DrawParameter(std::size_t i) {
   } else if (value.type == Type::kText) {
     texts_[Slot(parameter)] = Text(value, streams_[i]);
     variables_[Slot(parameter)] = expr::TextKey(texts_[Slot(parameter)]);
-  } else if (!steps_.empty() && steps_[i] == nullptr) {
-    NoteSteps(i);
-  } else if (steps_.empty() || !steps_[i]->tape.Run()) {
-    DrawNumbers(i);
+  } else if (IsVector(value)) {
+    Numbers components;
+    AppendVector(value, streams_[i], components);
+    SetComponents(parameter, {components.data(), components.size()});
   } else {
-    std::ranges::transform(steps_[i]->results, variables_.begin() + parameter.slot,
-                           [](const double* result) { return *result; });
+    variables_[Slot(parameter)] = Number(value, streams_[i]);
   }
-}
-
-Numbers Evaluator::DrawNumbers(std::size_t i) {
-  const spec::Parameter& parameter = spec_.parameters[i];
-  Numbers numbers;
-  AppendVector(parameter.value, streams_[i], numbers);
-  if (IsVector(parameter.value)) {
-    const boost::container::small_vector<double, 6> plain(numbers.begin(), numbers.end());
-    SetComponents(parameter, {plain.data(), plain.size()});
-  } else {
-    variables_[Slot(parameter)] = numbers.front();
-  }
-  return numbers;
-}
-
-void Evaluator::NoteSteps(std::size_t i) {
-  auto steps = std::make_unique<Steps>();
-  notes_ = std::make_unique<Notes>(Notes{.tape = steps->tape, .is_sampled_first = true});
-  for (const Traced<double>& number : DrawNumbers(i))
-    steps->results.push_back(&tape::PlaceOf(steps->tape, number));
-  notes_.reset();
-  steps->tape.Close();
-  if (!failed_) steps_[i] = std::move(steps);
-}
-
-void Evaluator::NoteParameters() {
-  steps_.resize(spec_.parameters.size());
-  for (Evaluator& shared : shared_) shared.NoteParameters();
 }
 
 void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterValue& value) {
@@ -165,11 +136,9 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
   }
 }
 
-// With attempt 0: what is drawn again here or there must not make specs disagree.
 bool Evaluator::SampleShared(Overrides overrides) {
-  const DrawKey key = {key_.seed, key_.index, 0};
   return std::ranges::all_of(shared_, [&](Evaluator& shared) {
-    failed_ |= !shared.Sample(key, overrides, *findings_);
+    failed_ |= !shared.Sample(overrides);
     return !failed_;
   });
 }
@@ -179,7 +148,7 @@ bool Evaluator::Holds(const spec::Requirement& requirement) {
   const expr::Expression& expression = requirement.expression;
   const double value = expression.Evaluate(variables_, lists_);
   if (std::isfinite(value)) return value != 0;
-  const bool lacks_items = !expression.WhatIsMissing(variables_, lists_).empty();
+  const bool lacks_items = !expression.DescribeMissingItem(variables_, lists_).empty();
   return (lacks_items || std::isinf(value)) && Condition(expression, requirement.mark);
 }
 
@@ -221,48 +190,34 @@ void Evaluator::SetLocal(const spec::Local& local, StreamId path) {
   }
 }
 
-ParameterValue Evaluator::Any(const spec::Value& value, StreamId path, Numbers& numbers) {
+ParameterValue Evaluator::Any(const spec::Value& value, StreamId path) {
   if (value.is_list) {
     Items items = List(value, path);
     if (value.type == Type::kText) return std::move(items.texts);
-    numbers = std::move(items.numbers);
-    return std::vector<double>(numbers.begin(), numbers.end());
+    return std::vector<double>(items.numbers.begin(), items.numbers.end());
   }
   if (value.type == Type::kText) return Text(value, path);
   if (value.type == Type::kBoolean) return Boolean(value, path);
-  Vector(value, path, numbers);
-  if (!IsVector(value)) return numbers.front().value();
+  if (!IsVector(value)) return Number(value, path);
+  Numbers numbers;
+  AppendVector(value, path, numbers);
   return std::vector<double>(numbers.begin(), numbers.end());
 }
 
 ParameterValue Evaluator::Parameter(std::size_t i) const {
-  ParameterValue value;
-  GetParameter(i, value);
-  return value;
-}
-
-void Evaluator::GetParameter(std::size_t i, ParameterValue& value) const {
   const spec::Parameter& parameter = spec_.parameters[i];
   const std::size_t slot = Slot(parameter);
+  const bool is_text = parameter.value.type == Type::kText;
   if (parameter.value.is_list) {
     const auto list = static_cast<std::size_t>(parameter.list);
-    if (parameter.value.type == Type::kText) {
-      value = list_texts_[list];
-    } else {
-      value = lists_[list].numbers();
-    }
-  } else if (parameter.value.type == Type::kText) {
-    value = texts_[slot];
-  } else if (parameter.value.type == Type::kBoolean) {
-    value = variables_[slot] != 0;
-  } else if (!IsVector(parameter.value)) {
-    value = variables_[slot];
-  } else {
-    auto* numbers = std::get_if<std::vector<double>>(&value);
-    if (numbers == nullptr) numbers = &value.emplace<std::vector<double>>();
-    const auto first = variables_.begin() + parameter.slot;
-    numbers->assign(first, first + parameter.value.components);
+    if (is_text) return list_texts_[list];
+    return lists_[list].numbers();
   }
+  if (is_text) return texts_[slot];
+  if (parameter.value.type == Type::kBoolean) return variables_[slot] != 0;
+  if (!IsVector(parameter.value)) return variables_[slot];
+  const auto first = variables_.begin() + parameter.slot;
+  return std::vector<double>(first, first + parameter.value.components);
 }
 
 }  // namespace mjforge::sample

@@ -69,21 +69,16 @@ class PointReader {
   void ReadArc(const spec::Arc& arc, StreamId path) {
     Numbers center;
     values_.Vector(*arc.center, Child(path, "center"), center);
-    std::array<Traced<double>, 3> measures;
+    std::array<double, 3> measures;
     for (std::size_t i = 0; i < measures.size(); ++i)
       measures[i] = values_.Number(arc.measures[i], Child(path, i));
-    const double steps = values_.FixedNumber(*arc.steps, Child(path, "steps"));
+    const double steps = values_.Number(*arc.steps, Child(path, "steps"));
     if (values_.failed() || !(steps >= 1 && steps <= 2 * kMost)) return;
     const auto& [radius, from, to] = measures;
     for (double i = 0; i <= steps; ++i) {
-      const auto x = [share = i / steps](double middle, double r, double begin, double end) {
-        return middle + r * std::cos(begin + share * (end - begin));
-      };
-      const auto y = [share = i / steps](double middle, double r, double begin, double end) {
-        return middle + r * std::sin(begin + share * (end - begin));
-      };
-      points_.numbers.push_back(tape::Apply(x, center[0], radius, from, to));
-      points_.numbers.push_back(tape::Apply(y, center[1], radius, from, to));
+      const double angle = from + i / steps * (to - from);
+      points_.numbers.push_back(center[0] + radius * std::cos(angle));
+      points_.numbers.push_back(center[1] + radius * std::sin(angle));
       ++count_;
     }
   }
@@ -135,7 +130,7 @@ std::optional<LoopRange> Evaluator::RangeOf(const spec::Loop& loop) {
     range.count = range.items->numbers.size();
     return range;
   }
-  const double count = FixedNumber(loop.range, path);
+  const double count = Number(loop.range, path);
   if (!std::isfinite(count)) return std::nullopt;  // reported where it was computed
   if (count < 0 || count != std::floor(count)) {
     Fail(diag::Code::kModelBadCount, loop.range.mark,

@@ -1,4 +1,4 @@
-#include "mjforge/sample/notes.h"
+#include "mjforge/sample/sample.h"
 
 #include <algorithm>
 
@@ -116,23 +116,15 @@ class Attempts {
   std::vector<std::uint64_t> rejected_;  // by requirement
 };
 
-bool Evaluator::Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings) {
-  key_ = key;
-  findings_ = &findings;
-  failed_ = false;
-  notes_.reset();
-  // Nothing of an earlier variant is left in what the assembly sets.
-  std::ranges::fill(variables_, 0);
-  for (std::string& text : texts_) text.clear();
-  if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
+bool Evaluator::Sample(Overrides overrides) {
   return SampleShared(overrides) && Attempts(*this, overrides).Run();
 }
 
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
-                                Overrides overrides, diag::Findings& findings,
+                                Evaluator::Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler) {
   std::optional<Evaluator> evaluator(std::in_place, spec, key, root, findings, sampler);
-  if (!evaluator->Sample(key, overrides, findings)) evaluator.reset();
+  if (!evaluator->Sample(overrides)) evaluator.reset();
   return evaluator;
 }
 

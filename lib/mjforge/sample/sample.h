@@ -5,13 +5,10 @@
 // (and of the batch's size, where a Sampler is told it).
 //
 // An Evaluator first draws the parameters and tests the requirements. Then it gives the model the
-// values of the spec one by one, in the order in which the model asks. If it is given a tape, these
-// are traced: another variant's parameters lead to another variant's values.
+// values of the spec one by one, in the order in which the model asks.
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,41 +34,23 @@ class Evaluator {
 
   Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings,
             const Sampler* sampler = nullptr);
-  Evaluator(Evaluator&& other) noexcept;
-  ~Evaluator();
 
   /// Draws all parameters and tests the requirements. False: some requirement
   /// does not hold (`rejected_by()`), or there was an error (`failed()`).
   /// Overrides replace the parameters' own values.
   bool SampleParameters(Overrides overrides = {});
-  /// Begins anew with another key, and draws the parameters until they meet the requirements:
-  /// key.attempt counts up until they do. False, and a finding, when that takes more than
-  /// kMaxAttempts or a draw fails.
-  bool Sample(const DrawKey& key, Overrides overrides, diag::Findings& findings);
+  /// Draws the parameters until they meet the requirements; `key().attempt` counts up until they
+  /// do. Returns false, and adds a finding, if that takes more than kMaxAttempts or a draw fails.
+  bool Sample(Overrides overrides);
 
-  /// From now on parameters are interpreted once: later variants take the same steps, as with a
-  /// mould. The evaluator must not move.
-  void NoteParameters();
-  /// Until the next Sample(), values are noted on the tape: what is drawn, and what is computed
-  /// from it. To run the tape, call Sample first, with another key; the evaluator must not move.
-  void NoteOn(tape::Tape& tape);
-  /// The same where a step of the tape calls Sample. `varies` says of a parameter that was
-  /// overridden whether its value differs between variants.
-  void NoteOn(tape::Tape& tape, const std::function<bool(std::string_view)>& varies);
-  /// Null while nothing is noted.
-  tape::Tape* tape() const;
-
-  Traced<double> Number(const spec::Value& value, StreamId path);
-  /// A number that all variants of a tape share.
-  double FixedNumber(const spec::Value& value, StreamId path);
+  double Number(const spec::Value& value, StreamId path);
   bool Boolean(const spec::Value& value, StreamId path);
   std::string Text(const spec::Value& value, StreamId path);
   /// Replaces the content of `out` with the vector's components, of a number the one.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
-  /// The value as its type says; a vector is a list or has several components. `numbers` gets what
-  /// a number or a vector is made of.
-  ParameterValue Any(const spec::Value& value, StreamId path, Numbers& numbers);
-  /// The values of a list or a vector; all variants of a tape share their number.
+  /// The value as its type says; a vector is a list or has several components.
+  ParameterValue Any(const spec::Value& value, StreamId path);
+  /// The values of a list or a vector.
   Items List(const spec::Value& value, StreamId path);
   PointList Points(const spec::Value& value, StreamId path);
   std::vector<PointList> Outlines(const spec::Value& value, StreamId path);
@@ -81,7 +60,7 @@ class Evaluator {
   /// "a = 1, b = true": what an expression is computed from, texts excluded.
   std::string InputsText(const expr::Expression& expression) const;
 
-  void SetVariable(int slot, const Traced<double>& value);
+  void SetVariable(int slot, double value);
   void SetVariable(int slot, std::string_view text);
   void SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i);
   /// Sets the value of a name that the assembly defines, by its first slot, to the value of
@@ -97,9 +76,8 @@ class Evaluator {
   /// Adds a finding of this variant and returns NaN, the value of a failed number.
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
   int rejected_by() const { return rejected_by_; }
-  /// The value of spec().parameters[i]; in place of another one, whose memory is used again.
+  /// The value of spec().parameters[i].
   ParameterValue Parameter(std::size_t i) const;
-  void GetParameter(std::size_t i, ParameterValue& value) const;
 
  private:
   std::array<double, 4> Uniforms(StreamId path) const {
@@ -109,10 +87,6 @@ class Evaluator {
   bool SampleShared(Overrides overrides);
   bool Holds(const spec::Requirement& requirement);
   void DrawParameter(std::size_t i);
-  /// Of one that is a number or a vector.
-  Numbers DrawNumbers(std::size_t i);
-  /// Draws it, and keeps the steps for the variants to come.
-  void NoteSteps(std::size_t i);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
   void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
   void SetList(const spec::Parameter& parameter, std::vector<double> numbers,
@@ -126,19 +100,9 @@ class Evaluator {
   void AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
   /// The numbers 0 to count - 1 in random order.
   std::vector<std::size_t> Order(std::size_t count, StreamId path) const;
-  Traced<double> Variable(int slot) const;
-  const double* PlaceOf(std::size_t slot) const;
-  Traced<double> EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
-  Traced<double> NoteExpression(const expr::Expression& expression, double value);
-  /// Notes a test: other variants must have a number for which it is true.
-  template <typename IsMet>
-  void Decide(const Traced<double>& number, IsMet is_met);
-  bool IsTrue(const Traced<double>& number);
-  double Fixed(const Traced<double>& number);
-  Traced<double> DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  Traced<double> NoteDraw(spec::Distribution distribution,
-                          std::span<const Traced<double>> arguments, std::size_t count,
-                          StreamId path, double value);
+  double Variable(int slot) const;
+  double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
+  double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
   const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   /// The value of a record's column in the row of its key.
   const spec::Value& OfRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
@@ -151,8 +115,6 @@ class Evaluator {
   void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
   /// The text that an expression's result stands for.
   const std::string& TextOf(const expr::Expression& expression, double key) const;
-  /// The text in the slot; only variants with the same text go this way.
-  const std::string& TextIn(int slot);
   void AppendRotation(StreamId path, Numbers& out);
   void AppendAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
                    Numbers& out);
@@ -164,9 +126,6 @@ class Evaluator {
   /// Appends the components of a value that is a vector or a number.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
   friend class Attempts;
-  /// Of an expression: its place on the tape, or null and the bits of what is the same in all
-  /// variants (not every number equals itself).
-  using Input = std::pair<const double*, std::uint64_t>;
 
   const spec::ObjectSpec& spec_;
   DrawKey key_;
@@ -178,14 +137,9 @@ class Evaluator {
   std::vector<expr::Sequence> lists_;
   std::vector<std::vector<std::string>> list_texts_;  // of the lists of texts
   std::vector<StreamId> streams_;                     // by parameter
-  struct Steps;
-  std::vector<std::unique_ptr<Steps>> steps_;  // by parameter; empty: they are not noted
-  std::vector<Evaluator> shared_;              // of the specs of spec_.shared
+  std::vector<Evaluator> shared_;                     // of the specs of spec_.shared
   bool failed_ = false;
   int rejected_by_ = -1;
-
-  struct Notes;  // what it takes to note on a tape
-  std::unique_ptr<Notes> notes_;
 };
 
 /// The most redraws before a variant counts as impossible.

@@ -11,12 +11,10 @@
 #include <boost/container/small_vector.hpp>
 
 #include "mjforge/diag/diag.h"
-#include "mjforge/tape/tape.h"
 
 namespace mjforge::sample {
 
-using tape::Traced;
-using Numbers = boost::container::small_vector<Traced<double>, 6>;
+using Numbers = boost::container::small_vector<double, 6>;
 
 /// A parameter's value: a number, a boolean, a text, a vector or a list of numbers, a list of
 /// texts.

@@ -1,34 +1,37 @@
-#include "mjforge/solid/solid.h"
+// Least recently used cache of solids, limited by memory and by the number of entries.
 
 #include <algorithm>
 #include <utility>
 
+#include "mjforge/solid/solid.h"
+
 namespace mjforge::solid {
 namespace {
 
-// Enough for a variant of most families; with more, the memory in use would leave the processor's
-// caches.
+// Enough for a variant of most families; more would not fit into the processor's caches.
 constexpr std::size_t kMostBytes = 600'000;
+// Limits the time of the linear search for a shape.
+constexpr std::size_t kMostEntries = 64;
 
 template <typename T>
-std::size_t BytesOf(const std::vector<T>& all) {
-  return all.size() * sizeof(T);
+std::size_t BytesOf(const std::vector<T>& vector) {
+  return vector.size() * sizeof(T);
+}
+
+std::size_t BytesOf(const TriangleMesh& mesh) {
+  return BytesOf(mesh.vertices) + BytesOf(mesh.triangles) + BytesOf(mesh.normals) +
+         BytesOf(mesh.texcoords);
 }
 
 std::size_t BytesOf(const Solid& solid) {
-  const Surface& look = solid.look;
-  std::size_t bytes = sizeof(Solid) + BytesOf(look.vertices) + BytesOf(look.normals) +
-                      BytesOf(look.texcoords) + BytesOf(look.triangles);
-  for (const Piece& piece : solid.pieces) {
-    bytes +=
-        sizeof(Piece) + BytesOf(piece.vertices) + BytesOf(piece.triangles) + BytesOf(piece.turns);
-  }
+  std::size_t bytes = sizeof(Solid) + BytesOf(solid.render_mesh) + BytesOf(solid.pieces);
+  for (const ConvexPiece& piece : solid.pieces) bytes += BytesOf(piece.mesh) + BytesOf(piece.turns);
   return bytes;
 }
 
 }  // namespace
 
-std::shared_ptr<const Solid> Cache::Make(const Shape& shape, Fault& fault) {
+std::shared_ptr<const Solid> Cache::Make(const SolidShape& shape, Fault& fault) {
   const auto found = std::ranges::find(entries_, shape, &Entry::shape);
   if (found != entries_.end()) {
     entries_.splice(entries_.begin(), entries_, found);
@@ -41,7 +44,8 @@ std::shared_ptr<const Solid> Cache::Make(const Shape& shape, Fault& fault) {
   entries_.push_front({shape, std::make_shared<const Solid>(*std::move(made)), bytes});
   bytes_ += bytes;
   std::shared_ptr<const Solid> solid = entries_.front().solid;
-  for (; bytes_ > kMostBytes; entries_.pop_back()) bytes_ -= entries_.back().bytes;
+  for (; bytes_ > kMostBytes || entries_.size() > kMostEntries; entries_.pop_back())
+    bytes_ -= entries_.back().bytes;
   return solid;
 }
 

@@ -1,35 +1,39 @@
+// Lathes: solids of revolution of a closed profile or of a wall along an open line.
+
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "mjforge/solid/convex.h"
-#include "mjforge/solid/look.h"
+#include "mjforge/solid/lathe_pieces.h"
 #include "mjforge/solid/moments.h"
-#include "mjforge/solid/wedges.h"
+#include "mjforge/solid/render_mesh.h"
 
 namespace mjforge::solid {
 namespace {
 
-// Of the size of the profile: what is nearer to the axis is on it, as where an arc ends there.
+// Distance from the axis, relative to the profile, up to which a point is moved onto the axis; the
+// end of a computed arc misses the axis by a rounding error.
 constexpr double kOnAxis = 1e-9;
 
-std::optional<std::vector<Point>> SnappedToAxis(std::vector<Point> profile, Fault& fault) {
+/// Returns false and sets `fault` if a point is beyond the axis.
+bool SnapToAxis(std::vector<Point2>& profile, Fault& fault) {
   double size = 0;
-  for (const Point& p : profile) size = std::max(size, p.cwiseAbs().maxCoeff());
+  for (const Point2& p : profile) size = std::max(size, p.cwiseAbs().maxCoeff());
   for (std::size_t i = 0; i < profile.size(); ++i) {
     double& r = profile[i].x();
     if (std::abs(r) <= kOnAxis * size) r = 0;
     if (r >= 0) continue;
     fault = {fmt::format("is beyond the axis: r is {:g} m", r), i};
-    return std::nullopt;
+    return false;
   }
-  return profile;
+  return true;
 }
 
-// There the solid would be held together by a point.
+/// Rejects a corner that meets the axis without an edge along it, because the solid would be held
+/// together by a single point.
 bool TouchesAxis(const Outline& outline, Fault& fault) {
-  const std::vector<Point>& p = outline.corners;
+  const std::vector<Point2>& p = outline.corners;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i].x() != 0) continue;
     if (p[outline.Next(i)].x() == 0 || p[outline.Previous(i)].x() == 0) continue;
@@ -41,23 +45,18 @@ bool TouchesAxis(const Outline& outline, Fault& fault) {
 
 }  // namespace
 
-std::optional<Solid> Make(const Lathe& lathe, Fault& fault) {
-  const std::optional<std::vector<Point>> profile = SnappedToAxis(lathe.profile, fault);
-  if (!profile) return std::nullopt;
-  const std::optional<Outline> outline =
-      lathe.wall ? WalledOutline(*profile, *lathe.wall, fault) : OutlineOf(*profile, fault);
+std::optional<Solid> Make(const Lathe& input, Fault& fault) {
+  Lathe lathe = input;
+  if (!SnapToAxis(lathe.profile, fault)) return std::nullopt;
+  const std::optional<Outline> outline = lathe.wall
+                                             ? WalledOutline(lathe.profile, *lathe.wall, fault)
+                                             : OutlineOf(lathe.profile, fault);
   if (!outline || TouchesAxis(*outline, fault)) return std::nullopt;
-  const Partition partition = PartitionOf(Area(outline->corners));
+  const ConvexPartition partition = PartitionOf(Area(outline->corners));
   Solid solid;
-  solid.look = Make(TurnedLook{.outline = *outline,
-                               .partition = partition,
-                               .line = *profile,
-                               .is_closed = !lathe.wall,
-                               .angle = lathe.angle,
-                               .crease = lathe.crease,
-                               .texture = lathe.texture});
-  solid.pieces = TurnedPieces(*outline, partition, lathe.angle, lathe.facets);
-  solid.mass = TurnedMass(NodesOf(outline->corners), lathe.angle);
+  solid.render_mesh = MakeLatheMesh(lathe, *outline, partition);
+  solid.pieces = MakeLathePieces(lathe, *outline, partition);
+  solid.mass = RevolvedMass(NodesOf(outline->corners), lathe.angle);
   return solid;
 }
 

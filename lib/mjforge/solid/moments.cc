@@ -1,3 +1,5 @@
+// Gauss quadrature on boundaries of areas, and mass moments of solids of revolution.
+
 #include "mjforge/solid/moments.h"
 
 #include <cmath>
@@ -8,23 +10,23 @@
 namespace mjforge::solid {
 namespace {
 
-// An arc of up to a whole turn, and products of up to six sines of it, to 1e-15.
+// Accurate to 1e-15 for products of up to six sines along an arc of up to a whole turn.
 using ArcRule = boost::math::quadrature::gauss<double, 30>;
 
-void AddLine(const Point& from, const Point& to, std::vector<Node>& nodes) {
+void AddLine(const Point2& from, const Point2& to, std::vector<QuadratureNode>& nodes) {
   const double offset = std::sqrt(0.6) / 2;
   const double positions[] = {0.5 - offset, 0.5, 0.5 + offset};
   constexpr double kWeights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  const Point way = to - from;
-  for (int k = 0; k < 3; ++k) nodes.push_back({from + positions[k] * way, kWeights[k] * way.y()});
+  const Point2 side = to - from;
+  for (int k = 0; k < 3; ++k) nodes.push_back({from + positions[k] * side, kWeights[k] * side.y()});
 }
 
-Point AlongArc(const Corner& arc, double share) {
+Point2 AlongArc(const RoundedCorner& arc, double share) {
   const double angle = arc.from + share * arc.sweep;
-  return arc.place + arc.radius * Point(std::cos(angle), std::sin(angle));
+  return arc.place + arc.radius * Point2(std::cos(angle), std::sin(angle));
 }
 
-void AddArc(const Corner& arc, std::vector<Node>& nodes) {
+void AddArc(const RoundedCorner& arc, std::vector<QuadratureNode>& nodes) {
   const auto add = [&](double x, double weight) {
     const double share = 0.5 + x / 2;
     const double dy = arc.radius * std::cos(arc.from + share * arc.sweep) * arc.sweep;
@@ -35,47 +37,34 @@ void AddArc(const Corner& arc, std::vector<Node>& nodes) {
   }
 }
 
-/// Integrals of r^a z^b over the area of an outline, for what a turned solid needs.
-struct TurnedMoments {
-  double r = 0;
-  double rr = 0;
-  double rz = 0;
-  double rrr = 0;
-  double rrz = 0;
-  double rzz = 0;
-};
-
-// By Green's theorem the integral of r^a z^b over the area is that of r^(a+1) z^b / (a+1) dz round
-// it. Along a side that is a polynomial of at most degree 5 in the position.
-TurnedMoments MomentsOf(std::span<const Node> border, double z0) {
-  TurnedMoments sum;
-  for (const Node& node : border) {
-    const double r = node.p.x();
-    const double z = node.p.y() - z0;
-    const double dz = node.dy;
-    sum.r += r * r / 2 * dz;
-    sum.rr += r * r * r / 3 * dz;
-    sum.rz += r * r / 2 * z * dz;
-    sum.rrr += r * r * r * r / 4 * dz;
-    sum.rrz += r * r * r / 3 * z * dz;
-    sum.rzz += r * r / 2 * z * z * dz;
+/// Returns the integral of r^a (z - z0)^b over the area of an outline in r, z. By Green's theorem
+/// it equals the integral of r^(a+1) (z - z0)^b / (a+1) dz along the boundary, whose integrand is a
+/// polynomial of degree a + b + 1 along a straight side.
+double Integral(std::span<const QuadratureNode> boundary, double z0, int a, int b) {
+  double sum = 0;
+  for (const QuadratureNode& node : boundary) {
+    double value = node.p.x();
+    for (int i = 0; i < a; ++i) value *= node.p.x();
+    value /= a + 1;
+    for (int i = 0; i < b; ++i) value *= node.p.y() - z0;
+    sum += value * node.dy;
   }
   return sum;
 }
 
 }  // namespace
 
-std::vector<Node> NodesOf(std::span<const Point> outline) {
-  std::vector<Node> nodes;
+std::vector<QuadratureNode> NodesOf(std::span<const Point2> outline) {
+  std::vector<QuadratureNode> nodes;
   nodes.reserve(3 * outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i)
     AddLine(outline[i], outline[(i + 1) % outline.size()], nodes);
   return nodes;
 }
 
-std::vector<Node> NodesOf(const std::vector<Corner>& corners) {
-  std::vector<Node> nodes;
-  const auto ends = [](const Corner& corner) {
+std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners) {
+  std::vector<QuadratureNode> nodes;
+  const auto ends = [](const RoundedCorner& corner) {
     if (corner.radius == 0) return std::pair(corner.place, corner.place);
     return std::pair(AlongArc(corner, 0), AlongArc(corner, 1));
   };
@@ -96,9 +85,9 @@ Mass MassOf(const Moments& moments, const Eigen::Vector3d& origin) {
   return mass;
 }
 
-AreaMoments MomentsOf(std::span<const Node> border) {
+AreaMoments MomentsOf(std::span<const QuadratureNode> boundary) {
   AreaMoments sum;
-  for (const Node& node : border) {
+  for (const QuadratureNode& node : boundary) {
     const double x = node.p.x();
     const double y = node.p.y();
     sum.area += x * node.dy;
@@ -112,11 +101,15 @@ AreaMoments MomentsOf(std::span<const Node> border) {
   return sum;
 }
 
-Mass TurnedMass(std::span<const Node> border, double angle) {
-  double z0 = 0;  // near the centre: the less cancels
-  for (const Node& node : border) z0 += node.p.y() / static_cast<double>(border.size());
-  const TurnedMoments m = MomentsOf(border, z0);
-  // Integrals of cos, sin, cos^2, sin^2 and sin cos over the angle.
+Mass RevolvedMass(std::span<const QuadratureNode> boundary, double angle) {
+  double z0 = 0;  // near the centre, to reduce cancellation
+  for (const QuadratureNode& node : boundary)
+    z0 += node.p.y() / static_cast<double>(boundary.size());
+  const auto integral = [&](int a, int b) { return Integral(boundary, z0, a, b); };
+  const double rr = integral(2, 0);
+  const double rrr = integral(3, 0);
+  const double rrz = integral(2, 1);
+  // c, s, cc, ss, cs: integrals of cos, sin, cos^2, sin^2 and cos sin over the angle.
   const bool whole = angle == 2 * std::numbers::pi;
   const double c = whole ? 0 : std::sin(angle);
   const double s = whole ? 0 : 1 - std::cos(angle);
@@ -124,11 +117,11 @@ Mass TurnedMass(std::span<const Node> border, double angle) {
   const double ss = angle / 2 - c * std::cos(angle) / 2;
   const double cs = c * c / 2;
   Moments moments;
-  moments.volume = angle * m.r;
-  moments.first = Eigen::Vector3d(m.rr * c, m.rr * s, m.rz * angle);
-  moments.second << m.rrr * cc, m.rrr * cs, m.rrz * c,  //
-      m.rrr * cs, m.rrr * ss, m.rrz * s,                //
-      m.rrz * c, m.rrz * s, m.rzz * angle;
+  moments.volume = angle * integral(1, 0);
+  moments.first = Eigen::Vector3d(rr * c, rr * s, integral(1, 1) * angle);
+  moments.second << rrr * cc, rrr * cs, rrz * c,  //
+      rrr * cs, rrr * ss, rrz * s,                //
+      rrz * c, rrz * s, integral(1, 2) * angle;
   return MassOf(moments, {0, 0, z0});
 }
 

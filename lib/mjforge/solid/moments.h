@@ -1,41 +1,43 @@
+// Mass moments of areas and solids, by Gauss quadrature along their boundaries.
+
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "mjforge/solid/rounding.h"
+#include "mjforge/solid/rounded_corners.h"
 
 namespace mjforge::solid {
 
-/// Where a function is evaluated along the border of an area for its integral over y: the value
-/// there counts `dy` times. Exact for polynomials up to degree 5 along lines; along arcs up to
-/// rounding.
-struct Node {
-  Point p;
+/// Quadrature node on the boundary of an area, for integrals over y: a function's value at `p` has
+/// the weight `dy`. Exact for polynomials up to degree 5 along lines, and up to rounding errors
+/// along arcs.
+struct QuadratureNode {
+  Point2 p;
   double dy = 0;
 };
-std::vector<Node> NodesOf(std::span<const Point> outline);
-std::vector<Node> NodesOf(const std::vector<Corner>& corners);
+std::vector<QuadratureNode> NodesOf(std::span<const Point2> outline);
+std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners);
 
-/// The solid between the half planes at the angles 0 and `angle` that an outline in r, z fills as
-/// it turns about z (Pappus and Guldinus, for all moments up to the second).
-Mass TurnedMass(std::span<const Node> border, double angle);
+/// Returns the mass of the solid that an outline in r, z fills when revolved about z from angle 0
+/// to `angle`, rad (theorem of Pappus and Guldinus, for all moments up to the second).
+Mass RevolvedMass(std::span<const QuadratureNode> boundary, double angle);
 
-/// Of density 1, about the origin.
+/// Moments of a solid of density 1 about a point.
 struct Moments {
   double volume = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // of x x^T
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T
 };
-/// What has these moments about `origin`.
+/// Returns the mass properties of the solid that has these moments about `origin`.
 Mass MassOf(const Moments& moments, const Eigen::Vector3d& origin);
 
-/// Integrals over a plane area of 1, x, y and their products.
+/// Integrals of 1, x, y and their products over a plane area.
 struct AreaMoments {
   double area = 0;
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
 };
-AreaMoments MomentsOf(std::span<const Node> border);
+AreaMoments MomentsOf(std::span<const QuadratureNode> boundary);
 
 }  // namespace mjforge::solid

@@ -1,6 +1,6 @@
-#pragma once
+// Closed outlines in a plane: validation, offset, containment.
 
-// Closed outlines in a plane.
+#pragma once
 
 #include <optional>
 #include <span>
@@ -14,55 +14,63 @@
 
 namespace mjforge::solid {
 
-using Point = Eigen::Vector2d;
+/// A point or a vector in the plane, m.
+using Point2 = Eigen::Vector2d;
 
-/// Corners counter-clockwise, and which of the input's points each comes from.
+/// A closed polygon, and for each corner the index of the input point from which it was made.
 struct Outline {
-  std::vector<Point> corners;
+  std::vector<Point2> corners;
   std::vector<std::size_t> sources;
 
   std::size_t Next(std::size_t i) const { return i + 1 < corners.size() ? i + 1 : 0; }
   std::size_t Previous(std::size_t i) const { return i > 0 ? i - 1 : corners.size() - 1; }
-  void Add(const Point& corner, std::size_t source);
+  void Add(const Point2& corner, std::size_t source);
   void Reverse();
 };
 
-/// A plane area: its outline counter-clockwise, then holes in it clockwise.
+/// A polygon with holes: the outline counter-clockwise, followed by the holes clockwise.
 struct Area {
-  std::vector<Point> corners;
-  std::vector<std::size_t> ends;  // where each loop's corners end
+  std::vector<Point2> corners;
+  std::vector<std::size_t> ends;  // for each loop, the index after its last corner
 
   Area() = default;
-  explicit Area(const std::vector<Point>& loop) { Add(loop); }
-  void Add(const std::vector<Point>& loop);
-  /// First corner and number of corners of a loop.
+  explicit Area(const std::vector<Point2>& loop) { Add(loop); }
+  void Add(const std::vector<Point2>& loop);
+  /// Returns the first corner and the number of corners of a loop.
   std::pair<std::size_t, std::size_t> Loop(std::size_t i) const;
 };
 
-inline double Cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double Cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Twice the area of the triangle, positive if it is counter-clockwise.
-inline double Turn(const Point& a, const Point& b, const Point& c) { return Cross(b - a, c - a); }
+/// Returns twice the signed area of the triangle, positive if it is counter-clockwise.
+inline double Turn(const Point2& a, const Point2& b, const Point2& c) {
+  return Cross(b - a, c - a);
+}
 
-/// Positive if counter-clockwise, m^2.
-double AreaOf(std::span<const Point> corners);
+/// Returns the signed area, m^2, positive if the corners are counter-clockwise.
+double AreaOf(std::span<const Point2> corners);
 
-/// The outline through the points, whichever way they go. Nothing, and a fault, if two neighbours
-/// are equal, if it has no area, or if it crosses or touches itself.
-std::optional<Outline> OutlineOf(std::span<const Point> points, Fault& fault);
+/// Returns true and sets `fault` if there are fewer than `least` or more than kMostPoints points.
+bool HasBadCount(std::size_t count, std::size_t least, Fault& fault);
 
-/// The same outline with each side moved by `distance` to its left, m.
-std::vector<Point> ParallelOf(const Outline& outline, double distance);
+/// Returns the counter-clockwise outline through points given in either direction. Returns nothing
+/// and sets `fault` if two neighbours are equal, if the outline has no area, or if it crosses or
+/// touches itself.
+std::optional<Outline> OutlineOf(std::span<const Point2> points, Fault& fault);
 
-/// The first side of `a`, by its first corner, that crosses or touches one of `b`.
-std::optional<std::size_t> Meeting(const Outline& a, const Outline& b);
+/// Returns the outline's corners after each side is moved by `distance`, m, to its left.
+std::vector<Point2> ParallelOf(const Outline& outline, double distance);
 
-/// Whether the point is inside, up to rounding.
-bool Contains(const Outline& outline, const Point& p);
+/// Returns the first corner of the first side of `a` that crosses or touches a side of `b`.
+std::optional<std::size_t> FirstContact(const Outline& a, const Outline& b);
 
-/// The outline between a line in the half plane x >= 0 and its parallel at the distance `wall`
-/// towards the y axis. A line that begins or ends on the axis is extended along it; other ends are
-/// cut square.
-std::optional<Outline> WalledOutline(std::span<const Point> line, double wall, Fault& fault);
+/// Returns true if the point is inside, up to rounding errors.
+bool Contains(const Outline& outline, const Point2& p);
+
+/// Returns the outline between a line in the half plane x >= 0 and its parallel at the distance
+/// `wall` towards the y axis. At an end on the y axis the outline follows the axis; other ends are
+/// cut perpendicular to the line. Returns nothing and sets `fault` if the wall is too thick or the
+/// line is faulty.
+std::optional<Outline> WalledOutline(std::span<const Point2> line, double wall, Fault& fault);
 
 }  // namespace mjforge::solid

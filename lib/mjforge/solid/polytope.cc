@@ -1,6 +1,9 @@
+// Convex hulls by Qhull, boxes, and their triangulation.
+
 #include "mjforge/solid/polytope.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -11,7 +14,7 @@ extern "C" {
 namespace mjforge::solid {
 namespace {
 
-// Qhull's state, with its memory.
+// Owner of Qhull's state and memory.
 class Qhull {
  public:
   Qhull() { qh_zero(&state_, nullptr); }
@@ -24,20 +27,20 @@ class Qhull {
   Qhull(const Qhull&) = delete;
   Qhull& operator=(const Qhull&) = delete;
 
-  /// False if the points are flat. `coordinates` must outlive this.
+  /// Returns false if the points are coplanar. `coordinates` must outlive this object.
   bool Run(std::vector<double>& coordinates) {
     char command[] = "qhull";
-    // What it says of flat points is said better where they stand.
+    // Discard Qhull's message about coplanar points, because HullOf reports a fault.
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::fopen("/dev/null", "w"),
                                                                   std::fclose);
     return qh_new_qhull(&state_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(),
                         False, command, nullptr, nowhere.get()) == 0;
   }
 
-  /// With each point's index.
+  /// Returns the faces; their corners are indices of the points.
   std::vector<Polytope::Face> Faces() {
     std::vector<Polytope::Face> faces;
-    qhT* qh = &state_;  // by this name Qhull's macros know it
+    qhT* qh = &state_;  // Qhull's macros require this name
     facetT* facet = nullptr;
     FORALLfacets {
       Polytope::Face face{{}, Eigen::Vector3d(facet->normal)};
@@ -57,7 +60,7 @@ class Qhull {
 
 Eigen::Vector3d NormalOf(const std::vector<Eigen::Vector3d>& vertices,
                          const std::vector<int>& corners) {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // Newell
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // by Newell's method
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Eigen::Vector3d& a = vertices[static_cast<std::size_t>(corners[i])];
     const Eigen::Vector3d& b =
@@ -101,11 +104,11 @@ std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& f
   return hull;
 }
 
-Polytope BoxOf(const Eigen::Vector3d& half) {
+Polytope BoxOf(const Eigen::Vector3d& half_sizes) {
   Polytope box;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    box.vertices.emplace_back(half.cwiseProduct(sign));
+    box.vertices.emplace_back(half_sizes.cwiseProduct(sign));
   }
   const std::array<std::array<int, 4>, 6> faces = {
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
@@ -117,14 +120,18 @@ Polytope BoxOf(const Eigen::Vector3d& half) {
   return box;
 }
 
-Piece PieceOf(const Polytope& polytope) {
-  Piece piece;
-  piece.vertices = polytope.vertices;
+TriangleMesh MeshOf(const Polytope& polytope) {
+  TriangleMesh mesh;
+  mesh.vertices = polytope.vertices;
   for (const Polytope::Face& face : polytope.faces) {
     for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
-      piece.triangles.push_back({face.corners[0], face.corners[i], face.corners[i + 1]});
+      mesh.triangles.push_back({face.corners[0], face.corners[i], face.corners[i + 1]});
   }
-  return piece;
+  return mesh;
+}
+
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace mjforge::solid

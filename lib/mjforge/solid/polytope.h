@@ -1,6 +1,6 @@
-#pragma once
+// Convex polyhedra, and the solids at a distance around them (Minkowski sums with a ball).
 
-// Convex polyhedra, and what is within a distance of them.
+#pragma once
 
 #include <optional>
 #include <span>
@@ -21,19 +21,23 @@ struct Polytope {
   std::vector<Face> faces;
 };
 
-/// Their convex hull, by Qhull, which joins the facets of one plane. Nothing, and a fault, if it
-/// has no volume.
+/// Returns the convex hull, computed by Qhull, which merges coplanar facets. Returns nothing and
+/// sets `fault` if the hull has no volume.
 std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault);
 
-/// Of the half sizes.
-Polytope BoxOf(const Eigen::Vector3d& half);
+/// Returns a box centred on the origin.
+Polytope BoxOf(const Eigen::Vector3d& half_sizes);
 
-Piece PieceOf(const Polytope& polytope);
+TriangleMesh MeshOf(const Polytope& polytope);
 
-/// The surface at the distance `radius` > 0: `per_turn` segments for a turn of the normal.
-Surface RoundedSurface(const Polytope& polytope, double radius, int per_turn);
+/// Returns the angle between two unit vectors, rad.
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Of all that is within `radius` >= 0.
+/// Returns the surface at the distance `radius` > 0, with normals. Arcs have `per_turn` segments in
+/// a whole turn.
+TriangleMesh RoundedMesh(const Polytope& polytope, double radius, int per_turn);
+
+/// Returns the mass of all points within the distance `radius` >= 0.
 Mass RoundedMass(const Polytope& polytope, double radius);
 
 }  // namespace mjforge::solid

@@ -1,3 +1,5 @@
+// Prisms with holes, rounded corners and bevelled edges.
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -5,29 +7,29 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "mjforge/solid/convex.h"
-#include "mjforge/solid/look.h"
+#include "mjforge/solid/convex_partition.h"
+#include "mjforge/solid/inset_polygon.h"
+#include "mjforge/solid/loft.h"
 #include "mjforge/solid/moments.h"
-#include "mjforge/solid/plan.h"
-#include "mjforge/solid/stack.h"
+#include "mjforge/solid/render_mesh.h"
 
 namespace mjforge::solid {
 namespace {
 
-/// Of a rounded corner as it is seen, a whole turn.
+/// Returns the segments in a whole turn of the rounded corners of the render mesh.
 int CornerSegments(const Prism& prism) {
   Eigen::AlignedBox2d box;
-  for (const Point& p : prism.polygon) box.extend(p);
+  for (const Point2& p : prism.polygon) box.extend(p);
   const double half_size = std::max(box.sizes().maxCoeff(), prism.height) / 2;
-  return SegmentsOf(prism.round, ChordError(half_size), kWholeTurn);
+  return SegmentsPerTurn(prism.round, ChordError(half_size), kWholeTurn);
 }
 
-Mass MassOf(const Plan& plan, double height, double bevel) {
-  // Along z all integrals are polynomials of at most degree 6 in each layer.
+Mass MassOf(const BasePolygon& base, double height, double bevel) {
+  // In each layer all integrands are polynomials in z of degree 6 at most.
   using Rule = boost::math::quadrature::gauss<double, 7>;
   Moments moments;
   const auto add_slice = [&](double z, double inset, double thickness) {
-    const AreaMoments slice = MomentsOf(plan.BorderAt(inset));
+    const AreaMoments slice = MomentsOf(base.BoundaryAt(inset));
     moments.volume += thickness * slice.area;
     const Eigen::Vector3d first(slice.first.x(), slice.first.y(), z * slice.area);
     moments.first += thickness * first;
@@ -54,48 +56,69 @@ Mass MassOf(const Plan& plan, double height, double bevel) {
   return MassOf(moments, Eigen::Vector3d::Zero());
 }
 
-/// Pieces of all convex polygons of an area, between -z and z.
-void AddPieces(const Area& area, double z, std::vector<Piece>& pieces) {
+/// Adds a piece between -z and z for each convex polygon of an area.
+void AddPieces(const Area& area, double z, std::vector<ConvexPiece>& pieces) {
   for (const std::vector<int>& polygon : PartitionOf(area).convex) {
-    std::vector<Point> corners;
+    std::vector<Point2> corners;
     corners.reserve(polygon.size());
     for (const int corner : polygon)
       corners.push_back(area.corners[static_cast<std::size_t>(corner)]);
     RemoveStraightCorners(corners);
-    pieces.push_back(StackOf({{corners, -z}, {corners, z}}));
+    pieces.push_back({.mesh = Loft({{corners, -z}, {corners, z}})});
   }
 }
 
-std::vector<Piece> PiecesOf(const Plan& plan, const Prism& prism) {
-  const Levels levels = plan.LevelsAt(prism.bevel, prism.facets, true);
+std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {
+  const PrismSections sections = base.SectionsAt(prism.bevel, prism.facets, true);
   const double top = prism.height / 2;
   const double edge = top - prism.bevel;
-  std::vector<Piece> pieces;
-  if (prism.bevel > 0 && levels.middle.ends.size() == 1 && IsConvex(levels.middle.corners)) {
-    const std::vector<Point>& inner = levels.end.corners;
-    const std::vector<Point>& outer = levels.middle.corners;
-    pieces.push_back(StackOf({{inner, -top}, {outer, -edge}, {outer, edge}, {inner, top}}));
+  std::vector<ConvexPiece> pieces;
+  if (prism.bevel > 0 && sections.middle.ends.size() == 1 && IsConvex(sections.middle.corners)) {
+    const std::vector<Point2>& inner = sections.end.corners;
+    const std::vector<Point2>& outer = sections.middle.corners;
+    pieces.push_back({.mesh = Loft({{inner, -top}, {outer, -edge}, {outer, edge}, {inner, top}})});
     return pieces;
   }
-  AddPieces(levels.middle, edge, pieces);
-  // What the bevel leaves of it goes through from end to end.
-  if (prism.bevel > 0) AddPieces(levels.end, top, pieces);
+  AddPieces(sections.middle, edge, pieces);
+  // The inset polygon runs through the full height.
+  if (prism.bevel > 0) AddPieces(sections.end, top, pieces);
   return pieces;
+}
+
+/// Returns a convex prism with sharp edges as a single piece, nothing for any other prism.
+std::optional<Solid> PlainPrism(const Prism& prism) {
+  if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return std::nullopt;
+  std::optional<TriangleMesh> mesh = MakeConvexPrism(prism.polygon, prism.height);
+  if (!mesh) return std::nullopt;
+  std::vector<Point2> corners;
+  for (std::size_t i = 0; i < mesh->vertices.size() / 2; ++i)
+    corners.emplace_back(mesh->vertices[i].head<2>());
+  const double height = prism.height;
+  const AreaMoments base = MomentsOf(NodesOf(corners));
+  Moments moments;
+  moments.volume = height * base.area;
+  moments.first.head<2>() = height * base.first;
+  moments.second.topLeftCorner<2, 2>() = height * base.second;
+  moments.second(2, 2) = height * height * height / 12 * base.area;
+  Solid solid;
+  solid.pieces.push_back({.mesh = *std::move(mesh)});
+  solid.mass = MassOf(moments, Eigen::Vector3d::Zero());
+  return solid;
 }
 
 }  // namespace
 
 std::optional<Solid> Make(const Prism& prism, Fault& fault) {
-  const std::optional<Plan> plan = PlanOf(prism, fault);
-  if (!plan) return std::nullopt;
+  std::optional<Solid> plain = PlainPrism(prism);
+  // MuJoCo also renders the piece, but without texture coordinates.
+  if (plain && prism.texture.unit == TextureMapping::Unit::kNone) return plain;
+  const std::optional<BasePolygon> base = BasePolygonOf(prism, fault);
+  if (!base) return plain;
   Solid solid;
-  solid.look = Make(PrismLook{.levels = plan->LevelsAt(prism.bevel, CornerSegments(prism), false),
-                              .height = prism.height,
-                              .bevel = prism.bevel,
-                              .crease = prism.crease,
-                              .texture = prism.texture});
-  solid.pieces = PiecesOf(*plan, prism);
-  solid.mass = MassOf(*plan, prism.height, prism.bevel);
+  const PrismSections sections = base->SectionsAt(prism.bevel, CornerSegments(prism), false);
+  solid.render_mesh = MakeExtrusionMesh(prism, sections);
+  solid.pieces = PiecesOf(*base, prism);
+  solid.mass = MassOf(*base, prism.height, prism.bevel);
   return solid;
 }
 

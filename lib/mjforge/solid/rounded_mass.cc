@@ -1,7 +1,9 @@
+// Exact mass of the Minkowski sum of a polytope and a ball.
+
 #include <cmath>
 #include <numbers>
 
-#include "mjforge/solid/edges.h"
+#include "mjforge/solid/half_edges.h"
 #include "mjforge/solid/moments.h"
 
 namespace mjforge::solid {
@@ -10,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A tetrahedron from its first corner: integrals over the simplex of 1, x and x x^T.
+/// Adds the tetrahedron p a b c: integrals of 1, x and x x^T over the simplex.
 void AddTetrahedron(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c,
                     Moments& sum) {
   const double six = (a - p).dot((b - p).cross(c - p));
@@ -22,7 +24,7 @@ void AddTetrahedron(const Vector3d& p, const Vector3d& a, const Vector3d& b, con
                  b * b.transpose() + c * c.transpose());
 }
 
-/// A triangle, extruded by `up`.
+/// Adds a triangle extruded by `up`.
 void AddSlab(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& up,
              Moments& sum) {
   AddTetrahedron(a, b, c, c + up, sum);
@@ -30,14 +32,14 @@ void AddSlab(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vect
   AddTetrahedron(a, b + up, c + up, a + up, sum);
 }
 
-/// The sector of a cylinder around the edge from a to b, between the directions m and n.
+/// Adds the sector of a cylinder about the edge ab, between the unit vectors m and n.
 void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Vector3d& n, double r,
                Moments& sum) {
-  const Vector3d way = b - a;
-  const double length = way.norm();
-  const double angle = std::atan2(m.cross(n).norm(), m.dot(n));
+  const Vector3d edge = b - a;
+  const double length = edge.norm();
+  const double angle = AngleBetween(m, n);
   const Vector3d middle = (m + n).normalized();
-  const Vector3d across = way.cross(middle) / length;
+  const Vector3d across = edge.cross(middle) / length;
   const Vector3d c = (a + b) / 2;
   const double area = r * r * angle / 2;
   const Vector3d first = r * r * r / 3 * 2 * std::sin(angle / 2) * middle;
@@ -46,17 +48,18 @@ void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Ve
                            (angle - std::sin(angle)) / 2 * across * across.transpose());
   sum.volume += area * length;
   sum.first += length * (area * c + first);
-  sum.second += length * (area * c * c.transpose() + area / 12 * way * way.transpose() +
+  sum.second += length * (area * c * c.transpose() + area / 12 * edge * edge.transpose() +
                           c * first.transpose() + first * c.transpose() + second);
 }
 
-/// The cone from v over the spherical polygon of the normals. Integrals of 1, n and n n^T over it:
-/// the solid angle of its triangles (Van Oosterom and Strackee, 1983); the others by the divergence
-/// theorem on the sphere, along its great arcs.
+/// Adds the cone with apex v over the spherical polygon of the normals, the part of a ball at a
+/// vertex. The integral of 1 over the spherical polygon is the solid angle of its triangles (Van
+/// Oosterom and Strackee, 1983); those of n and n n^T follow from the divergence theorem on the
+/// sphere, along the polygon's great arcs.
 void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, Moments& sum) {
   double solid_angle = 0;
   Vector3d first = Vector3d::Zero();
-  Matrix3d border = Matrix3d::Zero();
+  Matrix3d boundary = Matrix3d::Zero();
   const std::size_t count = normals.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3d& a = normals[i];
@@ -66,12 +69,12 @@ void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, 
     solid_angle += 2 * std::atan2(triple, 1 + start.dot(a) + a.dot(b) + b.dot(start));
     const Vector3d axis = a.cross(b);
     if (!(axis.norm() > 0)) continue;
-    const double angle = std::atan2(axis.norm(), a.dot(b));
+    const double angle = AngleBetween(a, b);
     const Vector3d pole = axis.normalized();
     first += angle / 2 * pole;
-    border += std::tan(angle / 2) * (a + b) * pole.transpose();
+    boundary += std::tan(angle / 2) * (a + b) * pole.transpose();
   }
-  Matrix3d second = (solid_angle * Matrix3d::Identity() + border) / 3;
+  Matrix3d second = (solid_angle * Matrix3d::Identity() + boundary) / 3;
   second = (second + second.transpose()).eval() / 2;
   const double volume = r * r * r / 3 * solid_angle;
   const Vector3d along = r * r * r * r / 4 * first;
@@ -83,10 +86,10 @@ void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, 
 
 }  // namespace
 
-// What is within a distance of a polytope is the polytope, slabs on its faces, sectors of cylinders
-// along its edges and of balls at its vertices.
+// The Minkowski sum of a polytope and a ball consists of the polytope, slabs on its faces, sectors
+// of cylinders along its edges and sectors of balls at its vertices.
 Mass RoundedMass(const Polytope& polytope, double radius) {
-  Vector3d origin = Vector3d::Zero();  // inside: the less cancels
+  Vector3d origin = Vector3d::Zero();  // inside, to reduce cancellation
   for (const Vector3d& p : polytope.vertices)
     origin += p / static_cast<double>(polytope.vertices.size());
   const auto at = [&](int i) {
@@ -106,7 +109,7 @@ Mass RoundedMass(const Polytope& polytope, double radius) {
   const auto normal = [&](int face) {
     return polytope.faces[static_cast<std::size_t>(face)].normal;
   };
-  const Edges edges(polytope);
+  const HalfEdges edges(polytope);
   for (const auto& [a, b] : edges.All())
     AddSector(at(a), at(b), normal(edges.FaceAt(a, b)), normal(edges.FaceAt(b, a)), radius, sum);
   for (std::size_t i = 0; i < polytope.vertices.size(); ++i) {

@@ -1,16 +1,18 @@
+// Convex hulls, boxes and cylinders with rounded edges.
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "mjforge/solid/look.h"
+#include "mjforge/solid/lathe_pieces.h"
 #include "mjforge/solid/moments.h"
 #include "mjforge/solid/polytope.h"
-#include "mjforge/solid/wedges.h"
+#include "mjforge/solid/render_mesh.h"
 
 namespace mjforge::solid {
 namespace {
 
-constexpr int kCollides = 8;  // segments of a round edge in a whole turn
+constexpr int kPieceSegments = 8;  // segments of a piece's edge in a whole turn
 
 bool IsTooRound(double round, double least, Fault& fault) {
   fault = {};
@@ -20,54 +22,49 @@ bool IsTooRound(double round, double least, Fault& fault) {
   return true;
 }
 
-/// The faces, each with vertices of its own.
-Surface FlatSurface(const Polytope& polytope) {
-  Surface surface;
+/// Returns a mesh with flat shading: each face has its own vertices.
+TriangleMesh FlatMesh(const Polytope& polytope) {
+  TriangleMesh mesh;
   for (const Polytope::Face& face : polytope.faces) {
-    const int first = static_cast<int>(surface.vertices.size());
+    const int first = static_cast<int>(mesh.vertices.size());
     const int count = static_cast<int>(face.corners.size());
     for (const int corner : face.corners) {
-      surface.vertices.push_back(polytope.vertices[static_cast<std::size_t>(corner)]);
-      surface.normals.push_back(face.normal);
+      mesh.vertices.push_back(polytope.vertices[static_cast<std::size_t>(corner)]);
+      mesh.normals.push_back(face.normal);
     }
-    for (int i = 1; i + 1 < count; ++i)
-      surface.triangles.push_back({first, first + i, first + i + 1});
+    for (int i = 1; i + 1 < count; ++i) mesh.triangles.push_back({first, first + i, first + i + 1});
   }
-  return surface;
+  return mesh;
 }
 
-Solid Rounded(const Polytope& core, double round, const Texture& texture) {
+Solid Rounded(const Polytope& core, double round, const TextureMapping& texture) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : core.vertices) box.extend(p);
-  // A corner has the square of an edge's segments.
+  // Allow a larger chord error, because the triangles at a corner grow with the square of the
+  // segments of an edge.
   const double error = ChordError(box.sizes().maxCoeff() / 2 + round, 0.02);
   Solid solid;
-  solid.look = RoundedSurface(core, round, SegmentsOf(round, error, kWholeTurn));
-  LayFromAbove(texture, solid.look);
-  RoundForText(solid.look);
-  Surface coarse = RoundedSurface(core, round, kCollides);
-  solid.pieces.push_back(
-      {.vertices = std::move(coarse.vertices), .triangles = std::move(coarse.triangles)});
+  solid.render_mesh = RoundedMesh(core, round, SegmentsPerTurn(round, error, kWholeTurn));
+  ProjectTextureFromAbove(texture, solid.render_mesh);
+  RoundCoordinates(solid.render_mesh);
+  solid.pieces.push_back({.mesh = RoundedMesh(core, round, kPieceSegments)});
+  solid.pieces[0].mesh.normals.clear();
   solid.mass = RoundedMass(core, round);
   return solid;
 }
 
-Piece PlainPiece(Piece::Type type, const Eigen::Vector3d& size) {
-  return {.type = type, .size = size};
-}
-
 }  // namespace
 
-std::optional<Solid> Make(const Hull& hull, Fault& fault) {
+std::optional<Solid> Make(const ConvexHull& hull, Fault& fault) {
   const std::optional<Polytope> core = HullOf(hull.points, fault);
   if (!core) return std::nullopt;
   if (hull.round > 0) return Rounded(*core, hull.round, hull.texture);
   Solid solid;
-  if (hull.texture.unit == Texture::Unit::kNone) {
-    solid.pieces.push_back(PieceOf(*core));
+  if (hull.texture.unit == TextureMapping::Unit::kNone) {
+    solid.pieces.push_back({.mesh = MeshOf(*core)});
   } else {
-    solid.look = FlatSurface(*core);
-    LayFromAbove(hull.texture, solid.look);
+    solid.render_mesh = FlatMesh(*core);
+    ProjectTextureFromAbove(hull.texture, solid.render_mesh);
   }
   solid.mass = RoundedMass(*core, 0);
   return solid;
@@ -76,7 +73,7 @@ std::optional<Solid> Make(const Hull& hull, Fault& fault) {
 std::optional<Solid> Make(const RoundedBox& box, Fault& fault) {
   if (IsTooRound(box.round, box.half.minCoeff(), fault)) return std::nullopt;
   Solid solid = Rounded(BoxOf(box.half.array() - box.round), box.round, box.texture);
-  if (box.piece_is_plain) solid.pieces = {PlainPiece(Piece::Type::kBox, box.half)};
+  if (box.piece_is_plain) solid.pieces = {{.type = ConvexPiece::Type::kBox, .size = box.half}};
   return solid;
 }
 
@@ -85,30 +82,31 @@ std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault) {
   const double h = cylinder.half;
   if (IsTooRound(cylinder.round, std::min(r, h), fault)) return std::nullopt;
   Outline section;
-  for (const Point& p : {Point(0, -h), Point(r, -h), Point(r, h), Point(0, h)})
+  for (const Point2& p : {Point2(0, -h), Point2(r, -h), Point2(r, h), Point2(0, h)})
     section.Add(p, section.corners.size());
-  const auto corners = RoundedCorners(section, {0, cylinder.round, cylinder.round, 0}, 0, fault);
+  const auto corners = RoundCorners(section, {0, cylinder.round, cylinder.round, 0}, 0, fault);
   if (!corners) return std::nullopt;
-  const auto drawn = [&](int per_turn) {
+  const auto section_with = [&](int per_turn) {
     Outline outline;
-    for (const Point& p : PointsOf(*corners, per_turn, false))
+    for (const Point2& p : PointsOf(*corners, per_turn, false))
       outline.Add(p, outline.corners.size());
     return outline;
   };
-  const Outline seen = drawn(SegmentsOf(cylinder.round, ChordError(std::max(r, h)), kWholeTurn));
+  const double error = ChordError(std::max(r, h));
+  const Outline fine = section_with(SegmentsPerTurn(cylinder.round, error, kWholeTurn));
+  const Lathe lathe = {.profile = fine.corners,
+                       .facets = cylinder.facets,
+                       .crease = cylinder.crease,
+                       .texture = cylinder.texture};
   Solid solid;
-  solid.look = Make(TurnedLook{.outline = seen,
-                               .partition = PartitionOf(Area(seen.corners)),
-                               .line = seen.corners,
-                               .is_closed = true,
-                               .angle = kWholeTurn,
-                               .crease = cylinder.crease,
-                               .texture = cylinder.texture});
-  const Outline coarse = drawn(kCollides);
-  solid.pieces =
-      TurnedPieces(coarse, PartitionOf(Area(coarse.corners)), kWholeTurn, cylinder.facets);
-  if (cylinder.piece_is_plain) solid.pieces = {PlainPiece(Piece::Type::kCylinder, {r, h, 0})};
-  solid.mass = TurnedMass(NodesOf(*corners), kWholeTurn);
+  solid.render_mesh = MakeLatheMesh(lathe, fine, PartitionOf(Area(fine.corners)));
+  if (cylinder.piece_is_plain) {
+    solid.pieces = {{.type = ConvexPiece::Type::kCylinder, .size = {r, h, 0}}};
+  } else {
+    const Outline coarse = section_with(kPieceSegments);
+    solid.pieces = MakeLathePieces(lathe, coarse, PartitionOf(Area(coarse.corners)));
+  }
+  solid.mass = RevolvedMass(NodesOf(*corners), kWholeTurn);
   return solid;
 }
 

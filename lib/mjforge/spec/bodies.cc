@@ -1,4 +1,4 @@
-// bodies: the tree of an object of several.
+// Reader of `bodies:`: contents, properties for expressions, joints, and the check of parents.
 
 #include <algorithm>
 #include <array>
@@ -13,34 +13,30 @@ namespace {
 
 using diag::Code;
 
-// What a body's content may be: one of these.
+// Keys for the content of a body, which has only one of them.
 constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
 
-class BodyReader {
+class BodyEntryReader {
  public:
-  explicit BodyReader(Reading& reading) : reading_(reading), entries_(reading) {}
+  explicit BodyEntryReader(Context& context) : context_(context), entries_(context) {}
 
   void Read(const YamlNode& map) {
-    CheckKeys(BodyElement(), map, reading_);
+    CheckKeys(kBodyElement, map, context_);
     BodyEntry body;
-    body.head = entries_.Begin(BodyElement(), map, map, EntryReader::Naming::kRequired);
+    body.head = entries_.Begin(kBodyElement, map, map, EntryReader::Naming::kRequired);
     CheckContents(map);
-    if (const YamlNode* parts = map.Find("parts")) {
-      entries_.ReadList(PartElement(), *parts, body.parts);
-      CheckUniqueNames("part", body.parts, reading_);
-    }
+    if (const YamlNode* parts = map.Find("parts"))
+      body.parts = ReadEntries(kPartElement, *parts, context_);
     if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
-    // From here on its own properties are known.
+    // The body's own properties can be used by its fields, sites, views and joints.
     DeclareProperties(body);
-    body.head.fields = ReadFields(BodyElement(), map, reading_);
-    if (const YamlNode* sites = map.Find("sites")) {
-      entries_.ReadList(SiteElement(), *sites, body.sites);
-      CheckUniqueNames("site", body.sites, reading_);
-    }
-    ReadViews(map, body.views, reading_);
+    body.head.fields = ReadFields(kBodyElement, map, context_);
+    if (const YamlNode* sites = map.Find("sites"))
+      body.sites = ReadEntries(kSiteElement, *sites, context_);
+    body.views = ReadViews(map, context_);
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
     entries_.End(body.head);
-    reading_.spec.bodies.push_back(std::move(body));
+    context_.spec.bodies.push_back(std::move(body));
   }
 
  private:
@@ -52,34 +48,27 @@ class BodyReader {
         first = &pair;
         continue;
       }
-      reading_.findings
+      context_.findings
           .Add(Code::kSpecConflict, pair.mark,
                fmt::format("'{}' together with '{}': a body has only one of the two", pair.key,
                            first->key))
           .notes.push_back({first->mark, "first here"});
     }
-    NeedsBeside(map, "params", "spec");
-    NeedsBeside(map, "materials", "spec");
-    NeedsBeside(map, "body", "mjcf");
+    CheckNeeds("params", "spec", map, context_);
+    CheckNeeds("materials", "spec", map, context_);
+    CheckNeeds("body", "mjcf", map, context_);
   }
 
-  void NeedsBeside(const YamlNode& map, std::string_view key, std::string_view other) {
-    const auto found = std::ranges::find(map.pairs, key, &YamlNode::Pair::key);
-    if (found == map.pairs.end() || map.Find(other) != nullptr) return;
-    reading_.findings.Add(Code::kSpecConflict, found->mark,
-                          fmt::format("'{}' needs '{}' in the same entry", key, other));
-  }
-
-  // NAME.top and the like, and NAME.param.
+  // Declares NAME.top and the other properties, and NAME.PARAMETER for the parameters of a spec.
   void DeclareProperties(BodyEntry& body) {
     const auto name = LiteralText(body.head.name);
     if (!name || !expr::IsName(*name)) return;
-    expr::Names& names = reading_.spec.names;
+    expr::SymbolTable& names = context_.spec.names;
     const std::string prefix = std::string(*name) + ".";
-    if (names.Find(prefix + "top") != nullptr) return;  // of another body of that name
+    if (names.Find(prefix + "top") != nullptr) return;  // declared for another body of this name
     for (const std::string_view property : BodyPropertyNames()) {
       const Key key = property == "mass" ? Key::kMass : Key::kPos;
-      const auto unit = DimensionsOf(BodyElement().Find(key)->unit);
+      const auto unit = DimensionsOf(kBodyElement.Find(key)->unit);
       const int slot =
           names.Declare(prefix + std::string(property), expr::Type::kNumber, 1, *unit).slot;
       if (body.first_property < 0) body.first_property = slot;
@@ -88,7 +77,7 @@ class BodyReader {
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
           std::ranges::find(BodyPropertyNames(), parameter.name) != BodyPropertyNames().end();
-      // A property wins over a parameter of its name. A list stays in its spec.
+      // A property hides a parameter of the same name. Lists are not visible outside their spec.
       body.parameter_slots.push_back(
           hidden || parameter.value.is_list
               ? -1
@@ -98,21 +87,20 @@ class BodyReader {
 
   void ReadBodyJoints(const YamlNode& joints, BodyEntry& body) {
     if (joints.kind == YamlNode::Kind::kScalar) {
-      body.is_free = IsFreeWord(joints, reading_) == true;
+      body.is_free = IsFreeWord(joints, context_) == true;
       return;
     }
-    entries_.ReadList(JointElement(), joints, body.joints);
-    CheckUniqueNames("joint", body.joints, reading_);
+    body.joints = ReadEntries(kJointElement, joints, context_);
   }
 
-  Reading& reading_;
+  Context& context_;
   EntryReader entries_;
 };
 
-// Parents that can be told before any draw: those with plain names.
+// Checks parents with literal names, because other names are known only after drawing.
 class ParentChecker {
  public:
-  explicit ParentChecker(Reading& reading) : reading_(reading), bodies_(reading.spec.bodies) {
+  explicit ParentChecker(Context& context) : context_(context), bodies_(context.spec.bodies) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const auto name = LiteralText(bodies_[i].head.name);
       if (!name) composed_before_ = std::min(composed_before_, i);
@@ -128,8 +116,8 @@ class ParentChecker {
  private:
   void CheckName(std::string_view name, const std::vector<std::size_t>& entries) {
     const diag::SourceMark mark = bodies_[entries[0]].head.name.mark;
-    if (name == reading_.spec.name) {
-      reading_.findings.Add(
+    if (name == context_.spec.name) {
+      context_.findings.Add(
           Code::kSpecDuplicateName, mark,
           fmt::format("body '{}' has the name of the object, which its root body already has",
                       name),
@@ -140,7 +128,7 @@ class ParentChecker {
       const Entry& entry = bodies_[i].head;
       if (entry.condition || !entry.loops.empty()) continue;
       if (sure != nullptr) {
-        reading_.findings
+        context_.findings
             .Add(Code::kSpecDuplicateName, entry.name.mark,
                  fmt::format("two bodies are named '{}'", name))
             .notes.push_back({sure->name.mark, "the other one"});
@@ -157,7 +145,7 @@ class ParentChecker {
 
   void CheckParent(std::size_t i) {
     const auto parent = ParentOf(i);
-    if (!parent || *parent == reading_.spec.name) return;
+    if (!parent || *parent == context_.spec.name) return;
     const diag::SourceMark mark = bodies_[i].head.Find(Key::kParent)->value.mark;
     const auto found = by_name_.find(*parent);
     if (found == by_name_.end()) {
@@ -166,33 +154,34 @@ class ParentChecker {
     }
     if (found->second.front() < i) return;
     if (found->second.front() == i) {
-      reading_.findings.Add(Code::kSpecBadParent, mark,
+      context_.findings.Add(Code::kSpecBadParent, mark,
                             fmt::format("body '{}' is its own parent", *parent));
       return;
     }
     ReportForward(i, found->second.front(), mark);
   }
 
-  // A body that a composed name or the content of an earlier entry may make.
+  // Returns true if a body of this name may result from a computed name or the content of an
+  // earlier entry.
   bool MayComeLater(std::string_view parent, std::size_t i) const {
     if (composed_before_ < i) return true;
     for (std::size_t k = 0; k < i; ++k) {
       const auto name = LiteralText(bodies_[k].head.name);
       if (name && parent.starts_with(*name) && parent.substr(name->size()).starts_with("_")) {
-        return true;  // the model knows what is in it
+        return true;  // bodies inside another spec or file are checked by the model
       }
     }
     return false;
   }
 
   void ReportUnknown(std::string_view parent, diag::SourceMark mark) {
-    std::vector<std::string_view> names = {reading_.spec.name};
+    std::vector<std::string_view> names = {context_.spec.name};
     for (const auto& [name, entries] : by_name_) names.push_back(name);
-    reading_.findings.Add(Code::kSpecBadParent, mark, fmt::format("no body '{}'", parent),
+    context_.findings.Add(Code::kSpecBadParent, mark, fmt::format("no body '{}'", parent),
                           diag::DidYouMean(parent, names));
   }
 
-  // A parent must come first; where it leads back here it never can.
+  // Reports a parent that comes after its child, or a circle of parents.
   void ReportForward(std::size_t i, std::size_t parent, diag::SourceMark mark) {
     const std::string name(LiteralText(bodies_[i].head.name).value_or("?"));
     std::string circle = name;
@@ -201,7 +190,7 @@ class ParentChecker {
       const auto next = ParentOf(at);
       circle += fmt::format(" -> {}", LiteralText(bodies_[at].head.name).value_or("?"));
       if (at == i) {
-        reading_.findings
+        context_.findings
             .Add(Code::kSpecBadParent, mark,
                  fmt::format("the parents of bodies form a circle: {}", circle))
             .notes.push_back({bodies_[parent].head.name.mark, "the other one"});
@@ -211,7 +200,7 @@ class ParentChecker {
       if (found == by_name_.end()) break;
       at = found->second.front();
     }
-    reading_.findings
+    context_.findings
         .Add(Code::kSpecBadParent, mark,
              fmt::format("body '{}' comes after its child '{}'",
                          LiteralText(bodies_[parent].head.name).value_or("?"), name),
@@ -219,10 +208,10 @@ class ParentChecker {
         .notes.push_back({bodies_[parent].head.name.mark, "it is here"});
   }
 
-  Reading& reading_;
+  Context& context_;
   const std::vector<BodyEntry>& bodies_;
   std::map<std::string_view, std::vector<std::size_t>> by_name_;
-  std::size_t composed_before_ = static_cast<std::size_t>(-1);  // the first composed name
+  std::size_t composed_before_ = static_cast<std::size_t>(-1);  // first entry with a computed name
 };
 
 }  // namespace
@@ -233,13 +222,13 @@ std::span<const std::string_view> BodyPropertyNames() {
   return kNames;
 }
 
-void ReadBodies(const YamlNode& bodies, Reading& reading) {
-  if (!IsList(bodies, "bodies", reading)) return;
-  BodyReader reader(reading);
+void ReadBodies(const YamlNode& bodies, Context& context) {
+  if (!IsList(bodies, "bodies", context)) return;
+  BodyEntryReader reader(context);
   for (const YamlNode& item : bodies.items) {
-    if (IsMap(item, "a body's keys", reading)) reader.Read(item);
+    if (IsMap(item, "a body's keys", context)) reader.Read(item);
   }
-  ParentChecker(reading).Check();
+  ParentChecker(context).Check();
 }
 
 }  // namespace mjforge::spec

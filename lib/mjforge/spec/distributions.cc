@@ -1,3 +1,5 @@
+// The table of random distributions.
+
 #include "mjforge/spec/distributions.h"
 
 namespace mjforge::spec {

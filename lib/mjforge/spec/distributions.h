@@ -1,13 +1,13 @@
-#pragma once
+// The table of random distributions.
 
-// The distributions of the language, a table like that of the fields.
+#pragma once
 
 #include <span>
 #include <string_view>
 
 namespace mjforge::spec {
 
-/// One kind of random draw, as a mapping's first key.
+/// A kind of random draw; its name is a key of the mapping that describes the draw.
 enum class Distribution {
   kUniform,
   kLogUniform,
@@ -26,7 +26,7 @@ enum class Distribution {
 struct DistributionInfo {
   std::string_view key;
   Distribution id;
-  int arguments;                 // numbers it takes; -1: any number of values of any kind
+  int arguments;                 // count of its numbers; -1: any count of values of any kind
   std::string_view usage;        // "{triangular: [lo, mode, hi]}"
   std::string_view option = {};  // extra key: "clip", "range" or "weights"
   std::string_view doc = {};

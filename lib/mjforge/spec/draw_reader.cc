@@ -1,12 +1,11 @@
-// The part of ValueReader that reads mappings: distributions and the forms that
-// draw whole vectors.
+// The part of ValueReader that reads draws: distributions, and forms that draw whole vectors.
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/slots.h"
+#include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/value_reader.h"
 
 namespace mjforge::spec {
@@ -32,15 +31,15 @@ const DistributionInfo* FindDistribution(std::string_view key) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// Whether a draw of this distribution can stand in the slot.
-bool Fits(const DistributionInfo& info, Slot slot) {
-  if (info.arguments < 0 || slot == Slot::kAnything) return true;
-  if (info.id == Distribution::kBernoulli) return slot == Slot::kBoolean;
-  return slot == Slot::kNumber || slot == Slot::kInteger || slot == Slot::kNumbers;
+// Returns true if a field of this kind can be drawn from the distribution.
+bool Fits(const DistributionInfo& info, FieldKind kind) {
+  if (info.arguments < 0 || kind == FieldKind::kAnything) return true;
+  if (info.id == Distribution::kBernoulli) return kind == FieldKind::kBoolean;
+  return kind == FieldKind::kNumber || kind == FieldKind::kInteger || kind == FieldKind::kNumbers;
 }
 
-// Whether a mapping that draws by `main` may have the key, too.
-bool StandsBeside(std::string_view key, std::string_view main) {
+// Returns true if a mapping with the draw `main` may also have this key.
+bool IsOption(std::string_view key, std::string_view main) {
   if (const DistributionInfo* info = FindDistribution(main))
     return !key.empty() && (key == info->option || key == info->flag);
   return key == kCount && (main == kEach || main == kSample);
@@ -76,17 +75,17 @@ bool IsDrawKey(std::string_view key) {
          key == kHsv;
 }
 
-bool ValueReader::IsVectorForm(std::string_view key, const Expected& expected) const {
-  const bool anything = expected.slot == Slot::kAnything;
+bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expected) const {
+  const bool anything = expected.kind == FieldKind::kAnything;
   const auto allows = [&](int count) {
-    return anything || (expected.slot == Slot::kNumbers && expected.min_count <= count &&
+    return anything || (expected.kind == FieldKind::kNumbers && expected.min_count <= count &&
                         count <= expected.max_count);
   };
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
-// Of a colour or a quaternion: four numbers are not always one. A parameter's may be either.
-void ValueReader::CheckMeaning(bool is_color, const Expected& expected, const YamlNode& node) {
+// Reports a colour or a quaternion in a field for other numbers. A parameter takes both.
+void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
   findings_.Add(Code::kSpecWrongType, node.mark,
@@ -95,7 +94,7 @@ void ValueReader::CheckMeaning(bool is_color, const Expected& expected, const Ya
                          : "a random rotation is a quaternion, as for 'quat'");
 }
 
-Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected,
+Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expected,
                                   const YamlNode& node) {
   Value value{.mark = node.mark,
               .components = key == kOnSphere ? 3 : 4,
@@ -104,21 +103,21 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
     findings_.Add(
         Code::kSpecWrongType, node.mark,
         fmt::format("'{}' draws {} numbers, but {} {} expected here", key, value.components,
-                    expected.slot == Slot::kNumbers ? fmt::format("{}", expected.max_count)
-                                                    : std::string(InfoOf(expected.slot).drawn),
+                    expected.kind == FieldKind::kNumbers ? fmt::format("{}", expected.max_count)
+                                                         : std::string(InfoOf(expected.kind).drawn),
                     expected.max_count == 1 ? "is" : "are"));
     return value;
   }
   if (key != kOnSphere) CheckMeaning(key == kHsv, expected, node);
   if (key == kAbout) {
     value.form = RotationAbout{std::make_shared<const Value>(
-        ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 3}, node))};
+        ReadVector({.kind = FieldKind::kNumbers, .min_count = 3, .max_count = 3}, node))};
   } else if (key == kOnSphere) {
     Value radius = ReadNumber(node);
     value.dimensions = radius.dimensions;
     value.form = PointOnSphere{std::make_shared<const Value>(std::move(radius))};
   } else {
-    Value items = ReadVector({.slot = Slot::kNumbers, .min_count = 3, .max_count = 4}, node);
+    Value items = ReadVector({.kind = FieldKind::kNumbers, .min_count = 3, .max_count = 4}, node);
     auto* list = std::get_if<List>(&items.form);
     if (list == nullptr) return Wrong(node, "a list [hue, saturation, value]");
     value.form = HsvColor{std::move(list->items)};
@@ -126,7 +125,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const Expected& expected
   return value;
 }
 
-// `lost`: nothing in the mapping says what it is.
+// `lost` is true if no key of the mapping names a draw.
 void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                                    const std::vector<std::string_view>& known, bool lost) {
   if (pair.key == "for" || pair.key == "if") {
@@ -145,7 +144,7 @@ void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                 fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));
 }
 
-Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
+Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& node,
                                std::span<const std::string_view> extra_keys) {
   const YamlNode::Pair* main = nullptr;
   for (const auto& pair : node.pairs) {
@@ -160,7 +159,7 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
   }
   const DistributionInfo* distribution = main != nullptr ? FindDistribution(main->key) : nullptr;
   for (const auto& pair : node.pairs) {
-    const bool beside = main != nullptr && StandsBeside(pair.key, main->key);
+    const bool beside = main != nullptr && IsOption(pair.key, main->key);
     if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
@@ -169,21 +168,21 @@ Value ValueReader::ReadMapping(const Expected& expected, const YamlNode& node,
   }
   if (main == nullptr)
     return Wrong(
-        node, extra_keys.empty() ? InfoOf(expected.slot).drawn : "a key 'value' or a distribution");
+        node, extra_keys.empty() ? InfoOf(expected.kind).drawn : "a key 'value' or a distribution");
   if (main->key == "value") return ReadAnything(main->value);
   if (distribution != nullptr) return ReadDraw(*distribution, expected, node);
   if (IsListForm(main->key)) return ReadListForm(expected, node, *main);
   return ReadVectorForm(main->key, expected, main->value);
 }
 
-Value ValueReader::ReadDraw(const DistributionInfo& info, const Expected& expected,
+Value ValueReader::ReadDraw(const DistributionInfo& info, const ExpectedForm& expected,
                             const YamlNode& map) {
   const YamlNode& node = *map.Find(info.key);
   Value value = Harmless(map);
-  if (!Fits(info, expected.slot)) {
+  if (!Fits(info, expected.kind)) {
     findings_.Add(
         Code::kSpecWrongType, map.mark,
-        fmt::format("expected {}, but '{}' draws {}", InfoOf(expected.slot).drawn, info.key,
+        fmt::format("expected {}, but '{}' draws {}", InfoOf(expected.kind).drawn, info.key,
                     info.id == Distribution::kBernoulli ? "true or false" : "numbers"));
     return value;
   }
@@ -247,7 +246,8 @@ void ValueReader::ReadDrawOption(const DistributionInfo& info, const YamlNode& n
   if (!weights) CheckRangeOrder(draw.limits[0], draw.limits[1], node.mark);
 }
 
-// What a batch has of each option is settled before anything is drawn.
+// Reads `exact`. The weights must be constants, because the counts of the options over a batch are
+// computed before anything is drawn.
 void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   if (!IsBooleanWord(node)) {
     Wrong(node, "true or false");
@@ -257,14 +257,14 @@ void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   if (!draw.exact) return;
   has_exact_choice_ = true;
   for (const Value& weight : draw.weights) {
-    if (weight.components == 0 || ConstantOf(weight)) continue;  // 0: it was reported
+    if (weight.components == 0 || ConstantOf(weight)) continue;  // 0: already reported
     findings_.Add(Code::kSpecNotConstant, weight.mark,
                   "the weights of an exact choice must be constants",
                   "without `exact: true` they may be computed and drawn");
   }
 }
 
-void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Draw& draw,
+void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list, Draw& draw,
                               Value& value) {
   if (list.kind != YamlNode::Kind::kList || list.items.empty()) {
     Wrong(list, "a list of values to choose from");
@@ -275,9 +275,9 @@ void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Dr
     return item.kind == YamlNode::Kind::kList &&
            (item.items.size() > 4 || ItemType(item) == Type::kText);
   };
-  // Where one option is a list, all are, however short.
+  // If one option is a list, the short ones are lists, too, not vectors.
   Value kind;
-  kind.is_list = expected.slot == Slot::kAnything && std::ranges::any_of(list.items, is_list);
+  kind.is_list = expected.kind == FieldKind::kAnything && std::ranges::any_of(list.items, is_list);
   for (const YamlNode& item : list.items)
     draw.arguments.push_back(kind.is_list ? ReadLike(kind, item) : Read(expected, item));
   const Value& first = draw.arguments.front();
@@ -287,7 +287,7 @@ void ValueReader::ReadOptions(const Expected& expected, const YamlNode& list, Dr
   for (const Value& option : draw.arguments) {
     if (option.components == 0 || first.components == 0) return;
     const bool any_count =
-        expected.slot == Slot::kNumbers && expected.max_count > expected.min_count;
+        expected.kind == FieldKind::kNumbers && expected.max_count > expected.min_count;
     if (IsSameKind(option, first) || (any_count && option.type == first.type)) continue;
     findings_.Add(Code::kSpecWrongType, option.mark,
                   fmt::format("the values to choose from are of different kinds: {} and {}",

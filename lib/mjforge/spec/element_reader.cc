@@ -1,49 +1,49 @@
-// What all elements have in common: known keys, value fields, names.
+// Readers that all elements share: known keys, fields with values, names.
 
 #include <algorithm>
 #include <span>
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
 
 namespace mjforge::spec {
 namespace {
 
 using diag::Code;
 
-// Keys of which an element may have only one, since they say the same thing.
+// Keys that exclude each other, because they give the same property.
 constexpr Key kOrientations[] = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
                                  Key::kXyAxes, Key::kZAxis, Key::kFromTo};
 constexpr Key kMasses[] = {Key::kDensity, Key::kMass};
 constexpr Key kPlaces[] = {Key::kPos, Key::kFromTo};
 constexpr Key kPictures[] = {Key::kBuiltin, Key::kFile};
 
-struct Group {
+struct ExclusiveKeys {
   std::string_view what;
   std::span<const Key> keys;
 };
-constexpr Group kGroups[] = {{"an orientation", kOrientations},
-                             {"a mass", kMasses},
-                             {"a place", kPlaces},
-                             {"a texture", kPictures}};
+constexpr ExclusiveKeys kExclusiveKeys[] = {{"an orientation", kOrientations},
+                                            {"a mass", kMasses},
+                                            {"a place", kPlaces},
+                                            {"a texture", kPictures}};
 
-bool Has(const Group& group, Key key) {
+bool Has(const ExclusiveKeys& group, Key key) {
   return std::ranges::find(group.keys, key) != group.keys.end();
 }
 
-// These are many.
+// Returns "a ", "an ", or nothing for plural names.
 std::string_view Article(std::string_view name) {
   if (name == "checks" || name == "defaults" || name == "holds") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 
-void CheckOneOf(const Group& group, const std::vector<Field>& fields, Reading& reading) {
+void CheckOneOf(const ExclusiveKeys& group, const std::vector<Field>& fields, Context& context) {
   const Field* first = nullptr;
   for (const Field& field : fields) {
     if (!Has(group, field.info->id)) continue;
     if (first != nullptr) {
-      reading.findings
+      context.findings
           .Add(Code::kSpecConflict, field.mark,
                fmt::format("'{}' together with '{}': {} is given in only one way", field.info->key,
                            first->info->key, group.what))
@@ -54,11 +54,11 @@ void CheckOneOf(const Group& group, const std::vector<Field>& fields, Reading& r
   }
 }
 
-// Of the joint that a mapping describes; kAny for other elements and where the type is drawn.
-Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Reading& reading) {
-  if (&element != &JointElement()) return Motion::kAny;
+// Returns the motion of a joint; kAny for other elements and if the joint's type is drawn.
+Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Context& context) {
+  if (&element != &kJointElement) return Motion::kAny;
   const YamlNode* own = map.Find("type");
-  const Field* fallback = FindField(reading.spec.defaults.joint, Key::kType);
+  const Field* fallback = FindField(context.spec.defaults.joint, Key::kType);
   const std::string_view type = own != nullptr        ? std::string_view(own->text)
                                 : fallback != nullptr ? LiteralText(fallback->value).value_or("")
                                                       : "hinge";
@@ -84,48 +84,54 @@ const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
-void CheckKeys(const ElementInfo& element, const YamlNode& map, Reading& reading) {
-  std::vector<std::string_view> keys;
-  for (const FieldInfo& field : element.fields) keys.push_back(field.key);
+void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
   for (const auto& pair : map.pairs) {
     if (element.Find(pair.key) != nullptr) continue;
-    std::string hint = diag::DidYouMean(pair.key, keys);
+    std::string hint = diag::DidYouMean(pair.key, element.fields, &FieldInfo::key);
     if (pair.key == "<<") hint = "YAML 1.2 has no merge keys; use `defaults:`";
-    reading.findings.Add(
+    context.findings.Add(
         Code::kSpecUnknownKey, pair.mark,
         fmt::format("unknown key '{}' in {}{}", pair.key, Article(element.name), element.name),
         std::move(hint));
   }
 }
 
-bool IsMap(const YamlNode& node, std::string_view what, Reading& reading) {
+bool IsMap(const YamlNode& node, std::string_view what, Context& context) {
   if (node.kind == YamlNode::Kind::kMap) return true;
-  reading.findings.Add(Code::kSpecWrongType, node.mark,
+  context.findings.Add(Code::kSpecWrongType, node.mark,
                        fmt::format("expected a mapping with {}, got {}", what, KindName(node)));
   return false;
 }
 
-bool IsList(const YamlNode& node, std::string_view what, Reading& reading) {
+bool IsList(const YamlNode& node, std::string_view what, Context& context) {
   if (node.kind == YamlNode::Kind::kList) return true;
-  reading.findings.Add(Code::kSpecWrongType, node.mark,
+  context.findings.Add(Code::kSpecWrongType, node.mark,
                        fmt::format("expected a list of {}, got {}", what, KindName(node)));
   return false;
 }
 
-std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Reading& reading) {
+std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context) {
   std::vector<Field> fields;
-  const Motion motion = MotionOf(element, map, reading);
+  const Motion motion = MotionOf(element, map, context);
   for (const auto& pair : map.pairs) {
     const FieldInfo* info = element.Find(pair.key);
-    if (info == nullptr || !HoldsValue(info->slot) || info->id == Key::kName) continue;
-    fields.push_back({info, reading.values.Read(*info, pair.value, motion), pair.mark});
+    if (info == nullptr || !HoldsValue(info->kind) || info->id == Key::kName) continue;
+    fields.push_back({info, context.values.Read(*info, pair.value, motion), pair.mark});
   }
-  for (const Group& group : kGroups) CheckOneOf(group, fields, reading);
+  for (const ExclusiveKeys& group : kExclusiveKeys) CheckOneOf(group, fields, context);
   return fields;
 }
 
-bool SayTheSame(const FieldInfo& a, const FieldInfo& b) {
-  return &a == &b || std::ranges::any_of(kGroups, [&](const Group& group) {
+void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
+                Context& context) {
+  const YamlNode::Pair* pair = map.FindPair(key);
+  if (pair == nullptr || map.Find(other) != nullptr) return;
+  context.findings.Add(Code::kSpecConflict, pair->mark,
+                       fmt::format("'{}' needs '{}' in the same entry", key, other));
+}
+
+bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b) {
+  return &a == &b || std::ranges::any_of(kExclusiveKeys, [&](const ExclusiveKeys& group) {
     return Has(group, a.id) && Has(group, b.id);
   });
 }

@@ -1,6 +1,6 @@
-#pragma once
+// Entries of the lists in a spec: parts, sites, joints, bodies, elements of MJCF sections.
 
-// What the lists of a spec hold: parts, sites, joints, bodies, elements of sections.
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -20,22 +20,22 @@ namespace mjforge::spec {
 
 struct ObjectSpec;
 
-/// One key of an element with its value.
+/// A key of an element with its value.
 struct Field {
   const FieldInfo* info = nullptr;
   Value value;
-  diag::SourceMark mark;    // of the key
-  bool is_default = false;  // the entry leaves it out
+  diag::SourceMark mark;    // place of the key
+  bool is_default = false;  // from `defaults:`, because the entry does not have the key
 };
 
-/// One of `let: {gap: 1mm .. 3mm}`.
+/// A local value of an entry: `let: {gap: 1mm .. 3mm}`.
 struct Local {
   std::string name;
   int slot = 0;
   Value value;
 };
 
-/// One entry of `parts:`, `sites:`, `joints:`, `contact: exclude:` or of a section of `mjcf:`.
+/// An entry of `parts:`, `sites:`, `joints:`, `contact: exclude:` or of a section of `mjcf:`.
 struct Entry {
   const ElementInfo* element = nullptr;
   diag::SourceMark mark;
@@ -44,28 +44,26 @@ struct Entry {
   std::vector<Loop> loops;    // outermost first
   std::vector<Local> locals;  // in order
   Value name;                 // text; empty for a frame without a name
-  // All but if, for, name and structure: its own, then the defaults for what it leaves out.
+  // Keys with a value, without `name`: the entry's own, then the defaults for missing keys.
   std::vector<Field> fields;
-  // A frame: its pose is in `fields`, the parts it moves are here. Of a section's
-  // element: the elements in it.
+  // True for a frame, whose pose is in `fields` and whose parts are `children`.
   bool is_frame = false;
-  std::vector<Entry> children;
-  // A part or a body with `spec:`: the spec welded in, and the parameters set for it.
+  std::vector<Entry> children;  // parts of a frame; inner elements of a section's element
+  // Only for `spec:` of a part or a body: the other spec, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
-  // Of its materials, by name: the name of the one of this spec that is used in its place.
+  // Pairs of a material of `nested` and the name of this spec's material that replaces it.
   std::vector<std::pair<std::string, Value>> substitutes;
 
   const Field* Find(Key id) const;
 };
 
-/// The properties of a body that expressions read as `NAME.top` and so on, in the order of their
-/// slots.
+/// The properties of a body that expressions can read (`NAME.top`), in the order of their slots.
 enum class BodyProperty { kTop, kBottom, kRadius, kHalfX, kHalfY, kHalfZ, kMass };
-/// "top", "bottom", ... in that order.
+/// Returns the names of the properties, "top", "bottom", ..., in the order of BodyProperty.
 std::span<const std::string_view> BodyPropertyNames();
 
-/// One entry of `bodies:`: inline parts, another spec, or an MJCF file.
+/// An entry of `bodies:`: inline parts, another spec, or an MJCF file.
 struct BodyEntry {
   Entry head;  // name, if, for; spec and overrides; parent, pose, mass, mjcf, body as fields
   std::vector<Entry> parts;
@@ -73,15 +71,16 @@ struct BodyEntry {
   std::vector<Entry> views;  // cameras and lights
   std::vector<Entry> joints;
   bool is_free = false;  // `joints: free`
-  /// Slot of NAME.top; the other properties follow. -1: no expression asks for them.
+  /// Slot of NAME.top; the other properties follow. -1 if no expression uses a property.
   int first_property = -1;
-  std::vector<int> parameter_slots;  // of NAME.param, as head.nested->parameters
+  /// Slot of NAME.PARAMETER for each of head.nested->parameters; -1 if expressions cannot use it.
+  std::vector<int> parameter_slots;
 };
 
-/// One section of `mjcf:`, or the one that `contact:` fills.
+/// A section of `mjcf:`. `contact:` adds its pairs to the section `contact`.
 struct Section {
   const SectionInfo* info = nullptr;
-  std::vector<Entry> entries;  // of an element section: one
+  std::vector<Entry> entries;  // a single entry if `info->is_element`
 };
 
 }  // namespace mjforge::spec

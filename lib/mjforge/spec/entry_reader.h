@@ -1,39 +1,38 @@
-#pragma once
+// Reader of list entries: `if`, `for`, `let`, names, fields, frames and other specs.
 
-// What the entries of all lists have in common: `if`, `for`, `let`, a name, value fields, and other
-// specs they use.
+#pragma once
 
 #include <initializer_list>
 #include <string_view>
 #include <vector>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
 
 namespace mjforge::spec {
 
 class EntryReader {
  public:
-  explicit EntryReader(Reading& reading) : reading_(reading) {}
+  explicit EntryReader(Context& context) : context_(context) {}
 
-  /// Appends the entries of a list of parts, sites or joints.
-  void ReadList(const ElementInfo& element, const YamlNode& list, std::vector<Entry>& out);
+  /// Reads a list of parts, sites, cameras, lights or joints.
+  std::vector<Entry> ReadList(const ElementInfo& element, const YamlNode& list);
 
   enum class Naming { kOptional, kRequired };
-  /// The loops, the name, the local values and the condition of an entry, in this order. Loop
-  /// variables and local values stay declared until End. `named` has the name.
+  /// Reads the loops, the name, the local values and the condition of an entry, in this order. Loop
+  /// variables and local values stay declared until End(). `named` is the mapping with the name.
   Entry Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
-              Naming naming);
+              Naming naming = Naming::kOptional);
   void End(const Entry& entry);
 
-  /// `spec:`, its `params:` and `materials:`.
+  /// Reads `spec:` with its `params:` and `materials:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
-  /// Reports keys of the element that are not allowed for `what` (a frame, say).
+  /// Reports keys of the element that have no meaning for `what` ("a frame").
   void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                   const ElementInfo& element, std::string_view what);
 
  private:
   Entry ReadEntry(const ElementInfo& element, const YamlNode& map);
-  /// Reads the entry's name, empty if it has none; if `required`, that is a finding.
+  /// Reads the entry's name, or reports that a required name is missing.
   void ReadName(const YamlNode& map, bool required, Entry& entry);
   void ReadLocals(const YamlNode& locals, bool has_name, Entry& entry);
   void ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry);
@@ -41,10 +40,10 @@ class EntryReader {
   void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry);
   void ReadOverride(const YamlNode::Pair& pair, Entry& entry);
   void ReadSubstitute(const YamlNode::Pair& pair, Entry& entry);
-  /// Reports a name of a material that the spec does not have.
+  /// Reports the name of a material if the spec has no such material.
   void CheckMaterial(const Value& value);
 
-  Reading& reading_;
+  Context& context_;
 };
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// expect: what must be true of every variant.
+// Reader of `expect:`, the conditions that every variant must meet.
 
 #include <algorithm>
 #include <array>
@@ -14,24 +14,22 @@ namespace {
 using diag::Code;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-using Kind = ExpectationKind;
-
-// In the order of ExpectationKind.
+// Keys in the order of ExpectationKind.
 constexpr std::array kKinds = {Key::kThat, Key::kGap, Key::kTouch, Key::kApart, Key::kInside};
 
 class ExpectationReader {
  public:
-  explicit ExpectationReader(Reading& reading) : reading_(reading), entries_(reading) {}
+  explicit ExpectationReader(Context& context) : context_(context), entries_(context) {}
 
   void Read(const YamlNode& list) {
-    if (!IsList(list, "conditions and expectations", reading_)) return;
+    if (!IsList(list, "conditions and expectations", context_)) return;
     for (const YamlNode& item : list.items) {
       if (item.kind == YamlNode::Kind::kScalar) {
         Expectation expectation;
         expectation.entry.mark = item.mark;
-        expectation.condition = reading_.values.ReadCondition(item);
-        if (expectation.condition) reading_.spec.expectations.push_back(std::move(expectation));
-      } else if (IsMap(item, "an expectation's keys", reading_)) {
+        expectation.condition = context_.values.ReadCondition(item);
+        if (expectation.condition) context_.spec.expectations.push_back(std::move(expectation));
+      } else if (IsMap(item, "an expectation's keys", context_)) {
         ReadOne(item);
       }
     }
@@ -39,44 +37,43 @@ class ExpectationReader {
 
  private:
   void ReadOne(const YamlNode& map) {
-    CheckKeys(ExpectationElement(), map, reading_);
+    CheckKeys(kExpectationElement, map, context_);
     Expectation expectation;
-    expectation.entry =
-        entries_.Begin(ExpectationElement(), map, map, EntryReader::Naming::kOptional);
+    expectation.entry = entries_.Begin(kExpectationElement, map, map);
     if (const YamlNode* doc = map.Find("doc"))
-      expectation.doc = reading_.values.ReadPlainText("doc", *doc);
+      expectation.doc = context_.values.ReadPlainText("doc", *doc);
     const YamlNode::Pair* what = KindOf(map, expectation.kind);
-    expectation.entry.fields = ReadFields(ExpectationElement(), map, reading_);
+    expectation.entry.fields = ReadFields(kExpectationElement, map, context_);
     CheckFields(map, expectation);
-    if (const YamlNode* at = map.Find("at")) expectation.at = ReadPositions(*at, reading_);
+    if (const YamlNode* at = map.Find("at")) expectation.at = ReadPositions(*at, context_);
     RejectDraws(expectation);
-    if (what != nullptr && expectation.kind == Kind::kThat)
-      expectation.condition = reading_.values.ReadCondition(what->value);
-    const bool is_read =
-        what != nullptr && (expectation.kind == Kind::kThat ? expectation.condition.has_value()
-                                                            : ReadNames(*what, expectation));
+    if (what != nullptr && expectation.kind == ExpectationKind::kThat)
+      expectation.condition = context_.values.ReadCondition(what->value);
+    const bool is_read = what != nullptr && (expectation.kind == ExpectationKind::kThat
+                                                 ? expectation.condition.has_value()
+                                                 : ReadNames(*what, expectation));
     entries_.End(expectation.entry);
-    if (is_read) reading_.spec.expectations.push_back(std::move(expectation));
+    if (is_read) context_.spec.expectations.push_back(std::move(expectation));
   }
 
-  // The one key that says what is expected; null after a finding.
-  const YamlNode::Pair* KindOf(const YamlNode& map, Kind& kind) {
+  // Returns the only key that is a kind of expectation; null after a finding.
+  const YamlNode::Pair* KindOf(const YamlNode& map, ExpectationKind& kind) {
     const YamlNode::Pair* only = nullptr;
     for (const YamlNode::Pair& pair : map.pairs) {
-      const FieldInfo* field = ExpectationElement().Find(pair.key);
+      const FieldInfo* field = kExpectationElement.Find(pair.key);
       const auto found = std::ranges::find(kKinds, field != nullptr ? field->id : Key::kAttribute);
       if (found == kKinds.end()) continue;
       if (only != nullptr) {
-        reading_.findings.Add(Code::kSpecConflict, pair.mark,
+        context_.findings.Add(Code::kSpecConflict, pair.mark,
                               fmt::format("'{}' together with '{}': an entry expects one thing",
                                           pair.key, only->key));
         return nullptr;
       }
       only = &pair;
-      kind = static_cast<Kind>(found - kKinds.begin());
+      kind = static_cast<ExpectationKind>(found - kKinds.begin());
     }
     if (only == nullptr) {
-      reading_.findings.Add(Code::kSpecMissingKey, map.mark,
+      context_.findings.Add(Code::kSpecMissingKey, map.mark,
                             "nothing is expected here: 'that', 'gap', 'touch', 'apart' or 'inside' "
                             "is missing");
     }
@@ -85,30 +82,30 @@ class ExpectationReader {
 
   bool ReadNames(const YamlNode::Pair& pair, Expectation& expectation) {
     if (pair.value.kind != YamlNode::Kind::kList || pair.value.items.size() != 2) {
-      reading_.findings.Add(
+      context_.findings.Add(
           Code::kSpecWrongLength, pair.value.mark,
           fmt::format("expected the names of two bodies or parts: {}: [NAME, NAME]", pair.key));
       return false;
     }
     for (const YamlNode& name : pair.value.items)
-      expectation.names.push_back(reading_.values.ReadText(name));
+      expectation.names.push_back(context_.values.ReadText(name));
     return true;
   }
 
   void CheckFields(const YamlNode& map, const Expectation& expectation) {
-    const bool is_gap = expectation.kind == Kind::kGap;
+    const bool is_gap = expectation.kind == ExpectationKind::kGap;
     for (const Field& field : expectation.entry.fields) {
       if (is_gap) break;
-      reading_.findings.Add(Code::kSpecConflict, field.mark,
+      context_.findings.Add(Code::kSpecConflict, field.mark,
                             fmt::format("'{}' only has a meaning beside 'gap'", field.info->key));
     }
     if (is_gap && expectation.entry.fields.empty())
-      reading_.findings.Add(Code::kSpecMissingKey, map.mark, "'gap' without 'min' or 'max'",
+      context_.findings.Add(Code::kSpecMissingKey, map.mark, "'gap' without 'min' or 'max'",
                             "write {gap: [a, b], min: 0.2mm}");
     CheckGap(expectation.entry);
-    const auto at = std::ranges::find(map.pairs, "at", &YamlNode::Pair::key);
-    if (at != map.pairs.end() && expectation.kind == Kind::kThat)
-      reading_.findings.Add(Code::kSpecConflict, at->mark,
+    const YamlNode::Pair* at = map.FindPair("at");
+    if (at != nullptr && expectation.kind == ExpectationKind::kThat)
+      context_.findings.Add(Code::kSpecConflict, at->mark,
                             "'at' has no meaning for a condition, which is on the object at rest");
   }
 
@@ -119,7 +116,7 @@ class ExpectationReader {
     const double low = ConstantOf(min->value).value_or(-kInfinity);
     const double high = ConstantOf(max->value).value_or(kInfinity);
     if (low <= high) return;
-    reading_.findings.Add(Code::kSpecEmptyRange, max->mark,
+    context_.findings.Add(Code::kSpecEmptyRange, max->mark,
                           fmt::format("no gap is at least {} and at most {}", expr::NumberText(low),
                                       expr::NumberText(high)),
                           "swap the two");
@@ -128,30 +125,30 @@ class ExpectationReader {
   void RejectDraws(const Expectation& expectation) {
     const auto reject = [&](const Value& value) {
       if (HasDraw(value))
-        reading_.findings.Add(Code::kSpecConflict, value.mark, "what is expected cannot be drawn",
+        context_.findings.Add(Code::kSpecConflict, value.mark, "what is expected cannot be drawn",
                               "draw it as a parameter and use that parameter's name");
     };
     for (const Field& field : expectation.entry.fields) reject(field.value);
-    for (const Position& position : expectation.at) reject(position.value);
+    for (const JointPosition& position : expectation.at) reject(position.value);
   }
 
-  Reading& reading_;
+  Context& context_;
   EntryReader entries_;
 };
 
 }  // namespace
 
-void ReadExpectations(const YamlNode& list, Reading& reading) {
-  ObjectSpec& spec = reading.spec;
+void ReadExpectations(const YamlNode& list, Context& context) {
+  ObjectSpec& spec = context.spec;
   const auto declare = [&](std::string name, Key key, int components) {
     if (spec.names.Find(name) != nullptr) return -1;
-    auto unit = DimensionsOf(ObjectElement().Find(key)->unit);
+    auto unit = DimensionsOf(kObjectElement.Find(key)->unit);
     return spec.names.Declare(std::move(name), expr::Type::kNumber, components, *std::move(unit))
         .slot;
   };
   spec.mass_slot = declare("mass", Key::kMass, 1);
   spec.bounds_slot = declare("bounds", Key::kTotalSize, 3);
-  ExpectationReader(reading).Read(list);
+  ExpectationReader(context).Read(list);
   if (spec.mass_slot >= 0) spec.names.Forget("mass");
   if (spec.bounds_slot >= 0) spec.names.Forget("bounds");
 }

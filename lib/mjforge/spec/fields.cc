@@ -1,3 +1,5 @@
+// The table of the language, element by element.
+
 #include "mjforge/spec/fields.h"
 
 #include <algorithm>
@@ -9,69 +11,71 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A key, and its Key where some stage interprets it.
-struct Named {
+// The text of a key, and its enumerator if the code asks for the key.
+struct KeyName {
   std::string_view key;
   Key id = Key::kAttribute;
-  constexpr Named(const char* text) : key(text) {}
-  constexpr Named(const char* text, Key interpreted) : key(text), id(interpreted) {}
+  constexpr KeyName(const char* text) : key(text) {}
+  constexpr KeyName(const char* text, Key interpreted) : key(text), id(interpreted) {}
 };
 
-struct Bounds {
+struct NumberBounds {
   double lower = -kInfinity;
   double upper = kInfinity;
   bool above = false;
 };
-constexpr Bounds kAnyNumber;
-constexpr Bounds Above(double lower) { return {.lower = lower, .above = true}; }
-constexpr Bounds AtLeast(double lower) { return {.lower = lower}; }
-constexpr Bounds Between(double lower, double upper) { return {lower, upper}; }
+constexpr NumberBounds kAnyNumber;
+constexpr NumberBounds Above(double lower) { return {.lower = lower, .above = true}; }
+constexpr NumberBounds AtLeast(double lower) { return {.lower = lower}; }
+constexpr NumberBounds Between(double lower, double upper) { return {lower, upper}; }
 
-struct Counts {
+struct CountRange {
   int min;
   int max;
 };
 
-// The rows: key, what it takes, unit, bounds, default, meaning; "" for none.
-constexpr FieldInfo Row(Named name, Slot slot, std::string_view default_text,
+// Functions that make rows from key, kind, unit, bounds, default and meaning. An empty text means
+// "none".
+constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view default_text,
                         std::string_view doc) {
-  return {.key = name.key, .id = name.id, .slot = slot, .default_text = default_text, .doc = doc};
+  return {.key = name.key, .id = name.id, .kind = kind, .default_text = default_text, .doc = doc};
 }
-constexpr FieldInfo Row(Named name, Slot slot, std::string_view doc) {
-  return Row(name, slot, "", doc);
+constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view doc) {
+  return Row(name, kind, "", doc);
 }
-constexpr FieldInfo Number(Named name, std::string_view unit, Bounds bounds,
+constexpr FieldInfo Number(KeyName name, std::string_view unit, NumberBounds bounds,
                            std::string_view default_text, std::string_view doc) {
-  FieldInfo row = Row(name, Slot::kNumber, default_text, doc);
+  FieldInfo row = Row(name, FieldKind::kNumber, default_text, doc);
   row.unit = unit;
   row.lower = bounds.lower;
   row.upper = bounds.upper;
   row.above = bounds.above;
   return row;
 }
-constexpr FieldInfo Integer(Named name, Bounds bounds, std::string_view default_text,
+constexpr FieldInfo Integer(KeyName name, NumberBounds bounds, std::string_view default_text,
                             std::string_view doc) {
   FieldInfo row = Number(name, "", bounds, default_text, doc);
-  row.slot = Slot::kInteger;
+  row.kind = FieldKind::kInteger;
   return row;
 }
-constexpr FieldInfo Numbers(Named name, Counts counts, std::string_view unit, Bounds bounds,
-                            std::string_view default_text, std::string_view doc) {
+constexpr FieldInfo Numbers(KeyName name, CountRange counts, std::string_view unit,
+                            NumberBounds bounds, std::string_view default_text,
+                            std::string_view doc) {
   FieldInfo row = Number(name, unit, bounds, default_text, doc);
-  row.slot = Slot::kNumbers;
+  row.kind = FieldKind::kNumbers;
   row.min_count = counts.min;
   row.max_count = counts.max;
   return row;
 }
-constexpr FieldInfo Points(Named name, Counts counts, std::string_view doc,
-                           Slot slot = Slot::kPoints) {
+constexpr FieldInfo Points(KeyName name, CountRange counts, std::string_view doc,
+                           FieldKind kind = FieldKind::kPoints) {
   FieldInfo row = Numbers(name, counts, "m", kAnyNumber, "", doc);
-  row.slot = slot;
+  row.kind = kind;
   return row;
 }
-constexpr FieldInfo Word(Named name, std::string_view words, std::string_view default_text,
-                         std::string_view doc, Slot slot = Slot::kWord) {
-  FieldInfo row = Row(name, slot, default_text, doc);
+constexpr FieldInfo Word(KeyName name, std::string_view words, std::string_view default_text,
+                         std::string_view doc, FieldKind kind = FieldKind::kWord) {
+  FieldInfo row = Row(name, kind, default_text, doc);
   row.words = words;
   return row;
 }
@@ -94,40 +98,38 @@ constexpr FieldInfo RefersTo(std::string_view kind, FieldInfo row) {
 constexpr FieldInfo Contact(const FieldInfo& row) { return On(Applies::kCollision, row); }
 
 constexpr FieldInfo kObjectFields[] = {
-    Required(Row({"mjforge", Key::kFormat}, Slot::kFormat, "Version of the format: 1.")),
-    Required(Row({"name", Key::kName}, Slot::kPlainText,
+    Required(Row("mjforge", FieldKind::kFormat, "Version of the format: 1.")),
+    Required(Row({"name", Key::kName}, FieldKind::kPlainText,
                  "Name of the object and prefix of its elements' names: a letter, then letters, "
                  "digits and underscores.")),
-    Row({"description", Key::kDescription}, Slot::kPlainText,
-        "What the object is, for the catalogue."),
-    Row({"import", Key::kImport}, Slot::kImports,
+    Row("description", FieldKind::kPlainText, "What the object is, for the catalogue."),
+    Row("import", FieldKind::kImports,
         "YAML files whose `materials`, `defaults`, `params` and `functions` may be used here; they "
         "are found like specs."),
-    Row({"params", Key::kParams}, Slot::kParameters,
+    Row({"params", Key::kParams}, FieldKind::kParameters,
         "Parameters, drawn once per variant and visible to every expression, in any order."),
-    Row({"functions", Key::kFunctions}, Slot::kFunctions,
+    Row("functions", FieldKind::kFunctions,
         "Functions for every expression: `area(a, b): a * b`, of their arguments, the parameters "
         "and each other."),
-    Row({"require", Key::kRequire}, Slot::kConditions,
+    Row("require", FieldKind::kConditions,
         "Conditions on the parameters; all parameters are redrawn until every condition holds."),
-    Row({"materials", Key::kMaterials}, Slot::kMaterials,
-        "Named materials: how parts look and what they are made of."),
-    Row({"defaults", Key::kDefaults}, Slot::kDefaults,
+    Row({"materials", Key::kMaterials}, FieldKind::kMaterials,
+        "KeyName materials: how parts look and what they are made of."),
+    Row("defaults", FieldKind::kDefaults,
         "Values for the keys that parts, sites and joints leave out."),
-    Row({"parts", Key::kParts}, Slot::kParts, "The solid parts of the root body."),
-    Row({"sites", Key::kSites}, Slot::kSites, "Sites of the root body."),
-    Row({"cameras", Key::kCameras}, Slot::kCameras, "Cameras of the root body."),
-    Row({"lights", Key::kLights}, Slot::kLights, "Lights of the root body."),
-    Word({"joints", Key::kJoints}, "free none", "free",
+    Row({"parts", Key::kParts}, FieldKind::kParts, "The solid parts of the root body."),
+    Row("sites", FieldKind::kSites, "Sites of the root body."),
+    Row("cameras", FieldKind::kCameras, "Cameras of the root body."),
+    Row("lights", FieldKind::kLights, "Lights of the root body."),
+    Word("joints", "free none", "free",
          "Joints of the root body: `free` (one free joint named joint0), `none`, or a list.",
-         Slot::kJoints),
-    Row({"bodies", Key::kBodies}, Slot::kBodies,
+         FieldKind::kJoints),
+    Row("bodies", FieldKind::kBodies,
         "Further bodies: parts, other specs and MJCF files, each with its joints."),
-    Row({"pose", Key::kPose}, Slot::kPositions,
+    Row("pose", FieldKind::kPositions,
         "Where joints stand at the start, a keyframe: m or rad, of a ball joint w, x, y, z."),
-    Row({"contact", Key::kContact}, Slot::kContact,
-        "Pairs of bodies that do not collide with each other."),
-    Row({"mjcf", Key::kMjcf}, Slot::kSections,
+    Row("contact", FieldKind::kContact, "Pairs of bodies that do not collide with each other."),
+    Row({"mjcf", Key::kMjcf}, FieldKind::kSections,
         "Any other MJCF section (sensor, actuator, tendon, equality, ...), element by element."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
            "Mass of the whole object; the parts are scaled to it."),
@@ -137,38 +139,38 @@ constexpr FieldInfo kObjectFields[] = {
     Numbers({"total_size", Key::kTotalSize}, {3, 3}, "m", Above(0), "",
             "Half sizes of the declared bounding box, centred on the root body; used as the "
             "object's bounds in place of the computed ones."),
-    Row({"expect", Key::kExpect}, Slot::kExpectations,
+    Row("expect", FieldKind::kExpectations,
         "What must be true of every variant: conditions, and how bodies and parts lie."),
-    Row({"checks", Key::kChecks}, Slot::kChecks,
+    Row("checks", FieldKind::kChecks,
         "Thresholds of the physical checks, and the findings to ignore."),
 };
 
 constexpr FieldInfo kParameterFields[] = {
-    Row({"value", Key::kValue}, Slot::kAnything, "The value, in any form."),
-    Row({"doc", Key::kDoc}, Slot::kPlainText, "What the parameter means."),
-    Row({"unit", Key::kUnit}, Slot::kPlainText,
+    Row("value", FieldKind::kAnything, "The value, in any form."),
+    Row({"doc", Key::kDoc}, FieldKind::kPlainText, "What the parameter means."),
+    Row({"unit", Key::kUnit}, FieldKind::kPlainText,
         "Its unit: of SI (`m`, `kg/m^3`, `rad`), `1` for a plain number, `s, 1` for a vector. What "
         "the value is in where it names one; any other text is for readers only."),
 };
 
 // Fields that several elements share.
 constexpr FieldInfo kName =
-    Row({"name", Key::kName}, Slot::kText,
+    Row({"name", Key::kName}, FieldKind::kText,
         "Unique name: a letter, then letters, digits and underscores; `${...}` is filled in.");
-constexpr FieldInfo kIf =
-    Row({"if", Key::kIf}, Slot::kCondition, "The entry exists only where this condition holds.");
-constexpr FieldInfo kFor = Row({"for", Key::kFor}, Slot::kLoops,
+constexpr FieldInfo kIf = Row({"if", Key::kIf}, FieldKind::kCondition,
+                              "The entry exists only where this condition holds.");
+constexpr FieldInfo kFor = Row({"for", Key::kFor}, FieldKind::kLoops,
                                "Repeats the entry: `{i: 8}` runs i from 0 to 7; several variables "
                                "give all combinations, the last varying fastest.");
 constexpr FieldInfo kLet =
-    Row({"let", Key::kLet}, Slot::kLocals,
+    Row("let", FieldKind::kLocals,
         "Values for this entry and what is in it, drawn or computed for each "
         "repetition; each may use those before it.");
 constexpr FieldInfo kSubstitutes =
-    Row({"materials", Key::kMaterials}, Slot::kSubstitutes,
+    Row({"materials", Key::kMaterials}, FieldKind::kSubstitutes,
         "Materials of that spec, by name: the name of the one of this spec to use in its place.");
 constexpr FieldInfo kPos =
-    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
+    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "JointPosition.");
 constexpr FieldInfo kQuat = Numbers(
     {"quat", Key::kQuat}, {4, 4}, "", kAnyNumber, "1 0 0 0",
     "Orientation as a quaternion w x y z (normalised for you), `random`, or `{about: axis}`.");
@@ -182,7 +184,7 @@ constexpr FieldInfo kXyAxes = Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "any one
 constexpr FieldInfo kZAxis =
     Numbers({"zaxis", Key::kZAxis}, {3, 3}, "any one", kAnyNumber, "",
             "Orientation as the direction of the z axis, reached by the smallest rotation.");
-constexpr FieldInfo kMaterialName = Row({"material", Key::kMaterial}, Slot::kText,
+constexpr FieldInfo kMaterialName = Row({"material", Key::kMaterial}, FieldKind::kText,
                                         "Name of a material of this spec or of an import.");
 constexpr FieldInfo kRgba =
     On(Applies::kVisual, Numbers({"rgba", Key::kRgba}, {4, 4}, "", Between(0, 1), "",
@@ -211,23 +213,23 @@ constexpr FieldInfo kMaterialFields[] = {
     Number("emission", "", AtLeast(0), "0", "Glow, as a multiple of the colour."),
     Numbers("texrepeat", {1, 2}, "", Above(0), "1 1",
             "How often the texture repeats along its two axes."),
-    Row("texuniform", Slot::kBoolean, "false",
+    Row("texuniform", FieldKind::kBoolean, "false",
         "Whether texrepeat counts per metre instead of per object."),
-    Row({"texture", Key::kTexture}, Slot::kTexture,
+    Row("texture", FieldKind::kTexture,
         "A texture: `{builtin: checker, rgb1: ..., rgb2: ...}` or `{file: wood.png}`."),
     kDensity,
     kFriction,
     kSolref,
     kSolimp,
     kCondim,
-    Row({"doc", Key::kDoc}, Slot::kPlainText,
+    Row({"doc", Key::kDoc}, FieldKind::kPlainText,
         "What the material is, with the source of its numbers."),
 };
 
 constexpr FieldInfo kTextureFields[] = {
     Word("type", "2d cube", "cube", "`cube` wraps every shape; `2d` is for planes and meshes."),
     Word({"builtin", Key::kBuiltin}, "flat checker gradient", "", "A generated texture."),
-    Row({"file", Key::kFile}, Slot::kText,
+    Row({"file", Key::kFile}, FieldKind::kText,
         "A PNG file, relative to the file that names it; copied to assets/."),
     Numbers("rgb1", {3, 3}, "", Between(0, 1), "0.8 0.8 0.8",
             "First colour of a generated texture."),
@@ -265,14 +267,14 @@ constexpr FieldInfo kPartFields[] = {
             "Beside `fromto`: the direction that the part's y axis takes, as far as it can."),
     Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a prism's outline."),
     Points({"holes", Key::kHoles}, {2, 2},
-           "Outlines x, y of holes through a prism, each a list of points.", Slot::kOutlines),
+           "Outlines x, y of holes through a prism, each a list of points.", FieldKind::kOutlines),
     Number({"height", Key::kHeight}, "m", Above(0), "",
            "Full height of a prism along z, centred on its position."),
     Number({"round", Key::kRound}, "m", Above(0), "",
            "Radius of the edges of a box, cylinder or hull, of the corners of a prism's polygon."),
     Number({"bevel", Key::kBevel}, "m", Above(0), "",
            "How far the edges at both ends of a prism are cut off, along and across."),
-    Row({"round_collision", Key::kRoundCollision}, Slot::kBoolean, "true",
+    Row({"round_collision", Key::kRoundCollision}, FieldKind::kBoolean, "true",
         "Whether what collides of a box or cylinder with `round` is rounded, too."),
     Points({"profile", Key::kProfile}, {2, 2},
            "Points r, z that are turned about the z axis of a lathe: a closed outline, or with "
@@ -280,7 +282,7 @@ constexpr FieldInfo kPartFields[] = {
     Number({"wall", Key::kWall}, "m", Above(0), "",
            "Thickness of a lathe's wall, from the profile towards the axis; of a tube's, which is "
            "hollow then to be seen and weighed."),
-    Number({"angle", Key::kAngle}, "rad", Bounds{0, 2 * std::numbers::pi, true}, "360deg",
+    Number({"angle", Key::kAngle}, "rad", NumberBounds{0, 2 * std::numbers::pi, true}, "360deg",
            "How far a lathe's profile is turned, counter-clockwise from the x axis."),
     Integer({"facets", Key::kFacets}, Between(3, 128), "16",
             "Sides of what collides for a whole turn; what is seen is smooth."),
@@ -289,14 +291,15 @@ constexpr FieldInfo kPartFields[] = {
     Number({"radius", Key::kRadius}, "m", Above(0), "", "Outer radius of a tube."),
     Number({"bend", Key::kBend}, "m", Above(0), "",
            "Radius of the arcs that take the place of the corners of a tube's path."),
-    Row({"smooth", Key::kSmooth}, Slot::kBoolean, "false",
+    Row({"smooth", Key::kSmooth}, FieldKind::kBoolean, "false",
         "Whether a tube's path is a curve through its points."),
-    Row({"closed", Key::kClosed}, Slot::kBoolean, "false",
+    Row({"closed", Key::kClosed}, FieldKind::kBoolean, "false",
         "Whether a tube goes on from its last point to its first."),
     Points({"points", Key::kPoints}, {3, 3}, "Points x, y, z whose convex hull a hull is."),
     Number({"crease", Key::kCrease}, "rad", Between(0, std::numbers::pi), "40deg",
            "Edges that turn by more are seen as sharp."),
-    Row({"file", Key::kFile}, Slot::kText, "An OBJ or STL file for a mesh, relative to the spec."),
+    Row({"file", Key::kFile}, FieldKind::kText,
+        "An OBJ or STL file for a mesh, relative to the spec."),
     Numbers({"scale", Key::kScale}, {1, 3}, "m or 1", kAnyNumber, "1",
             "Multiplies a mesh's coordinates (one number or x y z) or a prism's polygon (one "
             "number or x y)."),
@@ -327,13 +330,13 @@ constexpr FieldInfo kPartFields[] = {
     Contact(Numbers("fluidcoef", {1, 5}, "", AtLeast(0), "0.5 0.25 1.5 1 1",
                     "Coefficients of the fluid interaction model.")),
     kUser,
-    Row({"spec", Key::kSpec}, Slot::kPlainText,
+    Row({"spec", Key::kSpec}, FieldKind::kPlainText,
         "Another spec whose parts are welded in at this pose; a path or a bundled spec's name."),
-    Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for the welded spec."),
+    Row({"params", Key::kParams}, FieldKind::kOverrides, "Parameters set for the welded spec."),
     kSubstitutes,
-    Row({"frame", Key::kFrame}, Slot::kPose,
+    Row({"frame", Key::kFrame}, FieldKind::kPose,
         "A rigid offset (pos and an orientation) for the `parts` of this entry."),
-    Row({"parts", Key::kParts}, Slot::kParts, "The parts that a frame moves."),
+    Row({"parts", Key::kParts}, FieldKind::kParts, "The parts that a frame moves."),
 };
 
 constexpr FieldInfo kFrameFields[] = {kPos, kQuat, kEuler, kAxisAngle, kXyAxes, kZAxis};
@@ -362,7 +365,7 @@ constexpr FieldInfo kMode = Word("mode", "fixed track trackcom targetbody target
                                  "targetbody where `target` is given, else fixed",
                                  "How it follows its body, or which body it looks at.");
 constexpr FieldInfo kTarget =
-    RefersTo("body", Row("target", Slot::kText, "The body that it looks at."));
+    RefersTo("body", Row("target", FieldKind::kText, "The body that it looks at."));
 
 constexpr FieldInfo kCameraFields[] = {
     Required(kName),
@@ -392,9 +395,9 @@ constexpr FieldInfo kLightFields[] = {
     kPos,
     Numbers({"dir", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 -1",
             "The direction of the light."),
-    Row("directional", Slot::kBoolean, "false", "Whether it comes from far away."),
-    Row("castshadow", Slot::kBoolean, "true", "Whether it throws shadows."),
-    Row("active", Slot::kBoolean, "true", "Whether it is on."),
+    Row("directional", FieldKind::kBoolean, "false", "Whether it comes from far away."),
+    Row("castshadow", FieldKind::kBoolean, "true", "Whether it throws shadows."),
+    Row("active", FieldKind::kBoolean, "true", "Whether it is on."),
     Numbers("attenuation", {3, 3}, "1, 1/m, 1/m^2", AtLeast(0), "1 0 0",
             "Constant, linear and quadratic loss with distance."),
     Number("cutoff", "rad", Between(0, std::numbers::pi), "45deg",
@@ -413,12 +416,12 @@ constexpr FieldInfo kJointFields[] = {
     kFor,
     kLet,
     Word({"type", Key::kType}, "free ball slide hinge", "hinge", "The motion it allows."),
-    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position in the body."),
+    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "JointPosition in the body."),
     Numbers({"axis", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 1",
             "Axis of a hinge or slide in the body (normalised for you)."),
     Numbers({"range", Key::kRange}, {2, 2}, "rad or m", kAnyNumber, "",
             "Limits; they apply unless `limited: false`."),
-    Row({"limited", Key::kLimited}, Slot::kBoolean, "true where `range` is given",
+    Row({"limited", Key::kLimited}, FieldKind::kBoolean, "true where `range` is given",
         "Whether the range applies."),
     Integer("group", Between(0, 5), "0", "Group that viewers show or hide together."),
     Number("stiffness", "Nm/rad or N/m", AtLeast(0), "0", "Spring towards springref."),
@@ -430,7 +433,8 @@ constexpr FieldInfo kJointFields[] = {
     Number("armature", "kg m^2 or kg", AtLeast(0), "0", "Added inertia."),
     Number("ref", "rad or m", kAnyNumber, "0",
            "Value of the joint in the pose that the spec gives."),
-    Number("springref", "rad or m", kAnyNumber, "0", "Position at which the spring is at rest."),
+    Number("springref", "rad or m", kAnyNumber, "0",
+           "JointPosition at which the spring is at rest."),
     Number("margin", "rad or m", AtLeast(0), "0",
            "Distance from a limit at which the limit begins to act."),
     Numbers("solreflimit", {1, 2}, "s, 1", kAnyNumber, "0.02 1",
@@ -449,32 +453,32 @@ constexpr FieldInfo kBodyFields[] = {
     kIf,
     kFor,
     kLet,
-    Row({"parent", Key::kParent}, Slot::kText, "the root body",
+    Row({"parent", Key::kParent}, FieldKind::kText, "the root body",
         "Name of its parent, a body of an earlier entry: BODY, or BODY_INNER for a body inside the "
         "spec or file of BODY."),
-    Row({"parts", Key::kParts}, Slot::kParts, "The solid parts of the body."),
-    Row({"spec", Key::kSpec}, Slot::kPlainText,
+    Row({"parts", Key::kParts}, FieldKind::kParts, "The solid parts of the body."),
+    Row({"spec", Key::kSpec}, FieldKind::kPlainText,
         "Another spec in place of parts, with all its bodies; a path or a bundled spec's name."),
-    Row({"params", Key::kParams}, Slot::kOverrides, "Parameters set for that spec."),
+    Row({"params", Key::kParams}, FieldKind::kOverrides, "Parameters set for that spec."),
     kSubstitutes,
-    Row({"mjcf", Key::kMjcf}, Slot::kText,
+    Row({"mjcf", Key::kMjcf}, FieldKind::kText,
         "An MJCF file in place of parts, relative to the spec: one of its bodies and everything "
         "below it."),
-    Row({"body", Key::kBody}, Slot::kText, "the first", "Which body of the MJCF file."),
+    Row({"body", Key::kBody}, FieldKind::kText, "the first", "Which body of the MJCF file."),
     kPos,
     kQuat,
     kEuler,
     kAxisAngle,
     kXyAxes,
     kZAxis,
-    Word({"joints", Key::kJoints}, "free none", "none",
+    Word("joints", "free none", "none",
          "Its joints; without any it is fixed to its parent. `free`: a body of the world, which "
          "starts where its parent has it. Top-level joints that a spec or an MJCF file brings are "
          "removed.",
-         Slot::kJoints),
-    Row({"sites", Key::kSites}, Slot::kSites, "Sites of the body."),
-    Row({"cameras", Key::kCameras}, Slot::kCameras, "Cameras of the body."),
-    Row({"lights", Key::kLights}, Slot::kLights, "Lights of the body."),
+         FieldKind::kJoints),
+    Row("sites", FieldKind::kSites, "Sites of the body."),
+    Row("cameras", FieldKind::kCameras, "Cameras of the body."),
+    Row("lights", FieldKind::kLights, "Lights of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
            "Mass of the body with everything that a spec or an MJCF file brings; the parts are "
            "scaled to it."),
@@ -482,7 +486,7 @@ constexpr FieldInfo kBodyFields[] = {
 };
 
 constexpr FieldInfo kContactFields[] = {
-    Row({"exclude", Key::kExclude}, Slot::kExcludes,
+    Row("exclude", FieldKind::kExcludes,
         "Pairs [BODY, BODY] of bodies that may touch without colliding; the object's name means "
         "its root body."),
 };
@@ -492,7 +496,7 @@ constexpr FieldInfo kExcludeFields[] = {
     kIf,
     kFor,
     kLet,
-    Required(Row("bodies", Slot::kBodyPair,
+    Required(Row("bodies", FieldKind::kBodyPair,
                  "The names of the two bodies: BODY, or BODY_INNER for a body inside the spec or "
                  "file of BODY.")),
 };
@@ -501,25 +505,26 @@ constexpr FieldInfo kExpectationFields[] = {
     kIf,
     kFor,
     kLet,
-    Row({"that", Key::kThat}, Slot::kCondition,
+    Row({"that", Key::kThat}, FieldKind::kCondition,
         "A condition on parameters, `mass`, `bounds.x` and the properties of bodies."),
-    Row({"gap", Key::kGap}, Slot::kBodyPair,
+    Row({"gap", Key::kGap}, FieldKind::kBodyPair,
         "The distance between two, from `min` to `max`; below 0 they are in each other."),
-    Row({"touch", Key::kTouch}, Slot::kBodyPair, "Two that touch, or are in each other."),
-    Row({"apart", Key::kApart}, Slot::kBodyPair, "Two that are not in each other; they may touch."),
-    Row({"inside", Key::kInside}, Slot::kBodyPair,
+    Row({"touch", Key::kTouch}, FieldKind::kBodyPair, "Two that touch, or are in each other."),
+    Row({"apart", Key::kApart}, FieldKind::kBodyPair,
+        "Two that are not in each other; they may touch."),
+    Row({"inside", Key::kInside}, FieldKind::kBodyPair,
         "The first one is in the convex hull of the second one."),
     Number({"min", Key::kMin}, "m", kAnyNumber, "", "The smallest gap."),
     Number({"max", Key::kMax}, "m", kAnyNumber, "", "The largest gap."),
-    Row({"at", Key::kAt}, Slot::kPositions,
+    Row("at", FieldKind::kPositions,
         "Where joints stand: m or rad, of a ball joint w, x, y, z; the others as in `pose`."),
-    Row({"doc", Key::kDoc}, Slot::kPlainText, "Why it must be so; shown when it is not."),
+    Row({"doc", Key::kDoc}, FieldKind::kPlainText, "Why it must be so; shown when it is not."),
 };
 
 constexpr FieldInfo kDefaultsFields[] = {
-    Row({"part", Key::kPart}, Slot::kFields, "Values for parts."),
-    Row({"site", Key::kSite}, Slot::kFields, "Values for sites."),
-    Row({"joint", Key::kJoint}, Slot::kFields, "Values for joints."),
+    Row({"part", Key::kPart}, FieldKind::kFields, "Values for parts."),
+    Row({"site", Key::kSite}, FieldKind::kFields, "Values for sites."),
+    Row({"joint", Key::kJoint}, FieldKind::kFields, "Values for joints."),
 };
 
 constexpr FieldInfo kHoldingFields[] = {
@@ -532,9 +537,9 @@ constexpr FieldInfo kHoldingFields[] = {
         "at", {2, 2}, "m", kAnyNumber, "",
         "Where they are dropped, x and y in the world, with the object where it starts; by default "
         "in the middle of its bounding box."),
-    Row("without", Slot::kText, "",
+    Row("without", FieldKind::kText, "",
         "A body that is taken away before, with all that is on it: a lid, a cap."),
-    Row("empties", Slot::kBoolean, "true",
+    Row("empties", FieldKind::kBoolean, "true",
         "Whether they must come out as the object is turned over about its x axis."),
 };
 
@@ -542,11 +547,12 @@ constexpr FieldInfo kFittingFields[] = {
     kIf,
     kFor,
     kLet,
-    Required(Row("hole", Slot::kText, "", "A site at the hole's mouth; its z axis is the way in.")),
+    Required(
+        Row("hole", FieldKind::kText, "", "A site at the hole's mouth; its z axis is the way in.")),
     Numbers("peg", {1, 2}, "m", AtLeast(0.0005), "",
             "Diameter of a round peg of steel; two numbers: full sides along the site's x and y."),
-    Row("body", Slot::kText, "", "In place of a peg, a free body of the object."),
-    Row("tip", Slot::kText, "",
+    Row("body", FieldKind::kText, "", "In place of a peg, a free body of the object."),
+    Row("tip", FieldKind::kText, "",
         "A site on that body, which is laid on the hole's: what goes in first, its z axis ahead."),
     Required(Number("depth", "m", Above(0), "", "How far in it must get.")),
 };
@@ -555,9 +561,9 @@ constexpr FieldInfo kJointCheckFields[] = {
     kIf,
     kFor,
     kLet,
-    Required(Row({"joint", Key::kJoint}, Slot::kNames,
+    Required(Row({"joint", Key::kJoint}, FieldKind::kNames,
                  "The joint; or several, which are driven at the same time.")),
-    Row({"at", Key::kAt}, Slot::kPositions,
+    Row("at", FieldKind::kPositions,
         "Where other joints stand meanwhile: m or rad, of a ball joint w, x, y, z; the rest as in "
         "`pose`. A drawer behind a door is driven with the door open."),
     Number("overshoot", "", AtLeast(0), "", "In place of `joint_overshoot`."),
@@ -568,11 +574,11 @@ constexpr FieldInfo kJointCheckFields[] = {
         "rests", {2, 2}, "rad or m", kAnyNumber, "",
         "Lowest and highest place where the hinge or slide may be when the object has settled: a "
         "lid that must fall shut, a key that must come back up."),
-    Row("skip", Slot::kPlainText, "", "Why it is not driven."),
+    Row("skip", FieldKind::kPlainText, "", "Why it is not driven."),
 };
 
 constexpr FieldInfo kGraspingFields[] = {
-    Row({"sites", Key::kSites}, Slot::kNames,
+    Row("sites", FieldKind::kNames,
         "Where it is to be held; by default at the sites whose names begin with `grasp`, or, if "
         "there is none, wherever it can be."),
     Number("width", "m", Between(0.001, 2), "8cm", "How far apart the jaws can be."),
@@ -587,7 +593,7 @@ constexpr FieldInfo kPartCheckFields[] = {
     kIf,
     kFor,
     kLet,
-    Required(Row({"part", Key::kPart}, Slot::kNames,
+    Required(Row({"part", Key::kPart}, FieldKind::kNames,
                  "The part; or several. A part `a` of a spec that is used as `in` is `in_a`.")),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "", "In place of `density`."),
     Number("thickness", "m", AtLeast(0), "", "In place of `thickness`."),
@@ -600,7 +606,7 @@ constexpr FieldInfo kChecksFields[] = {
     Number("self_collision", "m", AtLeast(0), "0.01mm",
            "How deep two bodies may be in each other at the joints' zero and in the start pose. "
            "MuJoCo looks at this with every object, not only in physical checks."),
-    Row("stable", Slot::kBoolean, "false",
+    Row("stable", FieldKind::kBoolean, "false",
         "Whether a tilt of more than `tilt` is an error, that is, whether the object must stay as "
         "it was put down, and come back when it is nudged."),
     Number("nudge", "rad", Between(0, 1.5), "10deg",
@@ -618,17 +624,17 @@ constexpr FieldInfo kChecksFields[] = {
     Number("sink", "m", AtLeast(0), "1mm", "How deep contacts may be when it has settled."),
     Number("energy_gain", "", AtLeast(0), "0.02",
            "How much energy the object may gain, as a share of mass * gravity * size."),
-    Row({"holds", Key::kHolds}, Slot::kHolding,
+    Row("holds", FieldKind::kHolding,
         "Balls of glass that are dropped into the object: they must stay inside for 3 s."),
-    Row("fits", Slot::kFittings, "",
+    Row("fits", FieldKind::kFittings, "",
         "Pegs, and bodies of the object, that must go into holes: the site's z axis is turned "
         "downwards, all else is held, and they drop in."),
-    Row("grasps", Slot::kGrasping, "",
+    Row("grasps", FieldKind::kGrasping, "",
         "Jaws that close on the object, lift and shake it: they must hold it, in at least one way "
         "at each site."),
-    Row({"joints", Key::kJoints}, Slot::kJointChecks,
+    Row("joints", FieldKind::kJointChecks,
         "Joints that are driven in another way, or by other thresholds, than the rest."),
-    Row("drive", Slot::kBoolean, "true", "Whether joints are driven at all."),
+    Row("drive", FieldKind::kBoolean, "true", "Whether joints are driven at all."),
     Number("joint_overshoot", "", AtLeast(0), "0.05",
            "How far a joint may be beyond its range, driven or at rest, as a share of the range."),
     Number("joint_reach", "", Between(0, 1), "0.9", "Share of its range that a joint must reach."),
@@ -644,7 +650,7 @@ constexpr FieldInfo kChecksFields[] = {
     Number("slide_range", "", AtLeast(0), "3",
            "Longest range of a slide that nothing is coupled to, as a multiple of the object's "
            "longest side."),
-    Row({"parts", Key::kParts}, Slot::kPartChecks,
+    Row({"parts", Key::kParts}, FieldKind::kPartChecks,
         "Parts for which other limits hold than for the rest."),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "20 22000",
             "Lowest and highest density of a part."),
@@ -662,69 +668,65 @@ constexpr FieldInfo kChecksFields[] = {
     Number("look", "", AtLeast(0), "0.2",
            "How far what is seen of a body may reach beyond what collides, or the reverse, as a "
            "share of the body's size."),
-    Row({"silence", Key::kSilence}, Slot::kSilence,
+    Row("silence", FieldKind::kSilence,
         "Findings to leave out, each with the reason: `physics/CODE: reason`, "
         "`spec/unused: reason`."),
 };
 
-constexpr ElementInfo kObject = {"object", "The whole spec: one mapping.", kObjectFields};
-constexpr ElementInfo kParameter = {
+}  // namespace
+
+const ElementInfo kObjectElement = {"object", "The whole spec: one mapping.", kObjectFields};
+const ElementInfo kParameterElement = {
     "parameter",
     "The long form of a parameter: a value (`value` or a distribution) with its meaning.",
     kParameterFields};
-constexpr ElementInfo kMaterial = {
+const ElementInfo kMaterialElement = {
     "material", "How parts look, and the physical properties of what they are made of.",
     kMaterialFields};
-constexpr ElementInfo kTexture = {"texture", "A picture or a generated pattern.", kTextureFields};
-constexpr ElementInfo kPart = {
+const ElementInfo kTextureElement = {"texture", "A picture or a generated pattern.",
+                                     kTextureFields};
+const ElementInfo kPartElement = {
     "part", "A solid of the body, written as MJCF geoms; or a frame, or another spec welded in.",
     kPartFields};
-constexpr ElementInfo kFrame = {"frame", "A rigid offset in the body's frame.", kFrameFields};
-constexpr ElementInfo kSite = {"site", "A named place on the body.", kSiteFields};
-constexpr ElementInfo kCamera = {"camera", "A camera that moves with the body.", kCameraFields};
-constexpr ElementInfo kLight = {"light", "A light that moves with the body.", kLightFields};
-constexpr ElementInfo kJoint = {"joint", "A degree of freedom of the body relative to its parent.",
-                                kJointFields};
-constexpr ElementInfo kBody = {
+const ElementInfo kFrameElement = {"frame", "A rigid offset in the body's frame.", kFrameFields};
+const ElementInfo kSiteElement = {"site", "A named place on the body.", kSiteFields};
+const ElementInfo kCameraElement = {"camera", "A camera that moves with the body.", kCameraFields};
+const ElementInfo kLightElement = {"light", "A light that moves with the body.", kLightFields};
+const ElementInfo kJointElement = {
+    "joint", "A degree of freedom of the body relative to its parent.", kJointFields};
+const ElementInfo kBodyElement = {
     "body", "One of several bodies of an object: parts, another spec, or an MJCF file.",
     kBodyFields};
-constexpr ElementInfo kContact = {"contact", "Contacts between the bodies.", kContactFields};
-constexpr ElementInfo kExclude = {
+const ElementInfo kContactElement = {"contact", "Contacts between the bodies.", kContactFields};
+const ElementInfo kExcludeElement = {
     "exclude", "Two bodies that do not collide: the long form of [BODY, BODY].", kExcludeFields};
-constexpr ElementInfo kExpectation = {
+const ElementInfo kExpectationElement = {
     "expectation",
     "What must be true of every variant: `that`, or how two bodies or parts lie, each by its name.",
     kExpectationFields};
-constexpr ElementInfo kDefaults = {
+const ElementInfo kDefaultsElement = {
     "defaults",
     "Values for keys that entries leave out; an entry's own and its material's values win.",
     kDefaultsFields};
 
-constexpr ElementInfo kHolding = {
+const ElementInfo kHoldingElement = {
     "holds",
     "Balls dropped into the object, which is held meanwhile, with its joints where they start.",
     kHoldingFields};
-constexpr ElementInfo kFitting = {
+const ElementInfo kFittingElement = {
     "fit", "Something that must go into a hole: a peg, or a free body of the object.",
     kFittingFields};
-constexpr ElementInfo kGrasping = {"grasps", "How the object must be held by two parallel jaws.",
-                                   kGraspingFields};
-constexpr ElementInfo kPartCheck = {"limit", "What is asked of some parts.", kPartCheckFields};
-constexpr ElementInfo kJointCheck = {
+const ElementInfo kGraspingElement = {"grasps", "How the object must be held by two parallel jaws.",
+                                      kGraspingFields};
+const ElementInfo kPartCheckElement = {"limit", "What is asked of some parts.", kPartCheckFields};
+const ElementInfo kJointCheckElement = {
     "drive", "How some joints are driven, and what is asked of them.", kJointCheckFields};
-constexpr ElementInfo kChecks = {
+const ElementInfo kChecksElement = {
     "checks",
     "What the object must do and be, besides loading in MuJoCo: thresholds of `--validate "
     "physics`. They may be expressions of parameters. Thresholds of a spec used inside another are "
     "ignored.",
     kChecksFields};
-
-constexpr const ElementInfo* kElements[] = {
-    &kObject,   &kParameter, &kMaterial, &kTexture, &kPart,     &kFrame,     &kSite,
-    &kCamera,   &kLight,     &kJoint,    &kBody,    &kContact,  &kExclude,   &kExpectation,
-    &kDefaults, &kChecks,    &kHolding,  &kFitting, &kGrasping, &kPartCheck, &kJointCheck};
-
-}  // namespace
 
 const FieldInfo* ElementInfo::Find(std::string_view key) const {
   const auto found = std::ranges::find(fields, key, &FieldInfo::key);
@@ -736,27 +738,15 @@ const FieldInfo* ElementInfo::Find(Key id) const {
   return found == fields.end() ? nullptr : &*found;
 }
 
-const ElementInfo& ObjectElement() { return kObject; }
-const ElementInfo& ParameterElement() { return kParameter; }
-const ElementInfo& MaterialElement() { return kMaterial; }
-const ElementInfo& TextureElement() { return kTexture; }
-const ElementInfo& PartElement() { return kPart; }
-const ElementInfo& FrameElement() { return kFrame; }
-const ElementInfo& SiteElement() { return kSite; }
-const ElementInfo& CameraElement() { return kCamera; }
-const ElementInfo& LightElement() { return kLight; }
-const ElementInfo& JointElement() { return kJoint; }
-const ElementInfo& BodyElement() { return kBody; }
-const ElementInfo& ContactElement() { return kContact; }
-const ElementInfo& ExcludeElement() { return kExclude; }
-const ElementInfo& ExpectationElement() { return kExpectation; }
-const ElementInfo& DefaultsElement() { return kDefaults; }
-const ElementInfo& ChecksElement() { return kChecks; }
-const ElementInfo& HoldingElement() { return kHolding; }
-const ElementInfo& FittingElement() { return kFitting; }
-const ElementInfo& GraspingElement() { return kGrasping; }
-const ElementInfo& PartCheckElement() { return kPartCheck; }
-const ElementInfo& JointCheckElement() { return kJointCheck; }
-std::span<const ElementInfo* const> AllElements() { return kElements; }
+std::span<const ElementInfo* const> AllElements() {
+  static constexpr const ElementInfo* kElements[] = {
+      &kObjectElement,    &kParameterElement,   &kMaterialElement, &kTextureElement,
+      &kPartElement,      &kFrameElement,       &kSiteElement,     &kCameraElement,
+      &kLightElement,     &kJointElement,       &kBodyElement,     &kContactElement,
+      &kExcludeElement,   &kExpectationElement, &kDefaultsElement, &kChecksElement,
+      &kHoldingElement,   &kFittingElement,     &kGraspingElement, &kPartCheckElement,
+      &kJointCheckElement};
+  return kElements;
+}
 
 }  // namespace mjforge::spec

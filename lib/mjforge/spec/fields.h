@@ -1,8 +1,8 @@
+// The table of the language: every key of every element, with kind, unit, bounds and meaning.
+
 #pragma once
 
-// The one table that describes the language: every key of every element, with
-// type, unit, bounds, default and meaning. The parser, its suggestions, the
-// JSON Schema and the manual's reference all come from it.
+// The parser, its suggestions, the JSON Schema and the manual's reference are made from this table.
 
 #include <limits>
 #include <span>
@@ -12,19 +12,19 @@
 
 namespace mjforge::spec {
 
-/// What may stand in a field.
-enum class Slot {
-  kNumber,     // one number
-  kInteger,    // one number that must be whole
+/// The kind of value or structure that a field takes.
+enum class FieldKind {
+  kNumber,     // a number
+  kInteger,    // a number that must be an integer
   kBoolean,    // true or false
-  kWord,       // one of `words`
+  kWord,       // a word from `words`
   kText,       // text, with ${...}
-  kNumbers,    // a list of min_count to max_count numbers; one number alone is a list of one
+  kNumbers,    // a list of min_count to max_count numbers; a single number needs no brackets
   kPoints,     // a list of points, each a list of min_count to max_count numbers
   kOutlines,   // a list of lists of points
   kPlainText,  // text without ${...}
   kFormat,     // the number 1
-  // structure
+  // Structure.
   kParameters,
   kFunctions,
   kConditions,
@@ -61,68 +61,70 @@ enum class Slot {
   kSilence,
   kAnything,
 };
-/// Whether it holds one value, which may be drawn or computed.
-constexpr bool HoldsValue(Slot slot) { return slot <= Slot::kOutlines; }
+/// Returns true for kinds that are a value, which may be drawn or computed.
+constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kOutlines; }
 
-/// Which of a part's two geoms an attribute is written to.
+/// The geoms of a part that an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };
 
-enum class Motion { kAny, kTurn, kSlide };  // decides between the two units of a joint's field
+/// The motion of a joint, which selects one of the two units of a field ("rad or m").
+enum class Motion { kAny, kTurn, kSlide };
 
 struct FieldInfo {
   std::string_view key;
   Key id = Key::kAttribute;
-  Slot slot = Slot::kNumber;
+  FieldKind kind = FieldKind::kNumber;
   int min_count = 1;
   int max_count = 1;
-  /// "m"; "rad or m" of what turns or slides; "s, 1" of the first, the second; "any one" of the
-  /// three numbers of a direction; empty: plain numbers.
+  /// "m"; "rad or m": for a hinge or a slide; "s, 1": for the first and the second number; "any
+  /// one": for the three numbers of a direction, which may have any common unit; empty: plain
+  /// numbers.
   std::string_view unit = {};
-  bool any_unit = false;                                    // the unit is not known here
-  std::string_view default_text = {};                       // as the manual shows it; empty: none
-  std::string_view words = {};                              // allowed words, one space apart
+  bool any_unit = false;                                    // units are not checked
+  std::string_view default_text = {};                       // for the manual; empty: no default
+  std::string_view words = {};                              // allowed words, separated by spaces
   double lower = -std::numeric_limits<double>::infinity();  // inclusive unless `above`
   double upper = std::numeric_limits<double>::infinity();   // inclusive
-  bool above = false;                                       // value must be greater than `lower`
+  bool above = false;                                       // the lower bound is exclusive
   bool required = false;
   Applies applies = Applies::kBoth;
-  /// What the text refers to: "joint", "body", "geom", ...; "@objtype": the kind given by the
-  /// attribute objtype of the same element. Empty: nothing.
+  /// The kind of element that the text names: "joint", "body", "geom", ...; "@objtype": the kind in
+  /// the attribute objtype of the same element; empty: the text is not a reference.
   std::string_view refers = {};
-  std::string_view doc = {};  // one sentence
+  std::string_view doc = {};  // a single sentence
 };
 
 struct ElementInfo {
-  std::string_view name;  // "part", "site", ...; its name in messages
+  std::string_view name;  // "part", "site", ...; used in messages
   std::string_view doc;
   std::span<const FieldInfo> fields;
-  std::span<const ElementInfo> children = {};  // of an element of a section: what it may contain
+  std::span<const ElementInfo> children = {};  // allowed inner elements, only in MJCF sections
 
   const FieldInfo* Find(std::string_view key) const;
   const FieldInfo* Find(Key id) const;
 };
 
-const ElementInfo& ObjectElement();
-const ElementInfo& ParameterElement();  // the long form's extra keys
-const ElementInfo& MaterialElement();
-const ElementInfo& TextureElement();
-const ElementInfo& PartElement();
-const ElementInfo& FrameElement();  // the mapping under `frame:`
-const ElementInfo& SiteElement();
-const ElementInfo& CameraElement();
-const ElementInfo& LightElement();
-const ElementInfo& JointElement();
-const ElementInfo& BodyElement();
-const ElementInfo& ContactElement();
-const ElementInfo& ExcludeElement();  // an entry of contact: exclude:
-const ElementInfo& ExpectationElement();
-const ElementInfo& DefaultsElement();
-const ElementInfo& ChecksElement();
-const ElementInfo& HoldingElement();
-const ElementInfo& JointCheckElement();
-const ElementInfo& FittingElement();
-const ElementInfo& GraspingElement();
-const ElementInfo& PartCheckElement();
+extern const ElementInfo kObjectElement;
+extern const ElementInfo kParameterElement;  // extra keys of the long form
+extern const ElementInfo kMaterialElement;
+extern const ElementInfo kTextureElement;
+extern const ElementInfo kPartElement;
+extern const ElementInfo kFrameElement;  // the mapping under `frame:`
+extern const ElementInfo kSiteElement;
+extern const ElementInfo kCameraElement;
+extern const ElementInfo kLightElement;
+extern const ElementInfo kJointElement;
+extern const ElementInfo kBodyElement;
+extern const ElementInfo kContactElement;
+extern const ElementInfo kExcludeElement;  // an entry of contact: exclude:
+extern const ElementInfo kExpectationElement;
+extern const ElementInfo kDefaultsElement;
+extern const ElementInfo kChecksElement;
+extern const ElementInfo kHoldingElement;
+extern const ElementInfo kJointCheckElement;
+extern const ElementInfo kFittingElement;
+extern const ElementInfo kGraspingElement;
+extern const ElementInfo kPartCheckElement;
 std::span<const ElementInfo* const> AllElements();
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// YAML nodes -> the text that a person would write for them.
+// Conversion of YAML nodes to YAML flow text.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 namespace mjforge::spec {
 namespace {
 
-// Whether a plain text would read as something else inside brackets.
+// Returns true if the text without quotes would have another meaning inside brackets.
 bool NeedsQuotes(std::string_view text) {
   return text.empty() || text.find_first_of(",[]{}") != std::string_view::npos ||
          std::string_view("&*!|>'\"%@`#-?: ").find(text.front()) != std::string_view::npos ||

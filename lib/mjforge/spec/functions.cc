@@ -1,14 +1,13 @@
-// functions: expressions with arguments. A call is read as the function's body would be.
+// Reader of `functions:`, named expressions with arguments.
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "mjforge/spec/graph.h"
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
+#include "mjforge/spec/topological_order.h"
 
 namespace mjforge::spec {
 namespace {
@@ -19,32 +18,26 @@ using expr::Formula;
 constexpr std::size_t kMaxArguments = 16;
 constexpr int kMaxChain = 64;
 
-// "bulge(z)" -> its name and arguments; nothing if it is written otherwise.
+// Splits "bulge(z)" into name and arguments. Returns nothing for text of another form.
 std::optional<Formula> ReadHead(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == text.npos || !text.ends_with(')')) return std::nullopt;
   Formula formula{.name = std::string(Trim(text.substr(0, open))), .arguments = {}, .body = {}};
   text = text.substr(open + 1, text.size() - open - 2);
-  for (;;) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    formula.arguments.emplace_back(Trim(text.substr(0, comma)));
-    if (comma == text.size()) break;
-    text.remove_prefix(comma + 1);
-  }
-  const bool has_names = expr::IsName(formula.name) &&
-                         std::ranges::all_of(formula.arguments, [](const std::string& argument) {
-                           return expr::IsName(argument);
-                         });
+  for (const std::string_view argument : Split(text, ","))
+    formula.arguments.emplace_back(Trim(argument));
+  const bool has_names =
+      expr::IsName(formula.name) && std::ranges::all_of(formula.arguments, expr::IsName);
   return has_names ? std::optional(std::move(formula)) : std::nullopt;
 }
 
-bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading) {
+bool CheckNames(const Formula& formula, diag::SourceMark mark, Context& context) {
   const auto fail = [&](Code code, std::string message) {
-    reading.findings.Add(code, mark, std::move(message));
+    context.findings.Add(code, mark, std::move(message));
     return false;
   };
-  if (!CheckNotReserved("a function", formula.name, mark, reading.findings)) return false;
-  if (reading.spec.names.FindFormula(formula.name) != nullptr)
+  if (!CheckNotReserved("a function", formula.name, mark, context.findings)) return false;
+  if (context.spec.names.FindFormula(formula.name) != nullptr)
     return fail(Code::kSpecDuplicateName,
                 fmt::format("two functions are named '{}'", formula.name));
   if (formula.arguments.size() > kMaxArguments) {
@@ -53,7 +46,7 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading)
   }
   std::set<std::string_view> seen;
   for (const std::string& argument : formula.arguments) {
-    if (!CheckNotReserved("an argument", argument, mark, reading.findings)) return false;
+    if (!CheckNotReserved("an argument", argument, mark, context.findings)) return false;
     if (!seen.insert(argument).second) {
       return fail(Code::kSpecDuplicateName,
                   fmt::format("two arguments of '{}' are named '{}'", formula.name, argument));
@@ -62,57 +55,52 @@ bool CheckNames(const Formula& formula, diag::SourceMark mark, Reading& reading)
   return true;
 }
 
-// The positions of the functions that each one calls.
-std::vector<std::vector<int>> UsesOf(const std::map<std::string, Formula, std::less<>>& all) {
-  std::vector<std::vector<int>> uses;
-  for (const auto& [name, formula] : all) {
-    std::vector<int>& used = uses.emplace_back();
-    for (const std::string& other : expr::NamesUsedIn(formula.body)) {
-      const auto found = all.find(other);
-      if (found != all.end()) used.push_back(static_cast<int>(std::distance(all.begin(), found)));
+// Returns the indices of the functions that each function calls.
+Dependencies UsesOf(const std::vector<const Formula*>& all) {
+  Dependencies uses;
+  for (const Formula* formula : all) {
+    std::vector<std::size_t>& used = uses.emplace_back();
+    for (const std::string& other : expr::NamesUsedIn(formula->body)) {
+      const auto found = std::ranges::find(all, other, &Formula::name);
+      if (found != all.end()) used.push_back(static_cast<std::size_t>(found - all.begin()));
     }
   }
   return uses;
 }
 
-// Where a function is named.
-diag::SourceMark MarkOf(const Formula& formula, const Reading& reading) {
-  const auto& all = reading.spec.functions;
+// Returns the place of a function's name.
+diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
+  const auto& all = context.spec.functions;
   return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
 }
 
-// Functions that call each other in a circle, or in too long a chain, get another body, so that
-// nothing goes round in it.
-void BreakCircles(Reading& reading) {
-  expr::Names& names = reading.spec.names;
+// Reports functions that call each other in a circle or in a chain that is too long, and replaces
+// their bodies by a constant, so that expansion ends.
+void BreakCircles(Context& context) {
+  expr::SymbolTable& names = context.spec.names;
   std::vector<const Formula*> all;
   for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
-  const std::vector<std::vector<int>> uses = UsesOf(names.formulas());
-  std::set<int> broken;
-  const std::vector<int> order = OrderByUse(uses, [&](const std::vector<int>& path) {
-    std::string text;
-    for (const int i : path) {
-      broken.insert(i);
-      if (!text.empty()) text += " -> ";
-      text += all[static_cast<std::size_t>(i)]->name;
-    }
-    reading.findings.Add(Code::kSpecCycle, MarkOf(*all[static_cast<std::size_t>(path[0])], reading),
-                         fmt::format("functions call each other: {}", text));
+  const Dependencies uses = UsesOf(all);
+  std::set<std::size_t> broken;
+  const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {
+    std::vector<std::string_view> circle;
+    for (const std::size_t i : path) circle.push_back(all[i]->name);
+    broken.insert(path.begin(), path.end());
+    context.findings.Add(Code::kSpecCycle, MarkOf(*all[path[0]], context),
+                         fmt::format("functions call each other: {}", fmt::join(circle, " -> ")));
   });
   std::vector<int> chain(all.size(), 0);
-  for (const int i : order) {
-    const auto at = static_cast<std::size_t>(i);
-    for (const int used : uses[at])
-      chain[at] = std::max(chain[at], chain[static_cast<std::size_t>(used)] + 1);
-    if (chain[at] < kMaxChain || broken.contains(i)) continue;
-    reading.findings.Add(Code::kSpecBadValue, MarkOf(*all[at], reading),
+  for (const std::size_t at : order) {
+    for (const std::size_t used : uses[at]) chain[at] = std::max(chain[at], chain[used] + 1);
+    if (chain[at] < kMaxChain || broken.contains(at)) continue;
+    context.findings.Add(Code::kSpecBadValue, MarkOf(*all[at], context),
                          fmt::format("'{}' calls functions in a chain of {}; the limit is {}",
                                      all[at]->name, chain[at], kMaxChain - 1));
-    broken.insert(i);
+    broken.insert(at);
     chain[at] = 0;
   }
-  for (const int i : broken) {
-    Formula harmless = *all[static_cast<std::size_t>(i)];
+  for (const std::size_t at : broken) {
+    Formula harmless = *all[at];
     harmless.body = "1";
     names.Define(std::move(harmless));
   }
@@ -129,52 +117,52 @@ bool CheckNotReserved(std::string_view what, std::string_view name, diag::Source
   return false;
 }
 
-void ReadFunctions(const YamlNode& functions, Reading& reading) {
-  if (!IsMap(functions, "functions, as in `area(a, b): a * b`", reading)) return;
+void ReadFunctions(const YamlNode& functions, Context& context) {
+  if (!IsMap(functions, "functions, as in `area(a, b): a * b`", context)) return;
   for (const YamlNode::Pair& pair : functions.pairs) {
     std::optional<Formula> formula = ReadHead(pair.key);
     if (!formula) {
-      reading.findings.Add(
+      context.findings.Add(
           Code::kSpecBadName, pair.mark,
           fmt::format("'{}' is not a function's name with its arguments", pair.key),
           "write `name(a, b): expression`; what has no arguments is a parameter");
       continue;
     }
-    if (!CheckNames(*formula, pair.mark, reading)) continue;
+    if (!CheckNames(*formula, pair.mark, context)) continue;
     if (pair.value.kind != YamlNode::Kind::kScalar) {
-      reading.findings.Add(Code::kSpecWrongType, pair.value.mark,
+      context.findings.Add(Code::kSpecWrongType, pair.value.mark,
                            fmt::format("expected an expression, got {}", KindName(pair.value)),
                            "a function draws nothing: draw a parameter, and use it here");
       continue;
     }
     formula->body = pair.value.text;
     formula->mark = pair.value.mark;
-    reading.spec.functions.emplace_back(formula->name, pair.mark);
-    reading.spec.names.Define(*std::move(formula));
+    context.spec.functions.emplace_back(formula->name, pair.mark);
+    context.spec.names.Define(*std::move(formula));
   }
-  BreakCircles(reading);
+  BreakCircles(context);
 }
 
-void CheckFunctions(Reading& reading) {
-  expr::Names& names = reading.spec.names;
-  for (const auto& [name, mark] : reading.spec.functions) {
+void CheckFunctions(Context& context) {
+  expr::SymbolTable& names = context.spec.names;
+  for (const auto& [name, mark] : context.spec.functions) {
     const Formula& formula = *names.FindFormula(name);
     const auto hidden = std::ranges::find_if(
         formula.arguments, [&](const std::string& argument) { return names.Find(argument); });
     if (hidden != formula.arguments.end()) {
-      reading.findings.Add(Code::kSpecDuplicateName, mark,
+      context.findings.Add(Code::kSpecDuplicateName, mark,
                            fmt::format("argument '{}' hides a parameter", *hidden));
       continue;
     }
     for (const std::string& argument : formula.arguments)
       names.Declare(argument, expr::Type::kNumber);
-    reading.values.CheckBody(formula);
+    context.values.CheckBody(formula);
     for (const std::string& argument : formula.arguments) names.Forget(argument);
   }
 }
 
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
-                                              const expr::Names& known) {
+                                              const expr::SymbolTable& known) {
   std::set<std::string, std::less<>> seen(names.begin(), names.end());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Formula* formula = known.FindFormula(names[i]);

@@ -1,42 +1,28 @@
+// The keys of the language that the code refers to.
+
 #pragma once
 
 namespace mjforge::spec {
 
-/// Keys that some stage interprets. kAttribute: written to the MJCF element unchanged.
+/// Keys that the code asks for. kAttribute is any other key; values of such keys are written to the
+/// MJCF element unchanged.
 enum class Key {
   kAttribute,
-  // object
-  kFormat,
+  // Object.
   kName,
-  kDescription,
-  kImport,
   kParams,
-  kFunctions,
-  kRequire,
   kMaterials,
-  kDefaults,
   kParts,
-  kSites,
-  kCameras,
-  kLights,
-  kJoints,
-  kBodies,
-  kPose,
-  kContact,
   kMjcf,
-  kExpect,
   kPlacement,
   kTotalSize,
-  kChecks,
-  // parameters
-  kValue,
+  // Parameters.
   kDoc,
   kUnit,
-  // every list entry
+  // List entries.
   kIf,
   kFor,
-  kLet,
-  // poses
+  // Poses.
   kPos,
   kQuat,
   kEuler,
@@ -45,7 +31,7 @@ enum class Key {
   kZAxis,
   kFromTo,
   kUp,
-  // parts
+  // Parts.
   kType,
   kSize,
   kDensity,
@@ -75,18 +61,16 @@ enum class Key {
   kFrame,
   kRgba,
   kGroup,
-  // joints
+  // Joints.
   kAxis,
   kRange,
   kLimited,
-  // bodies
+  // Bodies.
   kParent,
   kBody,
-  kExclude,
-  // materials, textures
-  kTexture,
+  // Materials and textures.
   kBuiltin,
-  // expectations
+  // Expectations.
   kThat,
   kGap,
   kTouch,
@@ -94,14 +78,10 @@ enum class Key {
   kInside,
   kMin,
   kMax,
-  kAt,
-  // defaults
+  // Defaults.
   kPart,
   kSite,
   kJoint,
-  // checks
-  kHolds,
-  kSilence,
 };
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// The part of ValueReader that reads lists: of numbers or texts, of any length.
+// The part of ValueReader that reads lists of numbers or texts.
 
 #include <algorithm>
 
@@ -27,7 +27,7 @@ bool ValueReader::IsPlainText(const YamlNode& node) const {
   return IsText(node) && LoneName(node) == nullptr && node.text.find("${") == std::string::npos;
 }
 
-// Texts if all items may be, one certainly.
+// Returns kText if every item can be text and at least one can only be text.
 Type ValueReader::ItemType(const YamlNode& list) const {
   const auto may_be = [this](const YamlNode& item) {
     return item.kind == YamlNode::Kind::kMap || IsText(item);
@@ -76,9 +76,9 @@ std::shared_ptr<const Value> ValueReader::ReadCount(const YamlNode& node) {
   return std::make_shared<const Value>(std::move(count));
 }
 
-Value ValueReader::ReadListForm(const Expected& expected, const YamlNode& map,
+Value ValueReader::ReadListForm(const ExpectedForm& expected, const YamlNode& map,
                                 const YamlNode::Pair& main) {
-  if (expected.slot == Slot::kAnything)
+  if (expected.kind == FieldKind::kAnything)
     return main.key == "each" ? ReadEach(map) : ReadArrangement(main.key, map);
   findings_.Add(Code::kSpecWrongType, main.mark,
                 fmt::format("'{}' makes a list, which has no place here", main.key),

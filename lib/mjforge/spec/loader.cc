@@ -1,5 +1,4 @@
-// Files -> ObjectSpec: the spec itself, its imports, the specs it welds in, and
-// the settings given from outside.
+// Loading of an ObjectSpec: the spec itself, its imports, nested specs, and settings.
 
 #include <algorithm>
 #include <map>
@@ -7,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/bytes/bytes.h"
-#include "mjforge/spec/files.h"
+#include "mjforge/spec/context.h"
 #include "mjforge/spec/locate.h"
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/spec_files.h"
 
 namespace mjforge::spec {
 namespace {
@@ -19,118 +17,118 @@ namespace fs = std::filesystem;
 using diag::Code;
 using diag::SourceMark;
 
-// What the specs that are welded in share with it.
-struct Shared {
+// State that a spec and its nested specs share while they are loaded.
+struct LoadState {
   diag::Sources& sources;
   diag::Findings& findings;
-  Files files;
+  SpecFiles files;
   std::span<const NamedNode> settings;
   std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested = {};
-  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // their parameters
+  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // with parameters only
 };
 
 class SpecLoader : public NestedLoader {
  public:
-  explicit SpecLoader(Shared& shared) : shared_(shared) {}
+  explicit SpecLoader(LoadState& state) : state_(state) {}
 
-  // Nothing if the file is no spec at all; with errors in it, something to be thrown away.
+  // Returns null if the file is not a mapping. After other errors, the result must not be used.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
                                    const fs::path& folder, std::span<const NamedNode> settings) {
-    const auto root = ParseYaml(source, shared_.sources, shared_.findings);
+    const auto root = ParseYaml(source, state_.sources, state_.findings);
     if (!root) return nullptr;
     if (root->kind != YamlNode::Kind::kMap) {
-      shared_.findings.Add(Code::kSpecWrongType, root->mark,
-                           fmt::format("a spec must be a mapping of keys, got {}", KindName(*root)),
-                           "start with `mjforge: 1` and a `name:`");
+      state_.findings.Add(Code::kSpecWrongType, root->mark,
+                          fmt::format("a spec must be a mapping of keys, got {}", KindName(*root)),
+                          "start with `mjforge: 1` and a `name:`");
       return nullptr;
     }
     auto spec = std::make_unique<ObjectSpec>();
-    spec->file = shared_.sources.Name(source);
+    spec->file = state_.sources.Name(source);
     spec->mark = root->mark;
     spec->folder = folder;
     DeclareIndex(spec->names);
-    const Files::Opened opened(shared_.files, file);
+    const SpecFiles::OpenScope opened(state_.files, file);
     ReadObject(*root, *spec, settings);
     return spec;
   }
 
   std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
                                                SourceMark mark) override {
-    const auto file = shared_.files.Find(reference, folder_, mark);
-    if (!file || shared_.files.IsOpen(*file, mark)) return nullptr;
-    if (const auto known = shared_.nested.find(*file); known != shared_.nested.end()) {
+    const auto file = state_.files.Find(reference, folder_, mark);
+    if (!file || state_.files.IsOpen(*file, mark)) return nullptr;
+    if (const auto known = state_.nested.find(*file); known != state_.nested.end()) {
       return known->second;
     }
-    const auto source = shared_.files.Open(*file, mark);
+    const auto source = state_.files.Open(*file, mark);
     std::shared_ptr<const ObjectSpec> spec;
-    if (source) spec = SpecLoader(shared_).Load(*source, *file, file->parent_path(), {});
-    shared_.nested.emplace(*file, spec);
+    if (source) spec = SpecLoader(state_).Load(*source, *file, file->parent_path(), {});
+    state_.nested.emplace(*file, spec);
     return spec;
   }
 
   std::optional<std::uint32_t> OpenFile(const std::string& name, SourceMark mark) override {
-    std::error_code error;
-    const fs::path file = fs::weakly_canonical(folder_ / name, error);
-    return shared_.files.Open(error ? folder_ / name : file, mark);
+    return state_.files.Open(Canonical(folder_ / name), mark);
   }
 
  private:
   void ReadObject(const YamlNode& root, ObjectSpec& spec, std::span<const NamedNode> settings) {
     folder_ = spec.folder;
-    Reading reading{shared_.sources, shared_.findings, spec, *this,
-                    ValueReader(spec.names, shared_.sources, shared_.findings)};
-    CheckKeys(ObjectElement(), root, reading);
-    ReadHead(root, reading);
-    if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
+    Context context{state_.sources, state_.findings, spec, *this,
+                    ValueReader(spec.names, state_.sources, state_.findings)};
+    CheckKeys(kObjectElement, root, context);
+    ReadHead(root, context);
+    if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, context);
     std::vector<ImportedFile> imports;
     if (const YamlNode* import = root.Find("import"))
-      CollectImports(*import, folder_, imports, reading);
+      CollectImports(*import, folder_, imports, context);
     for (const ImportedFile& from : imports) {
       if (from.root.Find("params") != nullptr) spec.shared.push_back(Imported(from));
     }
-    ReadParameters(root.Find("params"), root.Find("require"), settings, reading);
-    CheckFunctions(reading);
+    ReadParameters(root.Find("params"), root.Find("require"), settings, context);
+    CheckFunctions(context);
     if (const YamlNode* materials = root.Find("materials")) {
-      ReadMaterials(*materials, spec.folder, false, reading);
+      ReadMaterials(*materials, spec.folder, false, context);
     }
-    if (const YamlNode* defaults = root.Find("defaults")) ReadDefaults(*defaults, reading);
-    for (const ImportedFile& from : imports) ReadImported(from, reading);
-    if (const YamlNode* parts = root.Find("parts")) ReadParts(*parts, spec.parts, reading);
-    if (const YamlNode* sites = root.Find("sites")) ReadSites(*sites, reading);
-    ReadViews(root, spec.views, reading);
-    ReadMotion(root, settings, reading);
-    if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, reading);
-    if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, reading);
-    ReadChecks(root.Find("checks"), settings, reading);
-    ReadWhole(root, reading);
-    DropUnusedProperties(reading);
-    // Who welds a spec in may well need less of it.
-    if (shared_.files.depth() == 1) ReportUnused(root.Find("materials"), reading);
-    if (reading.values.has_exact_choice()) spec.has_exact_choice = true;
+    if (const YamlNode* defaults = root.Find("defaults")) ReadDefaults(*defaults, context);
+    for (const ImportedFile& from : imports) ReadImported(from, context);
+    if (const YamlNode* parts = root.Find("parts"))
+      spec.parts = ReadEntries(kPartElement, *parts, context);
+    if (const YamlNode* sites = root.Find("sites"))
+      spec.sites = ReadEntries(kSiteElement, *sites, context);
+    spec.views = ReadViews(root, context);
+    ReadMotion(root, settings, context);
+    if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, context);
+    if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, context);
+    ReadChecks(root.Find("checks"), settings, context);
+    ReadWhole(root, context);
+    DropUnusedProperties(context);
+    // Do not check nested specs, because another spec may use only some of their materials.
+    if (state_.files.depth() == 1) ReportUnused(root.Find("materials"), context);
+    if (context.values.has_exact_choice()) spec.has_exact_choice = true;
   }
 
-  // Joints, the bodies that they move, and where these are.
+  // Reads joints, bodies, the start pose and expectations.
   static void ReadMotion(const YamlNode& root, std::span<const NamedNode> settings,
-                         Reading& reading) {
-    ObjectSpec& spec = reading.spec;
+                         Context& context) {
+    ObjectSpec& spec = context.spec;
     const YamlNode* joints = root.Find("joints");
     for (const NamedNode& setting : settings) {
       if (setting.name == kRootJoints) joints = &setting.value;
     }
-    if (joints != nullptr) ReadJoints(*joints, reading);
-    if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, reading);
-    if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadPositions(*pose, reading);
-    if (const YamlNode* expect = root.Find("expect")) ReadExpectations(*expect, reading);
+    if (joints != nullptr) ReadJoints(*joints, context);
+    if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, context);
+    if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadPositions(*pose, context);
+    if (const YamlNode* expect = root.Find("expect")) ReadExpectations(*expect, context);
     if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
   }
 
-  // The root's own joints, in whose place there are others: they have no pose.
+  // Removes the positions of the root's own joints, which a setting replaces by other joints.
   static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
       const YamlNode* name = joint.Find("name");
       if (name == nullptr) continue;
-      const auto is_it = [&](const Position& position) {
+      const auto is_it = [&](const JointPosition& position) {
         return LiteralText(position.joint) == name->text;
       };
       std::erase_if(spec.pose, is_it);
@@ -138,40 +136,40 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  void ReadHead(const YamlNode& root, Reading& reading) {
-    CheckVersion(root, reading);
+  void ReadHead(const YamlNode& root, Context& context) {
+    CheckVersion(root, context);
     if (const YamlNode* name = root.Find("name")) {
-      reading.spec.name = reading.values.ReadPlainText("name", *name);
-      CheckName("object", reading.spec.name, name->mark, reading.findings);
+      context.spec.name = context.values.ReadPlainText("name", *name);
+      CheckName("object", context.spec.name, name->mark, context.findings);
     } else {
-      reading.findings.Add(Code::kSpecMissingKey, root.mark, "spec without a 'name'");
+      context.findings.Add(Code::kSpecMissingKey, root.mark, "spec without a 'name'");
     }
     if (const YamlNode* description = root.Find("description")) {
-      reading.spec.description = reading.values.ReadPlainText("description", *description);
+      context.spec.description = context.values.ReadPlainText("description", *description);
     }
     if (root.Find("parts") == nullptr && root.Find("bodies") == nullptr) {
-      reading.findings.Add(Code::kSpecMissingKey, root.mark, "spec without 'parts' or 'bodies'");
+      context.findings.Add(Code::kSpecMissingKey, root.mark, "spec without 'parts' or 'bodies'");
     }
   }
 
-  static void CheckVersion(const YamlNode& root, Reading& reading) {
+  static void CheckVersion(const YamlNode& root, Context& context) {
     const YamlNode* format = root.Find("mjforge");
     if (format == nullptr) {
-      reading.findings.Add(Code::kSpecMissingKey, root.mark, "no format version",
+      context.findings.Add(Code::kSpecMissingKey, root.mark, "no format version",
                            "begin the file with `mjforge: 1`");
     } else if (format->kind != YamlNode::Kind::kScalar || format->quoted || format->text != "1") {
       const bool is_scalar = format->kind == YamlNode::Kind::kScalar;
-      reading.findings.Add(Code::kSpecVersion, format->mark,
+      context.findings.Add(Code::kSpecVersion, format->mark,
                            fmt::format("format version '{}' is not known; this program reads 1",
                                        is_scalar ? format->text : FlowText(*format)),
                            format->quoted && format->text == "1" ? "drop the quotes" : "");
     }
   }
 
-  // mass, placement, total_size.
-  void ReadWhole(const YamlNode& root, Reading& reading) {
-    ObjectSpec& spec = reading.spec;
-    for (Field& field : ReadFields(ObjectElement(), root, reading)) {
+  // Reads `mass`, `placement` and `total_size`.
+  void ReadWhole(const YamlNode& root, Context& context) {
+    ObjectSpec& spec = context.spec;
+    for (Field& field : ReadFields(kObjectElement, root, context)) {
       if (field.info->id == Key::kMass)
         spec.mass = std::move(field);
       else if (field.info->id == Key::kTotalSize)
@@ -181,92 +179,93 @@ class SpecLoader : public NestedLoader {
       }
     }
     if (spec.placement == Placement::kCorner && !spec.total_size) {
-      reading.findings.Add(Code::kSpecMissingKey, root.mark,
+      context.findings.Add(Code::kSpecMissingKey, root.mark,
                            "'placement: corner' needs 'total_size'");
     }
   }
 
-  // A file that a spec imports, and what is in it.
+  // A file that a spec imports, parsed.
   struct ImportedFile {
     fs::path file;
     YamlNode root;
   };
 
-  // The files that an `import:` names, each before those that it imports itself. What is imported
-  // twice says nothing new; where each file imports two others, all would be read 2^n times.
+  // Appends the files that an `import:` names, each before the files that it imports itself. Skips
+  // files that were imported before; otherwise n files that import two others each could be read
+  // 2^n times.
   void CollectImports(const YamlNode& import, const fs::path& folder,
-                      std::vector<ImportedFile>& files, Reading& reading) {
+                      std::vector<ImportedFile>& files, Context& context) {
     if (import.kind == YamlNode::Kind::kScalar) {
-      CollectImport(import, folder, files, reading);
-    } else if (IsList(import, "files", reading)) {
-      for (const YamlNode& item : import.items) CollectImport(item, folder, files, reading);
+      CollectImport(import, folder, files, context);
+    } else if (IsList(import, "files", context)) {
+      for (const YamlNode& item : import.items) CollectImport(item, folder, files, context);
     }
   }
 
   void CollectImport(const YamlNode& node, const fs::path& folder, std::vector<ImportedFile>& files,
-                     Reading& reading) {
-    const std::string reference = reading.values.ReadPlainText("import", node);
+                     Context& context) {
+    const std::string reference = context.values.ReadPlainText("import", node);
     const auto file =
-        reference.empty() ? std::nullopt : shared_.files.Find(reference, folder, node.mark);
-    if (!file || shared_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
-    const auto source = shared_.files.Open(*file, node.mark);
-    auto root = source ? ParseYaml(*source, shared_.sources, shared_.findings) : std::nullopt;
-    if (!root || !IsMap(*root, "keys", reading)) return;
-    CheckKeys(ObjectElement(), *root, reading);
-    CheckVersion(*root, reading);
-    const Files::Opened opened(shared_.files, *file);
+        reference.empty() ? std::nullopt : state_.files.Find(reference, folder, node.mark);
+    if (!file || state_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
+    const auto source = state_.files.Open(*file, node.mark);
+    auto root = source ? ParseYaml(*source, state_.sources, state_.findings) : std::nullopt;
+    if (!root || !IsMap(*root, "keys", context)) return;
+    CheckKeys(kObjectElement, *root, context);
+    CheckVersion(*root, context);
+    const SpecFiles::OpenScope opened(state_.files, *file);
     const std::size_t at = files.size();
     files.push_back({*file, *std::move(root)});
     const YamlNode* import = files[at].root.Find("import");
     if (import == nullptr) return;
-    const YamlNode others = *import;  // `files` grows
-    CollectImports(others, file->parent_path(), files, reading);
+    const YamlNode others = *import;  // a copy, because `files` grows
+    CollectImports(others, file->parent_path(), files, context);
   }
 
-  // The parameters of a file, for all specs that import it.
+  // Returns the parameters of a file, which all specs that import the file share.
   std::shared_ptr<const ObjectSpec> Imported(const ImportedFile& from) {
     const auto& [file, root] = from;
-    std::shared_ptr<const ObjectSpec>& known = shared_.imported[file];
+    std::shared_ptr<const ObjectSpec>& known = state_.imported[file];
     if (known != nullptr) return known;
-    const fs::path folder = std::exchange(folder_, file.parent_path());  // of its tables
+    const fs::path folder = std::exchange(folder_, file.parent_path());  // for its tables
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();
     DeclareIndex(spec->names);
-    Reading reading{shared_.sources, shared_.findings, *spec, *this,
-                    ValueReader(spec->names, shared_.sources, shared_.findings)};
-    if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, reading);
+    Context context{state_.sources, state_.findings, *spec, *this,
+                    ValueReader(spec->names, state_.sources, state_.findings)};
+    if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, context);
     const YamlNode& params = *root.Find("params");
     std::vector<NamedNode> settings;
-    for (const NamedNode& setting : shared_.settings) {
+    for (const NamedNode& setting : state_.settings) {
       if (params.Find(setting.name.substr(0, setting.name.find('.'))) != nullptr)
         settings.push_back(setting);
     }
-    ReadParameters(&params, root.Find("require"), settings, reading);
-    CheckFunctions(reading);
-    spec->has_exact_choice = reading.values.has_exact_choice();
+    ReadParameters(&params, root.Find("require"), settings, context);
+    CheckFunctions(context);
+    spec->has_exact_choice = context.values.has_exact_choice();
     folder_ = folder;
     return known = spec;
   }
 
-  // What is imported must stand alone: it sees no parameter of the importer.
-  void ReadImported(const ImportedFile& from, Reading& reading) {
-    expr::Names names;
+  // Reads materials and defaults of an imported file. They cannot use parameters of the importer.
+  void ReadImported(const ImportedFile& from, Context& context) {
+    expr::SymbolTable names;
     DeclareIndex(names);
-    Reading inner{shared_.sources, shared_.findings, reading.spec, *this,
-                  ValueReader(names, shared_.sources, shared_.findings)};
+    Context inner{state_.sources, state_.findings, context.spec, *this,
+                  ValueReader(names, state_.sources, state_.findings)};
     if (const YamlNode* materials = from.root.Find("materials"))
       ReadMaterials(*materials, from.file.parent_path(), true, inner);
     if (const YamlNode* defaults = from.root.Find("defaults")) ReadDefaults(*defaults, inner);
-    reading.values.AddUses(inner.values);
-    if (inner.values.has_exact_choice()) reading.spec.has_exact_choice = true;
+    context.values.AddUses(inner.values);
+    if (inner.values.has_exact_choice()) context.spec.has_exact_choice = true;
   }
 
-  Shared& shared_;
+  LoadState& state_;
   fs::path folder_;
   std::set<fs::path> imported_;
 };
 
-// A setting is read as the YAML line `name: text`, so that marks fit what is shown.
+// Parses a setting as the YAML line `name: text`, so that marks match the line in messages.
 void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sources& sources,
                   diag::Findings& findings) {
   const std::uint32_t source = sources.Add(setting.origin, setting.name + ": " + setting.text);
@@ -282,14 +281,8 @@ void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sou
 
 void ParseParameterFile(const fs::path& file, std::vector<NamedNode>& out, diag::Sources& sources,
                         diag::Findings& findings) {
-  std::string why_not;
-  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-  if (!text) {
-    findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(), why_not));
-    return;
-  }
-  auto root = ParseYaml(sources.Add(DisplayName(file), std::move(*text)), sources, findings);
+  const auto source = ReadSource(file, file.string(), {}, sources, findings);
+  auto root = source ? ParseYaml(*source, sources, findings) : std::nullopt;
   if (!root) return;
   if (root->kind != YamlNode::Kind::kMap) {
     findings.Add(Code::kSpecWrongType, root->mark,
@@ -315,14 +308,14 @@ std::unique_ptr<ObjectSpec> LoadFrom(std::uint32_t source, const fs::path& file,
                                      diag::Sources& sources, diag::Findings& findings) {
   diag::Findings own;
   const std::vector<NamedNode> settings = ParseSettings(options, sources, own);
-  Shared shared{.sources = sources,
-                .findings = own,
-                .files = Files(options.search_path, file, source, sources, own),
-                .settings = settings};
-  auto spec = SpecLoader(shared).Load(source, file, folder, settings);
+  LoadState state{.sources = sources,
+                  .findings = own,
+                  .files = SpecFiles(options.search_path, file, source, sources, own),
+                  .settings = settings};
+  auto spec = SpecLoader(state).Load(source, file, folder, settings);
   if (spec != nullptr) {
-    spec->files = shared.files.all();
-    spec->sha256 = shared.files.Sha256();
+    spec->files = state.files.all();
+    spec->sha256 = state.files.Sha256();
     for (const NamedNode& setting : settings) {
       spec->settings.emplace_back(setting.name, FlowText(setting.value));
     }
@@ -357,18 +350,10 @@ std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOpt
       return nullptr;
     }
   }
-  std::string why_not;
-  auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-  if (!text) {
-    findings.Add(Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", reference, why_not));
-    return nullptr;
-  }
-  std::error_code error;
-  const fs::path canonical = reference == "-" ? file : fs::weakly_canonical(file, error);
-  const fs::path folder = reference == "-" ? fs::path(".") : file.parent_path();
-  const std::uint32_t source = sources.Add(DisplayName(file), std::move(*text));
-  return LoadFrom(source, error ? file : canonical, folder, options, sources, findings);
+  const auto source = ReadSource(file, reference, {}, sources, findings);
+  if (!source) return nullptr;
+  if (reference == "-") return LoadFrom(*source, file, ".", options, sources, findings);
+  return LoadFrom(*source, Canonical(file), file.parent_path(), options, sources, findings);
 }
 
 }  // namespace mjforge::spec

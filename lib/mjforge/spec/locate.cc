@@ -1,3 +1,5 @@
+// Search for specs and imports in folders of the search path.
+
 #include "mjforge/spec/locate.h"
 
 #include <algorithm>
@@ -68,8 +70,7 @@ std::string NotFoundHint(const std::string& reference, std::span<const fs::path>
       names.push_back(std::move(name));
     }
   }
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  std::string hint = diag::DidYouMean(reference, views);
+  std::string hint = diag::DidYouMean(reference, names);
   return hint.empty() ? "`mjforge catalogue` lists the bundled specs" : hint;
 }
 
@@ -88,8 +89,8 @@ std::vector<std::string> ListSpecs(const fs::path& folder) {
   for (const fs::path& file : YamlFilesBelow(folder)) {
     std::string why_not;
     const auto text = bytes::ReadStart(file, kMaxYamlBytes, why_not);
-    // A library of materials makes no object.
     if (!text) continue;
+    // Skip files without parts and bodies: they are imports, such as libraries of materials.
     if (text->find("\nparts:") == std::string::npos &&
         text->find("\nbodies:") == std::string::npos) {
       continue;

@@ -1,6 +1,6 @@
-#pragma once
+// Search for specs and imports by path or name.
 
-// Finds specs and imports.
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -10,18 +10,19 @@
 
 namespace mjforge::spec {
 
-/// The file that `reference` names: in `folder`, then in each folder of the
-/// search path, with or without `.yaml`; then, for a bare name, anywhere below
-/// the search path (the first by folder and name). Nothing if there is none.
+/// Returns the file that `reference` names, with or without `.yaml` or `.yml`: in `folder`, then in
+/// each folder of the search path, and then, for a bare name, anywhere below the search path (the
+/// first by folder and name). Returns nothing if there is no such file.
 std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);
 
-/// A hint for a reference that was not found: the nearest bundled name, or how to list them all.
+/// Returns a hint for a reference that was not found: the closest name of a bundled spec, or the
+/// command that lists all of them.
 std::string NotFoundHint(const std::string& reference,
                          std::span<const std::filesystem::path> search_path);
 
-/// The path as findings show it: relative to the working folder where it is below it.
+/// Returns the path as findings show it: relative if the file is below the working folder.
 std::string DisplayName(const std::filesystem::path& file);
 
 }  // namespace mjforge::spec

@@ -1,5 +1,4 @@
-// params: and require:. Parameters may stand in any order, so their graph is
-// made from the words in them before any is compiled.
+// Reader of `params:` and `require:`, in the order of the parameters' dependencies.
 
 #include <algorithm>
 #include <array>
@@ -8,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "mjforge/spec/graph.h"
-#include "mjforge/spec/records.h"
+#include "mjforge/spec/record_parameters.h"
+#include "mjforge/spec/topological_order.h"
 
 namespace mjforge::spec {
 namespace {
@@ -24,16 +23,16 @@ bool IsLongForm(const YamlNode& node) {
           node.Find("unit") != nullptr);
 }
 
-void CheckParameterName(const YamlNode::Pair& pair, Reading& reading) {
-  CheckName("parameter", pair.key, pair.mark, reading.findings);
-  CheckNotReserved("a parameter", pair.key, pair.mark, reading.findings);
-  if (reading.spec.names.FindFormula(pair.key) != nullptr) {
-    reading.findings.Add(Code::kSpecDuplicateName, pair.mark,
+void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
+  CheckName("parameter", pair.key, pair.mark, context.findings);
+  CheckNotReserved("a parameter", pair.key, pair.mark, context.findings);
+  if (context.spec.names.FindFormula(pair.key) != nullptr) {
+    context.findings.Add(Code::kSpecDuplicateName, pair.mark,
                          fmt::format("'{}' is the name of a function, too", pair.key));
   }
 }
 
-// The value without doc and unit, as the user wrote it.
+// Returns the value without `doc` and `unit`, as the user wrote it.
 std::string SourceText(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
@@ -44,23 +43,22 @@ std::string SourceText(const YamlNode& node) {
   return FlowText(bare);
 }
 
-// The positions of the parameters that each one's node uses, by functions, too.
-std::vector<std::vector<int>> UsesOf(const std::vector<Declared>& declared,
-                                     const expr::Names& names) {
-  std::map<std::string, int, std::less<>> position;
-  for (const Declared& parameter : declared)
-    position.emplace(parameter.name, static_cast<int>(position.size()));
-  std::vector<std::vector<int>> uses;
-  int key = 0;
-  for (const Declared& parameter : declared) {
-    std::vector<int>& used = uses.emplace_back();
-    if (parameter.is_key()) key = static_cast<int>(uses.size()) - 1;
+// Returns the indices of the parameters that each parameter uses, directly or through functions.
+// The names come from the text, because expressions are compiled only after the order is known.
+Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::SymbolTable& names) {
+  std::map<std::string, std::size_t, std::less<>> position;
+  for (const ParameterNode& parameter : declared) position.emplace(parameter.name, position.size());
+  Dependencies uses;
+  std::size_t key = 0;
+  for (const ParameterNode& parameter : declared) {
+    std::vector<std::size_t>& used = uses.emplace_back();
+    if (parameter.is_key()) key = uses.size() - 1;
     if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
     std::vector<std::string> words;
-    // The cells of a table are not expressions.
+    // Skip the cells of a table, which are not expressions.
     for (const YamlNode::Pair& pair : parameter.node.pairs) {
       const bool is_text = pair.key == "doc" || pair.key == "unit";
-      if (!is_text && (parameter.slot == Slot::kAnything || pair.key != "choice"))
+      if (!is_text && (parameter.kind == FieldKind::kAnything || pair.key != "choice"))
         CollectNames(pair.value, words);
     }
     if (parameter.node.kind != YamlNode::Kind::kMap) CollectNames(parameter.node, words);
@@ -73,35 +71,36 @@ std::vector<std::vector<int>> UsesOf(const std::vector<Declared>& declared,
   return uses;
 }
 
-// What the parameters are by their own values.
-std::vector<Parameter> OwnParameters(const YamlNode& params, Reading& reading) {
+// Returns the parameters with their own values, without settings.
+std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   ObjectSpec own;
-  own.shared = reading.spec.shared;
+  own.shared = context.spec.shared;
   DeclareIndex(own.names);
-  for (const auto& [name, formula] : reading.spec.names.formulas()) own.names.Define(formula);
+  for (const auto& [name, formula] : context.spec.names.formulas()) own.names.Define(formula);
   diag::Findings ignored;
-  Reading inner{reading.sources, ignored, own, reading.loader,
-                ValueReader(own.names, reading.sources, ignored)};
+  Context inner{context.sources, ignored, own, context.loader,
+                ValueReader(own.names, context.sources, ignored)};
   ReadParameters(&params, nullptr, {}, inner);
-  reading.values.AddUses(inner.values);
+  context.values.AddUses(inner.values);
   return std::move(own.parameters);
 }
 
-// A setting is of the parameter's kind: else each use of it would be found to be wrong.
+// Reports a setting of another kind than the parameter's own value, and replaces it by a value of
+// that kind, so that uses of the parameter are not reported as well.
 void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& parameter,
-                  Reading& reading) {
+                  Context& context) {
   const Value& wanted = own.value;
   Value& value = parameter.value;
-  if (wanted.components == 0) return;  // it is wrong itself
+  if (wanted.components == 0) return;  // the parameter's own value is wrong
   if (IsSameKind(value, wanted)) {
     const bool fits =
-        reading.values.CheckUnit(fmt::format("parameter '{}'", own.name), wanted.dimensions, value);
+        context.values.CheckUnit(fmt::format("parameter '{}'", own.name), wanted.dimensions, value);
     if (!fits || IsMeasured(wanted.dimensions)) value.dimensions = wanted.dimensions;
     return;
   }
   if (value.components != 0) {
     const std::string given = node.kind == YamlNode::Kind::kScalar ? node.text : FlowText(node);
-    reading.findings.Add(Code::kSpecWrongType, node.mark,
+    context.findings.Add(Code::kSpecWrongType, node.mark,
                          fmt::format("parameter '{}' is {}, but '{}' is {}", own.name,
                                      KindText(wanted), given, KindText(value)),
                          fmt::format("the spec has '{}: {}'", own.name, own.source));
@@ -112,7 +111,7 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
                 .is_list = wanted.is_list};
 }
 
-// "M3, M4, M5"; of many, the first ones.
+// Returns a list of words, "M3, M4, M5", or the first words of a long list and their count.
 std::string SomeOf(std::span<const std::string> words) {
   constexpr std::size_t kShown = 12;
   std::string text =
@@ -120,129 +119,126 @@ std::string SomeOf(std::span<const std::string> words) {
   return words.size() > kShown ? fmt::format("{}, ... ({} in all)", text, words.size()) : text;
 }
 
-// A setting of a record's key is one of the keys, if it can be told.
-void CheckKey(const Declared& declared, const Value& value, Reading& reading) {
+// Reports a setting of a record's key that is a constant but not one of the keys.
+void CheckKey(const ParameterNode& declared, const Value& value, Context& context) {
   const auto number = ConstantOf(value);
   if (!number || declared.rows->numbers.contains(*number)) return;
-  reading.findings.Add(
+  context.findings.Add(
       Code::kSpecBadValue, value.mark,
       fmt::format("no row of '{}' has {}", declared.record, expr::NumberText(*number)),
       fmt::format("the rows are {}", SomeOf(declared.rows->names)));
 }
 
-// Says what a parameter's value measures, or that it is not what its unit says.
-void ApplyUnit(Parameter& parameter, Reading& reading) {
+// Gives a parameter's value the dimensions of its unit, and reports a value of other dimensions.
+void ApplyUnit(Parameter& parameter, Context& context) {
   Value& value = parameter.value;
   if (value.type != expr::Type::kNumber) return;
   const auto wanted = DimensionsOf(parameter.unit);
   if (wanted) {
-    reading.values.CheckUnit(fmt::format("parameter '{}'", parameter.name), *wanted, value);
+    context.values.CheckUnit(fmt::format("parameter '{}'", parameter.name), *wanted, value);
     value.dimensions = *wanted;
   } else if (parameter.unit.empty() && IsMeasured(value.dimensions)) {
     parameter.unit = UnitText(value.dimensions);
   }
 }
 
-// A unit says what a number is: values are in SI units.
-void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Reading& reading) {
+// Reports a unit that is not an SI unit, because values of parameters are in SI units.
+void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& context) {
   const auto unit = expr::FindUnit(parameter.unit);
   if (!unit || unit->is_si) return;
   const std::string si = unit->dimension.Text();
-  reading.findings.Add(
+  context.findings.Add(
       Code::kSpecBadValue, mark,
       fmt::format("'{}' is not a unit of parameters, whose values are in {}", parameter.unit, si),
       fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
 }
 
-// `own`: what a setting stands in for; null: nothing was set. `key`: of the record that it is a
-// column of.
-void ReadOne(Parameter& parameter, const Declared& declared, const Parameter* own,
-             const Parameter* key, Reading& reading) {
+// Reads the value of a parameter. `own` is the parameter without the setting, null if there is no
+// setting; `key` is the key of the record that the parameter is a column of, or null.
+void ReadOne(Parameter& parameter, const ParameterNode& declared, const Parameter* own,
+             const Parameter* key, Context& context) {
   const YamlNode& node = declared.node;
   const std::span<const std::string_view> extra_keys =
       IsLongForm(node) ? std::span(kLongFormKeys) : std::span<const std::string_view>();
   if (own != nullptr) {
-    parameter.value = reading.values.ReadLike(own->value, node, extra_keys);
-    CheckSetting(*own, node, parameter, reading);
-    if (declared.is_key()) CheckKey(declared, parameter.value, reading);
+    parameter.value = context.values.ReadLike(own->value, node, extra_keys);
+    CheckSetting(*own, node, parameter, context);
+    if (declared.is_key()) CheckKey(declared, parameter.value, context);
   } else if (key != nullptr) {
-    parameter.value = reading.values.ReadDrawOf(declared.slot, node);
+    parameter.value = context.values.ReadDrawOf(declared.kind, node);
     if (auto* choice = std::get_if<Draw>(&parameter.value.form)) {
       choice->rows = declared.rows;
       choice->key_slot = key->slot;
     }
   } else if (declared.is_key()) {
-    parameter.value = reading.values.ReadDrawOf(declared.slot, node, extra_keys);
+    parameter.value = context.values.ReadDrawOf(declared.kind, node, extra_keys);
   } else {
-    parameter.value = reading.values.ReadAnything(node, extra_keys);
+    parameter.value = context.values.ReadAnything(node, extra_keys);
   }
-  ApplyUnit(parameter, reading);
-  const auto& variable = Declare(reading.spec.names, parameter.name, parameter.value);
+  ApplyUnit(parameter, context);
+  const auto& variable = Declare(context.spec.names, parameter.name, parameter.value);
   parameter.slot = variable.slot;
   parameter.list = variable.list;
 }
 
-// A pinned text must be one the spec knows: any other would quietly leave out
-// the parts that ask for it. False after a finding.
-bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Reading& reading) {
+// Returns false, and adds a finding, if a text is set that is not an option of the parameter's
+// choice, because parts whose condition compares it would silently be left out.
+bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& context) {
   const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
   const YamlNode& bare = value != nullptr ? *value : own;
   const YamlNode* options = bare.kind == YamlNode::Kind::kMap ? bare.Find("choice") : nullptr;
   if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return true;
   std::vector<std::string> words;
   for (const YamlNode& option : options->items) {
-    if (!reading.values.IsPlainText(option)) return true;
+    if (!context.values.IsPlainText(option)) return true;
     words.push_back(option.text);
   }
   if (std::ranges::find(words, pinned.text) != words.end()) return true;
-  const std::vector<std::string_view> known(words.begin(), words.end());
-  reading.findings.Add(Code::kSpecBadValue, pinned.mark,
+  context.findings.Add(Code::kSpecBadValue, pinned.mark,
                        fmt::format("'{}' is not one of {}", pinned.text, SomeOf(words)),
-                       diag::DidYouMean(pinned.text, known));
+                       diag::DidYouMean(pinned.text, words));
   return false;
 }
 
-// Which parameters were set.
+// Replaces the nodes of parameters by their settings. Returns true for each parameter that was set.
 std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
-                                std::vector<Declared>& declared, Reading& reading) {
+                                std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());
-  std::vector<std::string_view> names;
-  for (const Parameter& parameter : reading.spec.parameters) names.push_back(parameter.name);
   for (const NamedNode& setting : settings) {
     if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints) continue;
-    const Parameter* found = reading.spec.FindParameter(setting.name);
+    const Parameter* found = context.spec.FindParameter(setting.name);
     if (found == nullptr) {
-      reading.findings.Add(
+      context.findings.Add(
           Code::kSpecUnknownParameter, setting.value.mark,
-          fmt::format("'{}' has no parameter '{}'", reading.spec.name, setting.name),
-          diag::DidYouMean(setting.name, names));
+          fmt::format("'{}' has no parameter '{}'", context.spec.name, setting.name),
+          diag::DidYouMean(setting.name, context.spec.parameters, &Parameter::name));
       continue;
     }
-    const auto at = static_cast<std::size_t>(found - reading.spec.parameters.data());
-    const std::size_t first = reading.spec.parameters.size() - declared.size();
-    if (at < first) continue;  // of an imported file, where it was applied
+    const auto at = static_cast<std::size_t>(found - context.spec.parameters.data());
+    const std::size_t first = context.spec.parameters.size() - declared.size();
+    if (at < first) continue;  // applied when the imported file was read
     const std::size_t position = at - first;
     const bool is_looked_up = declared[position].rows != nullptr && !declared[position].is_key();
-    if (!is_looked_up && !CheckPinnedChoice(declared[position].node, setting.value, reading))
+    if (!is_looked_up && !CheckPinnedChoice(declared[position].node, setting.value, context))
       continue;
     is_set[position] = true;
     declared[position].node = setting.value;
-    reading.spec.parameters[at].source = SourceText(setting.value);
+    context.spec.parameters[at].source = SourceText(setting.value);
   }
   return is_set;
 }
 
-// The key of the record that a parameter is a column of; null: it is none.
-const Parameter* KeyOf(std::span<const Declared> declared, std::size_t i,
+// Returns the key of the record that a parameter is a column of; null for other parameters.
+const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
                        std::span<const Parameter> parameters) {
   if (declared[i].rows == nullptr || declared[i].is_key()) return nullptr;
   while (!declared[i].is_key()) --i;
   return &parameters[i];
 }
 
-// Parameters and functions of imported files, but those of which the spec has its own.
-void AddShared(const YamlNode* params, Reading& reading) {
-  ObjectSpec& spec = reading.spec;
+// Adds parameters and functions of imported files, unless the spec defines the same names.
+void AddShared(const YamlNode* params, Context& context) {
+  ObjectSpec& spec = context.spec;
   for (std::size_t file = 0; file < spec.shared.size(); ++file) {
     const ObjectSpec& from = *spec.shared[file];
     spec.has_exact_choice |= from.has_exact_choice;
@@ -264,29 +260,29 @@ void AddShared(const YamlNode* params, Reading& reading) {
   }
 }
 
-void ReadRequirements(const YamlNode& require, Reading& reading) {
-  const auto add = [&reading](const YamlNode& node) {
-    if (auto condition = reading.values.ReadCondition(node)) {
-      reading.spec.requirements.push_back({std::move(*condition), node.mark});
+void ReadRequirements(const YamlNode& require, Context& context) {
+  const auto add = [&context](const YamlNode& node) {
+    if (auto condition = context.values.ReadCondition(node)) {
+      context.spec.requirements.push_back({std::move(*condition), node.mark});
     }
   };
   if (require.kind == YamlNode::Kind::kScalar) {
     add(require);
-  } else if (IsList(require, "conditions", reading)) {
+  } else if (IsList(require, "conditions", context)) {
     for (const YamlNode& item : require.items) add(item);
   }
 }
 
-std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading) {
-  std::vector<Declared> all;
+std::vector<ParameterNode> DeclareParameters(const YamlNode& params, Context& context) {
+  std::vector<ParameterNode> all;
   for (const auto& pair : params.pairs) {
-    CheckParameterName(pair, reading);
-    auto record = ReadRecord(pair, reading);
+    CheckParameterName(pair, context);
+    auto record = ReadRecord(pair, context);
     if (!record) {
       record.emplace(
-          {Declared{.name = pair.key, .mark = pair.mark, .node = pair.value, .source = {}}});
+          {ParameterNode{.name = pair.key, .mark = pair.mark, .node = pair.value, .source = {}}});
     }
-    for (Declared& declared : *record) {
+    for (ParameterNode& declared : *record) {
       Parameter parameter;
       parameter.name = declared.name;
       parameter.mark = declared.mark;
@@ -296,14 +292,14 @@ std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading
       parameter.unit = declared.unit;
       if (&declared == &record->front() && IsLongForm(pair.value)) {
         if (const YamlNode* doc = pair.value.Find("doc")) {
-          parameter.doc = reading.values.ReadPlainText("doc", *doc);
+          parameter.doc = context.values.ReadPlainText("doc", *doc);
         }
         if (const YamlNode* unit = pair.value.Find("unit")) {
-          parameter.unit = reading.values.ReadPlainText("unit", *unit);
-          CheckIsSi(parameter, unit->mark, reading);
+          parameter.unit = context.values.ReadPlainText("unit", *unit);
+          CheckIsSi(parameter, unit->mark, context);
         }
       }
-      reading.spec.parameters.push_back(std::move(parameter));
+      context.spec.parameters.push_back(std::move(parameter));
       all.push_back(std::move(declared));
     }
   }
@@ -313,41 +309,40 @@ std::vector<Declared> DeclareParameters(const YamlNode& params, Reading& reading
 }  // namespace
 
 void ReadParameters(const YamlNode* params, const YamlNode* require,
-                    std::span<const NamedNode> settings, Reading& reading) {
-  ObjectSpec& spec = reading.spec;
-  AddShared(params, reading);
+                    std::span<const NamedNode> settings, Context& context) {
+  ObjectSpec& spec = context.spec;
+  AddShared(params, context);
   const std::size_t first = spec.parameters.size();
-  std::vector<Declared> declared;
-  if (params != nullptr && IsMap(*params, "parameters", reading)) {
-    declared = DeclareParameters(*params, reading);
+  std::vector<ParameterNode> declared;
+  if (params != nullptr && IsMap(*params, "parameters", context)) {
+    declared = DeclareParameters(*params, context);
   }
   std::vector<Parameter> own;
-  if (!settings.empty() && !declared.empty()) own = OwnParameters(*params, reading);
-  const std::vector<bool> is_set = ApplySettings(settings, declared, reading);
+  if (!settings.empty() && !declared.empty()) own = OwnParameters(*params, context);
+  const std::vector<bool> is_set = ApplySettings(settings, declared, context);
   const std::span<Parameter> parameters = std::span(spec.parameters).subspan(first);
 
   std::vector<bool> in_cycle(declared.size());
-  const auto on_cycle = [&](const std::vector<int>& path) {
-    std::string text;
-    for (const int i : path) {
-      in_cycle[static_cast<std::size_t>(i)] = true;
-      if (!text.empty()) text += " -> ";
-      text += parameters[static_cast<std::size_t>(i)].name;
+  const auto on_cycle = [&](const std::vector<std::size_t>& path) {
+    std::vector<std::string_view> circle;
+    for (const std::size_t i : path) {
+      in_cycle[i] = true;
+      circle.push_back(parameters[i].name);
     }
-    reading.findings.Add(Code::kSpecCycle, parameters[static_cast<std::size_t>(path[0])].mark,
-                         fmt::format("parameters depend on each other: {}", text));
+    context.findings.Add(
+        Code::kSpecCycle, parameters[path[0]].mark,
+        fmt::format("parameters depend on each other: {}", fmt::join(circle, " -> ")));
   };
-  for (const int i : OrderByUse(UsesOf(declared, spec.names), on_cycle)) {
-    const auto at = static_cast<std::size_t>(i);
+  for (const std::size_t at : TopologicalOrder(UsesOf(declared, spec.names), on_cycle)) {
     spec.evaluation_order.push_back(static_cast<int>(first + at));
     if (in_cycle[at]) {
       parameters[at].slot = spec.names.Declare(parameters[at].name, expr::Type::kNumber).slot;
     } else {
       ReadOne(parameters[at], declared[at], is_set[at] ? &own[first + at] : nullptr,
-              KeyOf(declared, at, parameters), reading);
+              KeyOf(declared, at, parameters), context);
     }
   }
-  if (require != nullptr) ReadRequirements(*require, reading);
+  if (require != nullptr) ReadRequirements(*require, context);
 }
 
 }  // namespace mjforge::spec

@@ -1,12 +1,10 @@
-// What a part's literal type says about its other keys.
+// Checks of a part's fields against its type.
 
 #include <algorithm>
-#include <array>
-#include <initializer_list>
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
 #include "mjforge/spec/shapes.h"
 
 namespace mjforge::spec {
@@ -14,37 +12,32 @@ namespace {
 
 using diag::Code;
 
-const Field* FindField(const Entry& part, Key id, const Defaults& defaults) {
-  const Field* own = part.Find(id);
-  return own != nullptr ? own : FindField(defaults.part, id);
-}
-
-void CheckSizes(const Entry& part, const ShapeInfo& shape, Reading& reading) {
-  const Field* size = FindField(part, Key::kSize, reading.spec.defaults);
+void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
+  const Field* size = part.Find(Key::kSize);
   const Field* fromto = part.Find(Key::kFromTo);
   if (fromto != nullptr && shape.sizes_fromto == 0) {
-    reading.findings.Add(Code::kSpecConflict, fromto->mark,
+    context.findings.Add(Code::kSpecConflict, fromto->mark,
                          fmt::format("'fromto' has no meaning for a {}", shape.type));
     return;
   }
   const Field* up = part.Find(Key::kUp);
   if (up != nullptr && fromto == nullptr) {
-    reading.findings.Add(Code::kSpecConflict, up->mark, "'up' needs 'fromto' in the same entry",
+    context.findings.Add(Code::kSpecConflict, up->mark, "'up' needs 'fromto' in the same entry",
                          "give the orientation by `xyaxes`, `euler` or `quat`");
   }
   if (size == nullptr) return;
   if (shape.sizes == 0) {
-    if (part.Find(Key::kSize) != nullptr) {
-      reading.findings.Add(Code::kSpecConflict, size->mark,
+    if (!size->is_default) {
+      context.findings.Add(Code::kSpecConflict, size->mark,
                            fmt::format("'size' has no meaning for a {}", shape.type));
     }
     return;
   }
-  // The options of a choice may differ in length; the model checks those.
+  // The options of a choice may differ in length, so the model checks the drawn one.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
   if (exact && size->value.components != 0 && size->value.components != wanted) {
-    reading.findings.Add(Code::kSpecWrongLength, size->value.mark,
+    context.findings.Add(Code::kSpecWrongLength, size->value.mark,
                          fmt::format("a {}{} has {} size{}, got {}", shape.type,
                                      fromto != nullptr ? " with 'fromto'" : "", wanted,
                                      wanted == 1 ? "" : "s", size->value.components));
@@ -53,33 +46,33 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Reading& reading) {
 
 }  // namespace
 
-void CheckPart(const Entry& part, Reading& reading) {
-  const Field* type = FindField(part, Key::kType, reading.spec.defaults);
+void CheckPart(const Entry& part, Context& context) {
+  const Field* type = part.Find(Key::kType);
   if (type == nullptr) {
-    reading.findings.Add(Code::kSpecMissingKey, part.mark, "part without a 'type'");
+    context.findings.Add(Code::kSpecMissingKey, part.mark, "part without a 'type'");
     return;
   }
   const auto word = LiteralText(type->value);
   if (!word) return;
   const ShapeInfo* shape = FindShape(*word);
-  if (shape == nullptr) return;  // reported with the word
+  if (shape == nullptr) return;  // reported when the word was read
   for (const Key id : shape->required) {
-    if (FindField(part, id, reading.spec.defaults) != nullptr) continue;
-    reading.findings.Add(Code::kSpecMissingKey, part.mark,
-                         fmt::format("{} without '{}'", shape->type, PartElement().Find(id)->key));
+    if (part.Find(id) != nullptr) continue;
+    context.findings.Add(Code::kSpecMissingKey, part.mark,
+                         fmt::format("{} without '{}'", shape->type, kPartElement.Find(id)->key));
   }
-  const bool is_round = FindField(part, Key::kRound, reading.spec.defaults) != nullptr;
+  const bool is_round = part.Find(Key::kRound) != nullptr;
   for (const Field& field : part.fields) {
     const Key id = field.info->id;
     const bool has_own_words = id == Key::kSize || id == Key::kFromTo || id == Key::kUp;
-    if (has_own_words || !IsOfAShape(id)) continue;
+    if (field.is_default || has_own_words || !IsOfAShape(id)) continue;
     const bool needs_round = std::ranges::find(shape->of_round, id) != shape->of_round.end();
     if (shape->Takes(id) && (!needs_round || is_round)) continue;
-    reading.findings.Add(Code::kSpecConflict, field.mark,
+    context.findings.Add(Code::kSpecConflict, field.mark,
                          fmt::format("'{}' has no meaning for a {}{}", field.info->key, shape->type,
                                      needs_round ? " without 'round'" : ""));
   }
-  CheckSizes(part, *shape, reading);
+  CheckSizes(part, *shape, context);
 }
 
 }  // namespace mjforge::spec

@@ -1,11 +1,11 @@
-// Lists of points, and `for:`, which repeats points and entries.
+// The part of ValueReader that reads lists of points, and `for:`, which repeats points and entries.
 
 #include <algorithm>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/reading.h"
+#include "mjforge/spec/context.h"
 
 namespace mjforge::spec {
 
@@ -39,7 +39,7 @@ Value ValueReader::ReadPointLoop(const YamlNode& map, std::string_view key, Read
   return value;
 }
 
-Value ValueReader::ReadOutlines(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadOutlines(const ExpectedForm& expected, const YamlNode& node) {
   if (node.kind != YamlNode::Kind::kList) return Wrong(node, "a list of outlines");
   Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
   const auto read = [&](const YamlNode& points) { return ReadPoints(expected, points); };
@@ -52,7 +52,7 @@ Value ValueReader::ReadOutlines(const Expected& expected, const YamlNode& node) 
   return value;
 }
 
-Value ValueReader::ReadPoints(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadPoints(const ExpectedForm& expected, const YamlNode& node) {
   if (node.kind != YamlNode::Kind::kList)
     return Wrong(
         node, expected.min_count == 2 ? "a list of points [x, y]" : "a list of points [x, y, z]");
@@ -68,13 +68,14 @@ Value ValueReader::ReadPoints(const Expected& expected, const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadPoint(const Expected& expected, const YamlNode& node) {
-  return ReadVector(
-      {.slot = Slot::kNumbers, .min_count = expected.min_count, .max_count = expected.max_count},
-      node);
+Value ValueReader::ReadPoint(const ExpectedForm& expected, const YamlNode& node) {
+  return ReadVector({.kind = FieldKind::kNumbers,
+                     .min_count = expected.min_count,
+                     .max_count = expected.max_count},
+                    node);
 }
 
-Value ValueReader::ReadArc(const Expected& expected, const YamlNode& map) {
+Value ValueReader::ReadArc(const ExpectedForm& expected, const YamlNode& map) {
   AllowKeys(map, {"arc", "steps"}, "an arc");
   if (expected.min_count != 2) {
     findings_.Add(
@@ -95,7 +96,7 @@ Value ValueReader::ReadArc(const Expected& expected, const YamlNode& map) {
       .key = "radius of an arc", .unit = "m", .lower = 0, .above = true};
   static constexpr FieldInfo kAngle = {.key = "angle of an arc", .unit = "rad"};
   static constexpr FieldInfo kSteps = {
-      .key = "steps", .slot = Slot::kInteger, .lower = 1, .upper = 1000};
+      .key = "steps", .kind = FieldKind::kInteger, .lower = 1, .upper = 1000};
   Arc arc;
   arc.center = std::make_shared<const Value>(ReadPoint(expected, node.items[0]));
   arc.measures.push_back(Read(kRadius, node.items[1]));
@@ -115,7 +116,7 @@ void ValueReader::AllowKeys(const YamlNode& map, std::initializer_list<std::stri
     if (std::ranges::find(allowed, pair.key) != allowed.end()) continue;
     findings_.Add(Code::kSpecUnknownKey, pair.mark,
                   fmt::format("unknown key '{}' in {}", pair.key, what),
-                  diag::DidYouMean(pair.key, std::vector<std::string_view>(allowed)));
+                  diag::DidYouMean(pair.key, allowed));
   }
 }
 
@@ -136,7 +137,7 @@ std::vector<Loop> ValueReader::ReadLoops(const YamlNode& loops) {
                                        : "a loop's count cannot be drawn here",
                     "draw it as a parameter and use that parameter's name");
     }
-    // Values of a list, or a count.
+    // The variable has the dimensions of the list's values; a counter is a plain number.
     expr::Dimensions dimensions = loop.range.dimensions;
     if (!loop.over_values()) {
       CheckPlain("a loop's count", loop.range);

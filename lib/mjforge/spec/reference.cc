@@ -1,21 +1,21 @@
-// The reference chapter of the manual, from the field table.
+// The reference chapter of the manual, made from the tables of the language.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "mjforge/spec/slots.h"
+#include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
 namespace {
 
 std::string TakenBy(const FieldInfo& field) {
-  const std::string_view takes = InfoOf(field.slot).takes;
+  const std::string_view takes = InfoOf(field.kind).takes;
   if (!field.words.empty()) {
     return fmt::format("{}{}{}", fmt::join(expr::WordsOf(field.words), ", "),
                        takes.empty() ? "" : " or ", takes);
   }
-  if (field.slot != Slot::kNumbers) return std::string(takes);
+  if (field.kind != FieldKind::kNumbers) return std::string(takes);
   return field.min_count == field.max_count
              ? fmt::format("{} numbers", field.max_count)
              : fmt::format("{} to {} numbers", field.min_count, field.max_count);
@@ -33,7 +33,7 @@ std::string BoundsText(const FieldInfo& field) {
   return text;
 }
 
-// A bar would end the table's cell.
+// Escapes "|", which would end the table cell.
 std::string Cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -55,7 +55,7 @@ std::string ElementTable(const ElementInfo& element) {
   return out + "\n";
 }
 
-// `name`, `joint` (a joint), `cutoff`, ...: MuJoCo's own manual says what they mean.
+// Returns the attributes and their references, without meanings, which are in MuJoCo's manual.
 std::string AttributeList(const ElementInfo& element) {
   std::string out;
   for (const FieldInfo& field : element.fields) {

@@ -1,8 +1,8 @@
-// The JSON Schema of a spec (draft-07): what an editor needs to complete and check. It checks
-// structure; names, expressions and references are checked by the parser alone.
+// The JSON Schema of a spec (draft-07), with which an editor completes and checks specs.
 //
-// schema.json is the schema with markers: "@KIND NAME" stands for what the tables of the language
-// say, and what is made from them may contain markers, too.
+// The schema checks structure; names, expressions and references are checked only by the parser.
+// schema.json is the schema with markers "@KIND NAME", which are replaced by text made from the
+// tables of the language. This text may contain markers, too.
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +17,18 @@
 #include <rapidjson/reader.h>
 #include <rapidjson/stringbuffer.h>
 
-#include "mjforge/spec/slots.h"
+#include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/spec.h"
 
 namespace mjforge::spec {
 
-extern const std::string_view kSchemaJson;  // the file, embedded
+extern const std::string_view kSchemaJson;  // content of schema.json
 
 namespace {
 
-using Members = std::vector<std::string>;
+using JsonMembers = std::vector<std::string>;
 
-// As texts of JSON: a quoted number is text, and so no expression.
+// Schema of an expression: text that is not a number, because a quoted number is text in a spec.
 constexpr std::string_view kExpression =
     R"x("type": "string", "pattern": "^(?![-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?$)")x";
 constexpr std::string_view kNamePattern = R"("^[A-Za-z][A-Za-z0-9_]*$")";
@@ -40,9 +40,19 @@ std::string Quoted(std::string_view text) {
   return buffer.GetString();
 }
 
-std::string Joined(const Members& members) { return fmt::format("{}", fmt::join(members, ", ")); }
+std::string Joined(const JsonMembers& members) {
+  return fmt::format("{}", fmt::join(members, ", "));
+}
 
-// One member whose value is an object.
+// Returns the text of each item of a list.
+template <typename List, typename Text>
+JsonMembers Each(const List& list, Text text) {
+  JsonMembers members;
+  for (const auto& item : list) members.push_back(text(item));
+  return members;
+}
+
+// Returns a member whose value is an object.
 std::string Member(std::string_view key, std::string_view members) {
   return fmt::format(R"("{}": {{{}}})", key, members);
 }
@@ -53,7 +63,7 @@ std::string ListOf(std::string_view members) {
   return fmt::format(R"("type": "array", "items": {{{}}})", members);
 }
 
-std::string Mapping(const Members& properties) {
+std::string Mapping(const JsonMembers& properties) {
   return fmt::format(R"("type": "object", "properties": {{{}}}, "additionalProperties": false)",
                      Joined(properties));
 }
@@ -99,9 +109,7 @@ std::string Numbers(const FieldInfo& field) {
 }
 
 std::string Words(const FieldInfo& field) {
-  Members words;
-  for (const std::string_view word : expr::WordsOf(field.words)) words.push_back(Quoted(word));
-  return fmt::format(R"({{"enum": [{}]}})", Joined(words));
+  return fmt::format(R"({{"enum": [{}]}})", Joined(Each(expr::WordsOf(field.words), Quoted)));
 }
 
 std::string Word(const FieldInfo& field) {
@@ -113,23 +121,20 @@ std::string Word(const FieldInfo& field) {
 std::string PlainText(const FieldInfo& field) {
   if (field.id == Key::kName)
     return fmt::format(R"("type": "string", "pattern": {})", kNamePattern);
-  // `unit: 1` is text to us and a number to a reader of YAML.
+  // Numbers are allowed because `unit: 1` is text in a spec but a number in YAML.
   return R"("anyOf": [{"type": "string"}, {"type": "number"}])";
 }
 
-// The fields of the element that the key of `defaults:` names, none of them required.
+// Returns the fields of the element that a key of `defaults:` names. None of them is required.
 std::string DefaultFields(const FieldInfo& defaults) {
   const ElementInfo& element = *FindElement(defaults.key);
-  Members properties;
-  for (const FieldInfo& field : element.fields) {
-    properties.push_back(
-        Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key))));
-  }
-  return Mapping(properties);
+  return Mapping(Each(element.fields, [&](const FieldInfo& field) {
+    return Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key)));
+  }));
 }
 
 std::string Silence() {
-  Members properties;
+  JsonMembers properties;
   for (const diag::CodeInfo& info : diag::AllCodes()) {
     if (!CanBeSilenced(info.code)) continue;
     properties.push_back(Member(info.name, R"("type": "string")"));
@@ -138,38 +143,36 @@ std::string Silence() {
 }
 
 std::string SectionProperties() {
-  Members properties;
-  for (const SectionInfo& section : Sections()) {
-    properties.push_back(Member(section.name, Is(section.name)));
-  }
-  return Mapping(properties);
+  return Mapping(Each(Sections(), [](const SectionInfo& section) {
+    return Member(section.name, Is(section.name));
+  }));
 }
 
-// The members of the schema of what may stand in a field.
+// Returns the schema of the value of a field.
 std::string Taken(const FieldInfo& field) {
-  switch (field.slot) {
-    case Slot::kNumber:
+  switch (field.kind) {
+    case FieldKind::kNumber:
       return IsBounded(field) ? Number(field, "number") : Is("number");
-    case Slot::kInteger:
+    case FieldKind::kInteger:
       return Number(field, "integer");
-    case Slot::kWord:
+    case FieldKind::kWord:
       return Word(field);
-    case Slot::kNumbers:
+    case FieldKind::kNumbers:
       return IsBounded(field) ? Numbers(field) : Is(NumbersName(field));
-    case Slot::kPoints:
+    case FieldKind::kPoints:
       return Is(field.min_count == 2 ? "points" : "points_in_space");
-    case Slot::kPlainText:
+    case FieldKind::kPlainText:
       return PlainText(field);
-    case Slot::kJoints:
+    case FieldKind::kJoints:
       return fmt::format(R"("anyOf": [{}, {{"@list joint"}}])", Words(field));
-    case Slot::kFields:
+    case FieldKind::kFields:
       return DefaultFields(field);
-    case Slot::kSections:
+    case FieldKind::kSections:
       return SectionProperties();
-    case Slot::kSilence:
+    case FieldKind::kSilence:
       return Silence();
     default:
-      return std::string(InfoOf(field.slot).schema);
+      return std::string(InfoOf(field.kind).schema);
   }
 }
 
@@ -189,10 +192,10 @@ std::string DrawArguments(const DistributionInfo& info) {
   return info.arguments > 1 ? list : fmt::format(R"("anyOf": [{{"@is number"}}, {{{}}}])", list);
 }
 
-std::string DrawForm(const DistributionInfo& info, const Members& more_properties) {
-  Members properties = {Member(info.key, DrawArguments(info))};
+std::string DrawForm(const DistributionInfo& info, const JsonMembers& more_properties) {
+  JsonMembers properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
-    // Or, of a record, the column that has them.
+    // A text is the column of a record that contains the weights.
     properties.push_back(
         Member(info.option, R"("anyOf": [{"@list number", "minItems": 1}, {"type": "string"}])"));
   } else if (!info.option.empty()) {
@@ -214,15 +217,16 @@ bool Gives(const DistributionInfo& info, std::string_view kind) {
 
 // --- Sections ---------------------------------------------------------------
 
-// A mapping whose one key is an element.
-std::string OneOf(std::span<const ElementInfo> elements, Members properties);
+// Returns the schema of a mapping whose only key is one of the elements.
+std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties);
 
 std::string Attributes(const ElementInfo& element, bool children_by_name) {
-  Members properties;
+  JsonMembers properties;
   for (const FieldInfo& field : element.fields) {
-    properties.push_back(Member(field.key, Is(field.slot == Slot::kNumbers   ? "attribute_numbers"
-                                              : field.slot == Slot::kBoolean ? "boolean"
-                                                                             : "text")));
+    properties.push_back(
+        Member(field.key, Is(field.kind == FieldKind::kNumbers   ? "attribute_numbers"
+                             : field.kind == FieldKind::kBoolean ? "boolean"
+                                                                 : "text")));
   }
   if (children_by_name) {
     for (const ElementInfo& child : element.children) {
@@ -234,7 +238,7 @@ std::string Attributes(const ElementInfo& element, bool children_by_name) {
   return Mapping(properties);
 }
 
-std::string OneOf(std::span<const ElementInfo> elements, Members properties) {
+std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties) {
   for (const ElementInfo& element : elements) {
     properties.push_back(Member(element.name, Attributes(element, false)));
   }
@@ -244,9 +248,8 @@ std::string OneOf(std::span<const ElementInfo> elements, Members properties) {
 // --- Markers ----------------------------------------------------------------
 
 std::string Fields(std::string_view element) {
-  Members properties;
-  for (const FieldInfo& field : FindElement(element)->fields) properties.push_back(Property(field));
-  return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)", Joined(properties));
+  return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)",
+                     Joined(Each(FindElement(element)->fields, Property)));
 }
 
 std::string Doc(std::string_view element) {
@@ -254,20 +257,18 @@ std::string Doc(std::string_view element) {
 }
 
 std::string DocAndUnit(std::string_view /*none*/) {
-  const ElementInfo& parameter = ParameterElement();
+  const ElementInfo& parameter = kParameterElement;
   return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit))});
 }
 
 std::string Draws(std::string_view /*none*/) {
-  Members draws;
-  for (const DistributionInfo& info : Distributions()) {
-    draws.push_back(Member(info.key, DrawForm(info, {})));
-  }
-  return Joined(draws);
+  return Joined(Each(Distributions(), [](const DistributionInfo& info) {
+    return Member(info.key, DrawForm(info, {}));
+  }));
 }
 
 std::string DrawsOf(std::string_view kind) {
-  Members draws;
+  JsonMembers draws;
   for (const DistributionInfo& info : Distributions()) {
     if (Gives(info, kind)) draws.push_back(fmt::format("{{{}}}", Is(info.key)));
   }
@@ -275,20 +276,18 @@ std::string DrawsOf(std::string_view kind) {
 }
 
 std::string DrawsWithDoc(std::string_view none) {
-  Members draws;
-  for (const DistributionInfo& info : Distributions()) {
-    draws.push_back(fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)})));
-  }
-  return Joined(draws);
+  return Joined(Each(Distributions(), [none](const DistributionInfo& info) {
+    return fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)}));
+  }));
 }
 
-// One definition for each length that some field without bounds has.
+// Returns one definition for each range of lengths that a field without bounds has.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;
-  Members lists;
+  JsonMembers lists;
   for (const ElementInfo* element : AllElements()) {
     for (const FieldInfo& field : element->fields) {
-      if (field.slot != Slot::kNumbers || IsBounded(field)) continue;
+      if (field.kind != FieldKind::kNumbers || IsBounded(field)) continue;
       if (!done.insert(NumbersName(field)).second) continue;
       lists.push_back(Member(NumbersName(field), Numbers(field)));
     }
@@ -297,17 +296,14 @@ std::string NumberLists(std::string_view /*none*/) {
 }
 
 std::string SectionDefinitions(std::string_view /*none*/) {
-  const Members repeats = {
+  const JsonMembers repeats = {
       Member("if", Is("condition")),
       Member("for", R"("type": "object", "additionalProperties": {"@is number"})"),
       Member("let", R"("@map value")")};
-  Members definitions;
-  for (const SectionInfo& section : Sections()) {
-    definitions.push_back(Member(section.name, section.is_element
-                                                   ? Attributes(section.elements.front(), true)
-                                                   : ListOf(OneOf(section.elements, repeats))));
-  }
-  return Joined(definitions);
+  return Joined(Each(Sections(), [&](const SectionInfo& section) {
+    return Member(section.name, section.is_element ? Attributes(section.elements.front(), true)
+                                                   : ListOf(OneOf(section.elements, repeats)));
+  }));
 }
 
 struct Marker {

@@ -1,4 +1,4 @@
-// contact: and mjcf:, elements of MJCF sections with values of ours.
+// Readers of `contact:` and `mjcf:`, sections of MJCF with values of the language.
 
 #include <algorithm>
 
@@ -11,12 +11,12 @@ namespace {
 
 using diag::Code;
 
-// Why a section that MJCF has is none of a spec's.
-struct Elsewhere {
+// A section of MJCF that specs do not have, and the replacement.
+struct ForeignSection {
   std::string_view section;
   std::string_view hint;
 };
-constexpr Elsewhere kElsewhere[] = {
+constexpr ForeignSection kForeignSections[] = {
     {"compiler", "a spec uses SI units and rad; nothing in it depends on compiler settings"},
     {"default", "use `defaults:` of the spec"},
     {"asset", "assets come from `materials:` and the parts that use them"},
@@ -25,12 +25,12 @@ constexpr Elsewhere kElsewhere[] = {
     {"include", "use `import:` for YAML, or a body with `mjcf:`"},
 };
 
-class SectionReader {
+class SectionEntryReader {
  public:
-  explicit SectionReader(Reading& reading) : reading_(reading), entries_(reading) {}
+  explicit SectionEntryReader(Context& context) : context_(context), entries_(context) {}
 
   void Read(const YamlNode& sections) {
-    if (!IsMap(sections, "MJCF sections", reading_)) return;
+    if (!IsMap(sections, "MJCF sections", context_)) return;
     for (const YamlNode::Pair& pair : sections.pairs) {
       const SectionInfo* info = FindSection(pair.key);
       if (info == nullptr) {
@@ -43,22 +43,22 @@ class SectionReader {
     }
   }
 
-  // Pairs [a, b], and {if, for, name, bodies: [a, b]}.
+  // Reads pairs of the forms [a, b] and {if, for, name, bodies: [a, b]}.
   void ReadExcludes(const YamlNode& list) {
-    if (!IsList(list, "pairs of bodies", reading_)) return;
+    if (!IsList(list, "pairs of bodies", context_)) return;
     for (const YamlNode& item : list.items) {
       if (item.kind == YamlNode::Kind::kList) {
         Entry entry;
         entry.mark = item.mark;
         ReadPair(item, entry);
         AddExclude(std::move(entry));
-      } else if (IsMap(item, "a pair's keys", reading_)) {
-        CheckKeys(ExcludeElement(), item, reading_);
-        Entry entry = entries_.Begin(ExcludeElement(), item, item, EntryReader::Naming::kOptional);
+      } else if (IsMap(item, "a pair's keys", context_)) {
+        CheckKeys(kExcludeElement, item, context_);
+        Entry entry = entries_.Begin(kExcludeElement, item, item);
         if (const YamlNode* bodies = item.Find("bodies")) {
           ReadPair(*bodies, entry);
         } else {
-          reading_.findings.Add(Code::kSpecMissingKey, item.mark, "a pair without 'bodies'");
+          context_.findings.Add(Code::kSpecMissingKey, item.mark, "a pair without 'bodies'");
         }
         entries_.End(entry);
         AddExclude(std::move(entry));
@@ -71,14 +71,14 @@ class SectionReader {
 
   void ReadPair(const YamlNode& pair, Entry& entry) {
     if (pair.kind != YamlNode::Kind::kList || pair.items.size() != 2) {
-      reading_.findings.Add(Code::kSpecWrongLength, pair.mark,
+      context_.findings.Add(Code::kSpecWrongLength, pair.mark,
                             "expected the names of two bodies: [BODY, BODY]");
       return;
     }
     for (std::size_t i = 0; i < 2; ++i) {
       const FieldInfo* info = Exclude().Find(i == 0 ? "body1" : "body2");
       entry.fields.push_back(
-          {info, reading_.values.Read(*info, pair.items[i]), pair.items[i].mark});
+          {info, context_.values.Read(*info, pair.items[i]), pair.items[i].mark});
     }
   }
 
@@ -88,31 +88,29 @@ class SectionReader {
   }
 
   Section& SectionOf(const SectionInfo& info) {
-    auto& sections = reading_.spec.sections;
+    auto& sections = context_.spec.sections;
     const auto found = std::ranges::find(sections, &info, &Section::info);
     if (found != sections.end()) return *found;
     return sections.emplace_back(Section{&info, {}});
   }
 
   void ReportUnknown(const YamlNode::Pair& pair) {
-    const auto* elsewhere = std::ranges::find(kElsewhere, pair.key, &Elsewhere::section);
-    if (elsewhere != std::end(kElsewhere)) {
-      reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+    const auto* foreign = std::ranges::find(kForeignSections, pair.key, &ForeignSection::section);
+    if (foreign != std::end(kForeignSections)) {
+      context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                             fmt::format("section '{}' has no place in a spec", pair.key),
-                            std::string(elsewhere->hint));
+                            std::string(foreign->hint));
       return;
     }
-    std::vector<std::string_view> names;
-    for (const SectionInfo& section : Sections()) names.push_back(section.name);
-    reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+    context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                           fmt::format("MJCF has no section '{}'", pair.key),
-                          diag::DidYouMean(pair.key, names));
+                          diag::DidYouMean(pair.key, Sections(), &SectionInfo::name));
   }
 
-  // option, size, ...: attributes, and elements in it by their name.
+  // Reads a section that is one element (option, size), with inner elements by their names.
   void ReadElementSection(const SectionInfo& info, const YamlNode::Pair& pair) {
     const ElementInfo& element = info.elements.front();
-    if (!IsMap(pair.value, fmt::format("the attributes of '{}'", info.name), reading_)) return;
+    if (!IsMap(pair.value, fmt::format("the attributes of '{}'", info.name), context_)) return;
     Entry entry;
     entry.element = &element;
     entry.mark = pair.mark;
@@ -123,18 +121,18 @@ class SectionReader {
       ReadChild(*child, inner, entry);
       return true;
     });
-    CheckKeys(element, own, reading_);
-    entry.fields = ReadFields(element, own, reading_);
+    CheckKeys(element, own, context_);
+    entry.fields = ReadFields(element, own, context_);
     SectionOf(info).entries.push_back(std::move(entry));
   }
 
   void ReadChild(const ElementInfo& element, const YamlNode::Pair& pair, Entry& parent) {
-    if (!IsMap(pair.value, fmt::format("the attributes of '{}'", element.name), reading_)) return;
+    if (!IsMap(pair.value, fmt::format("the attributes of '{}'", element.name), context_)) return;
     Entry entry;
     entry.element = &element;
     entry.mark = pair.mark;
-    CheckKeys(element, pair.value, reading_);
-    entry.fields = ReadFields(element, pair.value, reading_);
+    CheckKeys(element, pair.value, context_);
+    entry.fields = ReadFields(element, pair.value, context_);
     parent.children.push_back(std::move(entry));
   }
 
@@ -142,22 +140,22 @@ class SectionReader {
     if (!IsList(list,
                 fmt::format("elements, as in `{}: [{{{}: {{...}}}}]`", info.name,
                             info.elements.front().name),
-                reading_)) {
+                context_)) {
       return;
     }
     for (const YamlNode& item : list.items) {
-      if (IsMap(item, fmt::format("one element of '{}'", info.name), reading_)) {
+      if (IsMap(item, fmt::format("one element of '{}'", info.name), context_)) {
         ReadElement(info, item);
       }
     }
   }
 
-  // {if, for, let, TAG: {attributes, children}}
+  // Reads an entry {if, for, let, TAG: {attributes, children}}.
   void ReadElement(const SectionInfo& info, const YamlNode& item) {
     const YamlNode::Pair* found = OnlyElement(info.elements, info.name, item);
     if (found == nullptr) return;
     const ElementInfo& element = *info.Find(found->key);
-    if (!IsMap(found->value, fmt::format("the attributes of '{}'", element.name), reading_)) return;
+    if (!IsMap(found->value, fmt::format("the attributes of '{}'", element.name), context_)) return;
     const bool needs_name = info.name != "contact";
     Entry entry = entries_.Begin(
         element, item, found->value,
@@ -170,33 +168,33 @@ class SectionReader {
       return true;
     });
     RejectRepetition(own);
-    CheckKeys(element, own, reading_);
-    entry.fields = ReadFields(element, own, reading_);
+    CheckKeys(element, own, context_);
+    entry.fields = ReadFields(element, own, context_);
     if (found->value.Find("name") == nullptr) RejectDraws(entry);
     entries_.End(entry);
     SectionOf(info).entries.push_back(std::move(entry));
   }
 
   void ReadChildren(const ElementInfo& element, const YamlNode& list, Entry& parent) {
-    if (!IsList(list, "elements", reading_)) return;
+    if (!IsList(list, "elements", context_)) return;
     for (const YamlNode& item : list.items) {
-      if (!IsMap(item, fmt::format("one element of '{}'", element.name), reading_)) continue;
+      if (!IsMap(item, fmt::format("one element of '{}'", element.name), context_)) continue;
       const YamlNode::Pair* found = OnlyElement(element.children, element.name, item);
       if (found == nullptr) continue;
       ReadChild(*std::ranges::find(element.children, found->key, &ElementInfo::name), *found,
                 parent);
       if (std::ranges::none_of(item.pairs, IsOfEntry)) continue;
-      reading_.findings.Add(Code::kSpecConflict, item.mark,
+      context_.findings.Add(Code::kSpecConflict, item.mark,
                             "'if', 'for' and 'let' have no meaning for an element inside another",
                             "write them at the outer element");
     }
   }
 
-  // Takes them out, too.
+  // Reports and removes `if`, `for` and `let` among attributes.
   void RejectRepetition(YamlNode& attributes) {
     std::erase_if(attributes.pairs, [this](const YamlNode::Pair& pair) {
       if (!IsOfEntry(pair)) return false;
-      reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+      context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                             fmt::format("'{}' is not an MJCF attribute", pair.key),
                             "write it next to the element: `- {if: ..., joint: {...}}`");
       return true;
@@ -207,22 +205,21 @@ class SectionReader {
     return pair.key == "if" || pair.key == "for" || pair.key == "let";
   }
 
-  // The one key beside `if`, `for` and `let` that names an element; null after a finding.
+  // Returns the only key beside `if`, `for` and `let`, which names an element; null after a
+  // finding.
   const YamlNode::Pair* OnlyElement(std::span<const ElementInfo> known, std::string_view owner,
                                     const YamlNode& item) {
     const YamlNode::Pair* only = nullptr;
     for (const YamlNode::Pair& pair : item.pairs) {
       if (IsOfEntry(pair)) continue;
       if (std::ranges::find(known, pair.key, &ElementInfo::name) == known.end()) {
-        std::vector<std::string_view> names;
-        for (const ElementInfo& element : known) names.push_back(element.name);
-        reading_.findings.Add(Code::kSpecUnknownKey, pair.mark,
+        context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
                               fmt::format("MJCF has no element '{}' in '{}'", pair.key, owner),
-                              diag::DidYouMean(pair.key, names));
+                              diag::DidYouMean(pair.key, known, &ElementInfo::name));
         return nullptr;
       }
       if (only != nullptr) {
-        reading_.findings.Add(
+        context_.findings.Add(
             Code::kSpecConflict, pair.mark,
             fmt::format("'{}' together with '{}': one element per entry", pair.key, only->key));
         return nullptr;
@@ -230,7 +227,7 @@ class SectionReader {
       only = &pair;
     }
     if (only == nullptr) {
-      reading_.findings.Add(Code::kSpecMissingKey, item.mark,
+      context_.findings.Add(Code::kSpecMissingKey, item.mark,
                             fmt::format("an element of '{}' is missing here", owner));
     }
     return only;
@@ -239,7 +236,7 @@ class SectionReader {
   void RejectDraws(const Entry& entry) {
     for (const Field& field : entry.fields) {
       if (!HasDraw(field.value)) continue;
-      reading_.findings.Add(
+      context_.findings.Add(
           Code::kSpecUnnamedDraw, field.value.mark,
           fmt::format("a draw in a '{}' element without a name", entry.element->name),
           "draws are keyed by names; give it a 'name'");
@@ -247,21 +244,21 @@ class SectionReader {
     }
   }
 
-  Reading& reading_;
+  Context& context_;
   EntryReader entries_;
 };
 
 }  // namespace
 
-void ReadSections(const YamlNode& sections, Reading& reading) {
-  SectionReader(reading).Read(sections);
+void ReadSections(const YamlNode& sections, Context& context) {
+  SectionEntryReader(context).Read(sections);
 }
 
-void ReadContact(const YamlNode& contact, Reading& reading) {
-  if (!IsMap(contact, "contact's keys", reading)) return;
-  CheckKeys(ContactElement(), contact, reading);
+void ReadContact(const YamlNode& contact, Context& context) {
+  if (!IsMap(contact, "contact's keys", context)) return;
+  CheckKeys(kContactElement, contact, context);
   if (const YamlNode* exclude = contact.Find("exclude")) {
-    SectionReader(reading).ReadExcludes(*exclude);
+    SectionEntryReader(context).ReadExcludes(*exclude);
   }
 }
 

@@ -1,13 +1,11 @@
-// The MJCF sections that a spec may pass through, as one table: which elements,
-// which attributes, and which of those name another element. Source:
-// mj_printSchema of MuJoCo 2.2.2, with the kinds of references from its XML
-// reference; a test compares the two. The equality `distance` is left out:
-// MuJoCo 3 refuses it.
+// The table of the MJCF sections that a spec passes through: elements, attributes, references.
+//
+// Source: mj_printSchema of MuJoCo 2.2.2, with the kinds of references from its XML reference; a
+// test compares the two. The equality `distance` is left out, because MuJoCo 3 rejects it.
 
 #include <algorithm>
 #include <deque>
-#include <map>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "mjforge/expr/expr.h"
@@ -16,12 +14,11 @@
 namespace mjforge::spec {
 namespace {
 
-// One line an element: its name, then its attributes. `#` stands for one number
-// or more, `?` for true or false, `=kind` for the name of another element; the
-// rest is text. Deeper lines are elements it may hold. `class` is left out:
-// files are flat.
-struct Line {
-  std::string_view section;  // empty: as the line before
+// An element: its name, then its attributes. `#` marks numbers, `?` true or false, `=kind` the name
+// of another element; other attributes are text. Elements of greater depth are allowed inside the
+// element before them. `class` is left out, because generated files have no defaults.
+struct SchemaLine {
+  std::string_view section;  // empty: the same as in the line before
   int depth;
   std::string_view element;
   std::string_view attributes;
@@ -38,7 +35,7 @@ struct Line {
 #define MJFORGE_SENSED " cutoff# noise# user#"
 #define MJFORGE_FRAME "name objtype objname=@objtype reftype refname=@reftype" MJFORGE_SENSED
 
-constexpr Line kLines[] = {
+constexpr SchemaLine kLines[] = {
     {"option", 0, "option",
      "timestep# apirate# impratio# tolerance# noslip_tolerance# mpr_tolerance# gravity# wind# "
      "magnetic# density# viscosity# o_margin# o_solref# o_solimp# integrator collision cone "
@@ -134,9 +131,9 @@ constexpr Line kLines[] = {
     {"", 0, "user", "name objtype objname=@objtype datatype needstage dim#" MJFORGE_SENSED},
 };
 
-// What bodies hold besides geoms, joints and sites; poses as MJCF files of ours
-// have them.
-constexpr Line kBodyLines[] = {
+// Elements of bodies besides geoms, joints and sites, with the attributes that generated files
+// have.
+constexpr SchemaLine kBodyLines[] = {
     {"body", 0, "camera", "name fovy# ipd# pos# quat# mode target=body user#"},
     {"", 0, "light",
      "name directional? castshadow? active? pos# dir# attenuation# cutoff# exponent# ambient# "
@@ -150,66 +147,64 @@ constexpr Line kBodyLines[] = {
 #undef MJFORGE_SENSED
 #undef MJFORGE_FRAME
 
-// MJCF's longest list of fixed length is shorter; data and user may be long.
+// Maximum length of a list of numbers; only `data` and `user` may be that long.
 constexpr int kMostNumbers = 500;
 
 FieldInfo Parse(std::string_view word) {
   FieldInfo field;
   const std::size_t end = word.find_first_of("#?=");
   field.key = word.substr(0, end);
-  field.slot = Slot::kText;
+  field.kind = FieldKind::kText;
   if (field.key == "name") field.id = Key::kName;
   if (end == std::string_view::npos) return field;
   if (word[end] == '#') {
-    field.slot = Slot::kNumbers;
+    field.kind = FieldKind::kNumbers;
     field.max_count = kMostNumbers;
     field.any_unit = true;
   } else if (word[end] == '?') {
-    field.slot = Slot::kBoolean;
+    field.kind = FieldKind::kBoolean;
   } else {
     field.refers = word.substr(end + 1);
   }
   return field;
 }
 
-/// The lines, taken apart once; everything in it stays where it is.
-class Table {
+// The parsed lines. The spans in the table refer to lists that never move.
+class SchemaTable {
  public:
-  explicit Table(std::span<const Line> lines) {
-    std::vector<std::pair<SectionInfo, std::vector<ElementInfo>>> made;
-    std::vector<std::vector<ElementInfo>> children;  // of each element of the last section
-    const auto close = [&] {
-      if (made.empty()) return;
-      auto& elements = made.back().second;
-      for (std::size_t i = 0; i < elements.size(); ++i) {
-        elements[i].children = elements_.emplace_back(std::move(children[i]));
-      }
-      made.back().first.elements = elements_.emplace_back(std::move(elements));
-      sections_.push_back(made.back().first);
-      made.clear();
-      children.clear();
-    };
-    for (const Line& line : lines) {
-      if (!line.section.empty()) {
-        close();
-        SectionInfo& section = made.emplace_back().first;
-        section.name = line.section;
-        section.is_element = line.section == line.element;
-      }
-      const ElementInfo element = {line.element, {}, FieldsOf(line.attributes), {}};
-      if (line.depth == 0) {
-        made.back().second.push_back(element);
-        children.emplace_back();
-      } else {
-        children.back().push_back(element);
-      }
+  explicit SchemaTable(std::span<const SchemaLine> lines) {
+    while (!lines.empty()) {
+      const auto section =
+          TakeUntil([](const SchemaLine& line) { return !line.section.empty(); }, lines);
+      const SchemaLine& first = section.front();
+      sections_.push_back({first.section, first.section == first.element, ElementsOf(section, 0)});
     }
-    close();
   }
 
   std::span<const SectionInfo> sections() const { return sections_; }
 
  private:
+  // Removes and returns the first line and all lines after it until `is_next` is true.
+  template <typename IsNext>
+  static std::span<const SchemaLine> TakeUntil(IsNext is_next, std::span<const SchemaLine>& lines) {
+    const auto next = std::ranges::find_if(lines.subspan(1), is_next);
+    const auto count = static_cast<std::size_t>(next - lines.begin());
+    return std::exchange(lines, lines.subspan(count)).first(count);
+  }
+
+  std::span<const ElementInfo> ElementsOf(std::span<const SchemaLine> lines, int depth) {
+    std::vector<ElementInfo>& elements = elements_.emplace_back();
+    while (!lines.empty()) {
+      const auto element =
+          TakeUntil([depth](const SchemaLine& line) { return line.depth == depth; }, lines);
+      elements.push_back({element.front().element,
+                          {},
+                          FieldsOf(element.front().attributes),
+                          ElementsOf(element.subspan(1), depth + 1)});
+    }
+    return elements;
+  }
+
   std::span<const FieldInfo> FieldsOf(std::string_view attributes) {
     std::vector<FieldInfo>& fields = fields_.emplace_back();
     for (const std::string_view word : expr::WordsOf(attributes)) fields.push_back(Parse(word));
@@ -229,7 +224,7 @@ const ElementInfo* SectionInfo::Find(std::string_view element) const {
 }
 
 std::span<const SectionInfo> Sections() {
-  static const Table table(kLines);
+  static const SchemaTable table(kLines);
   return table.sections();
 }
 
@@ -240,7 +235,7 @@ const SectionInfo* FindSection(std::string_view name) {
 }
 
 const ElementInfo* FindBodyChild(std::string_view name) {
-  static const Table table(kBodyLines);
+  static const SchemaTable table(kBodyLines);
   return table.sections().front().Find(name);
 }
 

@@ -1,6 +1,6 @@
-#pragma once
+// The MJCF sections that a spec passes through: their elements, attributes and references.
 
-// The MJCF sections that pass through: elements, attributes, references.
+#pragma once
 
 #include <span>
 #include <string_view>
@@ -12,17 +12,17 @@ namespace mjforge::spec {
 /// A section of MJCF that `mjcf:` accepts.
 struct SectionInfo {
   std::string_view name;  // "sensor"
-  /// The section is one element with its own attributes (`option`), not a list.
+  /// True if the section is a single element with attributes (`option`), not a list of elements.
   bool is_element = false;
-  /// The elements it may contain; if `is_element`, the first is the section itself.
+  /// The allowed elements. If `is_element`, the only one is the section itself.
   std::span<const ElementInfo> elements;
 
   const ElementInfo* Find(std::string_view element) const;
 };
-/// In the order MJCF files have them. Source: mj_printSchema of MuJoCo 2.2.2.
+/// Returns the sections in the order of MJCF files. Source: mj_printSchema of MuJoCo 2.2.2.
 std::span<const SectionInfo> Sections();
 const SectionInfo* FindSection(std::string_view name);
-/// What a body may contain besides geoms, joints and sites: camera, light.
+/// Returns the element `camera` or `light` of a body; null for other names.
 const ElementInfo* FindBodyChild(std::string_view name);
 
 }  // namespace mjforge::spec

@@ -1,3 +1,5 @@
+// The table of part types and the keys that each type takes.
+
 #include "mjforge/spec/shapes.h"
 
 #include <algorithm>
@@ -54,7 +56,15 @@ const ShapeInfo* FindShape(std::string_view type) {
 }
 
 bool IsOfAShape(Key key) {
-  return std::ranges::any_of(kShapes, [&](const ShapeInfo& shape) { return shape.Takes(key); });
+  static const auto kAnyTakes = [] {
+    std::array<bool, static_cast<std::size_t>(Key::kJoint) + 1> takes{};
+    for (std::size_t k = 0; k < takes.size(); ++k) {
+      takes[k] = std::ranges::any_of(
+          kShapes, [&](const ShapeInfo& shape) { return shape.Takes(static_cast<Key>(k)); });
+    }
+    return takes;
+  }();
+  return kAnyTakes[static_cast<std::size_t>(key)];
 }
 
 }  // namespace mjforge::spec

@@ -1,3 +1,5 @@
+// The types of parts and the keys that each type takes.
+
 #pragma once
 
 #include <span>
@@ -7,21 +9,21 @@
 
 namespace mjforge::spec {
 
-/// A part's type, and which keys it takes.
+/// A type of part, and the keys that it takes.
 struct ShapeInfo {
   std::string_view type;
-  int sizes = 0;         // numbers in `size`; 0: it has no size
-  int sizes_fromto = 0;  // the same beside `fromto`; 0: it has no fromto
+  int sizes = 0;         // count of numbers in `size`; 0: no `size`
+  int sizes_fromto = 0;  // count of numbers in `size` beside `fromto`; 0: no `fromto`
   std::span<const Key> required = {};
-  std::span<const Key> optional = {};  // besides size and fromto
-  std::span<const Key> of_round = {};  // of these, what says how it is rounded
+  std::span<const Key> optional = {};  // without `size` and `fromto`
+  std::span<const Key> of_round = {};  // optional keys that need `round`
 
   bool Takes(Key key) const;
 };
-/// Null if there is none of that type.
+/// Returns the shape of a type; null if there is none.
 const ShapeInfo* FindShape(std::string_view type);
 
-/// Whether the key has a meaning for some shapes only.
+/// Returns true if the key has a meaning for some types of parts only.
 bool IsOfAShape(Key key);
 
 }  // namespace mjforge::spec

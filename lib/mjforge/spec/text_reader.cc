@@ -26,8 +26,19 @@ std::string_view Trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
 }
 
+std::vector<std::string_view> Split(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> pieces;
+  for (auto end = text.find(separator); end != text.npos; end = text.find(separator)) {
+    pieces.push_back(text.substr(0, end));
+    text.remove_prefix(end + separator.size());
+  }
+  pieces.push_back(text);
+  return pieces;
+}
+
 Value ValueReader::ReadBoolean(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kBoolean}, node, {});
+  if (node.kind == YamlNode::Kind::kMap)
+    return ReadMapping({.kind = FieldKind::kBoolean}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "true or false");
   if (IsBooleanWord(node)) {
     return Value{.mark = node.mark, .type = Type::kBoolean, .form = node.text == "true"};
@@ -74,7 +85,7 @@ std::string ValueReader::ReadPlainText(std::string_view what, const YamlNode& no
 }
 
 Value ValueReader::ReadText(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kText}, node, {});
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.kind = FieldKind::kText}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "text");
   Value value{.mark = node.mark, .type = Type::kText};
   Text text;
@@ -90,7 +101,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
       break;
     }
     const std::string_view inner = std::string_view(node.text).substr(open + 2, close - open - 2);
-    const expr::Names::Variable* variable = names_.Find(Trim(inner));
+    const expr::SymbolTable::Variable* variable = names_.Find(Trim(inner));
     if (variable != nullptr && variable->type == Type::kText && !variable->is_list()) {
       uses_.AddName(variable->name);
       text.pieces.push_back({.literal = {}, .expression = {}, .text_slot = variable->slot});
@@ -104,7 +115,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadWord(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadWord(const ExpectedForm& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
   Value value = ReadText(node);
   const auto* text = std::get_if<Text>(&value.form);

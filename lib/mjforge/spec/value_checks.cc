@@ -1,4 +1,4 @@
-// The part of ValueReader that checks whether a value is what its key takes: bounds and units.
+// The part of ValueReader that checks bounds and units.
 
 #include <algorithm>
 #include <cmath>
@@ -16,48 +16,34 @@ using expr::Dimension;
 using expr::Dimensions;
 using expr::Type;
 
-// Whether `use` is true of a piece of a text between separators, asked in order.
-template <typename Use>
-bool AnyOf(std::string_view text, std::string_view separator, Use use) {
-  for (;;) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    if (use(text.substr(0, end))) return true;
-    if (end == text.size()) return false;
-    text.remove_prefix(end + separator.size());
-  }
-}
-
-// Of the units of a field, that of one component: of "s, 1" the second is "1". One is that of all,
-// and what has none is a plain number.
+// Returns the unit of one component: "s, 1" lists one unit per component; a single unit applies to
+// all components. A component without a unit is a plain number.
 std::string_view UnitAt(std::string_view units, int component) {
-  if (units.find(", ") == units.npos) return units;
-  std::string_view found;
-  AnyOf(units, ", ", [&](std::string_view unit) {
-    found = unit;
-    return component-- == 0;
-  });
-  return component < 0 ? found : std::string_view();
+  const std::vector<std::string_view> all = Split(units, ", ");
+  if (all.size() == 1) return units;
+  const auto at = static_cast<std::size_t>(component);
+  return at < all.size() ? all[at] : std::string_view();
 }
 
-// Of "rad or m" the first is of what turns, the second of what slides.
+// Returns the unit for a motion: "rad or m" has the unit of rotations first, then that of slides.
 std::string_view UnitOf(Motion motion, std::string_view unit) {
-  constexpr std::string_view kOr = " or ";
-  const std::size_t at = unit.find(kOr);
-  if (motion == Motion::kAny || at == unit.npos) return unit;
-  return motion == Motion::kTurn ? unit.substr(0, at) : unit.substr(at + kOr.size());
+  const std::vector<std::string_view> both = Split(unit, " or ");
+  if (motion == Motion::kAny) return unit;
+  return motion == Motion::kTurn ? both.front() : both.back();
 }
 
-// That of directions: only the ratio of their three numbers counts.
+// Unit of directions, which may have any unit, because only the ratio of their numbers counts.
 constexpr std::string_view kAnyOne = "any one";
 
 bool Fits(std::string_view unit, const Dimension& dimension) {
-  return dimension.is_plain() || unit == kAnyOne || AnyOf(unit, " or ", [&](std::string_view one) {
-           const auto named = expr::FindUnit(one);
-           return named && named->dimension == dimension;
-         });
+  const auto is_of = [&](std::string_view one) {
+    const auto named = expr::FindUnit(one);
+    return named && named->dimension == dimension;
+  };
+  return dimension.is_plain() || unit == kAnyOne || std::ranges::any_of(Split(unit, " or "), is_of);
 }
 
-// "in m".
+// Returns "in m" or "a plain number".
 std::string InUnit(std::string_view unit) {
   if (unit.empty() || unit == "1") return "a plain number";
   constexpr std::string_view kOrPlain = " or 1";
@@ -75,14 +61,14 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
   if (b.empty()) return a;
   Dimensions both(std::max(a.size(), b.size()));
   for (std::size_t i = 0; i < both.size(); ++i) {
-    const auto one = expr::Common(DimensionAt(a, i), DimensionAt(b, i));
+    const auto one = expr::CommonDimension(DimensionAt(a, i), DimensionAt(b, i));
     if (!one) return std::nullopt;
     both[i] = *one;
   }
   return both;
 }
 
-// The units that clash in a direction among the field's numbers: "in m and in kg".
+// Returns the different units in a direction ("in m and in kg"); nothing if they agree.
 std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
   const auto* list = std::get_if<List>(&value.form);
   Dimension common;
@@ -91,14 +77,14 @@ std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
     const auto at = static_cast<std::size_t>(i);
     const Dimension own = list != nullptr ? DimensionAt(list->items[at].dimensions, 0)
                                           : DimensionAt(value.dimensions, at);
-    const auto both = i % 3 == 0 ? own : expr::Common(common, own);
+    const auto both = i % 3 == 0 ? own : expr::CommonDimension(common, own);
     if (!both) return fmt::format("in {} and in {}", common.Text(), own.Text());
     common = *both;
   }
   return std::nullopt;
 }
 
-// Somebody who thinks in degrees.
+// Returns a hint if the number would be valid in degrees.
 std::string DegreesHint(const FieldInfo& field, double number) {
   const bool is_degrees = field.unit == "rad" && Holds(field, number * std::numbers::pi / 180);
   return is_degrees ? fmt::format("angles are in rad: write {}deg", expr::NumberText(number)) : "";
@@ -118,16 +104,17 @@ bool IsMeasured(const Dimensions& dimensions) {
 
 std::optional<Dimensions> DimensionsOf(std::string_view units) {
   Dimensions dimensions;
-  const bool is_label = AnyOf(units, ", ", [&](std::string_view unit) {
+  for (const std::string_view unit : Split(units, ", ")) {
     const auto named = expr::FindUnit(unit);
-    if (named) dimensions.push_back(named->dimension);
-    return !named;
-  });
-  return is_label ? std::nullopt : std::optional(std::move(dimensions));
+    if (!named) return std::nullopt;
+    dimensions.push_back(named->dimension);
+  }
+  return dimensions;
 }
 
 void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int position) {
-  if (const auto* list = std::get_if<List>(&value.form); list && field.slot == Slot::kNumbers) {
+  if (const auto* list = std::get_if<List>(&value.form);
+      list && field.kind == FieldKind::kNumbers) {
     for (std::size_t i = 0; i < list->items.size(); ++i) {
       CheckBounds(field, list->items[i], static_cast<int>(i) + 1);
     }
@@ -149,15 +136,16 @@ void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int po
   }
 }
 
-// What some variant would have to refuse.
+// Reports options and ends of ranges that are out of bounds, because some variant would draw an
+// invalid value.
 void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position) {
   if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
     for (const Value& option : draw.arguments) CheckBounds(field, option, position);
   } else if (draw.distribution == Distribution::kUniform) {
-    // An end that is excluded itself may still bound a range.
+    // The ends of a range may be equal to an exclusive bound.
     FieldInfo ends = field;
     ends.above = false;
-    ends.slot = Slot::kNumber;
+    ends.kind = FieldKind::kNumber;
     for (const Value& end : draw.arguments) CheckBounds(ends, end, position);
   }
 }
@@ -220,14 +208,14 @@ Dimensions ValueReader::Agree(std::string_view what, std::span<const Value> valu
   return common;
 }
 
-Dimensions ValueReader::Measured(const DistributionInfo& info, const Expected& expected,
+Dimensions ValueReader::Measured(const DistributionInfo& info, const ExpectedForm& expected,
                                  const Draw& draw) {
   for (const Value& weight : draw.weights) CheckPlain("a weight", weight);
   Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);
   switch (info.id) {
     case Distribution::kChoice:
     case Distribution::kCycle:
-      // A field compares each of them with its own unit.
+      // For a field, CheckUnits compares each option with the field's unit.
       return expected.key.empty() ? Agree("the values to choose from", draw.arguments)
                                   : Dimensions();
     case Distribution::kUniform:

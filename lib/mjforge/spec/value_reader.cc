@@ -1,3 +1,5 @@
+// The core of ValueReader: numbers, expressions, ranges, vectors, and reports of errors.
+
 #include "mjforge/spec/value_reader.h"
 
 #include <algorithm>
@@ -19,13 +21,15 @@ bool IsYamlNotFinite(std::string_view text) {
          bare == ".NAN";
 }
 
-// `[max(a, b), 0]` reaches us as the items `max(a` and `b)`.
+// Returns true for a piece of an expression that YAML cut at a comma: `[max(a, b), 0]` has the
+// items `max(a`, `b)` and `0`.
 bool IsCutAtComma(const YamlNode& node) {
   return node.flow && !node.quoted &&
          std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
 }
 
-// A plain constant may be in any unit, however small: 2 for 2 kg.
+// Returns the dimensions of an expression; none for a plain constant, which may have any unit (2
+// for 2 kg).
 expr::Dimensions MeasureOf(const expr::Expression& expression) {
   const bool is_plain = expression.constant() && expression.dimension().is_plain();
   return is_plain ? expr::Dimensions() : expr::Dimensions{expression.dimension()};
@@ -38,7 +42,7 @@ std::string CountText(int min_count, int max_count) {
 
 }  // namespace
 
-void Uses::Add(const Uses& other) {
+void UsedNames::Add(const UsedNames& other) {
   names.insert(other.names.begin(), other.names.end());
   materials.insert(other.materials.begin(), other.materials.end());
   any_material |= other.any_material;
@@ -49,7 +53,7 @@ std::optional<std::size_t> FindRange(std::string_view text) {
   if (dots == std::string_view::npos) return std::nullopt;
   if (Trim(text.substr(0, dots)).empty() || Trim(text.substr(dots + 2)).empty())
     return std::nullopt;
-  // In parentheses it is a part of an expression, where it cannot be.
+  // Inside parentheses, the dots belong to an expression, which cannot contain ranges.
   const std::string_view before = text.substr(0, dots);
   if (std::ranges::count(before, '(') != std::ranges::count(before, ')')) return std::nullopt;
   return dots;
@@ -81,7 +85,7 @@ SourceMark ValueReader::At(SourceMark mark, std::size_t offset) const {
   const std::string_view line = sources_.Line(mark);
   const std::size_t start = mark.column - 1;
   if (start < line.size() && (line[start] == '"' || line[start] == '\'')) ++offset;
-  // Only where the text stands in the line letter by letter.
+  // Keep the mark if the offset is outside the line, because the text is folded over several lines.
   if (offset <= line.size() && start + offset <= line.size()) {
     mark.column += static_cast<std::uint32_t>(offset);
   }
@@ -104,8 +108,8 @@ Value ValueReader::Harmless(const YamlNode& node) {
 }
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node, Motion motion) {
-  Value value =
-      Read(Expected{field.slot, field.min_count, field.max_count, field.words, field.key}, node);
+  Value value = Read(
+      ExpectedForm{field.kind, field.min_count, field.max_count, field.words, field.key}, node);
   CheckBounds(field, value, 0);
   CheckUnits(field, value, 0, motion);
   if (field.key == "material") NoteMaterials(value);
@@ -122,22 +126,22 @@ void ValueReader::NoteMaterials(const Value& value) {
   }
 }
 
-Value ValueReader::Read(const Expected& expected, const YamlNode& node) {
-  switch (expected.slot) {
-    case Slot::kNumber:
-    case Slot::kInteger:
+Value ValueReader::Read(const ExpectedForm& expected, const YamlNode& node) {
+  switch (expected.kind) {
+    case FieldKind::kNumber:
+    case FieldKind::kInteger:
       return ReadNumber(node);
-    case Slot::kBoolean:
+    case FieldKind::kBoolean:
       return ReadBoolean(node);
-    case Slot::kWord:
+    case FieldKind::kWord:
       return ReadWord(expected, node);
-    case Slot::kText:
+    case FieldKind::kText:
       return ReadText(node);
-    case Slot::kNumbers:
+    case FieldKind::kNumbers:
       return ReadVector(expected, node);
-    case Slot::kPoints:
+    case FieldKind::kPoints:
       return ReadPoints(expected, node);
-    case Slot::kOutlines:
+    case FieldKind::kOutlines:
       return ReadOutlines(expected, node);
     default:
       return ReadAnything(node);
@@ -235,7 +239,7 @@ void ValueReader::CheckRangeOrder(const Value& lo, const Value& hi, SourceMark m
 }
 
 Value ValueReader::ReadNumber(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.slot = Slot::kNumber}, node, {});
+  if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.kind = FieldKind::kNumber}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "a number");
   if (const auto number = expr::ParseNumber(node.text)) {
     if (!node.quoted) return Value{.mark = node.mark, .form = *number};
@@ -263,12 +267,12 @@ Value ValueReader::ReadNumber(const YamlNode& node) {
   return value;
 }
 
-const expr::Names::Variable* ValueReader::LoneName(const YamlNode& node) const {
+const expr::SymbolTable::Variable* ValueReader::LoneName(const YamlNode& node) const {
   if (node.kind != YamlNode::Kind::kScalar || node.quoted) return nullptr;
   return names_.Find(Trim(node.text));
 }
 
-Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNode& node) {
+Value ValueReader::Reference(const expr::SymbolTable::Variable& variable, const YamlNode& node) {
   uses_.AddName(variable.name);
   return Value{.mark = node.mark,
                .type = variable.type,
@@ -278,7 +282,7 @@ Value ValueReader::Reference(const expr::Names::Variable& variable, const YamlNo
                .form = VariableReference{variable.name, variable.slot, variable.list}};
 }
 
-Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadVector(const ExpectedForm& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
   if (node.kind == YamlNode::Kind::kList) return ReadList(expected, node);
   if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
@@ -304,7 +308,7 @@ Value ValueReader::ReadVector(const Expected& expected, const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
+Value ValueReader::ReadList(const ExpectedForm& expected, const YamlNode& node) {
   Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
   const bool cut = std::ranges::any_of(node.items, IsCutAtComma);
   if (!cut && (value.components < expected.min_count || value.components > expected.max_count)) {
@@ -315,7 +319,7 @@ Value ValueReader::ReadList(const Expected& expected, const YamlNode& node) {
   List list;
   bool reported_cut = false;
   for (const YamlNode& item : node.items) {
-    // One mistake, one finding: the pieces after the first belong to it.
+    // Report only the first piece, because the other pieces belong to the same mistake.
     if (IsCutAtComma(item) && std::exchange(reported_cut, true)) continue;
     list.items.push_back(ReadNumber(item));
     value.dimensions.push_back(DimensionAt(list.items.back().dimensions, 0));
@@ -347,9 +351,9 @@ Value ValueReader::ReadAnything(const YamlNode& node,
     case YamlNode::Kind::kList:
       if (node.items.size() > 4 || ItemType(node) == Type::kText)
         return ReadItems(ItemType(node), node);
-      // As where a vector is wanted: one number alone is a vector of one.
+      // A list of one number is a number.
       if (node.items.size() == 1) return ReadNumber(node.items.front());
-      return ReadList({.slot = Slot::kNumbers, .min_count = 2, .max_count = 4}, node);
+      return ReadList({.kind = FieldKind::kNumbers, .min_count = 2, .max_count = 4}, node);
     case YamlNode::Kind::kMap:
       return ReadMapping({}, node, extra_keys);
   }

@@ -1,3 +1,5 @@
+// Queries about values: constants, literal texts, draws, kinds, bounds.
+
 #include "mjforge/spec/values.h"
 
 #include <algorithm>
@@ -8,55 +10,40 @@
 namespace mjforge::spec {
 namespace {
 
-// The dimensions of MuJoCo's contacts are 1, 3, 4 and 6.
-bool IsOddCondim(const FieldInfo& field, double number) {
+// Returns true for the integers that `condim` cannot be; MuJoCo has contacts of 1, 3, 4 and 6
+// dimensions.
+bool IsInvalidCondim(const FieldInfo& field, double number) {
   return field.key == "condim" && (number == 2 || number == 5);
 }
+
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
 
 }  // namespace
 
 bool HasDraw(const Value& value) {
-  return Varies(value, [](int) { return false; });
-}
-
-bool Varies(const Value& value, const std::function<bool(int)>& variable_varies) {
-  const auto item_varies = [&](const Value& item) { return Varies(item, variable_varies); };
-  const auto uses = [&](const expr::Expression& expression) {
-    return std::ranges::any_of(expression.inputs(), variable_varies,
-                               &expr::Expression::Input::slot);
-  };
-  if (const auto* expression = std::get_if<expr::Expression>(&value.form)) return uses(*expression);
-  if (const auto* variable = std::get_if<VariableReference>(&value.form)) {
-    return variable_varies(variable->slot);
-  }
-  if (const auto* text = std::get_if<Text>(&value.form)) {
-    return std::ranges::any_of(text->pieces, [&](const TextPiece& piece) {
-      return (piece.text_slot >= 0 && variable_varies(piece.text_slot)) ||
-             (piece.expression && uses(*piece.expression));
-    });
-  }
-  if (const auto* list = std::get_if<List>(&value.form)) {
-    return std::ranges::any_of(list->items, item_varies);
-  }
-  if (const auto* color = std::get_if<HsvColor>(&value.form)) {
-    return std::ranges::any_of(color->items, item_varies);
-  }
-  if (const auto* each = std::get_if<Each>(&value.form))
-    return item_varies(*each->value) || item_varies(*each->count);
-  if (const auto* points = std::get_if<PointLoop>(&value.form)) {
-    const auto runs = [&](const Loop& loop) { return item_varies(loop.range); };
-    return std::ranges::any_of(*points->loops, runs) || item_varies(*points->at);
-  }
-  if (const auto* arc = std::get_if<Arc>(&value.form)) {
-    return std::ranges::any_of(arc->measures, item_varies) || item_varies(*arc->center) ||
-           item_varies(*arc->steps);
-  }
-  return std::holds_alternative<Draw>(value.form) ||
-         std::holds_alternative<Arrangement>(value.form) ||
-         std::holds_alternative<SharedParameter>(value.form) ||
-         std::holds_alternative<RandomRotation>(value.form) ||
-         std::holds_alternative<RotationAbout>(value.form) ||
-         std::holds_alternative<PointOnSphere>(value.form);
+  const auto has_draws = [](const auto& items) { return std::ranges::any_of(items, HasDraw); };
+  const Overloaded has_draw = {
+      [](double) { return false; },
+      [](bool) { return false; },
+      [](const expr::Expression&) { return false; },
+      [](const VariableReference&) { return false; },
+      [](const Text&) { return false; },
+      [&](const List& list) { return has_draws(list.items); },
+      [&](const HsvColor& color) { return has_draws(color.items); },
+      [](const Each& each) { return HasDraw(*each.value) || HasDraw(*each.count); },
+      [](const PointLoop& points) {
+        return std::ranges::any_of(*points.loops, HasDraw, &Loop::range) || HasDraw(*points.at);
+      },
+      [&](const Arc& arc) {
+        return has_draws(arc.measures) || HasDraw(*arc.center) || HasDraw(*arc.steps);
+      },
+      [](const auto&) { return true; }};  // draws
+  return std::visit(has_draw, value.form);
 }
 
 bool IsListLength(double number) {
@@ -67,11 +54,12 @@ bool IsSameKind(const Value& a, const Value& b) {
   return a.type == b.type && a.components == b.components && a.is_list == b.is_list;
 }
 
-void DeclareIndex(expr::Names& names) {
+void DeclareIndex(expr::SymbolTable& names) {
   names.Declare("index", expr::Type::kNumber, 1, {expr::Dimension::Count()});
 }
 
-const expr::Names::Variable& Declare(expr::Names& names, std::string name, const Value& value) {
+const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, std::string name,
+                                           const Value& value) {
   return value.is_list ? names.DeclareList(std::move(name), value.type, value.dimensions)
                        : names.Declare(std::move(name), value.type,
                                        std::clamp(value.components, 1, 4), value.dimensions);
@@ -107,8 +95,8 @@ std::string KindText(const Value& value) {
 bool Holds(const FieldInfo& field, double number) {
   return std::isfinite(number) && (field.above ? number > field.lower : number >= field.lower) &&
          number <= field.upper &&
-         (field.slot != Slot::kInteger ||
-          (number == std::floor(number) && !IsOddCondim(field, number)));
+         (field.kind != FieldKind::kInteger ||
+          (number == std::floor(number) && !IsInvalidCondim(field, number)));
 }
 
 std::string Rule(const FieldInfo& field, double number) {
@@ -118,7 +106,7 @@ std::string Rule(const FieldInfo& field, double number) {
   if (field.above && number <= field.lower) return rule("greater than", field.lower);
   if (number < field.lower) return rule("at least", field.lower);
   if (number > field.upper) return rule("at most", field.upper);
-  return IsOddCondim(field, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
+  return IsInvalidCondim(field, number) ? "must be 1, 3, 4 or 6" : "must be a whole number";
 }
 
 }  // namespace mjforge::spec

@@ -1,3 +1,5 @@
+// Parsing of YAML text into a tree with places, from the events of yaml-cpp.
+
 #include "mjforge/spec/yaml.h"
 
 #include <algorithm>
@@ -20,8 +22,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Aliases may copy this many nodes in all: enough for shared vectors, too few
-// for a "billion laughs".
+// Maximum count of nodes that all aliases together may copy: enough for shared vectors, too small
+// for a "billion laughs" attack.
 constexpr std::size_t kMaxAliasNodes = 100'000;
 
 std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
@@ -37,7 +39,7 @@ std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
   return count;
 }
 
-// Thrown through yaml-cpp's parser to stop it at our own finding.
+// Exception that stops yaml-cpp's parser after a finding.
 struct Stop {};
 
 class TreeBuilder : public YAML::EventHandler {
@@ -73,12 +75,9 @@ class TreeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     CheckTag(mark, tag, value);
-    YamlNode node;
-    node.kind = YamlNode::Kind::kScalar;
-    node.mark = At(mark);
-    node.text = value;
-    // `!hollow` was reported as a tag; read on as if it were the plain word.
-    if (value.empty() && tag.size() > 1 && tag.front() == '!') node.text = tag.substr(1);
+    // Read `!hollow` as the plain word `hollow`, because the tag was reported.
+    const bool is_word = value.empty() && tag.size() > 1 && tag.front() == '!';
+    YamlNode node = YamlNode::Scalar(is_word ? tag.substr(1) : value, At(mark));
     node.quoted = tag == "!";
     node.flow = !open_.empty() && open_.back().flow;
     if (!node.quoted && (value == "~" || value == "null")) node.kind = YamlNode::Kind::kNull;
@@ -110,7 +109,7 @@ class TreeBuilder : public YAML::EventHandler {
     YAML::anchor_t anchor = 0;
     bool flow = false;  // a list in brackets
     bool has_key = false;
-    bool keep = true;  // false: the value of a repeated key
+    bool keep = true;  // false: drop the value, because its key is repeated
     std::string key;
     SourceMark key_mark;
     std::map<std::string, SourceMark, std::less<>> keys;
@@ -194,42 +193,25 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t alias_nodes_ = 0;
 };
 
-// The byte after a well-formed UTF-8 sequence at `i`, or `i` if there is none.
-// Source: the Unicode Standard, table 3-7, without the surrogates' refinement.
-std::size_t AfterCharacter(std::string_view text, std::size_t i) {
-  const auto byte = [&](std::size_t k) {
-    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
-  };
-  const unsigned first = byte(i);
-  std::size_t length = 0;
-  if (first < 0x80) return first == 0 ? i : i + 1;
-  if (first >= 0xC2 && first < 0xE0) length = 2;
-  if (first >= 0xE0 && first < 0xF0) length = 3;
-  if (first >= 0xF0 && first < 0xF5) length = 4;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(i + k) & 0xC0u) != 0x80u) return i;
-  }
-  return i + length;
-}
-
+// Returns the place of the first byte that is NUL or not UTF-8.
 std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
   SourceMark mark{file, 1, 1};
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t next = AfterCharacter(text, i);
-    if (next == i) return mark;
+    const diag::Utf8Char character = diag::DecodeUtf8(text.substr(i));
+    if (!character.valid || text[i] == '\0') return mark;
     if (text[i] == '\n') {
       ++mark.line;
       mark.column = 1;
     } else {
-      mark.column += static_cast<std::uint32_t>(next - i);
+      mark.column += static_cast<std::uint32_t>(character.length);
     }
-    i = next;
+    i += character.length;
   }
   return std::nullopt;
 }
 
-// The first bracket that opens a flow list or mapping deeper than kMaxDepth.
-// yaml-cpp's own guard counts only what it can close.
+// Returns the place of the first bracket that is nested deeper than kMaxDepth. yaml-cpp's own limit
+// does not count brackets that are never closed.
 std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text) {
   constexpr int kMaxDepth = 200;
   SourceMark mark{file, 1, 0};
@@ -247,7 +229,8 @@ std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
-// The word around `${`, if its brace is at the column: to YAML it opens a mapping there.
+// Returns the word that contains `${` if the brace is at this column, where YAML reads it as the
+// beginning of a mapping. Returns an empty text otherwise.
 std::string_view Interpolated(std::string_view line, std::size_t column) {
   if (column < 2 || !line.substr(column - 2).starts_with("${")) return {};
   const std::size_t begin = line.find_last_of(" ,[{", column - 2) + 1;  // 0 if there is none
@@ -256,7 +239,7 @@ std::string_view Interpolated(std::string_view line, std::size_t column) {
   return line.substr(begin, std::min(line.find_first_of(" ,]}", close + 1), line.size()) - begin);
 }
 
-// What yaml-cpp says, in our words where its are obscure.
+// Replaces obscure messages of yaml-cpp by clear ones.
 std::string Reworded(const std::string& message) {
   struct Wording {
     std::string_view theirs;
@@ -280,7 +263,7 @@ std::string Reworded(const std::string& message) {
   return message;
 }
 
-// Whether a name has a bracket right behind it: `widths[i]`.
+// Returns true if a bracket directly follows a name: `widths[i]`.
 bool HasItem(std::string_view line) {
   for (auto at = line.find('['); at != line.npos; at = line.find('[', at + 1)) {
     if (at > 0 && expr::IsNameCharacter(line[at - 1])) return true;
@@ -291,7 +274,7 @@ bool HasItem(std::string_view line) {
 bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
   const std::string& text = sources.Text(file);
   if (const std::string_view kind = bytes::KindOf(text); !kind.empty()) {
-    // Its bytes would say nothing.
+    // Do not quote the line, because the file is binary.
     findings.Add(Code::kYamlNotText, {},
                  fmt::format("'{}' is {}, not YAML text", sources.Name(file), kind),
                  kind.find("archive") == kind.npos
@@ -356,9 +339,30 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
 
 }  // namespace
 
-const YamlNode* YamlNode::Find(std::string_view key) const {
+YamlNode YamlNode::Scalar(std::string text, SourceMark mark) {
+  YamlNode node;
+  node.kind = Kind::kScalar;
+  node.mark = mark;
+  node.text = std::move(text);
+  return node;
+}
+
+YamlNode YamlNode::List(std::vector<YamlNode> items, SourceMark mark) {
+  YamlNode node;
+  node.kind = Kind::kList;
+  node.mark = mark;
+  node.items = std::move(items);
+  return node;
+}
+
+const YamlNode::Pair* YamlNode::FindPair(std::string_view key) const {
   const auto found = std::ranges::find(pairs, key, &Pair::key);
-  return found == pairs.end() ? nullptr : &found->value;
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+const YamlNode* YamlNode::Find(std::string_view key) const {
+  const Pair* pair = FindPair(key);
+  return pair != nullptr ? &pair->value : nullptr;
 }
 
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,

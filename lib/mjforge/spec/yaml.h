@@ -1,8 +1,10 @@
+// A tree of YAML nodes in which each node has its own place in the text.
+
 #pragma once
 
-// A YAML text as a tree in which every node knows its own place. Made from yaml-cpp's events, not
-// its nodes: in those an alias has its anchor's mark, an empty value has the next token's mark,
-// duplicate keys are accepted, and an anchor inside itself is a cycle.
+// The tree is made from yaml-cpp's events, because yaml-cpp's nodes are not suitable: an alias has
+// its anchor's mark, an empty value has the next token's mark, duplicate keys are accepted, and an
+// anchor inside itself is a cycle.
 
 #include <optional>
 #include <string>
@@ -19,35 +21,40 @@ struct YamlNode {
   struct Pair;
 
   Kind kind = Kind::kNull;
-  diag::SourceMark mark;        // of an empty value: its key's
+  diag::SourceMark mark;        // an empty value has its key's mark
   std::string text;             // kScalar
-  bool quoted = false;          // kScalar: not plain, so never a number
+  bool quoted = false;          // kScalar: in quotes, so never a number
   bool flow = false;            // kScalar: an item of a [list, in brackets]
   std::vector<YamlNode> items;  // kList
   std::vector<Pair> pairs;      // kMap, in file order, keys unique
 
+  static YamlNode Scalar(std::string text, diag::SourceMark mark);
+  static YamlNode List(std::vector<YamlNode> items, diag::SourceMark mark);
+
+  /// Return the pair or the value of a key of a mapping; null if there is none.
+  const Pair* FindPair(std::string_view key) const;
   const YamlNode* Find(std::string_view key) const;
 };
 
 struct YamlNode::Pair {
   std::string key;
-  diag::SourceMark mark;  // of the key
+  diag::SourceMark mark;  // place of the key
   YamlNode value;
 };
 
-/// Texts longer than this are refused; even a spec of a hundred thousand parts is far shorter.
+/// Longer texts are rejected. A spec of a hundred thousand parts is far shorter.
 inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
-/// Parses the text of a source. Nothing, and one finding or more, if it is not
-/// one YAML document, is empty, binary, too large, nested too deeply (500), or
-/// repeats keys or aliases without end.
+/// Parses the text of a source. Returns nothing, and adds findings, if the text is empty, binary,
+/// too long, not exactly one YAML document, nested too deeply, or expands too many aliases. Reports
+/// repeated keys and tags, too, but continues.
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,
                                   diag::Findings& findings);
 
-/// What a node is, for messages: "a list", "text", "nothing".
+/// Returns the kind of a node for messages: "a list", "a mapping", "nothing".
 std::string_view KindName(const YamlNode& node);
 
-/// The node as one line of YAML flow text.
+/// Returns the node as one line of YAML in flow style.
 std::string FlowText(const YamlNode& node);
 
 }  // namespace mjforge::spec

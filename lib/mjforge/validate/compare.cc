@@ -1,3 +1,4 @@
+// Comparison of bodies: counts, names, poses, masses and inertias, and the start pose.
 #include "mjforge/validate/compare.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@
 namespace mjforge::validate {
 namespace {
 
-// mju_eig3 (2.2.2) stops at off-diagonal terms of 1e-12 kg m^2, or when the next
-// turn is below 1.4e-6 rad (cosine within 1e-12 of 1): principal moments are good
-// to the first, the axes only to the second.
+// mju_eig3 (2.2.2) stops at off-diagonal terms of 1e-12 kg m^2, or when the next rotation is below
+// 1.4e-6 rad (cosine within 1e-12 of 1). The former limits the error of the principal moments, the
+// latter that of the axes.
 constexpr double kMomentCutoff = 2e-12;
 constexpr double kAxesRelative = 3e-6;
 
-/// The largest distance of anything of the object from its body's origin, or of
-/// that from its parent's; m.
+/// Returns the largest distance, m, of an element from the origin of its body, or of a body from
+/// the origin of its parent.
 double ScaleOf(const model::Object& object) {
   double scale = 0;
   for (const model::Body& body : object.bodies) {
@@ -44,7 +45,7 @@ double ScaleOf(const model::Object& object) {
   return scale;
 }
 
-/// Those of the world come first; a scene has its own there.
+/// Returns the number of elements on the world, which a scene may have; their ids come first.
 int CountOfWorld(const int* bodies, int count) {
   return static_cast<int>(std::count(bodies, bodies + count, 0));
 }
@@ -66,7 +67,7 @@ bool SameCount(std::string_view what, int compiled, std::size_t meant, diag::Sou
   return false;
 }
 
-bool SameName(std::string_view compiled, const Subject& subject, diag::Findings& findings) {
+bool SameName(std::string_view compiled, const ComparedElement& subject, diag::Findings& findings) {
   if (compiled.size() == subject.name.size() + subject.suffix.size() &&
       compiled.starts_with(subject.name) && compiled.ends_with(subject.suffix)) {
     return true;
@@ -89,7 +90,7 @@ void Comparison::Run(double lift) {
   next_site_ = 0;
   next_camera_ = CountOfWorld(m_.cam_bodyid, m_.ncam);
   next_light_ = CountOfWorld(m_.light_bodyid, m_.nlight);
-  int id = 0;  // the world
+  int id = 0;  // id of the world
   for (const int i : mjcf::DepthFirst(object_)) {
     CompareBody(++id, object_.bodies[static_cast<std::size_t>(i)], lift);
   }
@@ -100,14 +101,15 @@ void Comparison::Run(double lift) {
 void Comparison::CompareStart(double lift) {
   const auto meant = mjcf::StartPositions(object_, lift);
   if (meant.empty()) return;
-  const Subject subject{"keyframe", object_.name, mjcf::kStartSuffix, object_.bodies.front().mark};
+  const ComparedElement subject{"keyframe", object_.name, mjcf::kStartSuffix,
+                                object_.bodies.front().mark};
   if (!SameCount("keyframes", m_.nkey, 1, subject.mark, findings_) ||
       !SameName(m_.names + m_.name_keyadr[0], subject, findings_)) {
     return;
   }
   for (std::size_t i = 0; i < meant.size(); ++i) {
     Number(subject, "qpos", static_cast<int>(i), m_.key_qpos[i], meant[i],
-           kRelative * std::max(1.0, std::abs(meant[i].value())) + length_tolerance_);
+           kRelative * std::max(1.0, std::abs(meant[i])) + length_tolerance_);
   }
 }
 
@@ -125,7 +127,7 @@ bool Comparison::SameCounts() {
     geoms += model::GeomCount(body);
     for (const model::Element& element : body.elements) ++(IsCamera(element) ? cameras : lights);
   }
-  // A scene has geoms, a camera and a light of its own in the world.
+  // Geoms, cameras and lights of the world belong to a scene.
   bool same = true;
   const auto count = [&](std::string_view what, int compiled, std::size_t meant) {
     same &= SameCount(what, compiled, meant, mark, findings_);
@@ -140,11 +142,11 @@ bool Comparison::SameCounts() {
 }
 
 void Comparison::CompareBody(int id, const model::Body& body, double lift) {
-  const Subject subject{"body", body.name, {}, body.mark};
+  const ComparedElement subject{"body", body.name, {}, body.mark};
   if (!SameName(m_.names + m_.name_bodyadr[id], subject, findings_)) return;
   Eigen::Vector3d pos = body.X_PB.p;
   if (body.parent < 0) pos.z() += lift;
-  // The lift may be larger than the object.
+  // The error of the position also grows with the lift, which may be larger than the object.
   Vector(subject, "pos", m_.body_pos + 3 * id, pos, length_tolerance_ + kRelative * std::abs(lift));
   Quaternion(subject, m_.body_quat + 4 * id, body.X_PB.q);
   CompareMass(id, body);
@@ -169,19 +171,19 @@ void Comparison::CompareElement(const model::Element& element) {
 }
 
 void Comparison::CompareMass(int id, const model::Body& body) {
-  const Subject subject{"body", body.name, {}, body.mark};
+  const ComparedElement subject{"body", body.name, {}, body.mark};
   const model::MassProperties& meant = body.mass_properties;
-  // Several massless geoms are written with the least that MuJoCo calls a mass.
+  // Bodies with several massless geoms are written with the mass mjMINVAL.
   Number(subject, "mass", -1, m_.body_mass[id], meant.mass, kRelative * meant.mass + mjMINVAL);
-  if (meant.mass == 0) return;  // no centre, no inertia
+  if (meant.mass == 0) return;  // without mass there is no centre and no inertia
   Vector(subject, "centre of mass", m_.body_ipos + 3 * id, meant.p_FCm, length_tolerance_);
   CompareInertia(id, body);
 }
 
 void Comparison::CompareInertia(int id, const model::Body& body) {
-  const Subject subject{"body", body.name, {}, body.mark};
+  const ComparedElement subject{"body", body.name, {}, body.mark};
   const model::MassProperties& meant = body.mass_properties;
-  // Rounded lengths change moments in proportion to mass times length squared.
+  // Errors of lengths change moments in proportion to mass times length squared.
   const double rounding = kRelative * meant.mass * scale_ * scale_;
   const Eigen::Matrix3d tensor = compiled::MassOf(m_, id).I_Cm_F;
   constexpr std::string_view kTerms[] = {"inertia xx", "inertia yy", "inertia zz",
@@ -205,28 +207,28 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
   }
 }
 
-void Comparison::Number(const Subject& subject, std::string_view what, int position,
+void Comparison::Number(const ComparedElement& subject, std::string_view what, int position,
                         double compiled, double meant, double tolerance) {
-  // Not `>`: a NaN is a difference.
+  // Not `>`, because NaN must be a difference.
   if (!(std::abs(compiled - meant) <= tolerance)) {
     Difference(subject, what, position, compiled, meant);
   }
 }
 
-void Comparison::Vector(const Subject& subject, std::string_view what, const mjtNum* compiled,
-                        const Eigen::Vector3d& meant, double tolerance) {
+void Comparison::Vector(const ComparedElement& subject, std::string_view what,
+                        const mjtNum* compiled, const Eigen::Vector3d& meant, double tolerance) {
   for (int i = 0; i < 3; ++i) Number(subject, what, i, compiled[i], meant[i], tolerance);
 }
 
-void Comparison::Quaternion(const Subject& subject, const mjtNum* compiled,
+void Comparison::Quaternion(const ComparedElement& subject, const mjtNum* compiled,
                             const Eigen::Quaterniond& meant) {
-  // q and -q are one rotation.
+  // q and -q are the same rotation.
   const double sign = compiled::QuaternionAt(compiled, 0).dot(meant) < 0 ? -1 : 1;
   const double wxyz[] = {meant.w(), meant.x(), meant.y(), meant.z()};
   for (int i = 0; i < 4; ++i) Number(subject, "quat", i, compiled[i], sign * wxyz[i], kRelative);
 }
 
-void Comparison::Difference(const Subject& subject, std::string_view what, int position,
+void Comparison::Difference(const ComparedElement& subject, std::string_view what, int position,
                             double compiled, double meant) {
   const auto text = [](double x) {
     return std::isfinite(x) ? expr::NumberText(x) : std::string(x != x ? "nan" : "infinity");
@@ -234,7 +236,7 @@ void Comparison::Difference(const Subject& subject, std::string_view what, int p
   const std::string place = position < 0 ? "" : fmt::format(" {}", position + 1);
   std::string compiled_text = text(compiled);
   std::string meant_text = text(meant);
-  if (compiled_text == meant_text) {  // differ beyond the digits shown
+  if (compiled_text == meant_text) {  // the numbers differ only in further digits
     compiled_text = expr::ExactNumberText(compiled);
     meant_text = expr::ExactNumberText(meant);
   }

@@ -1,10 +1,9 @@
-#pragma once
-
-// Compares what MuJoCo compiled with what we meant.
+// Comparison of a compiled model with the object from which its MJCF was written.
 //
-// A file holds 10 significant digits, so each number is off by at most 5e-11 of
-// itself; lengths are compared to 1e-9 of the object's scale (its largest
-// distance from a body's origin), masses to 1e-9 of themselves.
+// A file has 10 significant digits, so that each number is off by at most a share of 5e-11. Lengths
+// are compared to 1e-9 of the object's scale (its largest distance from a body's origin), masses to
+// 1e-9 of themselves.
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -18,35 +17,35 @@
 
 namespace mjforge::validate {
 
-/// Numbers may differ by this share of themselves.
+/// Relative tolerance of numbers.
 inline constexpr double kRelative = 1e-9;
 
-/// An element to compare; its names for messages are made only when needed.
-struct Subject {
+/// Element to compare. Its full name is `name` followed by `suffix`.
+struct ComparedElement {
   std::string_view kind;  // "geom"
   std::string_view name;
   std::string_view suffix;
   diag::SourceMark mark;
 };
 
-/// A difference.
+/// Adds a finding about a difference.
 void AddMismatch(diag::SourceMark mark, std::string message, diag::Findings& findings);
-/// Whether MuJoCo compiled as many as were meant; if not, that is a finding.
+/// Returns true if the numbers of elements are equal; otherwise adds a finding.
 bool SameCount(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark,
                diag::Findings& findings);
-/// The same of a name.
-bool SameName(std::string_view compiled, const Subject& subject, diag::Findings& findings);
+/// Returns true if a compiled name is that of the element; otherwise adds a finding.
+bool SameName(std::string_view compiled, const ComparedElement& subject, diag::Findings& findings);
 
-/// Compares the compiled sensors, actuators, tendons, equalities, pairs and excludes with the
-/// object's: how many there are, their names, and the elements they refer to. Adds a finding for
-/// each difference.
+/// Compares the number, names and references of sensors, actuators, tendons, equalities, pairs and
+/// excludes. Adds a finding for each difference.
 void CompareSections(const mjModel& m, const model::Object& object, diag::Findings& findings);
 
+/// Compares bodies and their elements, and the start pose.
 class Comparison {
  public:
   Comparison(const mjModel& compiled, const model::Object& object, diag::Findings& findings);
 
-  /// Adds a finding for each difference. `lift`: see MjcfDocument.
+  /// Adds a finding for each difference. `lift` is that of the MjcfDocument, m.
   void Run(double lift);
 
  private:
@@ -56,21 +55,22 @@ class Comparison {
   void CompareMass(int id, const model::Body& body);
   void CompareInertia(int id, const model::Body& body);
   void ComparePart(int& geom, const model::Part& part);
-  void CompareGeom(int id, const model::Part& part, const Subject& subject, bool collides);
-  void CompareMesh(int id, const model::Part& part, const Subject& subject);
+  void CompareGeom(int id, const model::Part& part, const ComparedElement& subject, bool collides);
+  void CompareMesh(int id, const model::Part& part, const ComparedElement& subject);
   void CompareAttribute(mjtObj kind, int id, const model::Attribute& attribute,
-                        const Subject& subject);
+                        const ComparedElement& subject);
   void CompareJoint(int id, const model::Joint& joint);
   void CompareSite(int id, const model::Site& site);
   void CompareElement(const model::Element& element);
 
-  void Number(const Subject& subject, std::string_view what, int position, double compiled,
+  void Number(const ComparedElement& subject, std::string_view what, int position, double compiled,
               double meant, double tolerance);
-  void Vector(const Subject& subject, std::string_view what, const mjtNum* compiled,
+  void Vector(const ComparedElement& subject, std::string_view what, const mjtNum* compiled,
               const Eigen::Vector3d& meant, double tolerance);
-  void Quaternion(const Subject& subject, const mjtNum* compiled, const Eigen::Quaterniond& meant);
-  void Difference(const Subject& subject, std::string_view what, int position, double compiled,
-                  double meant);
+  void Quaternion(const ComparedElement& subject, const mjtNum* compiled,
+                  const Eigen::Quaterniond& meant);
+  void Difference(const ComparedElement& subject, std::string_view what, int position,
+                  double compiled, double meant);
 
   const mjModel& m_;
   const model::Object& object_;

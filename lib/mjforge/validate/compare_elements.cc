@@ -1,4 +1,4 @@
-// The parts of a body: geoms, joints, sites.
+// Comparison of geoms, joints and sites.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace mjforge::validate {
 namespace {
 
-constexpr double kFloatRelative = 1e-6;  // of what MuJoCo keeps in single precision
+constexpr double kFloatRelative = 1e-6;  // tolerance of numbers in single precision
 
 int MujocoType(model::GeomType type) {
   return compiled::kGeomTypes[static_cast<std::size_t>(type)];
@@ -29,7 +29,7 @@ void Comparison::ComparePart(int& geom, const model::Part& part) {
   }
 }
 
-void Comparison::CompareGeom(int id, const model::Part& part, const Subject& subject,
+void Comparison::CompareGeom(int id, const model::Part& part, const ComparedElement& subject,
                              bool collides) {
   if (!SameName(m_.names + m_.name_geomadr[id], subject, findings_)) return;
   const model::GeomType type = part.shape.type;
@@ -56,9 +56,9 @@ void Comparison::CompareGeom(int id, const model::Part& part, const Subject& sub
   }
 }
 
-/// MuJoCo moves a mesh's origin to its centre of mass and turns it to its
-/// principal axes, so only where its vertices are can be compared.
-void Comparison::CompareMesh(int id, const model::Part& part, const Subject& subject) {
+/// Compares the boxes around the vertices, because MuJoCo moves a mesh's origin to its centre of
+/// mass and aligns its frame with its principal axes.
+void Comparison::CompareMesh(int id, const model::Part& part, const ComparedElement& subject) {
   if (part.shape.mesh == nullptr) return;
   const model::Box3 made =
       compiled::GeomBox(m_, id, compiled::PoseAt(m_.geom_pos, m_.geom_quat, id));
@@ -69,7 +69,7 @@ void Comparison::CompareMesh(int id, const model::Part& part, const Subject& sub
 }
 
 void Comparison::CompareAttribute(mjtObj kind, int id, const model::Attribute& attribute,
-                                  const Subject& subject) {
+                                  const ComparedElement& subject) {
   const std::span<const compiled::ArrayField> fields = compiled::ArrayFields(kind);
   const auto field = std::ranges::find(fields, attribute.name, &compiled::ArrayField::attribute);
   if (field == fields.end() || field->variable != nullptr) return;
@@ -83,7 +83,7 @@ void Comparison::CompareAttribute(mjtObj kind, int id, const model::Attribute& a
 }
 
 void Comparison::CompareJoint(int id, const model::Joint& joint) {
-  const Subject subject{"joint", joint.name, {}, joint.mark};
+  const ComparedElement subject{"joint", joint.name, {}, joint.mark};
   if (!SameName(m_.names + m_.name_jntadr[id], subject, findings_)) return;
   const auto type = std::ranges::find(compiled::kJointTypes, joint.type);
   Number(subject, "type", -1, m_.jnt_type[id],
@@ -107,7 +107,7 @@ void Comparison::CompareJoint(int id, const model::Joint& joint) {
 }
 
 void Comparison::CompareSite(int id, const model::Site& site) {
-  const Subject subject{"site", site.name, {}, site.mark};
+  const ComparedElement subject{"site", site.name, {}, site.mark};
   if (!SameName(m_.names + m_.name_siteadr[id], subject, findings_)) return;
   Number(subject, "type", -1, m_.site_type[id], MujocoType(site.type), 0);
   for (int i = 0; i < model::SizeCount(site.type); ++i) {

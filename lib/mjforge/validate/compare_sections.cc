@@ -1,3 +1,4 @@
+// Comparison of sensors, actuators, tendons, equalities, pairs and excludes.
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -22,7 +23,7 @@ std::string_view TextOf(const Element& element, std::string_view attribute) {
   return found == element.attributes.end() ? std::string_view() : found->text;
 }
 
-/// Two names, whichever comes first.
+/// An unordered pair of names.
 using Names = std::pair<std::string_view, std::string_view>;
 Names Unordered(std::string_view a, std::string_view b) { return std::minmax(a, b); }
 
@@ -52,7 +53,7 @@ class SectionComparison {
     return SameCount(fmt::format("elements of {}", what), compiled, meant, mark, findings_);
   }
 
-  /// These sections MuJoCo keeps in the order of the file.
+  /// Compares a section whose elements MuJoCo keeps in the order of the file.
   void Each(std::string_view section, int count, const int* names, Check check) {
     const std::span<const Element> elements = model::ElementsOf(object_, section);
     const diag::SourceMark mark =
@@ -60,7 +61,7 @@ class SectionComparison {
     if (!Count(section, count, elements.size(), mark)) return;
     for (int id = 0; id < count; ++id) {
       const Element& element = elements[static_cast<std::size_t>(id)];
-      const Subject subject = {section, element.name, {}, element.mark};
+      const ComparedElement subject = {section, element.name, {}, element.mark};
       if (SameName(m_.names + names[id], subject, findings_)) (this->*check)(id, element);
     }
   }
@@ -138,7 +139,7 @@ class SectionComparison {
     Contacts("exclude", "body1", "body2", m_.nexclude, std::move(left));
   }
 
-  /// MuJoCo sorts these by body, so they are compared as sets.
+  /// Compares pairs or excludes as sets, because MuJoCo sorts them by body.
   void Contacts(std::string_view tag, std::string_view first, std::string_view second, int count,
                 std::map<Names, int> left) {
     std::size_t meant = 0;

@@ -1,3 +1,4 @@
+// Loader: loads documents and files in MuJoCo, and words its errors and warnings as findings.
 #include "mjforge/validate/validate.h"
 
 #include <algorithm>
@@ -11,11 +12,13 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/backport/backport.h"
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
-#include "mjforge/validate/collisions.h"
 #include "mjforge/validate/compare.h"
-#include "mjforge/validate/sweep.h"
+#include "mjforge/validate/joint_sweep.h"
+#include "mjforge/validate/self_collisions.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::validate {
 namespace {
@@ -30,7 +33,7 @@ diag::SourceMark MarkOf(const model::Object& object) {
   return object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
 }
 
-/// The most constraints that one step of the object alone can have.
+/// Returns the largest number of constraint rows that the joints of a body can need in a step.
 int CountConstraints(const model::Body& body) {
   int rows = 0;
   for (const model::Joint& joint : body.joints) {
@@ -42,9 +45,10 @@ int CountConstraints(const model::Body& body) {
   return rows;
 }
 
-/// Default-sized arenas take most of a load's time to clear, and MuJoCo's stack follows njmax. One
-/// body alone makes no contacts. Several seldom make more than a few; if they do, MuJoCo warns.
-/// Without a line end, to keep the line numbers; empty where the object says sizes of its own.
+/// Returns a size element with small buffers, because clearing buffers of default size takes most
+/// of the time of a load, and the size of MuJoCo's stack depends on njmax. One body alone has no
+/// contacts, and several bodies seldom have more than a few; if they have, MuJoCo warns. Contains
+/// no line end, so that line numbers stay the same. Empty if the object has a size element.
 std::string SizeHint(const model::Object& object) {
   constexpr int kContacts = 12;
   constexpr int kRowsOfContact = 10;  // condim 6, pyramidal
@@ -63,8 +67,8 @@ int LineOf(std::string_view text, std::string_view needle) {
   return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
 }
 
-/// `crowded`: so many bodies touch that there may be no room for their contacts,
-/// which needs no second finding. True if there was one to add.
+/// Adds a finding for each warning. If `crowded`, ignores warnings about full buffers, because
+/// findings about bodies that touch explain these. Returns true if it added a finding.
 bool AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
   bool any = false;
@@ -76,36 +80,41 @@ bool AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::S
   return any;
 }
 
-/// MuJoCo gave up where it is asked for poses and contacts.
-void AddFailure(const std::exception& error, diag::SourceMark mark, diag::Findings& findings) {
-  findings.Add(Code::kMujocoError, mark,
-               fmt::format("MuJoCo cannot place the bodies: {}", OneLine(error.what())));
+/// Returns the result of `compute`; adds a finding and returns nothing if MuJoCo fails.
+template <typename Compute>
+auto Computed(const Compute& compute, diag::SourceMark mark, diag::Findings& findings) {
+  try {
+    return std::optional(compute());
+  } catch (const std::bad_alloc&) {
+    throw;  // MuJoCo did not fail
+  } catch (const std::exception& error) {
+    findings.Add(Code::kMujocoError, mark,
+                 fmt::format("MuJoCo cannot place the bodies: {}", OneLine(error.what())));
+    return decltype(std::optional(compute()))();
+  }
 }
 
-/// Adds what touches at the joints' zero; true if there is any.
+/// Adds findings about bodies that touch with all joints at zero; returns true if any do, or if
+/// MuJoCo fails.
 bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findings) {
   if (object.bodies.size() < 2) return false;
-  try {
-    return CheckSelfCollision(m, object, findings);
-  } catch (const std::bad_alloc&) {
-    throw;  // not MuJoCo's fault
-  } catch (const std::exception& error) {
-    AddFailure(error, MarkOf(object), findings);
-    return true;
-  }
+  return Computed([&] { return CheckSelfCollision(m, object, findings); }, MarkOf(object), findings)
+      .value_or(true);
 }
 
-/// Nothing, and a finding, if MuJoCo gives up.
 std::optional<Sweep> TrySweep(mjModel& m, int frame, diag::SourceMark mark,
                               diag::Findings& findings) {
-  try {
-    return SweepModel(m, frame);
-  } catch (const std::bad_alloc&) {
-    throw;  // not MuJoCo's fault
-  } catch (const std::exception& error) {
-    AddFailure(error, mark, findings);
-    return std::nullopt;
-  }
+  return Computed([&] { return SweepModel(m, frame); }, mark, findings);
+}
+
+/// Adds a finding about an element that MuJoCo rejects, with MuJoCo's own words as a note.
+void AddRefusal(std::string_view element, const Loaded& loaded, diag::SourceMark mark,
+                std::string hint, diag::Findings& findings) {
+  diag::Finding& finding = findings.Add(
+      Code::kMujocoError, mark,
+      fmt::format("MuJoCo refused {}: {}", element, engine::ParseRefusal(loaded.error).reason),
+      std::move(hint));
+  finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
 }
 
 /// Adds a finding for each kind of number that is not finite: MuJoCo silently loads "nan".
@@ -130,7 +139,7 @@ void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findin
                          {"joint", "axis", m.jnt_axis, 3, m.njnt, m.name_jntadr},
                          {"joint", "range", m.jnt_range, 2, m.njnt, m.name_jntadr},
                          {"site", "pos", m.site_pos, 3, m.nsite, m.name_siteadr}};
-  // The first is enough.
+  // Returns the index of the first number that is not finite.
   const auto first_bad = [](const mjtNum* first, int count) {
     return std::find_if(first, first + count, [](mjtNum n) { return !std::isfinite(n); }) - first;
   };
@@ -167,7 +176,7 @@ CompiledModel Describe(const mjModel& m) {
   return described;
 }
 
-// What MuJoCo's words do not say.
+/// Returns a hint for errors that MuJoCo words unclearly.
 std::string HintFor(std::string_view reason) {
   if (reason.find("XML_ELEMENT_DEPTH_EXCEEDED") == std::string_view::npos) return {};
   return "MuJoCo 2.2 reads bodies nested at most 95 deep: attach some of them to the root";
@@ -177,23 +186,24 @@ std::string HintFor(std::string_view reason) {
 
 std::string MujocoVersion() { return engine::Version(); }
 
-struct Loader::State {
+struct Loader::Impl {
   Engine engine;
 
-  /// What MuJoCo says to the document; a refusal is a finding. It is loaded with the sizes of
-  /// `hint` if MuJoCo has nothing to say about that.
+  /// Loads a document; adds a finding if MuJoCo rejects it. Uses the size element `hint` unless
+  /// MuJoCo reports errors or warnings with it.
   Loaded LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
                       const model::Object& object, diag::Findings& findings);
-  /// Without a model there is a finding. `start` is set once the file is read.
+  /// Loads a file. Adds a finding and returns null if MuJoCo rejects it. Sets `start` to the start
+  /// of the file once it is read.
   engine::Model LoadFile(const std::filesystem::path& file, diag::Sources& sources,
                          diag::SourceMark& start, diag::Findings& findings);
 };
 
-Loader::Loader() : state_(std::make_unique<State>()) {}
+Loader::Loader() : impl_(std::make_unique<Impl>()) {}
 Loader::~Loader() = default;
 
-Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
-                                   const model::Object& object, diag::Findings& findings) {
+Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
+                                  const model::Object& object, diag::Findings& findings) {
   if (const auto problem = engine.SetAssets(document.assets)) {
     const std::string& name = document.assets[problem->asset].name;
     findings.Add(problem->code, document.Origin(LineOf(document.text, '"' + name + '"')),
@@ -212,18 +222,14 @@ Loaded Loader::State::LoadDocument(const mjcf::MjcfDocument& document, const std
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
-  diag::Finding& finding =
-      findings.Add(Code::kMujocoError, mark,
-                   fmt::format("MuJoCo refused {}: {}",
-                               engine::ElementOnLine(document.text, refusal.line), refusal.reason),
-                   HintFor(refusal.reason));
-  finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
+  AddRefusal(engine::ElementOnLine(document.text, refusal.line), loaded, mark,
+             HintFor(refusal.reason), findings);
   return loaded;
 }
 
 bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                       diag::Findings& findings) {
-  const Loaded loaded = state_->LoadDocument(document, SizeHint(object), object, findings);
+  const Loaded loaded = impl_->LoadDocument(document, SizeHint(object), object, findings);
   if (!loaded.model) return false;
   diag::Findings found;
   Comparison(*loaded.model, object, found).Run(document.lift);
@@ -236,18 +242,18 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
 
 std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
                                          const model::Object& object, diag::Findings& findings) {
-  const Loaded loaded = state_->LoadDocument(document, {}, object, findings);
+  const Loaded loaded = impl_->LoadDocument(document, {}, object, findings);
   if (!loaded.model) return std::nullopt;
   constexpr int kRoot = 1;
   return TrySweep(*loaded.model, kRoot, MarkOf(object), findings);
 }
 
-engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::Sources& sources,
+engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::Sources& sources,
                                       diag::SourceMark& start, diag::Findings& findings) {
-  const std::optional<engine::XmlFile> xml = engine::ReadXmlFile(file, sources, findings);
+  const std::optional<backport::ModelFile> xml = backport::ReadModelFile(file, sources, findings);
   if (!xml) return nullptr;
   start = {xml->source, 1, 1};
-  Loaded loaded = engine.LoadFile(file, *xml);
+  Loaded loaded = backport::LoadFile(engine, file, *xml);
   AddWarnings(loaded.warnings, false, start, findings);
   if (loaded.model) {
     CheckFinite(*loaded.model, start, findings);
@@ -255,43 +261,40 @@ engine::Model Loader::State::LoadFile(const std::filesystem::path& file, diag::S
   }
   if (loaded.too_large_line > 0) {
     findings.Add(Code::kModelBadTexture,
-                 engine::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
+                 xml::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
     return nullptr;
   }
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   const std::string element = xml->has_includes
                                   ? "the model"
                                   : engine::ElementOnLine(sources.Text(xml->source), refusal.line);
-  diag::Finding& finding =
-      findings.Add(Code::kMujocoError, engine::MarkOfLine(sources, xml->source, refusal.line),
-                   fmt::format("MuJoCo refused {}: {}", element, refusal.reason),
-                   xml->has_includes ? "the line may be in an included file" : "");
-  finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
+  AddRefusal(element, loaded, xml::MarkOfLine(sources, xml->source, refusal.line),
+             xml->has_includes ? "the line may be in an included file" : "", findings);
   return nullptr;
 }
 
 std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings) {
   diag::SourceMark start;
-  const engine::Model model = state_->LoadFile(file, sources, start, findings);
+  const engine::Model model = impl_->LoadFile(file, sources, start, findings);
   if (!model) return std::nullopt;
   return Describe(*model);
 }
 
 std::optional<std::string> Loader::AdaptedText(const std::filesystem::path& file) {
-  return engine::AdaptedText(file);
+  return backport::BackportedText(file);
 }
 
 std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
                                          diag::Findings& findings) {
   diag::SourceMark start;
   diag::Findings of_loading;
-  const engine::Model model = state_->LoadFile(file, sources, start, of_loading);
-  diag::Findings found;  // without what is left out, which does not move
+  const engine::Model model = impl_->LoadFile(file, sources, start, of_loading);
+  diag::Findings found;  // except those about ignored elements of later versions
   for (const diag::Finding& finding : of_loading) {
     if (model == nullptr || finding.code != Code::kMujocoLater) found.Add(finding);
   }
-  // Numbers that are not finite would go round and round.
+  // Do not move joints of a model with warnings: some of its numbers may not be finite.
   const bool clean = found.empty();
   findings.Append(std::move(found));
   if (!model || !clean) return std::nullopt;

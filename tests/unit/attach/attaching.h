@@ -20,10 +20,10 @@ class Attaching {
   const model::Attachment* Try(const std::string& body = "", const std::string& file = "arm.xml");
   /// Fails the test, with the findings, if there is none.
   const model::Attachment& Get(const std::string& body = "", const std::string& file = "arm.xml");
-  /// Of the last call, each as "error mujoco/error: message (hint) [arm.xml:3:5 here]",
+  /// Findings of the last call, each as "error mujoco/error: message (hint) [arm.xml:3:5 here]",
   /// without the folder's name.
   std::vector<std::string> Report() const;
-  /// The same with one finding, else all of them.
+  /// The finding of the last call; all of them, separated by line ends, if there are several.
   std::string OnlyFinding() const;
   const diag::Findings& findings() const { return findings_; }
 
@@ -42,7 +42,7 @@ std::string Mjcf(const std::string& bodies, const std::string& sections = "");
 
 /// "0.1 2 3" of an attribute, or its text; "-" if there is none.
 std::string Said(const std::vector<model::Attribute>& attributes, std::string_view name);
-/// All of them: "contype=0 friction=1 0.1 0.1".
+/// All attributes: "contype=0 friction=1 0.1 0.1".
 std::string Said(const std::vector<model::Attribute>& attributes);
 /// Names of named things, one blank apart.
 template <typename List>

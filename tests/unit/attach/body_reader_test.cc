@@ -96,7 +96,7 @@ TEST_CASE("global coordinates become local ones") {
   CHECK(a.bodies[1].X_PB.p == Eigen::Vector3d(0, 0, 3));
   CHECK(a.bodies[1].joints[0].pos == Eigen::Vector3d(0, 0, 1));
 }
-#endif  // later ones refuse them
+#endif  // later releases reject them
 
 TEST_CASE("a joint says what differs from MuJoCo's defaults, and no more") {
   Attaching files(

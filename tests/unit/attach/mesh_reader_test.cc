@@ -82,7 +82,7 @@ TEST_CASE("a primitive fitted to a mesh is that primitive, without the mesh") {
   CHECK(b.meshes.empty());
   const model::Part& part = b.bodies[0].parts[0];
   CHECK(part.shape.type == model::GeomType::kBox);
-  // Where it is, is MuJoCo's to say, too; 2.2 counts from the centre of mass.
+  // Do not compare positions: 2.2 measures them from the centre of mass.
   CHECK((BoundsOf(part).max - BoundsOf(part).min - Eigen::Vector3d(2, 4, 6)).norm() < 1e-6);
 }
 

@@ -1,4 +1,4 @@
-// What archives hold, told by tar and zstd themselves.
+// Contents of archives, read by tar and zstd.
 
 #include <catch2/catch.hpp>
 
@@ -8,7 +8,7 @@
 namespace mjforge::batch {
 namespace {
 
-// The names in an archive, as tar lists them.
+// Returns the names of the members of an archive, listed by tar.
 std::vector<std::string> Members(const std::filesystem::path& archive) {
   const harness::CommandResult result =
       harness::Command{.program = "tar", .arguments = {"-tf", archive.string()}}.Run();
@@ -124,7 +124,7 @@ TEST_CASE("an archive that mjforge did not make is not replaced without force") 
   request.force = true;
   CHECK(test.Make(request).ok == 3);
   request.force = false;
-  CHECK(test.Make(request).ok == 3);  // now it is ours
+  CHECK(test.Make(request).ok == 3);  // an earlier run made this one
 }
 
 }  // namespace

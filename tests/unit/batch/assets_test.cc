@@ -1,3 +1,5 @@
+// Tests of assets in batches: copies, changes, and assets of earlier runs.
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"
@@ -8,7 +10,7 @@ namespace {
 struct AssetsTest : CrateBatch {
   AssetsTest() : CrateBatch(kWoodenSpec) { folder.Write("wood.png", Png('a')); }
 
-  // The finding that ended the batch; empty if it was made.
+  // Returns the finding that ended the batch; empty if the batch was made.
   std::string ErrorOf(const Request& request) {
     const Summary summary = Make(request);
     return summary.files_failed ? summary.findings[0].message : std::string();
@@ -85,9 +87,9 @@ TEST_CASE_METHOD(AssetsTest, "what a killed run copied is known as its own") {
   Request request = Of(2000, "out");
   std::atomic<bool> stop = false;
   request.stop = &stop;
-  Watch watch;
-  watch.variant = [&](const Done&) { stop = true; };
-  REQUIRE(Make(request, watch).interrupted);
+  Observer observer;
+  observer.variant = [&](const FinishedVariant&) { stop = true; };
+  REQUIRE(Make(request, observer).interrupted);
   request.stop = nullptr;
   folder.Write("wood.png", Png('b'));
   SECTION("to be replaced where all is made anew") {
@@ -106,9 +108,9 @@ TEST_CASE_METHOD(AssetsTest, "a series has one version of an asset") {
   Request request = Of(2000, "out/x_%d.tar", 500);
   std::atomic<bool> stop = false;
   request.stop = &stop;
-  Watch watch;
-  watch.variant = [&](const Done& done) { stop = done.index > 700; };
-  REQUIRE(Make(request, watch).interrupted);
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) { stop = done.index > 700; };
+  REQUIRE(Make(request, observer).interrupted);
   request.stop = nullptr;
   request.resume = true;
   folder.Write("wood.png", Png('b'));

@@ -1,3 +1,5 @@
+// Batches of a crate for tests.
+
 #include "crate_batch.h"
 
 #include <catch2/catch.hpp>
@@ -39,8 +41,8 @@ Request CrateBatch::Of(std::uint64_t count, const std::string& output,
   return request;
 }
 
-Summary CrateBatch::Make(const Request& request, const Watch& watch) {
-  return Run(recipe_, sources_, request, watch);
+Summary CrateBatch::Make(const Request& request, const Observer& observer) {
+  return Run(recipe_, sources_, request, observer);
 }
 
 std::map<std::string, std::string> CrateBatch::Bytes(const std::string& subfolder) const {

@@ -1,3 +1,5 @@
+// Batches of a crate for tests.
+
 #pragma once
 
 #include <string>
@@ -17,7 +19,7 @@ inline constexpr const char* kBoxSpec =
     "parts:\n"
     "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
 
-/// A box that about half of the variants give a size below zero.
+/// A box whose size is negative in about half of the variants.
 inline constexpr const char* kUnluckySpec =
     "mjforge: 1\n"
     "name: crate\n"
@@ -34,7 +36,7 @@ inline constexpr const char* kWoodenSpec =
     "materials: {wood: {texture: {file: wood.png}}}\n"
     "parts: [{name: body, type: box, size: [0.1, 0.1, height], material: wood}]\n";
 
-/// A picture of one pixel; `end` follows it, so that there are several.
+/// Returns a PNG of one pixel, followed by `end`, which makes different files.
 std::string Png(char end);
 
 /// Batches of one spec in a fresh folder.
@@ -42,11 +44,11 @@ class CrateBatch {
  public:
   explicit CrateBatch(const std::string& text);
 
-  /// As generate does without MuJoCo: seed 1, `count` variants to `output`, which is
+  /// Returns a request for `count` variants with seed 1, without validation, to `output`, a path
   /// relative to the folder.
   Request Of(std::uint64_t count, const std::string& output, std::uint64_t per_archive = 10) const;
-  Summary Make(const Request& request, const Watch& watch = {});
-  /// Every file in it with its bytes, but for the spec.
+  Summary Make(const Request& request, const Observer& observer = {});
+  /// Returns the bytes of all files in a subfolder, by name.
   std::map<std::string, std::string> Bytes(const std::string& subfolder) const;
 
   harness::TemporaryFolder folder;

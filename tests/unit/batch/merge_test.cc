@@ -1,3 +1,5 @@
+// Tests of merging shards.
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"
@@ -39,7 +41,7 @@ TEST_CASE_METHOD(ShardTest, "shards joined are the batch as one run makes it") {
           return file.first.find("-of-") != std::string::npos;
         }) == 8);
   CHECK(joined == Bytes("whole"));
-  CHECK(Merge() == kCount);  // again
+  CHECK(Merge() == kCount);  // merging twice
 }
 
 TEST_CASE("shards of a series joined are the series as one run makes it") {
@@ -118,7 +120,7 @@ TEST_CASE_METHOD(ShardTest, "an object that is gone, empty or changed is noticed
 }
 
 TEST_CASE_METHOD(ShardTest, "a shard that nothing vouches for is noticed") {
-  const auto seal = manifest::SealOf(folder / Manifest(2));
+  const auto seal = manifest::SealPathOf(folder / Manifest(2));
   std::filesystem::remove(seal);
   CHECK_FALSE(Merge());
   REQUIRE(findings.size() == 1);

@@ -1,3 +1,5 @@
+// Tests of encoding tasks and results.
+
 #include "mjforge/batch/message.h"
 
 #include <catch2/catch.hpp>
@@ -11,14 +13,14 @@ TEST_CASE("a task arrives as it was sent") {
   CHECK(read.chunk.first == 7);
   CHECK(read.chunk.count == 64);
   CHECK(read.chunk.archive == 3);
-  REQUIRE(read.condemned.size() == 2);
-  CHECK(read.condemned[0].index == 9);
-  CHECK(read.condemned[0].too_slow);
-  CHECK(read.condemned[0].how == "took longer");
+  REQUIRE(read.quarantined.size() == 2);
+  CHECK(read.quarantined[0].index == 9);
+  CHECK(read.quarantined[0].too_slow);
+  CHECK(read.quarantined[0].how == "took longer");
 }
 
 TEST_CASE("a result arrives as it was sent, findings and all") {
-  Result result;
+  ChunkResult result;
   result.done = 5;
   result.statuses = {Status::kOk, Status::kFailed, Status::kSkipped};
   const std::string segment(100'000, 'x');
@@ -36,7 +38,7 @@ TEST_CASE("a result arrives as it was sent, findings and all") {
   result.files_failed = true;
   result.output_findings.Add(diag::Code::kOutputCannotWrite, {}, "full");
   const auto message = std::make_shared<const std::string>(Encode(result));
-  const Result read = DecodeResult(*message, message);
+  const ChunkResult read = DecodeResult(*message, message);
   CHECK(read.done == 5);
   CHECK(read.statuses == result.statuses);
   CHECK(read.lines == result.lines);

@@ -1,3 +1,5 @@
+// Tests of worker processes: deaths, time limits, interruption.
+
 #include "mjforge/batch/pool.h"
 
 #include <sys/mman.h>
@@ -14,23 +16,24 @@
 namespace mjforge::batch {
 namespace {
 
-// Work that tells the indices it did, in `text`, and meets its end where `fate` says so.
+// Returns a pool whose results list the indices made; `fate` may end the process of a worker.
 Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
               std::function<void(std::uint64_t)> fate) {
   return Pool(jobs, 2, limit, [fate] {
-    return [fate](const Task& task, Slot& slot) {
-      Result result;
+    return [fate](const Task& task, WorkerMailbox& mailbox) {
+      ChunkResult result;
       result.chunk = task.chunk;
       for (std::uint64_t i = task.chunk.first; i < task.chunk.end(); ++i) {
-        const auto condemned = std::find_if(task.condemned.begin(), task.condemned.end(),
-                                            [&](const Condemned& c) { return c.index == i; });
-        if (condemned != task.condemned.end()) {
-          result.text += condemned->how + ";";
+        const auto quarantined =
+            std::find_if(task.quarantined.begin(), task.quarantined.end(),
+                         [&](const QuarantinedVariant& c) { return c.index == i; });
+        if (quarantined != task.quarantined.end()) {
+          result.text += quarantined->how + ";";
           continue;
         }
-        slot.Begin(i);
+        mailbox.Begin(i);
         fate(i);
-        slot.End();
+        mailbox.End();
         result.text += std::to_string(i) + ";";
       }
       return result;
@@ -38,7 +41,7 @@ Pool MakePool(std::uint64_t jobs, std::chrono::duration<double> limit,
   });
 }
 
-// The text of each chunk of ten indices, by its first.
+// Returns the text of each chunk of ten indices, by its first index.
 std::map<std::uint64_t, std::string> Work100(Pool& pool) {
   std::map<std::uint64_t, std::string> texts;
   std::uint64_t next = 0;
@@ -69,22 +72,22 @@ TEST_CASE("results that are taken slowly are not gathered without end") {
   auto* const done = new (memory) Count(0);
   Pool pool = MakePool(2, std::chrono::seconds(10), [done](std::uint64_t) { ++*done; });
   std::uint64_t submitted = 0;
-  std::uint64_t most = 0;  // that are on their way
+  std::uint64_t most = 0;  // largest number of tasks without a result
   for (std::uint64_t taken = 0; taken < 200;) {
     for (; submitted < 200 && pool.HasRoom(); ++submitted) pool.Submit({{submitted, 1, 0}, {}});
     most = std::max(most, submitted - taken);
     while (*done < submitted) std::this_thread::yield();
     if (pool.Wait()) ++taken;
   }
-  CHECK(most <= 8);  // two at hand for each worker, and as many results as wait at the most
+  CHECK(most <= 8);  // two tasks for each worker, and the results that may wait
   ::munmap(memory, sizeof(Count));
 }
 
 TEST_CASE("results of any length arrive whole and in order") {
   constexpr std::size_t kLong = std::size_t{5} << 20;
-  Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [] {
-    return [](const Task& task, Slot&) {
-      Result result;
+  Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [] {
+    return [](const Task& task, WorkerMailbox&) {
+      ChunkResult result;
       result.chunk = task.chunk;
       const std::size_t length = task.chunk.first % 2 == 0 ? 10 : kLong;
       result.text = std::string(length, static_cast<char>('a' + task.chunk.first));
@@ -103,42 +106,42 @@ TEST_CASE("results of any length arrive whole and in order") {
   CHECK(order == "abcdefgh");
 }
 
-TEST_CASE("a slot holds a message for each task until they are removed") {
-  const auto slot = std::make_unique<Slot>();
-  const auto leave = [&slot](std::string_view message) {
-    char* const room = slot->RoomFor(message.size());
+TEST_CASE("a mailbox holds a message for each task until they are removed") {
+  const auto mailbox = std::make_unique<WorkerMailbox>();
+  const auto leave = [&mailbox](std::string_view message) {
+    char* const room = mailbox->BufferFor(message.size());
     if (room == nullptr) return false;
     message.copy(room, message.size());
-    slot->Leave(message.size());
+    mailbox->Publish(message.size());
     return true;
   };
   for (const std::string_view message : {"first", "second", "third", "fourth"})
     CHECK(leave(message));
   CHECK_FALSE(leave("fifth"));
-  const std::string_view first = slot->Take();
-  const std::string_view second = slot->Take();
+  const std::string_view first = mailbox->Take();
+  const std::string_view second = mailbox->Take();
   CHECK(first == "first");
   CHECK(second == "second");
-  slot->Remove(first);
+  mailbox->Remove(first);
   CHECK_FALSE(leave(std::string(std::size_t{3} << 20, 'x')));
   CHECK(leave("fifth"));
   CHECK_FALSE(leave("sixth"));
   CHECK(second == "second");
   for (const std::string_view message : {"third", "fourth", "fifth"})
-    CHECK(slot->Take() == message);
+    CHECK(mailbox->Take() == message);
 }
 
 TEST_CASE("results that are kept stay as they are, whatever becomes of their worker") {
-  std::vector<Result> kept;
+  std::vector<ChunkResult> kept;
   {
-    std::string lines;  // a worker's own, which each of its results overwrites
-    Pool pool(1, kMostTasksPerWorker, std::chrono::seconds(10), [&lines] {
-      return [&lines](const Task& task, Slot& slot) {
-        slot.Begin(task.chunk.first);
-        if (task.chunk.first == 10 && task.condemned.empty()) ::raise(SIGKILL);
-        slot.End();
+    std::string lines;  // owned by the worker, overwritten for each result
+    Pool pool(1, kMaxTasksPerWorker, std::chrono::seconds(10), [&lines] {
+      return [&lines](const Task& task, WorkerMailbox& mailbox) {
+        mailbox.Begin(task.chunk.first);
+        if (task.chunk.first == 10 && task.quarantined.empty()) ::raise(SIGKILL);
+        mailbox.End();
         lines.assign(1000, static_cast<char>('a' + task.chunk.first));
-        Result result;
+        ChunkResult result;
         result.chunk = task.chunk;
         result.lines = lines;
         return result;
@@ -150,7 +153,7 @@ TEST_CASE("results that are kept stay as they are, whatever becomes of their wor
     }
   }
   REQUIRE(kept.size() == 20);
-  for (const Result& result : kept)
+  for (const ChunkResult& result : kept)
     CHECK(result.lines == std::string(1000, static_cast<char>('a' + result.chunk.first)));
 }
 
@@ -158,7 +161,7 @@ TEST_CASE("a worker that a signal kills costs the variant it was at, and no othe
   for (const int signal : {SIGSEGV, SIGKILL, SIGABRT}) {
     Pool pool = MakePool(2, std::chrono::seconds(10), [signal](std::uint64_t index) {
       if (index == 33 || index == 35 || index == 90) {
-        std::signal(signal, SIG_DFL);  // what a sanitizer or Catch put there
+        std::signal(signal, SIG_DFL);  // remove the handlers of sanitizers and Catch
         ::kill(::getpid(), signal);
         std::this_thread::sleep_for(std::chrono::seconds(10));
       }
@@ -224,7 +227,7 @@ TEST_CASE("a worker that is stopped while it has nothing to do ends with the oth
 }
 
 TEST_CASE("workers that die before they begin anything do not go on for ever") {
-  Pool pool(2, 2, std::chrono::seconds(10), []() -> Work { std::_Exit(9); });
+  Pool pool(2, 2, std::chrono::seconds(10), []() -> TaskHandler { std::_Exit(9); });
   pool.Submit({{0, 2, 0}, {}});
   const auto start = std::chrono::steady_clock::now();
   CHECK_THROWS_WITH(

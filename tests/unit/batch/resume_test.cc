@@ -1,3 +1,5 @@
+// Tests of resuming batches: interrupted, damaged, finished and enlarged ones.
+
 #include "mjforge/batch/sink.h"
 
 #include <catch2/catch.hpp>
@@ -12,12 +14,12 @@ namespace {
 Summary MakeUpTo(CrateBatch& test, Request request, std::uint64_t count) {
   std::atomic<bool> stop = false;
   request.stop = &stop;
-  request.jobs = 1;  // with two, all of it may be made before the first chunk is taken
-  Watch watch;
-  watch.variant = [&](const Done& done) {
+  request.jobs = 1;  // two workers may finish the batch before the first chunk is taken
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) {
     if (done.index + 1 >= count) stop = true;
   };
-  return test.Make(request, watch);
+  return test.Make(request, observer);
 }
 
 Request Resuming(Request request) {
@@ -46,14 +48,14 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   REQUIRE(first.done() < count);
   CHECK(test.Bytes("broken") != test.Bytes("whole"));
   const Summary second = MakeUpTo(test, Resuming(request), 2 * third);
-  CHECK(second.kept > 0);
+  CHECK(second.resumed > 0);
   const Summary last = test.Make(Resuming(request));
-  CHECK(last.kept >= second.kept);
+  CHECK(last.resumed >= second.resumed);
   CHECK(last.done() == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
-  // And once more, with nothing left to do.
+  // Run once more, with nothing left to do.
   const Summary again = test.Make(Resuming(request));
-  CHECK(again.kept == count);
+  CHECK(again.resumed == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
 }
 
@@ -64,7 +66,7 @@ TEST_CASE("files that are gone or were changed are made again") {
   std::filesystem::remove(test.folder / "out/crate_000020.xml");
   test.folder.Write("out/crate_000050.xml", test.folder.Read("out/crate_000051.xml"));
   const Summary summary = test.Make(Resuming(test.Of(100, "out")));
-  CHECK(summary.kept == 20);
+  CHECK(summary.resumed == 20);
   CHECK(summary.ok == 100);
   CHECK(test.Bytes("out") == whole);
 }
@@ -82,7 +84,7 @@ TEST_CASE("a finished batch can be gone on with to a larger one") {
   CrateBatch test(kBoxSpec);
   test.Make(test.Of(50, "out"));
   const Summary summary = test.Make(Resuming(test.Of(80, "out")));
-  CHECK(summary.kept == 50);
+  CHECK(summary.resumed == 50);
   test.Make(test.Of(80, "whole"));
   CHECK(test.Bytes("out") == test.Bytes("whole"));
 }
@@ -92,7 +94,7 @@ TEST_CASE("without --resume a batch starts anew") {
   const Request request = test.Of(3000, "out");
   REQUIRE(MakeUpTo(test, request, 500).interrupted);
   const Summary summary = test.Make(request);
-  CHECK(summary.kept == 0);
+  CHECK(summary.resumed == 0);
   CHECK(summary.ok == 3000);
   CHECK_FALSE(output::PartFile::Exists(test.folder / "out/manifest.jsonl"));
 }
@@ -167,7 +169,7 @@ TEST_CASE("what is done and was damaged is made again") {
       resuming.verify = true;
       const Summary summary = test.Make(resuming);
       if (summary.files_failed) {
-        // Nothing says any more that the archives are ours, or that it is this batch.
+        // Without the seal, the archives and the batch cannot be recognized.
         CHECK(name.ends_with(".seal.json"));
         resuming.resume = false;
         resuming.force = true;
@@ -203,11 +205,11 @@ TEST_CASE("a variant whose worker died is tried again") {
   test.folder.Write("out/manifest.jsonl", manifest);
   auto seal = manifest::ReadSeal(test.folder.Read("out/manifest.seal.json"), why_not);
   REQUIRE(seal);
-  seal->manifest.whole = {manifest.size(), bytes::ChecksumOf(manifest)};
+  seal->manifest.content = {manifest.size(), bytes::ChecksumOf(manifest)};
   test.folder.Write("out/manifest.seal.json", manifest::SealText(*seal));
   std::filesystem::remove(test.folder / "out/crate_000007.xml");
   const Summary summary = test.Make(Resuming(test.Of(30, "out")));
-  CHECK(summary.kept == 7);
+  CHECK(summary.resumed == 7);
   CHECK(test.Bytes("out") == whole);
 }
 

@@ -1,3 +1,5 @@
+// Tests of running batches.
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"
@@ -14,12 +16,12 @@ TEST_CASE("a batch makes its variants, and tells of them in index order") {
   Request request = test.Of(300, "out");
   request.first = 41;
   std::vector<std::uint64_t> indices;
-  Watch watch;
-  watch.variant = [&](const Done& done) {
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) {
     indices.push_back(done.index);
     CHECK(done.place == output::PlaceInFolder("crate", done.index));
   };
-  const Summary summary = test.Make(request, watch);
+  const Summary summary = test.Make(request, observer);
   CHECK(summary.ok == 300);
   CHECK(summary.failed == 0);
   CHECK(summary.findings.empty());
@@ -89,9 +91,9 @@ TEST_CASE("a batch that is stopped keeps what is done, without a manifest") {
   std::atomic<bool> stop = false;
   Request request = test.Of(20'000, "out");
   request.stop = &stop;
-  Watch watch;
-  watch.variant = [&](const Done&) { stop = true; };
-  const Summary summary = test.Make(request, watch);
+  Observer observer;
+  observer.variant = [&](const FinishedVariant&) { stop = true; };
+  const Summary summary = test.Make(request, observer);
   CHECK(summary.interrupted);
   CHECK(summary.ok > 0);
   CHECK(summary.ok < 20'000);

@@ -1,3 +1,5 @@
+// Tests of dividing batches into chunks and shards.
+
 #include "mjforge/batch/schedule.h"
 
 #include <catch2/catch.hpp>
@@ -62,7 +64,7 @@ TEST_CASE("shards are ranges that make up the whole, of whole archives in a seri
       for (const std::uint64_t shards : {1, 2, 7, 8, 150}) {
         std::uint64_t next = 10;
         for (std::uint64_t i = 0; i < shards; ++i) {
-          const Range range = RangeOf({i, shards}, {10, count}, destination);
+          const IndexRange range = RangeOfShard({i, shards}, {10, count}, destination);
           CHECK(range.first == next);
           next += range.count;
           const bool whole = destination.per_archive == 0 || next == 10 + count ||

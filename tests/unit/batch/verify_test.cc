@@ -1,3 +1,5 @@
+// Tests of verifying batches.
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"
@@ -16,7 +18,7 @@ struct VerifyTest : CrateBatch {
 
   diag::Sources sources;
   diag::Findings findings;
-  Verified verified;
+  VerifyResult verified;
 };
 
 TEST_CASE_METHOD(VerifyTest, "what was just made is as it was") {

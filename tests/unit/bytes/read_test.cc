@@ -40,7 +40,7 @@ TEST_CASE("only regular files are opened") {
     std::string why_not;
     CHECK_FALSE(Read(file, 10, why_not));
     CHECK(why_not == reason);
-    CHECK_FALSE(Lines::Open(file, why_not));
+    CHECK_FALSE(LineReader::Open(file, why_not));
     CHECK(why_not == reason);
     CHECK_FALSE(MayRead(file, 10, why_not));
     CHECK(why_not == reason);

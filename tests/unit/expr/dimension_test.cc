@@ -1,3 +1,4 @@
+// Tests of dimensional analysis and of the names of units.
 #include <catch2/catch.hpp>
 #include <string>
 #include <utility>
@@ -14,8 +15,8 @@ constexpr Dimension kLength = {1, 0, 0};
 constexpr Dimension kMass = {0, 1, 0};
 constexpr Dimension kAngle = {0, 0, 0, 1};
 
-Names World() {
-  Names names;
+SymbolTable World() {
+  SymbolTable names;
   names.Declare("w", Type::kNumber, 1, {kLength});
   names.Declare("h", Type::kNumber, 1, {kLength});
   names.Declare("load", Type::kNumber, 1, {kMass});

@@ -1,3 +1,4 @@
+// Tests of the messages and hints for wrong expressions.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -16,8 +17,8 @@ struct Case {
   std::string hint;
 };
 
-Names World() {
-  Names names;
+SymbolTable World() {
+  SymbolTable names;
   names.Declare("r", Type::kNumber);
   names.Declare("handle_radius", Type::kNumber);
   names.Declare("v", Type::kNumber, 3);
@@ -266,7 +267,7 @@ TEST_CASE("bytes of any kind never crash the compiler") {
   const std::string alphabet = "rv.x()+-*/^%<>=!&|?:,'\" 0123456789emnot andmax\xc3\xb6\n${}[]\\#@";
   unsigned state = 12345;
   const auto next = [&state] { return (state = state * 1664525u + 1013904223u) >> 16; };
-  const Names names = World();
+  const SymbolTable names = World();
   int compiled = 0;
   for (int i = 0; i < 50'000; ++i) {
     std::string text;

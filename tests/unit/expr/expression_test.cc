@@ -1,3 +1,4 @@
+// Tests of the values of expressions.
 #include <catch2/catch.hpp>
 #include <clocale>
 #include <cmath>
@@ -19,7 +20,7 @@ constexpr double kPi = std::numbers::pi;
 // r = 0.25, n = 8, v = (1, 2, 3), uv = (5, 6), yes = true, no = false,
 // shape = 'box', other = 'ball', lid.top = 0.5
 struct World {
-  Names names;
+  SymbolTable names;
   std::vector<double> values;
 
   World() {
@@ -277,7 +278,7 @@ TEST_CASE("an expression moves with all it owns and follows its variables") {
 
 TEST_CASE("sums and products are computed in the order they are written") {
   std::mt19937 random(3);
-  Names names;
+  SymbolTable names;
   std::vector<double> values(4);
   for (const char* name : {"a", "b", "c", "d"}) names.Declare(name, Type::kNumber);
   Error error;
@@ -294,7 +295,7 @@ TEST_CASE("sums and products are computed in the order they are written") {
 }
 
 TEST_CASE("a forgotten name's slots stay with the expressions that used it") {
-  Names names;
+  SymbolTable names;
   Error error;
   names.Declare("i", Type::kNumber);
   const auto first = Expression::Compile("i + 1", names, error);

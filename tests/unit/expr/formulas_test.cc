@@ -1,3 +1,4 @@
+// Tests of functions that a spec defines.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -7,15 +8,15 @@
 namespace mjforge::expr {
 namespace {
 
-Names NamesWith(const std::vector<Formula>& formulas) {
-  Names names;
+SymbolTable NamesWith(const std::vector<Formula>& formulas) {
+  SymbolTable names;
   names.Declare("r", Type::kNumber);
   names.Declare("kind", Type::kText);
   for (const Formula& formula : formulas) names.Define(formula);
   return names;
 }
 
-double ValueOf(std::string_view text, const Names& names) {
+double ValueOf(std::string_view text, const SymbolTable& names) {
   Error error;
   const auto expression = Expression::Compile(text, names, error);
   INFO(error.message);
@@ -23,17 +24,17 @@ double ValueOf(std::string_view text, const Names& names) {
   return expression->Evaluate(std::vector<double>{5, 0});
 }
 
-Error ErrorOf(std::string_view text, const Names& names) {
+Error ErrorOf(std::string_view text, const SymbolTable& names) {
   Error error;
   CHECK_FALSE(Expression::Compile(text, names, error));
   return error;
 }
 
 TEST_CASE("a function is its body with the arguments in their places") {
-  const Names names = NamesWith({{"twice", {"x"}, "2 * x"},
-                                 {"area", {"a", "b"}, "a * b + r"},
-                                 {"both", {"r1"}, "twice(area(r1, r1 + 1))"},
-                                 {"is_big", {"x"}, "x > r"}});
+  const SymbolTable names = NamesWith({{"twice", {"x"}, "2 * x"},
+                                       {"area", {"a", "b"}, "a * b + r"},
+                                       {"both", {"r1"}, "twice(area(r1, r1 + 1))"},
+                                       {"is_big", {"x"}, "x > r"}});
   CHECK(ValueOf("twice(3)", names) == 6);
   CHECK(ValueOf("twice(3 - 1) ^ 2", names) == 16);  // not 2 * 3 - 1 ^ 2
   CHECK(ValueOf("area(2, twice(r))", names) == 25);
@@ -45,7 +46,7 @@ TEST_CASE("a function is its body with the arguments in their places") {
 }
 
 TEST_CASE("a call with a number is not one with a boolean") {
-  const Names names = NamesWith({{"same", {"x"}, "x"}});
+  const SymbolTable names = NamesWith({{"same", {"x"}, "x"}});
   Error error;
   const auto expression = Expression::Compile("same(1) > 0 ? same(true) : false", names, error);
   REQUIRE(expression);
@@ -53,7 +54,8 @@ TEST_CASE("a call with a number is not one with a boolean") {
 }
 
 TEST_CASE("an expression says which functions it calls, and what they read") {
-  const Names names = NamesWith({{"f", {"x"}, "x + r"}, {"g", {"x"}, "f(x)"}, {"h", {"x"}, "x"}});
+  const SymbolTable names =
+      NamesWith({{"f", {"x"}, "x + r"}, {"g", {"x"}, "f(x)"}, {"h", {"x"}, "x"}});
   Error error;
   const auto expression = Expression::Compile("g(1)", names, error);
   REQUIRE(expression);
@@ -63,7 +65,7 @@ TEST_CASE("an expression says which functions it calls, and what they read") {
 }
 
 TEST_CASE("a fault in a function is at its place there") {
-  const Names names = NamesWith({{"f", {"x"}, "1 + y"}, {"g", {"x"}, "2 * f(x)"}});
+  const SymbolTable names = NamesWith({{"f", {"x"}, "1 + y"}, {"g", {"x"}, "2 * f(x)"}});
   const Error error = ErrorOf("1 + g(2)", names);
   CHECK(error.formula == "f");
   CHECK(error.offset == 4);
@@ -71,7 +73,7 @@ TEST_CASE("a fault in a function is at its place there") {
 }
 
 TEST_CASE("calls are checked: their arguments' number and kind, the name") {
-  const Names names = NamesWith({{"area", {"a", "b"}, "a * b"}});
+  const SymbolTable names = NamesWith({{"area", {"a", "b"}, "a * b"}});
   CHECK(ErrorOf("area(1)", names).message == "'area' takes 2 arguments, not 1");
   CHECK(ErrorOf("area(1)", names).hint == "write area(a, b)");
   CHECK(ErrorOf("area", names).message == "'area' is a function");
@@ -98,7 +100,7 @@ TEST_CASE("what doubles with each function is not computed twice, and ends") {
 }
 
 TEST_CASE("a choice of two texts is a text, where one is wanted") {
-  const Names names = NamesWith({});
+  const SymbolTable names = NamesWith({});
   Error error;
   const auto text = Expression::Compile("r > 1 ? 'oak' : r > 0 ? kind : 'pine'", names, error,
                                         Expression::Result::kAny);

@@ -1,3 +1,4 @@
+// Tests of lists and vectors in expressions.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -10,7 +11,7 @@ namespace {
 
 // i, size = (1, 2, 4), widths = (3, 5, 7), woods = (oak, pine), none = ()
 struct World {
-  Names names;
+  SymbolTable names;
   std::vector<double> variables;
   std::vector<Sequence> lists;
 
@@ -41,7 +42,7 @@ struct World {
   double Value(const std::string& text) const { return Compiled(text).Evaluate(variables, lists); }
   std::string Missing(const std::string& text) const {
     CHECK(std::isnan(Value(text)));
-    return Compiled(text).WhatIsMissing(variables, lists);
+    return Compiled(text).DescribeMissingItem(variables, lists);
   }
   std::string Complaint(const std::string& text) const {
     Error error;

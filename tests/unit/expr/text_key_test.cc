@@ -1,3 +1,4 @@
+// Tests of the numbers that represent texts.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>

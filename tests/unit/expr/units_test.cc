@@ -1,3 +1,4 @@
+// Tests of units after numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
@@ -11,7 +12,7 @@ namespace {
 
 double Value(const std::string& text) {
   Error error;
-  const auto expression = Expression::Compile(text, Names(), error);
+  const auto expression = Expression::Compile(text, SymbolTable(), error);
   REQUIRE(expression.has_value());
   REQUIRE(expression->constant().has_value());
   return *expression->constant();

@@ -30,10 +30,10 @@ model::Texture Generated(const std::string& type, const std::string& builtin,
   return texture;
 }
 
-Picture Made(const model::Texture& texture) {
+TexturePixels Made(const model::Texture& texture) {
   engine::Engine engine;
   std::string why_not;
-  const std::optional<Picture> picture = PictureOf(texture, engine, why_not);
+  const std::optional<TexturePixels> picture = PixelsOf(texture, engine, why_not);
   INFO(why_not);
   REQUIRE(picture);
   return *picture;
@@ -51,7 +51,7 @@ TEST_CASE("a generated texture is what MuJoCo generates") {
     for (const std::string builtin : {"flat", "checker", "gradient"}) {
       for (const std::string mark : {"none", "edge", "cross"}) {
         INFO(type << ' ' << builtin << ' ' << mark);
-        const Picture picture = Made(Generated(type, builtin, mark));
+        const TexturePixels picture = Made(Generated(type, builtin, mark));
         const engine::Loaded loaded = engine.LoadText(
             ModelWith("height=\"" + std::string(type == "2d" ? "24" : "40") + "\" type=\"" + type +
                       "\" builtin=\"" + builtin + "\" mark=\"" + mark + "\""));
@@ -65,8 +65,8 @@ TEST_CASE("a generated texture is what MuJoCo generates") {
 }
 
 TEST_CASE("random marks are as dense as MuJoCo's, in its colour") {
-  const Picture plain = Made(Generated("2d", "gradient", "none"));
-  const Picture marked = Made(Generated("2d", "gradient", "random"));
+  const TexturePixels plain = Made(Generated("2d", "gradient", "none"));
+  const TexturePixels marked = Made(Generated("2d", "gradient", "random"));
   const std::array<std::uint8_t, 3> mark = {127, 25, 229};
   int marks = 0;
   REQUIRE(marked.rgb.size() == plain.rgb.size());
@@ -92,7 +92,7 @@ TEST_CASE("the default of random marks is one pixel of a hundred, black") {
   model::Texture texture;
   texture.attributes = {Word("builtin", "flat"), Word("mark", "random"), Numbers("width", {100}),
                         Numbers("height", {100})};
-  const Picture picture = Made(texture);
+  const TexturePixels picture = Made(texture);
   const auto black = std::ranges::count(picture.rgb, 0) / 3;
   CHECK(black > 450);  // of 60,000 in six sides; one standard deviation is 24
   CHECK(black < 750);
@@ -103,7 +103,7 @@ TEST_CASE("what MuJoCo refuses is told") {
   texture.attributes[1].text = "dots";
   engine::Engine engine;
   std::string why_not;
-  CHECK_FALSE(PictureOf(texture, engine, why_not));
+  CHECK_FALSE(PixelsOf(texture, engine, why_not));
   CHECK(why_not.find("dots") != std::string::npos);
 }
 

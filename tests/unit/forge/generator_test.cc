@@ -49,15 +49,11 @@ TEST_CASE("what has no value yet has none of an earlier variant's") {
       "params: {s: 0.1 .. 0.2}\n"
       "total_size: [arm.half_x, 1, 1]\n"
       "bodies: [{name: arm, parts: [{name: a, type: box, size: [s, s, s]}]}]\n");
-  for (const bool moulds : {false, true}) {
-    Options options = Seeded(7);
-    options.moulds = moulds;
-    Generator generator(loaded.recipe, loaded.sources, options);
-    Variant variant;
-    for (std::uint64_t i = 0; i < 4; ++i) {
-      generator.Make(i, variant);
-      CHECK_FALSE(variant.ok());
-    }
+  Generator generator(loaded.recipe, loaded.sources, Seeded(7));
+  Variant variant;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    generator.Make(i, variant);
+    CHECK_FALSE(variant.ok());
   }
 }
 

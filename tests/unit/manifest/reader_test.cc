@@ -1,3 +1,5 @@
+// Tests of reading manifests.
+
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
@@ -21,7 +23,7 @@ std::string LineOf(std::uint64_t index) {
 }
 
 struct ReaderTest {
-  // The outcomes of the whole file, and the indices of its records.
+  // Returns the outcomes of reading the whole file, and the indices of its records.
   std::pair<std::vector<Outcome>, std::vector<std::uint64_t>> ReadAll(std::string_view text) {
     std::optional<RecordReader> reader =
         RecordReader::Open(folder.Write("manifest.jsonl", text), sources, findings);

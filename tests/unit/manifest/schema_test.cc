@@ -1,3 +1,5 @@
+// Tests of the JSON Schema of records.
+
 #include <catch2/catch.hpp>
 
 #include "harness/source_folder.h"

@@ -1,3 +1,5 @@
+// Tests of seals.
+
 #include "mjforge/manifest/seal.h"
 
 #include <catch2/catch.hpp>
@@ -28,7 +30,7 @@ TEST_CASE("a seal is read as it was written") {
   REQUIRE(seal);
   CHECK(SealText(*seal) == text);
   CHECK(seal->archives[1].file == "x_00003.tar");
-  CHECK(seal->archives[1].whole.size == 100);
+  CHECK(seal->archives[1].content.size == 100);
 }
 
 TEST_CASE("a seal with a changed bit or a missing end is refused") {
@@ -57,7 +59,8 @@ TEST_CASE("outputs that differ say how") {
   CHECK(DifferenceOfOutput(SomeSeal(), other).empty());
   other.per_archive = 11;
   CHECK(DifferenceOfOutput(SomeSeal(), other) == "per_archive is '10', not '11'");
-  CHECK(SealOf("out/x.manifest-00001-of-00002.jsonl") == "out/x.manifest-00001-of-00002.seal.json");
+  CHECK(SealPathOf("out/x.manifest-00001-of-00002.jsonl") ==
+        "out/x.manifest-00001-of-00002.seal.json");
 }
 
 }  // namespace

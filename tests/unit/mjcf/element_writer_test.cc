@@ -34,7 +34,7 @@ TEST_CASE("a text with XML's own characters reads back as it was") {
 TEST_CASE("numbers stand one space apart with at most ten digits") {
   MjcfDocument document;
   ElementWriter writer(document);
-  const tape::Traced<double> values[] = {1.0 / 3, -0.0, 1e-8, 250};
+  const double values[] = {1.0 / 3, -0.0, 1e-8, 250};
   writer.Open("a");
   writer.Numbers("v", values);
   writer.Close();

@@ -86,11 +86,10 @@ inline model::Object Mallet() {
 /// A wedge: one prism, whose inertia the file must state.
 inline model::Object Wedge() {
   model::Object object = Empty("wedge");
-  std::string why_not;
-  const std::array<double, 6> polygon = {0, 0, 0.03, 0, 0, 0.05};
+  const std::vector<Eigen::Vector2d> polygon = {{0, 0}, {0.03, 0}, {0, 0.05}};
   auto mesh = std::make_unique<model::MeshAsset>();
   mesh->name = "wedge_body";
-  mesh->mesh = *model::MakePrism(polygon, 0.04, why_not);
+  mesh->mesh = *solid::MakeConvexPrism(polygon, 0.04);
   mesh->is_hull = true;
   mesh->mark = Line(31);
   object.meshes.push_back(std::move(mesh));

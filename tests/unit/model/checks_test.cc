@@ -12,7 +12,7 @@ const std::string kBall = "parts: [{name: a, type: sphere, size: 1}]\n";
 TEST_CASE("an object without checks has those of the field table") {
   // Each default of the table, said in a spec, changes nothing.
   std::string said = "checks:\n";
-  for (const spec::FieldInfo& field : spec::ChecksElement().fields) {
+  for (const spec::FieldInfo& field : spec::kChecksElement.fields) {
     std::string text(field.default_text);
     if (text.empty() || text == "unlimited") continue;
     const std::size_t blank = text.find(' ');

@@ -30,9 +30,8 @@ TEST_CASE("points of the surface are inside, points off it are not") {
 }
 
 TEST_CASE("a prism contains what the box of its outline contains") {
-  std::string why_not;
-  const std::vector<double> corners = {-1, -2, 1, -2, 1, 2, -1, 2};
-  const std::optional<TriangleMesh> mesh = MakePrism(corners, 6, why_not);
+  const std::vector<Eigen::Vector2d> corners = {{-1, -2}, {1, -2}, {1, 2}, {-1, 2}};
+  const std::optional<TriangleMesh> mesh = solid::MakeConvexPrism(corners, 6);
   REQUIRE(mesh);
   const Shape prism = {.type = GeomType::kMesh, .mesh = &*mesh};
   const Shape box = {.type = GeomType::kBox, .size = {1, 2, 3}};

@@ -30,10 +30,9 @@ TEST_CASE("a capsule without straight part is a sphere") {
 
 // A box of corners (0, 0, -h/2) to (a, b, h/2), far from the origin of its frame.
 TEST_CASE("a mesh has the mass properties of the solid it bounds") {
-  std::string why_not;
   const double x = 100;
-  const std::vector<double> corners = {x, 0, x + 2, 0, x + 2, 4, x, 4};
-  const std::optional<TriangleMesh> mesh = MakePrism(corners, 6, why_not);
+  const std::vector<Eigen::Vector2d> corners = {{x, 0}, {x + 2, 0}, {x + 2, 4}, {x, 4}};
+  const std::optional<TriangleMesh> mesh = solid::MakeConvexPrism(corners, 6);
   REQUIRE(mesh);
   const MassProperties prism = MassOf({.type = GeomType::kMesh, .mesh = &*mesh}, 2);
   const MassProperties box = MassOf({.type = GeomType::kBox, .size = {1, 2, 3}}, 2);

@@ -51,9 +51,8 @@ TEST_CASE("the radius of any shape at any pose is its largest support across the
   const auto draw = [&random](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random()) / 4294967296.0;
   };
-  std::string why_not;
-  const std::vector<double> corners = {0, 0, 1, 0, 0.5, 2};
-  const std::optional<TriangleMesh> mesh = MakePrism(corners, 1, why_not);
+  const std::vector<Eigen::Vector2d> corners = {{0, 0}, {1, 0}, {0.5, 2}};
+  const std::optional<TriangleMesh> mesh = solid::MakeConvexPrism(corners, 1);
   REQUIRE(mesh);
   for (int i = 0; i < 300; ++i) {
     Shape shape;

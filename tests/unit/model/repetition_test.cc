@@ -89,7 +89,7 @@ TEST_CASE("only the first failing instance is reported") {
 std::vector<double> Radii(const std::string& parts) {
   const Assembling thing("params: {n: 2}\nparts:\n" + parts);
   std::vector<double> radii;
-  for (const Part& part : thing.body().parts) radii.push_back(part.shape.size.value().x());
+  for (const Part& part : thing.body().parts) radii.push_back(part.shape.size.x());
   return radii;
 }
 

@@ -1,3 +1,5 @@
+// Tests of writing and reading archives.
+
 #include "mjforge/output/archive.h"
 
 #include <catch2/catch.hpp>
@@ -45,7 +47,7 @@ TEST_CASE("a member that is not there, and a file that is no archive, are findin
   CHECK(findings.size() == 3);
 }
 
-// A header as POSIX has it (pax, "ustar Interchange Format"), whatever it says of the size.
+// Returns a tar header (POSIX, pax, "ustar Interchange Format") for a file of any claimed size.
 std::string HeaderOf(const std::string& name, char type, std::uint64_t size) {
   std::string header(512, '\0');
   const auto put = [&](std::size_t at, const std::string& text) {
@@ -71,7 +73,7 @@ std::string HeaderOf(const std::string& name, char type, std::uint64_t size) {
 TEST_CASE("a member that says it is larger than an object may be is not read") {
   const harness::TemporaryFolder folder;
   diag::Findings findings;
-  // 8 GiB less one byte, the largest size that a header can say in this form.
+  // 8 GiB less one byte is the largest size that this header can express.
   const auto file = folder.Write("x.tar", HeaderOf("a.xml", '0', 0x1FFFFFFFF) + "few bytes");
   CHECK_FALSE(ReadMember(file, "a.xml", findings));
   REQUIRE(findings.size() == 1);

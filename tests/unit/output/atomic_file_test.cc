@@ -1,64 +1,46 @@
+// Tests of atomic writing.
+
 #include "mjforge/output/atomic_file.h"
+
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
+#include "mjforge/output/output.h"
 
 namespace mjforge::output {
 namespace {
 
 using harness::TemporaryFolder;
 
-TEST_CASE("a file has its name only from Commit on") {
-  const TemporaryFolder folder;
-  diag::Findings findings;
-  auto file = AtomicFile::Create(folder / "x.xml", findings);
-  REQUIRE(file);
-  REQUIRE(file->Append("one ", findings));
-  CHECK_FALSE(std::filesystem::exists(folder / "x.xml"));
-  REQUIRE(file->Append("two", findings));
-  REQUIRE(file->Commit(Durability::kBatch, findings));
-  CHECK(folder.Read("x.xml") == "one two");
-  CHECK(folder.Files() == std::vector<std::string>{"x.xml"});
-}
-
-TEST_CASE("a file without Commit leaves nothing, and what was there before stays") {
-  const TemporaryFolder folder;
-  folder.Write("x.xml", "old");
-  diag::Findings findings;
-  {
-    auto file = AtomicFile::Create(folder / "x.xml", findings);
-    REQUIRE(file);
-    REQUIRE(file->Append("new", findings));
-  }
-  CHECK(folder.Read("x.xml") == "old");
-  CHECK(folder.Files() == std::vector<std::string>{"x.xml"});
-}
-
 TEST_CASE("a name that is a folder cannot be taken") {
   const TemporaryFolder folder;
   folder.Write("x.xml/inside", "text");
   diag::Findings findings;
-  auto file = AtomicFile::Create(folder / "x.xml", findings);
-  REQUIRE(file);
-  CHECK_FALSE(file->Commit(Durability::kBatch, findings));
+  CHECK_FALSE(WriteFile(folder / "x.xml", "new", false, findings, Durability::kBatch));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message ==
         "cannot write '" + (folder / "x.xml").string() + "': Is a directory");
   CHECK(folder.Files() == std::vector<std::string>{"x.xml/inside"});
 }
 
-TEST_CASE("two files under construction for one name do not disturb each other") {
+TEST_CASE("a file that another process left under its first name is not disturbed") {
   const TemporaryFolder folder;
+  const std::string left = ".x.tmp" + std::to_string(::getpid()) + "-0";
+  folder.Write(left, "other");
   diag::Findings findings;
-  auto first = AtomicFile::Create(folder / "x", findings);
-  auto second = AtomicFile::Create(folder / "x", findings);
-  REQUIRE((first && second));
-  REQUIRE((first->Append("first", findings) && second->Append("second", findings)));
-  REQUIRE(second->Commit(Durability::kBatch, findings));
-  REQUIRE(first->Commit(Durability::kBatch, findings));
-  CHECK(folder.Read("x") == "first");
-  CHECK(folder.Files() == std::vector<std::string>{"x"});
+  REQUIRE(WriteFile(folder / "x", "text", false, findings, Durability::kBatch));
+  CHECK(folder.Read("x") == "text");
+  CHECK(folder.Read(left) == "other");
+}
+
+TEST_CASE("a temporary name contains the final one") {
+  CHECK(FinalNameOf(".x.xml.tmp123-0") == "x.xml");
+  for (const char* name : {"x.xml.tmp123-0", ".x.xml", ".x.xml.tmp123", ".x.xml.tmp-0", ".tmp1-0",
+                           ".x.xml.tmp1-", ".x.xml.tmp1-2-3"}) {
+    CHECK_FALSE(FinalNameOf(name));
+  }
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Tests of parsing destinations and naming files.
+
 #include "mjforge/output/destination.h"
 
 #include <catch2/catch.hpp>

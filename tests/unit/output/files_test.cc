@@ -1,3 +1,5 @@
+// Tests of reading, writing and replacing files.
+
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"

@@ -1,3 +1,5 @@
+// Tests of rules for Make.
+
 #include <catch2/catch.hpp>
 
 #include "harness/command.h"
@@ -22,7 +24,7 @@ TEST_CASE("names with blanks, # and $ reach Make as they are") {
   const std::vector<std::string> targets = {EscapeForMake("out put.xml")};
   folder.Write("Makefile", MakeRule(targets, files, false) +
                                "\t@for f in $(foreach f,$+,'$f'); do echo \"$$f\"; done\n");
-  // Make finds every file, so it knows each by its name.
+  // Make finds every file, so each name is escaped correctly.
   const auto result =
       harness::Command{
           .program = "make", .arguments = {"-r", "out put.xml"}, .folder = folder.path()}

@@ -1,8 +1,13 @@
+// Tests of folders of objects and assets.
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
@@ -74,7 +79,7 @@ TEST_CASE("assets are copied beside each folder's objects, once each") {
   ObjectFolder objects(folder / "out", {});
   REQUIRE(objects.Write("box_000000.xml", document, findings));
   REQUIRE(objects.Write("0010000/box_010000.xml", document, findings));
-  std::filesystem::remove(wood);  // would be missed if it were read again
+  std::filesystem::remove(wood);  // a second read of the file would fail
   REQUIRE(objects.Write("box_000001.xml", document, findings));
   CHECK(folder.Read("out/assets/wood.png") == "pixels");
   CHECK(folder.Read("out/0010000/assets/wood.png") == "pixels");
@@ -120,22 +125,20 @@ TEST_CASE("what a killed process left half-written is removed, and nothing else"
   folder.Write("out/.hammer_000042.xml.tmp7-0", "");
   folder.Write("out/0010000/.hammer_000042.xml.tmp123-99", "");
   folder.Write("out/assets/.wood.png.tmp7-0", "");
-  diag::Findings findings;
-  const auto living = AtomicFile::Create(folder / "out/hammer_000042.xml", findings);
-  REQUIRE(living);
-  const auto is_ours = [](const std::string& file) { return IndexOf(file) == 42; };
-  RemoveHalfWritten(folder / "out", false, is_ours);
+  const int living = ::open(folder.Write("out/.hammer_000042.xml.tmp8-0", "x").c_str(), O_RDONLY);
+  REQUIRE(::flock(living, LOCK_EX | LOCK_NB) == 0);
+  const auto is_ours = [](const std::string& file) { return IndexOfFile(file) == 42; };
+  RemoveAbandoned(folder / "out", false, is_ours);
   CHECK(folder.Files().size() == kept.size() + 3);
-  RemoveHalfWritten(folder / "out", true, is_ours);
+  RemoveAbandoned(folder / "out", true, is_ours);
   CHECK(folder.Files().size() == kept.size() + 2);
   CHECK(std::filesystem::exists(folder / "out/assets/.wood.png.tmp7-0"));
-  const auto all = [](const std::string& file) { return IndexOf(file) != 43; };
-  RemoveHalfWritten(folder / "out", true, all);
+  const auto all = [](const std::string& file) { return IndexOfFile(file) != 43; };
+  RemoveAbandoned(folder / "out", true, all);
   CHECK(folder.Files().size() == kept.size() + 1);
-  CHECK(living->Append("x", findings));
-  CHECK(living->Commit(Durability::kNone, findings));
-  CHECK(folder.Read("out/hammer_000042.xml") == "x");
-  RemoveHalfWritten(folder / "none", true, is_ours);
+  CHECK(folder.Read("out/.hammer_000042.xml.tmp8-0") == "x");
+  ::close(living);
+  RemoveAbandoned(folder / "none", true, is_ours);
 }
 
 TEST_CASE("a link in the place of a folder of objects or assets is not followed") {
@@ -151,7 +154,7 @@ TEST_CASE("a link in the place of a folder of objects or assets is not followed"
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].message ==
         "'" + (folder / "out/0010000").string() + "' is a link, which is not followed");
-  // The folder that the user named may be one.
+  // The folder that the user named may be a link.
   CHECK(ObjectFolder(folder / "link", {}).Write("x_000000.xml", document, findings));
   document.assets = {{"assets/wood.png", folder.Write("wood.png", "pixels")}};
   CHECK_FALSE(ObjectFolder(folder / "out", {}).Write("x_000001.xml", document, findings));

@@ -1,3 +1,5 @@
+// Tests of files under construction.
+
 #include "mjforge/output/part_file.h"
 
 #include <sys/stat.h>
@@ -51,7 +53,7 @@ TEST_CASE("only one process at a time writes a file") {
         "cannot write '" + (folder / "x").string() + "': another mjforge is writing it");
   REQUIRE(first->Append("first", findings));
   REQUIRE(first->Commit(false, Durability::kBatch, findings));
-  // The next one starts anew, and does not touch what has its name.
+  // The next part starts empty, and does not change the file with the final name.
   auto second = PartFile::Open(folder / "x", findings);
   REQUIRE(second);
   CHECK(second->size() == 0);
@@ -118,7 +120,7 @@ TEST_CASE("a folder that is lost on the way is a finding") {
   auto file = PartFile::Open(folder / "out/x", findings);
   REQUIRE(file);
   std::filesystem::remove_all(folder / "out");
-  CHECK(file->Append("bytes", findings));  // the file lives on without a name
+  CHECK(file->Append("bytes", findings));  // the open file exists without a name
   CHECK_FALSE(file->Commit(false, Durability::kBatch, findings));
   CHECK(findings.size() == 1);
 }

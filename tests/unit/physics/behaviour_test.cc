@@ -1,3 +1,4 @@
+// Texts and codes of findings about an examined object.
 #include "examined.h"
 
 namespace mjforge::physics {
@@ -39,6 +40,13 @@ TEST_CASE("a file that is none, and one that MuJoCo refuses, are findings") {
   diag::Findings findings;
   CHECK_FALSE(Laboratory().Examine("/does/not/exist.xml", {}, sources, findings));
   CHECK(findings.HasErrors());
+}
+
+TEST_CASE("a stated centre of mass outside the parts is found in any file") {
+  const std::string stated =
+      R"(<inertial pos="0.3 0 0" mass="1" diaginertia="0.01 0.01 0.01"/>)" + kCube;
+  CHECK(Examine("<body name=\"cart\">" + stated + "</body>").Codes() ==
+        std::vector<std::string>{"warning physics/center-of-mass"});
 }
 
 }  // namespace

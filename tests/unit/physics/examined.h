@@ -1,6 +1,5 @@
+// MJCF texts, loaded or examined by a Laboratory.
 #pragma once
-
-// MJCF that is examined, and what was found.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -14,7 +13,7 @@
 
 namespace mjforge::physics {
 
-/// The model of these sections; the test fails if MuJoCo refuses it.
+/// Loads a model with these sections; the test fails if MuJoCo rejects it.
 inline engine::Model Load(const std::string& sections) {
   static engine::Engine engine;
   engine::Loaded loaded = engine.LoadText("<mujoco>" + sections + "</mujoco>");
@@ -27,7 +26,7 @@ struct Examined {
   std::optional<Result> result;
   diag::Findings findings;
 
-  /// "error physics/topples"
+  /// Severities and codes: "error physics/topples".
   std::vector<std::string> Codes() const {
     std::vector<std::string> codes;
     for (const diag::Finding& finding : findings) {
@@ -39,7 +38,7 @@ struct Examined {
   }
 };
 
-/// A file with these things in the world and these sections behind it.
+/// Examines a file with these elements in its world, followed by these sections.
 inline Examined Examine(const std::string& world, const std::string& sections = {},
                         const model::Checks& checks = {}) {
   static Laboratory laboratory;
@@ -53,7 +52,7 @@ inline Examined Examine(const std::string& world, const std::string& sections = 
   return examined;
 }
 
-/// A body on a free joint, this high, with these things in it.
+/// Returns a body with a free joint, at height `z`, with these elements.
 inline std::string Free(double z, const std::string& content) {
   return "<body name=\"root\" pos=\"0 0 " + std::to_string(z) + "\"><freejoint name=\"free\"/>" +
          content + "</body>";

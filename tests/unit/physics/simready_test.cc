@@ -1,3 +1,4 @@
+// Tests of the SimReady benchmark on simple objects.
 #include "examined.h"
 
 namespace mjforge::physics {
@@ -24,7 +25,7 @@ TEST_CASE("a box passes the SimReady tests, and what rolls on does not come to r
       Examine(Free(0.1, R"(<geom type="box" size="0.05 0.04 0.03"/>)"), {}, Profile());
   CHECK(box.Codes().empty());
   CHECK(Tested(box) == Result::SimReady{.ground_drop = "pass", .slope_drop = "pass"});
-  // It lands on a thing that sets it rolling.
+  // The object lands on a geom that makes it roll.
   const Examined ball = Examine(
       Free(0.1, R"(<geom size="0.02"/><geom type="sphere" size="0.001" pos="0.01 0 -0.018"/>)"), {},
       Profile());

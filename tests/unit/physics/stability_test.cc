@@ -1,3 +1,4 @@
+// Stability margins and nudges.
 #include <cmath>
 #include <numbers>
 
@@ -58,7 +59,8 @@ TEST_CASE("what lies in soft contacts, deeper at one end, is not less stable for
 }
 
 TEST_CASE("what stands upright only undisturbed is not stable") {
-  // A disc on a stick on a ball, a capsule on its end, and a thin pillar; all stay as they are put.
+  // A disc on a stick on a ball, a capsule on its end, and a thin pillar; all balance if they are
+  // not disturbed.
   const std::string top = R"(<geom size="0.002" pos="0 0 0.002"/>)"
                           R"(<geom type="cylinder" size="0.002 0.048" pos="0 0 0.05"/>)"
                           R"(<geom type="cylinder" size="0.04 0.002" pos="0 0 0.098"/>)";

@@ -1,3 +1,4 @@
+// Equality of the steps of Stepper and mj_step.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -12,8 +13,7 @@
 namespace mjforge::physics {
 namespace {
 
-/// Positions and numbers of contacts after each of `steps`, in the middle of which the first joint
-/// is put elsewhere.
+/// Returns positions and numbers of contacts after each step. Halfway, the first joint is moved.
 template <class Step>
 std::vector<mjtNum> Follow(mjModel& m, mjData& d, int steps, Step step) {
   std::vector<mjtNum> all;
@@ -26,7 +26,7 @@ std::vector<mjtNum> Follow(mjModel& m, mjData& d, int steps, Step step) {
   return all;
 }
 
-/// Whether something touches, and both ways of stepping are the same to the last bit.
+/// Checks that contacts occur, and that the steps of Stepper and mj_step are equal to the last bit.
 void CheckSame(const std::string& rest, bool works) {
   const engine::Model m = Load(rest);
   const engine::Model other = Load(rest);
@@ -44,7 +44,7 @@ void CheckSame(const std::string& rest, bool works) {
   INFO("they differ in number " << unlike - expected.begin() << " of " << expected.size());
   CHECK(unlike == expected.end());
   CHECK(touches > 0);
-  CHECK(NearPairs(*m).works() == (works && engine::kTakesPairs));
+  CHECK(BroadPhase(*m).works() == (works && engine::kTakesPairs));
   CHECK(other->npair == m->npair);
 }
 

@@ -6,15 +6,15 @@
 namespace mjforge::picture {
 namespace {
 
-Shape Box(const Eigen::Vector3d& half_size, const Eigen::Vector3d& center) {
-  Shape shape;
+PlacedShape Box(const Eigen::Vector3d& half_size, const Eigen::Vector3d& center) {
+  PlacedShape shape;
   shape.solid.size = half_size;
   shape.p_WS = center;
   return shape;
 }
 
-// Where the corners of a box are in the picture: left, right, top, bottom.
-Eigen::Vector4d Extremes(const Camera& camera, const Shape& box, int width, int height) {
+// Bounds of a box in the picture: left, right, top, bottom.
+Eigen::Vector4d Extremes(const Camera& camera, const PlacedShape& box, int width, int height) {
   Eigen::Vector4d extremes(1e9, -1e9, 1e9, -1e9);
   for (int corner = 0; corner < 8; ++corner) {
     Eigen::Vector3d p = box.solid.size;
@@ -29,8 +29,8 @@ Eigen::Vector4d Extremes(const Camera& camera, const Shape& box, int width, int 
 }
 
 TEST_CASE("a box fills the picture up to the margin, and is in the middle") {
-  const Shape box = Box({0.1, 0.2, 0.4}, {1, 2, 3});
-  Shapes shapes;
+  const PlacedShape box = Box({0.1, 0.2, 0.4}, {1, 2, 3});
+  PlacedShapes shapes;
   shapes.Add(box);
   const Eigen::Vector4d place = Extremes(FrameShapes(shapes, 300, 200), box, 300, 200);
   CHECK(place[2] == Approx(10));  // a tenth of half the height
@@ -40,8 +40,8 @@ TEST_CASE("a box fills the picture up to the margin, and is in the middle") {
 }
 
 TEST_CASE("a wide box fills the picture from side to side") {
-  const Shape box = Box({3, 0.1, 0.1}, {0, 0, 0});
-  Shapes shapes;
+  const PlacedShape box = Box({3, 0.1, 0.1}, {0, 0, 0});
+  PlacedShapes shapes;
   shapes.Add(box);
   const Eigen::Vector4d place = Extremes(FrameShapes(shapes, 200, 200), box, 200, 200);
   CHECK(place[0] == Approx(10));
@@ -52,7 +52,7 @@ TEST_CASE("a wide box fills the picture from side to side") {
 TEST_CASE("planes near and far hold the object at every size") {
   for (const double scale : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     CAPTURE(scale);
-    Shapes shapes;
+    PlacedShapes shapes;
     shapes.Add(Box(scale * Eigen::Vector3d(1, 2, 0.5), {0, 0, 0}));
     const Camera camera = FrameShapes(shapes, 100, 100);
     CHECK(camera.near > 0);
@@ -64,9 +64,9 @@ TEST_CASE("planes near and far hold the object at every size") {
 }
 
 TEST_CASE("a rod that points at the camera is in front of it") {
-  Shapes shapes;
+  PlacedShapes shapes;
   const Camera probe = [] {
-    Shapes any;
+    PlacedShapes any;
     any.Add(Box({1, 1, 1}, {0, 0, 0}));
     return FrameShapes(any, 1, 1);
   }();
@@ -76,7 +76,7 @@ TEST_CASE("a rod that points at the camera is in front of it") {
 }
 
 TEST_CASE("bands of a picture share their edges") {
-  Shapes shapes;
+  PlacedShapes shapes;
   shapes.Add(Box({1, 1, 1}, {0, 0, 0}));
   const Camera camera = FrameShapes(shapes, 100, 100);
   const mjvGLCamera upper = BandOf(camera, 0, 30, 100);

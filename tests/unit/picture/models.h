@@ -26,7 +26,7 @@ inline std::unique_ptr<Subject> Load(const std::string& mjcf) {
   return subject;
 }
 
-/// One geom that can move.
+/// A model of a geom that can move.
 inline std::unique_ptr<Subject> LoadGeom(const std::string& attributes) {
   return Load(
       "<mujoco><worldbody><body><freejoint/><inertial pos='0 0 0' mass='1' "

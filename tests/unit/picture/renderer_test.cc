@@ -72,7 +72,7 @@ TEST_CASE("faces in one plane are lit once") {
   };
   const std::string look = " rgba='0.2 0.5 0.2 1'/>";
   const std::string one = "<geom type='box' size='2 1 1'" + look;
-  // The same block of two that overlap: all faces but two lie in common planes.
+  // A block of the same outline, made of two that overlap: all faces but two coincide.
   const std::string two = "<geom type='box' size='1.5 1 1' pos='-.5 0 0'" + look +
                           "<geom type='box' size='1.5 1 1' pos='.5 0 0'" + look;
   CHECK(brightest(two) <= brightest(one) + 2);
@@ -103,7 +103,7 @@ TEST_CASE("frames of a motion are seen from one place") {
   const auto renderer = OpenRenderer();
   const auto subject = Load(kChest);
   diag::Findings findings;
-  const std::vector<Pose> poses = {{{1, 0.0}}, {{1, 1.5}}, {{1, 0.0}}};
+  const std::vector<JointPositions> poses = {{{1, 0.0}}, {{1, 1.5}}, {{1, 0.0}}};
   const auto frames = renderer->DrawMotion(*subject, poses, kSmall, findings);
   REQUIRE(frames.has_value());
   CHECK((*frames)[0].rgba != (*frames)[1].rgba);

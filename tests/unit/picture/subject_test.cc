@@ -80,11 +80,11 @@ TEST_CASE("a free joint does not stand at one number") {
 
 TEST_CASE("a sweep goes to both ends of the range and back") {
   diag::Findings findings;
-  const std::vector<Pose> poses = Load(kChest)->Sweep(std::nullopt, findings);
+  const std::vector<JointPositions> poses = Load(kChest)->Sweep(std::nullopt, findings);
   REQUIRE(poses.size() > 10);
   double least = 1;
   double most = 0;
-  for (const Pose& pose : poses) {
+  for (const JointPositions& pose : poses) {
     REQUIRE(pose.size() == 1);
     CHECK(pose[0].first == 1);
     least = std::min(least, pose[0].second);

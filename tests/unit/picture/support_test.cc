@@ -9,12 +9,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// As mjvGeom has it: the half length is the third size.
-Shape Make(int type, const Eigen::Vector3f& size) {
+/// Size in the order of mjvGeom: the half length is the third number.
+PlacedShape Make(int type, const Eigen::Vector3f& size) {
   mjvGeom geom = {};
   geom.type = type;
   std::ranges::copy(size, geom.size);
-  Shape shape = ShapeOf({}, geom);
+  PlacedShape shape = ShapeOf({}, geom);
   shape.p_WS = {1, 0, 0};
   shape.R_WS = Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitY()).toRotationMatrix();  // z to x
   return shape;
@@ -35,16 +35,16 @@ TEST_CASE("shapes reach as far as their formulas say") {
 
 TEST_CASE("of a mesh its vertices count") {
   const float vertices[] = {0, 0, 0, 1, 2, 3};
-  Shape shape = Make(mjGEOM_MESH, {9, 9, 9});
+  PlacedShape shape = Make(mjGEOM_MESH, {9, 9, 9});
   shape.vertices = vertices;
   CHECK(shape.Support(Vector3d::UnitX()) == Approx(4));
   CHECK(shape.Support(-Vector3d::UnitX()) == Approx(-1));
 }
 
 TEST_CASE("the horizontal radius is that of the farthest corner") {
-  Shape box;
+  PlacedShape box;
   box.solid.size = {3, 4, 1};
-  Shapes shapes;
+  PlacedShapes shapes;
   shapes.Add(box);
   CHECK(shapes.HorizontalRadius(Vector3d::Zero()) == Approx(5).epsilon(1e-5));
   CHECK(shapes.HorizontalRadius({3, 4, 7}) == Approx(10).epsilon(1e-5));

@@ -63,13 +63,13 @@ TEST_CASE("numbers over decades want a logarithm, unless they are evenly spread"
 }
 
 TEST_CASE("numbers are shown with the digits that count") {
-  CHECK(Shown(0) == "0");
-  CHECK(Shown(-0.0) == "0");
-  CHECK(Shown(0.25) == "0.25");
-  CHECK(Shown(1.0 / 3) == "0.3333");
-  CHECK(Shown(12345.6) == "12346");
-  CHECK(Shown(3.1e-7) == "3.1e-07");
-  CHECK(Shown(1.2e9) == "1.2e+09");
+  CHECK(ShortNumber(0) == "0");
+  CHECK(ShortNumber(-0.0) == "0");
+  CHECK(ShortNumber(0.25) == "0.25");
+  CHECK(ShortNumber(1.0 / 3) == "0.3333");
+  CHECK(ShortNumber(12345.6) == "12346");
+  CHECK(ShortNumber(3.1e-7) == "3.1e-07");
+  CHECK(ShortNumber(1.2e9) == "1.2e+09");
 }
 
 }  // namespace

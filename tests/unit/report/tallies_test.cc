@@ -58,7 +58,7 @@ TEST_CASE("what is bad is counted apart, too") {
 }
 
 TEST_CASE("numbers have a mean and a deviation") {
-  Numbers numbers;
+  Statistics numbers;
   for (const double number : {0.1, 0.2, 0.6}) numbers.Add(number);
   CHECK(numbers.count == 3);
   CHECK(numbers.min == 0.1);
@@ -74,7 +74,7 @@ TEST_CASE("parameters are known by name where their place differs") {
   tallies.Add({{"c", 1.0}, {"a", 3.0}}, false);
   REQUIRE(tallies.list().size() == 3);
   CHECK(tallies.Find("b")->numbers[0].all.mean() == Approx(3));
-  CHECK(tallies.Find("a")->count == 2);
+  CHECK(tallies.Find("a")->numbers[0].all.count() == 2);
 }
 
 TEST_CASE("of ever new texts the first are counted") {
@@ -82,7 +82,6 @@ TEST_CASE("of ever new texts the first are counted") {
   for (int i = 0; i < 1500; ++i) tally.Add(std::to_string(i), false);
   CHECK(tally.Values().size() == ParameterTally::kMaxTexts);
   CHECK(tally.more_texts);
-  CHECK(tally.count == 1500);
 }
 
 }  // namespace

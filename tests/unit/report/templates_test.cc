@@ -11,6 +11,18 @@ constexpr const char* kHostile = "</script><img src=x onerror=alert(1)>\"'&";
 constexpr const char* kEscaped =
     "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;&amp;";
 
+using namespace std::string_literals;
+
+TEST_CASE("base64 is that of RFC 4648") {
+  CHECK(Base64("").empty());
+  CHECK(Base64("f") == "Zg==");
+  CHECK(Base64("fo") == "Zm8=");
+  CHECK(Base64("foo") == "Zm9v");
+  CHECK(Base64("foobar") == "Zm9vYmFy");
+  CHECK(Base64("\xff\xfe\xfd"s) == "//79");
+  CHECK(Base64("\0\0"s) == "AAA=");
+}
+
 TEST_CASE("a text in a template is escaped, between tags and in an attribute") {
   ctemplate::TemplateDictionary card("card");
   Set(card, "STATUS", kHostile);
@@ -40,12 +52,12 @@ TEST_CASE("clean text has no control characters and a length") {
 }
 
 TEST_CASE("numbers are counted with their nouns") {
-  CHECK(Counted(0) == "0");
-  CHECK(Counted(999) == "999");
-  CHECK(Counted(1000) == "1,000");
-  CHECK(Counted(1234567) == "1,234,567");
-  CHECK(Counted(1, "variant") == "1 variant");
-  CHECK(Counted(2000, "variant") == "2,000 variants");
+  CHECK(CountText(0) == "0");
+  CHECK(CountText(999) == "999");
+  CHECK(CountText(1000) == "1,000");
+  CHECK(CountText(1234567) == "1,234,567");
+  CHECK(CountText(1, "variant") == "1 variant");
+  CHECK(CountText(2000, "variant") == "2,000 variants");
 }
 
 TEST_CASE("a share is none or all only if it is") {

@@ -101,38 +101,6 @@ TEST_CASE("families of different names draw different numbers from one seed") {
   }
 }
 
-// Every kind of value, some of which fail or change their kind from variant to variant.
-const char* const kManyKinds =
-    "{n: 1 .. 2, k: 1 .. 4 * n, t: {choice: [one, two]}, c: {choice: [n .. 3, 7, k / 2]}, "
-    "b: {bernoulli: 0.3}, e: {choice: [1, 2], weights: [n, k]}, o: {hsv: [0 .. 1, 0.5, n / 2]}, "
-    "v: [n, 0 .. 1, {normal: [0, n], clip: [-1, 1]}], w: v, i: {integer: [1, 4]}, "
-    "l: {each: 0 .. n, count: i}, m: 'sum(l) + l[0]', f: \"t == 'one' ? sqrt(n - 1.05) : index\", "
-    "x: {cycle: [n .. 2, 'b ? 1 : 0']}}";
-
-TEST_CASE("parameters are the same whether their steps are noted or not") {
-  const auto with = GENERATE("require: []", "require: [k < 3, c > 1.5]");
-  Family noted = Load(kManyKinds, with);
-  Family interpreted = Load(kManyKinds, with);
-  Evaluator evaluator(*noted.spec, {}, kRootStream, noted.findings);
-  evaluator.NoteParameters();
-  int failed = 0;
-  for (std::uint64_t index = 0; index < 500; ++index) {
-    const DrawKey key = {.seed = 4, .index = index};
-    Overrides overrides;
-    if (index % 7 == 0) overrides = {{"n", 1.5}, {"t", std::string("two")}};
-    Evaluator other(*interpreted.spec, key, kRootStream, interpreted.findings);
-    const bool drawn = other.Sample(key, overrides, interpreted.findings);
-    REQUIRE(evaluator.Sample(key, overrides, noted.findings) == drawn);
-    REQUIRE(noted.Report() == interpreted.Report());
-    failed += drawn ? 0 : 1;
-    REQUIRE(evaluator.key().attempt == other.key().attempt);
-    for (std::size_t i = 0; drawn && i < noted.spec->parameters.size(); ++i)
-      REQUIRE(evaluator.Parameter(i) == other.Parameter(i));
-  }
-  CHECK(failed > 0);
-  CHECK(failed < 250);
-}
-
 TEST_CASE("an object within an object draws from its own root") {
   Family family = Load("{r: 1 .. 2}");
   const StreamId root = Child(Child(Child(kRootStream, "t"), "parts"), "lid");

@@ -1,4 +1,4 @@
-// What is wrong with a profile is said at its point.
+// Tests of the faults that lathes report for profiles and walls.
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace mjforge::solid {
 namespace {
 
-/// "2: is beyond the axis", with points counted from 0; "ok".
+/// Returns "2: is beyond the axis", with points counted from 0, or "ok".
 std::string FaultOf(const Lathe& lathe) {
   Fault fault;
   if (Make(lathe, fault)) return "ok";
@@ -51,7 +51,7 @@ TEST_CASE("what is small, large, thin or nearly on the axis is a solid") {
     CAPTURE(scale);
     Lathe cup = {.profile = {{0, 0}, {scale, 0}, {scale, 2 * scale}}, .wall = 0.01 * scale};
     CHECK(FaultOf(cup) == "ok");
-    Lathe arc;  // as an arc computes it
+    Lathe arc;  // with the rounding errors of a computed arc
     for (int i = 0; i <= 8; ++i) {
       const double turn = M_PI * (i / 8.0 - 0.5);
       arc.profile.emplace_back(scale * std::cos(turn), scale * std::sin(turn));

@@ -1,4 +1,4 @@
-// Turned solids against quadrature, and their pieces against the solid.
+// Tests of lathes: mass against quadrature, pieces against the exact solid, render mesh.
 
 #include "mjforge/solid/solid.h"
 
@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "harness/effort.h"
-#include "measured.h"
+#include "reference_geometry.h"
 
 namespace mjforge::solid {
 namespace {
 
-/// Seen whole from a middle point: on the axis, so that the solid has no hole, or away from it.
+/// Returns a star-shaped profile about a middle point: on the axis, so that the solid has no hole,
+/// or away from the axis.
 std::vector<Vector2d> RandomProfile(Random& random) {
   std::vector<Vector2d> profile;
   const bool on_axis = random.Integer(2) == 0;
@@ -35,7 +36,7 @@ std::vector<Vector2d> RandomProfile(Random& random) {
   return profile;
 }
 
-/// By quadrature over triangles from a point to each edge, which count by their sign, and over the
+/// Returns the mass by quadrature over the signed triangles from a point to each edge, and over the
 /// angle.
 Mass Integrated(const std::vector<Vector2d>& profile, double angle) {
   const auto nodes = Gauss(4);  // exact for polynomials of degree 7
@@ -84,10 +85,10 @@ TEST_CASE("the mass of turned solids is that of quadrature") {
     Lathe lathe = {.profile = RandomProfile(random)};
     if (i % 2 == 1) lathe.angle = random.Uniform(0.1, 6);
     const Mass mass = Made(lathe).mass;
-    const Mass meant = Integrated(lathe.profile, lathe.angle);
-    CHECK(std::abs(mass.volume - meant.volume) <= 1e-9 * meant.volume);
-    CHECK((mass.center - meant.center).norm() <= 1e-9 * 0.3);
-    CHECK((mass.inertia - meant.inertia).norm() <= 1e-9 * meant.inertia.norm());
+    const Mass expected = Integrated(lathe.profile, lathe.angle);
+    CHECK(std::abs(mass.volume - expected.volume) <= 1e-9 * expected.volume);
+    CHECK((mass.center - expected.center).norm() <= 1e-9 * 0.3);
+    CHECK((mass.inertia - expected.inertia).norm() <= 1e-9 * expected.inertia.norm());
   }
 }
 
@@ -102,8 +103,8 @@ TEST_CASE("a walled profile has the mass of the outline between it and its paral
   CHECK(Made(pipe).mass.volume == Approx(kPi * 0.5 * (0.02 * 0.02 - 0.018 * 0.018)).epsilon(1e-12));
 }
 
-// A facet's section at an angle from its middle is the profile, its radii between those of the
-// middle and the ends.
+// The section of a facet at any angle is the profile, scaled by a factor between those at the
+// facet's middle and at its ends.
 TEST_CASE("pieces fill the solid up to the chord error, and never reach into a cavity") {
   Random random(2);
   int outside = 0;
@@ -149,17 +150,17 @@ TEST_CASE("pieces are convex and closed, and their volumes add up") {
     const Lathe lathe = {.profile = RandomProfile(random), .facets = 64};
     const Solid solid = Made(lathe);
     double sum = 0;
-    for (const Piece& piece : solid.pieces) {
-      const double volume = VolumeOf(piece.vertices, piece.triangles);
+    for (const ConvexPiece& piece : solid.pieces) {
+      const double volume = VolumeOf(piece.mesh);
       CHECK(volume > 0);
       sum += volume * static_cast<double>(piece.turns.size());
-      // Every corner is on the inner side of every face.
-      for (const std::array<int, 3>& t : piece.triangles) {
-        const Vector3d& a = piece.vertices[std::size_t(t[0])];
-        const Vector3d out =
-            (piece.vertices[std::size_t(t[1])] - a).cross(piece.vertices[std::size_t(t[2])] - a);
+      // Convex: every vertex is on the inner side of every face.
+      for (const std::array<int, 3>& t : piece.mesh.triangles) {
+        const Vector3d& a = piece.mesh.vertices[std::size_t(t[0])];
+        const Vector3d out = (piece.mesh.vertices[std::size_t(t[1])] - a)
+                                 .cross(piece.mesh.vertices[std::size_t(t[2])] - a);
         double farthest = 0;
-        for (const Vector3d& p : piece.vertices) farthest = std::max(farthest, out.dot(p - a));
+        for (const Vector3d& p : piece.mesh.vertices) farthest = std::max(farthest, out.dot(p - a));
         CHECK(farthest <= 1e-12 * out.norm());
       }
     }
@@ -174,17 +175,17 @@ TEST_CASE("what is seen is closed, faces outwards, and nears the solid") {
     Lathe lathe = {.profile = RandomProfile(random)};
     if (i % 3 == 0) lathe.angle = random.Uniform(0.2, 6);
     const Solid solid = Made(lathe);
-    const Surface& look = solid.look;
-    CHECK(VolumeOf(look.vertices, look.triangles) == Approx(solid.mass.volume).epsilon(0.01));
-    REQUIRE(look.normals.size() == look.vertices.size());
-    REQUIRE(look.texcoords.size() == look.vertices.size());
-    for (const Vector3d& normal : look.normals) CHECK(normal.norm() == Approx(1).margin(2e-4));
-    for (const std::array<int, 3>& t : look.triangles) {
-      const Vector3d& a = look.vertices[std::size_t(t[0])];
+    const TriangleMesh& mesh = solid.render_mesh;
+    CHECK(VolumeOf(mesh) == Approx(solid.mass.volume).epsilon(0.01));
+    REQUIRE(mesh.normals.size() == mesh.vertices.size());
+    REQUIRE(mesh.texcoords.size() == mesh.vertices.size());
+    for (const Vector3d& normal : mesh.normals) CHECK(normal.norm() == Approx(1).margin(2e-4));
+    for (const std::array<int, 3>& t : mesh.triangles) {
+      const Vector3d& a = mesh.vertices[std::size_t(t[0])];
       const Vector3d out =
-          (look.vertices[std::size_t(t[1])] - a).cross(look.vertices[std::size_t(t[2])] - a);
-      if (out.norm() < 1e-9) continue;  // at the axis
-      for (const int corner : t) CHECK(out.dot(look.normals[std::size_t(corner)]) > 0);
+          (mesh.vertices[std::size_t(t[1])] - a).cross(mesh.vertices[std::size_t(t[2])] - a);
+      if (out.norm() < 1e-9) continue;  // a triangle without area at the axis
+      for (const int corner : t) CHECK(out.dot(mesh.normals[std::size_t(corner)]) > 0);
     }
   }
 }
@@ -194,13 +195,13 @@ TEST_CASE("edges are sharp where they turn by more than the crease") {
     const Solid cone =
         Made({.profile = {{0, 0}, {0.05, 0}, {0.04, 0.05}, {0, 0.05}}, .crease = crease});
     std::vector<Vector3d> normals;
-    for (std::size_t i = 0; i < cone.look.vertices.size(); ++i) {
-      if ((cone.look.vertices[i] - Vector3d(0.05, 0, 0)).norm() < 1e-9)
-        normals.push_back(cone.look.normals[i]);
+    for (std::size_t i = 0; i < cone.render_mesh.vertices.size(); ++i) {
+      if ((cone.render_mesh.vertices[i] - Vector3d(0.05, 0, 0)).norm() < 1e-9)
+        normals.push_back(cone.render_mesh.normals[i]);
     }
     return normals;
   };
-  // The bottom and the side, each at both ends of the texture.
+  // Two normals (bottom and side), each at both ends of the texture.
   CHECK(normals_at_edge(1).size() == 4);
   CHECK(normals_at_edge(3).size() == 2);
 }
@@ -208,23 +209,23 @@ TEST_CASE("edges are sharp where they turn by more than the crease") {
 TEST_CASE("a label goes once around, and up along the profile") {
   Lathe can = {.profile = {{0, 0}, {0.03, 0}, {0.03, 0.1}}, .wall = 0.001};
   const auto at = [](const Solid& solid, const Vector3d& p) {
-    for (std::size_t i = 0; i < solid.look.vertices.size(); ++i) {
-      if ((solid.look.vertices[i] - p).norm() < 1e-6) return solid.look.texcoords[i];
+    for (std::size_t i = 0; i < solid.render_mesh.vertices.size(); ++i) {
+      if ((solid.render_mesh.vertices[i] - p).norm() < 1e-6) return solid.render_mesh.texcoords[i];
     }
     return Vector2d(-1, -1);
   };
   CHECK((at(Made(can), {0.03, 0, 0.1}) - Vector2d(0, 0)).norm() < 1e-4);
   CHECK((at(Made(can), {0, 0.03, 0}) - Vector2d(0.25, 10.0 / 13)).norm() < 1e-4);
-  can.texture.unit = Texture::Unit::kNone;
-  CHECK(Made(can).look.texcoords.empty());
-  can.texture = {Texture::Unit::kMetre, {2, 3}};
+  can.texture.unit = TextureMapping::Unit::kNone;
+  CHECK(Made(can).render_mesh.texcoords.empty());
+  can.texture = {TextureMapping::Unit::kMetre, {2, 3}};
   CHECK((at(Made(can), {0, 0.03, 0.1}) - Vector2d(0.03 * kPi, 0)).norm() < 1e-4);
 }
 
 TEST_CASE("a convex solid around the axis is one piece, a wall one for each facet") {
   const auto counts = [](const Lathe& lathe) {
     std::vector<std::size_t> turns;
-    for (const Piece& piece : Made(lathe).pieces) turns.push_back(piece.turns.size());
+    for (const ConvexPiece& piece : Made(lathe).pieces) turns.push_back(piece.turns.size());
     std::ranges::sort(turns);
     return turns;
   };

@@ -1,18 +1,18 @@
-// Prisms with holes, rounded corners and bevelled edges, against quadrature and by points.
+// Tests of prisms with holes, rounded corners and bevels: mass against quadrature, pieces, faults.
 
 #include <catch2/catch.hpp>
 
 #include <fmt/format.h>
 
 #include "harness/effort.h"
-#include "measured.h"
+#include "reference_geometry.h"
 
 namespace mjforge::solid {
 namespace {
 
 using Points = std::vector<Vector2d>;
 
-/// Seen whole from a middle point.
+/// Returns a star-shaped polygon about a middle point.
 Points RandomStar(Random& random, const Vector2d& middle, double least, double most, int corners) {
   Points points;
   for (int i = 0; i < corners; ++i) {
@@ -24,7 +24,7 @@ Points RandomStar(Random& random, const Vector2d& middle, double least, double m
   return points;
 }
 
-/// A star with up to three holes in its middle, which do not meet.
+/// Returns a star-shaped prism with up to three disjoint holes in its middle.
 Prism RandomPrism(Random& random) {
   Prism prism;
   prism.polygon = RandomStar(random, {0.02, -0.01}, 0.06, 0.1, 5 + random.Integer(8));
@@ -37,7 +37,7 @@ Prism RandomPrism(Random& random) {
   return prism;
 }
 
-/// Of polygons, by quadrature over triangles that count by their sign.
+/// Moments of polygons, by quadrature over signed triangles.
 struct Sums {
   double area = 0;
   Vector2d first = Vector2d::Zero();
@@ -57,7 +57,7 @@ struct Sums {
       for (const auto& [t, wt] : nodes) Add(a + s * (u + t * v), twice * s * ws * wt);
     }
   }
-  /// In either direction.
+  /// Adds a polygon given in either direction.
   void AddPolygon(const Points& polygon, double sign) {
     Sums own;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -69,7 +69,7 @@ struct Sums {
   }
 };
 
-/// What has these slices between the heights, by `count` of them.
+/// Adds the moments of a solid with these slices between two heights, by `count` quadrature nodes.
 template <typename Slice>
 void AddLayer(double below, double above, int count, const Slice& slice, Mass& sum) {
   for (const auto& [share, weight] : Gauss(count)) {
@@ -86,7 +86,7 @@ void AddLayer(double below, double above, int count, const Slice& slice, Mass& s
   }
 }
 
-/// `sum` has integrals of x and x x^T in place of centre and inertia.
+/// Converts integrals of x and x x^T, stored as centre and inertia, to mass properties.
 Mass Finished(Mass sum) {
   sum.center /= sum.volume;
   sum.inertia -= sum.volume * sum.center * sum.center.transpose();
@@ -107,18 +107,18 @@ TEST_CASE("the mass of prisms with holes is that of quadrature") {
   for (int i = 0; i < harness::Effort(1000); ++i) {
     CAPTURE(i);
     const Prism prism = RandomPrism(random);
-    Sums plan;
-    plan.AddPolygon(prism.polygon, 1);
-    for (const Points& hole : prism.holes) plan.AddPolygon(hole, -1);
+    Sums base;
+    base.AddPolygon(prism.polygon, 1);
+    for (const Points& hole : prism.holes) base.AddPolygon(hole, -1);
     Mass sum;
     AddLayer(
-        -prism.height / 2, prism.height / 2, 2, [&](double) { return plan; }, sum);
+        -prism.height / 2, prism.height / 2, 2, [&](double) { return base; }, sum);
     CHECK(Difference(Made(prism).mass, Finished(sum)) < 1e-9);
   }
 }
 
-/// Corners of a regular polygon, and what is within a distance of it: the polygon, rectangles on
-/// its sides, sectors at its corners.
+/// Returns the moments of all points within a distance of a convex polygon: the polygon, rectangles
+/// on its sides, sectors at its corners.
 Sums Around(const Points& core, double distance) {
   Sums sums;
   sums.AddPolygon(core, 1);
@@ -127,12 +127,12 @@ Sums Around(const Points& core, double distance) {
   for (std::size_t i = 0; i < count; ++i) {
     const Vector2d& a = core[i];
     const Vector2d& b = core[(i + 1) % count];
-    const Vector2d way = (b - a).normalized();
-    const Vector2d out(way.y(), -way.x());
+    const Vector2d side = (b - a).normalized();
+    const Vector2d out(side.y(), -side.x());
     sums.AddPolygon({a, b, b + distance * out, a + distance * out}, 1);
     const Vector2d next = (core[(i + 2) % count] - b).normalized();
     const double from = std::atan2(out.y(), out.x());
-    const double turn = std::atan2(way.x() * next.y() - way.y() * next.x(), way.dot(next));
+    const double turn = std::atan2(side.x() * next.y() - side.y() * next.x(), side.dot(next));
     for (const auto& [share, wa] : nodes) {
       for (const auto& [r, wr] : nodes) {
         const double angle = from + share * turn;
@@ -158,7 +158,7 @@ TEST_CASE("the mass of rounded and bevelled prisms is that of quadrature") {
     prism.round = random.Uniform(0.002, 0.01);
     prism.bevel = random.Integer(2) * random.Uniform(0.1, 0.9) * prism.round;
     prism.height = random.Uniform(0.03, 0.1);
-    // Each side moved outwards by the radius.
+    // Move each side of the core outwards by the radius.
     for (std::size_t k = 0; k < core.size(); ++k) {
       const Vector2d in = (core[k] - core[(k + core.size() - 1) % core.size()]).normalized();
       const Vector2d out = (core[(k + 1) % core.size()] - core[k]).normalized();
@@ -196,14 +196,13 @@ TEST_CASE("the pieces of a prism fill it, and nothing else") {
     const Prism prism = RandomPrism(random);
     const Solid solid = Made(prism);
     double volume = 0;
-    for (const Piece& piece : solid.pieces) {
-      const double own = VolumeOf(piece.vertices, piece.triangles);
+    for (const ConvexPiece& piece : solid.pieces) {
+      const double own = VolumeOf(piece.mesh);
       CHECK(own > 0);
       volume += own;
     }
     CHECK(volume == Approx(solid.mass.volume).epsilon(1e-9));
-    CHECK(VolumeOf(solid.look.vertices, solid.look.triangles) ==
-          Approx(solid.mass.volume).epsilon(1e-4));
+    CHECK(VolumeOf(solid.render_mesh) == Approx(solid.mass.volume).epsilon(1e-4));
     for (int k = 0; k < 300; ++k) {
       const Vector3d p(random.Uniform(-0.1, 0.14), random.Uniform(-0.13, 0.11),
                        random.Uniform(-0.06, 0.06));
@@ -224,16 +223,15 @@ TEST_CASE("the pieces of rounded and bevelled prisms stay in what is seen, and n
     Fault fault;
     const std::optional<Solid> solid = Make(prism, fault);
     if (!solid) continue;  // a side may be too short, a hole too near
-    const Mass look = Enclosed(solid->look.vertices, solid->look.triangles);
-    CHECK(look.volume == Approx(solid->mass.volume).epsilon(2e-3));
+    CHECK(VolumeOf(solid->render_mesh) == Approx(solid->mass.volume).epsilon(2e-3));
     for (int k = 0; k < 60; ++k) {
       const Vector3d p(random.Uniform(-0.06, 0.1), random.Uniform(-0.09, 0.07),
                        random.Uniform(-0.5, 0.5) * prism.height);
       if (ContainsAny(*solid, p)) {
         ++inside;
-        CHECK(Encloses(solid->look, p));
+        CHECK(Encloses(solid->render_mesh, p));
       }
-      seen += Encloses(solid->look, p) ? 1 : 0;
+      seen += Encloses(solid->render_mesh, p) ? 1 : 0;
     }
   }
   CHECK(inside > harness::Effort(1000));

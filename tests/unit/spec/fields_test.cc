@@ -18,7 +18,7 @@ TEST_CASE("every field has a meaning, a unique key and sound bounds", "[fields]"
       CHECK(field.doc.ends_with("."));
       CHECK(field.min_count <= field.max_count);
       CHECK(field.lower <= field.upper);
-      CHECK((field.slot == mjforge::spec::Slot::kWord) ==
+      CHECK((field.kind == mjforge::spec::FieldKind::kWord) ==
             (!field.words.empty() && field.key != "joints"));
     }
   }

@@ -1,5 +1,4 @@
-// What stands beside geoms, joints and sites: attached geoms, cameras, lights,
-// and the sections with what they refer to.
+// Comparison of attached geoms, cameras, lights, and sections with their references.
 
 #include "mjforge/validate/compare.h"
 
@@ -78,7 +77,7 @@ void AddActuatorsAndSensors(model::Object& object) {
       hand_made::Numbers("cranklength", Applies::kBoth, {1})};
   AddElement(object, "actuator", "adhesion", "m_glue", 134).attributes = {
       Refers("body", "b", "body"), hand_made::Numbers("ctrlrange", Applies::kBoth, {0, 1})};
-  // MuJoCo wants actuators with a state last.
+  // Actuators with a state must be last.
   AddElement(object, "actuator", "muscle", "m_muscle", 135).attributes = {
       Refers("tendon", "m_rope", "tendon"),
       hand_made::Numbers("lengthrange", Applies::kBoth, {0.1, 1})};
@@ -119,7 +118,7 @@ model::Object Machine() {
   return object;
 }
 
-/// The findings when the object is changed after it was written.
+/// Returns the findings if the object is changed after its document was written.
 std::vector<std::string> After(const std::function<void(model::Object&)>& change,
                                model::Object object = Machine(),
                                mjcf::Target target = mjcf::Target::kMujoco) {

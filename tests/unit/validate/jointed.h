@@ -1,6 +1,5 @@
+// Objects of several bodies, assembled by hand.
 #pragma once
-
-// Objects of several bodies, put together by hand.
 
 #include <optional>
 #include <string>
@@ -12,7 +11,7 @@ namespace mjforge::jointed {
 
 using hand_made::Line;
 
-/// A box of 5 cm half size on a free joint; its body is `block`, as the object.
+/// A box of 5 cm half size on a free joint. The object and its body are called `block`.
 inline model::Object Block() {
   model::Object object = hand_made::Empty("block");
   object.bodies[0].name = "block";
@@ -49,8 +48,8 @@ inline model::Attribute Refers(std::string_view name, std::string text, std::str
   return {name, spec::Applies::kBoth, {}, std::move(text), kind};
 }
 
-/// An element of a section, which is made if the object has none of that name.
-/// Call it in the order of spec::Sections().
+/// Adds an element to a section, and the section if the object does not have it. Must be called in
+/// the order of spec::Sections().
 inline model::Element& AddElement(model::Object& object, std::string_view section,
                                   std::string_view tag, std::string name, std::uint32_t line) {
   if (object.sections.empty() || object.sections.back().info->name != section) {

@@ -7,11 +7,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "harness/temporary_folder.h"
 #include "mjforge/validate/validate.h"
-#include "temporary_folder.h"
 
 namespace mjforge::validate {
 namespace {
+
+using harness::TemporaryFolder;
 
 struct Result {
   std::optional<CompiledModel> model;

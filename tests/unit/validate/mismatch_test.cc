@@ -43,7 +43,7 @@ model::Object Door() {
   return object;
 }
 
-/// The findings when the object is changed after it was written.
+/// Returns the findings if the object is changed after its document was written.
 std::vector<std::string> After(const std::function<void(model::Object&)>& change,
                                model::Object object = Door()) {
   mjcf::MjcfDocument document;

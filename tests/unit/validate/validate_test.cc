@@ -1,3 +1,4 @@
+// Validation of documents by MuJoCo.
 #include "mjforge/validate/validate.h"
 
 #include <cmath>
@@ -9,11 +10,14 @@
 #include <mujoco/mujoco.h>
 #include <catch2/catch.hpp>
 
+#include "harness/temporary_folder.h"
+
 #include "../mjcf/hand_made.h"
-#include "temporary_folder.h"
 
 namespace mjforge::validate {
 namespace {
+
+using harness::TemporaryFolder;
 
 using hand_made::Line;
 

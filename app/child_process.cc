@@ -1,0 +1,173 @@
+// Running untrusted work in a child process, with limits of time and memory.
+#include "child_process.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <system_error>
+
+#include "mjforge/batch/batch.h"
+
+namespace mjforge::app {
+namespace {
+
+// Progress of the child, in memory shared by both processes.
+struct Progress {
+  std::size_t step = 0;  // the current step
+  ExitStatus status = ExitStatus::kDone;
+  bool done = false;
+};
+
+std::shared_ptr<Progress> ShareProgress() {
+  void* memory =
+      ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return {new (memory) Progress, [](Progress* progress) { ::munmap(progress, sizeof(Progress)); }};
+}
+
+// Limits memory to more than any object needs; not with AddressSanitizer, which reserves terabytes.
+void LimitMemory() {
+#ifndef __SANITIZE_ADDRESS__
+  constexpr ::rlim_t kMost = ::rlim_t{8} << 30;
+  const ::rlimit limit = {kMost, kMost};
+  ::setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
+// Limits the CPU time of the next step; SIGXCPU ends the process when the time is over.
+void LimitTime(Seconds time) {
+  struct rusage used;
+  ::getrusage(RUSAGE_SELF, &used);
+  const double end = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+                     std::ceil(time.count()) + 1;
+  const ::rlimit limit = {static_cast<::rlim_t>(end), RLIM_INFINITY};
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
+// Runs the remaining steps in the child. The child ends when its parent ends.
+[[noreturn]] void RunSteps(std::size_t count, Seconds time_limit,
+                           const std::function<ExitStatus(std::size_t)>& take, Progress& progress,
+                           ::pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
+  LimitMemory();
+  try {
+    for (; progress.step < count; ++progress.step) {
+      LimitTime(time_limit);
+      progress.status = Worse(progress.status, take(progress.step));
+    }
+  } catch (const std::bad_alloc&) {
+    std::_Exit(batch::kNoMemoryStatus);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
+    progress.status = ExitStatus::kBug;
+  }
+  progress.done = true;
+  std::exit(0);
+}
+
+// Waits until the child has ended; returns false if it is still running after `time`. Returns true
+// at once if the system has no pidfd_open: then waitpid waits, and only CPU time is limited.
+bool HasEnded(::pid_t child, Seconds time) {
+  const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
+  if (descriptor < 0) return true;
+  ::pollfd polled = {descriptor, POLLIN, 0};
+  int ready = 0;
+  // Polls in short intervals, so that time in which both processes were stopped (Ctrl-Z) is not
+  // counted.
+  constexpr int kTurnMilliseconds = 1000;
+  for (double left = time.count() * 1000; left > 0 && ready <= 0; left -= kTurnMilliseconds)
+    ready =
+        ::poll(&polled, 1, std::min(static_cast<int>(std::min(left, 1e9)) + 1, kTurnMilliseconds));
+  ::close(descriptor);
+  return ready > 0;
+}
+
+// Waits for the child and returns the reason of its end. Kills the child if a step exceeds its wall
+// time. If the child was ended by a signal of the terminal or of a batch system, ends this process
+// by the same signal.
+std::string WaitFor(::pid_t child, Seconds time_limit, const Progress& progress) {
+  const Seconds patience = batch::WallLimit(time_limit);
+  std::size_t step = progress.step;
+  while (!HasEnded(child, patience)) {
+    const std::size_t now = progress.step;
+    if (now == step) {
+      ::kill(child, SIGKILL);
+      while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+      return fmt::format("took more than {:g} s of wall time", patience.count());
+    }
+    step = now;
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (!WIFSIGNALED(status)) {
+    return WEXITSTATUS(status) == batch::kNoMemoryStatus
+               ? "needs more memory than there is"
+               : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
+  }
+  const int signal = WTERMSIG(status);
+  if (signal == SIGXCPU)
+    return fmt::format("took more than {:g} s of CPU time", time_limit.count());
+  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+  return fmt::format("made MuJoCo crash (SIG{})", ::sigabbrev_np(signal));
+}
+
+}  // namespace
+
+ExitStatus RunInChild(std::size_t count, Seconds time_limit,
+                      const std::function<ExitStatus(std::size_t)>& take,
+                      const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
+  const std::shared_ptr<Progress> progress = ShareProgress();
+  while (progress->step < count && !progress->done) {
+    std::fflush(nullptr);  // otherwise both processes write the buffered output
+    const ::pid_t parent = ::getpid();
+    const ::pid_t child = ::fork();
+    if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
+    if (child == 0) RunSteps(count, time_limit, take, *progress, parent);
+    const std::string reason = WaitFor(child, time_limit, *progress);
+    if (progress->done) break;
+    progress->status = Worse(progress->status, crashed(progress->step, reason));
+    ++progress->step;
+  }
+  return progress->status;
+}
+
+void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings) {
+  findings.Add(
+      diag::Code::kMujocoError, {}, fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, reason),
+      reason.starts_with("took")    ? "raise --time-limit"
+      : reason.starts_with("needs") ? "8 GiB are the most; `ulimit -v` may set a lower limit"
+                                    : "see whether indices of meshes (`face`) are in range and "
+                                      "sizes are sensible; a newer MuJoCo may say more");
+}
+
+ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,
+                      const std::function<ExitStatus()>& take) {
+  return RunInChild(
+      1, time_limit, [&](std::size_t) { return take(); },
+      [&](std::size_t, const std::string& reason) {
+        AddCrashFinding(what, reason, console.findings);
+        return console.Report();
+      });
+}
+
+}  // namespace mjforge::app

@@ -1,0 +1,29 @@
+// Running untrusted work in a child process, with limits of time and memory.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "console.h"
+
+namespace mjforge::app {
+
+/// Runs `take` for the steps 0 to count - 1 in a child process, because some files make MuJoCo 2.2
+/// crash or hang, and files from others may be made for that purpose. The limits of a step are
+/// `time_limit` of CPU time (rounded up to whole seconds), batch::WallLimit of wall time, and 8 GiB
+/// of memory. If a step crashes or exceeds a limit, `crashed` is called with the step and the
+/// reason ("made MuJoCo crash (SIGSEGV)"), and a new child continues with the next step. Returns
+/// the worst status of all steps.
+ExitStatus RunInChild(std::size_t count, Seconds time_limit,
+                      const std::function<ExitStatus(std::size_t)>& take,
+                      const std::function<ExitStatus(std::size_t, const std::string&)>& crashed);
+
+/// Adds the finding that the file or spec `what` crashed or exceeded a limit. `reason`: see above.
+void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings);
+
+/// Runs one step; a crash becomes a finding about `what`.
+ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,
+                      const std::function<ExitStatus()>& take);
+
+}  // namespace mjforge::app

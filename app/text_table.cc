@@ -1,0 +1,40 @@
+// Tables for terminals.
+#include "text_table.h"
+
+#include <algorithm>
+
+namespace mjforge::app {
+namespace {
+
+// Counts characters: all bytes except UTF-8 continuation bytes.
+std::size_t Width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  }));
+}
+
+}  // namespace
+
+std::string TextTable::Render() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);  // 0: the column is left out
+  for (std::size_t column = 0; column < widths.size(); ++column) {
+    const bool used = std::any_of(rows_.begin() + 1, rows_.end(),
+                                  [&](const auto& row) { return !row[column].empty(); });
+    if (!used) continue;
+    for (const auto& row : rows_) widths[column] = std::max(widths[column], Width(row[column]));
+  }
+  std::string text;
+  for (const auto& row : rows_) {
+    std::string line;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      if (widths[column] == 0) continue;
+      line += row[column];
+      line.append(widths[column] - Width(row[column]) + 2, ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace mjforge::app

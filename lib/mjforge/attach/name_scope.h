@@ -1,0 +1,69 @@
+// Contents of an attachment, and the names of bodies, elements and assets in it.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/attach/compiled_file.h"
+
+namespace mjforge::attach {
+
+/// The contents of one attachment and their names: a body with everything below it and, once added,
+/// assets and elements of sections.
+class NameScope {
+ public:
+  /// Adds the body `root` and everything below it. Reports names that become equal when invalid
+  /// characters are replaced.
+  NameScope(const CompiledFile& file, int root, diag::Findings& findings);
+
+  bool Contains(mjtObj kind, int id) const { return names_.contains({kind, id}); }
+  /// Returns the name in the attachment; empty for an element of a section without a name.
+  const std::string& Name(mjtObj kind, int id) const { return names_.at({kind, id}); }
+  /// Sets name and place of a thing.
+  template <typename Thing>
+  void Label(mjtObj kind, int id, Thing& thing) const {
+    thing.name = Name(kind, id);
+    thing.mark = file_.MarkOf(kind, id);
+  }
+  /// Ids of the attached bodies, parents before children.
+  const std::vector<int>& bodies() const { return bodies_; }
+  /// Returns the index of a body in bodies().
+  int Position(int body) const { return positions_.at(body); }
+
+  /// Adds an asset or an element of a section.
+  void Add(mjtObj kind, int id);
+
+  /// Removes something that refers to things outside the attachment.
+  void MarkDropped(mjtObj kind, int id);
+  bool IsDropped(mjtObj kind, int id) const { return dropped_.contains({kind, id}); }
+
+ private:
+  using Id = std::pair<int, int>;  // kind, id
+
+  void AddAll(mjtObj kind, int count, const int* bodies);
+  void NameUnnamed();
+
+  const CompiledFile& file_;
+  diag::Findings& findings_;
+  std::vector<int> bodies_;
+  std::map<int, int> positions_;
+  std::map<Id, std::string> names_;
+  std::map<std::pair<int, std::string>, int> used_;
+  struct Unnamed {
+    mjtObj kind;
+    int id;
+    int body;
+    int number;  // index among elements of this kind in the body
+  };
+  std::vector<Unnamed> unnamed_;
+  std::set<Id> dropped_;
+};
+
+/// Returns a valid name: replaces all characters that names cannot have.
+std::string MakeName(std::string_view name);
+
+}  // namespace mjforge::attach

@@ -1,0 +1,244 @@
+// Backports a tree of MJCF: applies legacy rules and replacements, and removes or reports what an
+// older MuJoCo lacks.
+#include "mjforge/backport/backport.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/backport/default_classes.h"
+#include "mjforge/backport/legacy_rules.h"
+#include "mjforge/backport/mjcf_versions.h"
+#include "mjforge/backport/replacements.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+namespace {
+
+using diag::Code;
+
+/// The reason why a feature can be removed; empty if it changes the model.
+std::string_view ReasonOf(Effect effect) {
+  switch (effect) {
+    case Effect::kLooks:
+      return "it changes only what is seen";
+    case Effect::kSpeed:
+      return "it changes only how the same is computed";
+    case Effect::kSimulation:
+      return "it changes only how the whole model is simulated";
+    case Effect::kReading:
+      return "it only reads, and acts on nothing";
+    case Effect::kExpansion:
+    case Effect::kInclusion:
+    case Effect::kMeaning:
+      break;
+  }
+  return {};
+}
+
+/// Returns true if an attribute with this value changes nothing.
+bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
+  if (feature.neutral.empty()) return false;
+  const std::vector<double> numbers = xml::NumbersOf(value);
+  if (numbers.empty()) return value == feature.neutral;
+  const std::vector<double> usual = xml::NumbersOf(feature.neutral);
+  return !usual.empty() && std::ranges::all_of(numbers, [&](double n) { return n == usual[0]; });
+}
+
+class Backporter {
+ public:
+  Backporter(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
+             diag::Findings& findings)
+      : root_(root), version_(version), use_(use), sources_(sources), findings_(findings) {}
+
+  bool Run() {
+    const bool changed = ApplyLegacyRules(root_, version_);
+    if (!HasMissing(root_)) return changed;
+    DefaultClasses elements(root_);
+    Replacements replacements(elements, version_);
+    replacements_ = &replacements;
+    replacements.Run();
+    for (const ClassedElement& classed : elements.all()) {
+      for (const xml::XmlElement* element : elements.DefaultsOf(classed)) {
+        CheckInherited(classed, *element);
+      }
+    }
+    RemoveMissing(root_, true);
+    return true;
+  }
+
+ private:
+  const MjcfFeature* FindMissing(std::string_view parent, std::string_view tag) const {
+    const MjcfFeature* feature = FindFeature(parent, tag);
+    if (feature == nullptr) return nullptr;
+    // MuJoCo expands frames and replicates when it compiles an attached file.
+    const bool expands = use_ == Use::kBodies && feature->effect == Effect::kExpansion;
+    return feature->since > (expands ? mjVERSION_HEADER : version_) ? feature : nullptr;
+  }
+  const MjcfFeature* FindMissing(std::string_view parent, std::string_view tag,
+                                 std::string_view attribute, const std::string& value) const {
+    const MjcfFeature* feature = FindFeature(parent, tag, attribute, value);
+    return feature != nullptr && feature->since > version_ ? feature : nullptr;
+  }
+
+  bool HasMissing(const xml::XmlElement& parent) const {
+    return std::ranges::any_of(parent.children, [&](const xml::XmlElement& child) {
+      if (FindMissing(parent.tag, child.tag) != nullptr) return true;
+      for (const auto& [name, value] : child.attributes) {
+        if (FindMissing(parent.tag, child.tag, name, value) != nullptr) return true;
+      }
+      return HasMissing(child);
+    });
+  }
+
+  /// Reports an attribute of a default class that changes the meaning of an element of this class.
+  void CheckInherited(const ClassedElement& classed, const xml::XmlElement& element) {
+    for (const auto& [name, value] : element.attributes) {
+      const MjcfFeature* feature = FindMissing("default", element.tag, name, value);
+      if (feature == nullptr || feature->effect != Effect::kMeaning || IsNeutral(*feature, value))
+        continue;
+      if (classed.element->Find(name) != nullptr || replacements_->Find(classed.element, name))
+        continue;
+      const std::string& tag = classed.element->tag;
+      const bool biased =
+          name == "kv" && tag == "general" && classed.element->Find("biasprm") == nullptr;
+      if (!biased && FindMissing(classed.parent->tag, tag, name, value) == nullptr) continue;
+      ReportMissing(element, name, *feature);
+    }
+  }
+
+  /// Removes all elements and attributes that the release lacks, and reports them if `reported`.
+  void RemoveMissing(xml::XmlElement& parent, bool reported) {
+    for (xml::XmlElement& child : parent.children) {
+      const bool is_reported = reported && !IsUnused(parent, child);
+      const MjcfFeature* whole = FindMissing(parent.tag, child.tag);
+      if (whole != nullptr && is_reported) ReportRemoval(child, "", "", *whole, false);
+      std::erase_if(child.attributes, [&](const auto& attribute) {
+        const auto& [name, value] = attribute;
+        const MjcfFeature* feature = FindMissing(parent.tag, child.tag, name, value);
+        if (feature == nullptr) return false;
+        if (is_reported) ReportRemoval(child, name, value, *feature, parent.tag == "default");
+        return true;
+      });
+      RemoveMissing(child, is_reported && (whole == nullptr || whole->effect != Effect::kMeaning));
+    }
+    std::erase_if(parent.children, [&](const xml::XmlElement& child) {
+      return FindMissing(parent.tag, child.tag) != nullptr;
+    });
+  }
+
+  /// Returns true for sections of the whole model if only its bodies are used.
+  bool IsUnused(const xml::XmlElement& parent, const xml::XmlElement& section) const {
+    constexpr std::string_view kOfModel[] = {"option", "size", "visual", "statistic", "keyframe"};
+    return use_ == Use::kBodies && parent.tag == "mujoco" &&
+           std::ranges::find(kOfModel, section.tag) != std::end(kOfModel);
+  }
+
+  /// Warns that an attribute (empty: the element) is removed, unless it is replaced; reports it as
+  /// an error if the model would mean something else without it.
+  void ReportRemoval(const xml::XmlElement& element, const std::string& attribute,
+                     const std::string& value, const MjcfFeature& feature, bool in_default) {
+    std::string_view reason = ReasonOf(feature.effect);
+    if (const auto replaced = replacements_->Find(&element, attribute)) {
+      if (replaced->empty()) return;
+      reason = *replaced;
+    } else if (feature.effect == Effect::kMeaning && IsNeutral(feature, value)) {
+      reason = "with this value it changes nothing";
+    } else if (feature.effect == Effect::kMeaning && in_default) {
+      reason = "nothing in the file has it from there";
+    }
+    if (reason.empty()) return ReportMissing(element, attribute, feature);
+    if (!IsNew(element, attribute)) return;
+    const std::string version = VersionText(feature.since);
+    findings_.Warn(Code::kMujocoLater, MarkOf(element, attribute),
+                   attribute.empty() ? fmt::format("{} is left out: {} (MuJoCo {})",
+                                                   element.Description(), reason, version)
+                                     : fmt::format("'{}' of {} is left out: {} (MuJoCo {})",
+                                                   Shown(element, attribute, feature),
+                                                   element.Description(), reason, version));
+  }
+
+  void ReportMissing(const xml::XmlElement& element, const std::string& attribute,
+                     const MjcfFeature& feature) {
+    if (!IsNew(element, attribute)) return;
+    const std::string version = VersionText(feature.since);
+    findings_.Add(
+        Code::kMujocoLater, MarkOf(element, attribute),
+        attribute.empty()
+            ? fmt::format("{} needs MuJoCo {}", element.Description(), version)
+            : fmt::format("'{}' of {} needs MuJoCo {}", Shown(element, attribute, feature),
+                          element.Description(), version),
+        HintFor(feature));
+  }
+
+  std::string HintFor(const MjcfFeature& feature) {
+    const bool expands = feature.effect == Effect::kExpansion;
+    if (expands || feature.effect == Effect::kInclusion) {
+      return fmt::format("{}{}",
+                         std::exchange(has_command_, true)
+                             ? "the same command expands it"
+                             : "the Python package mujoco 3.3.7 expands it: " + ConversionCommand(),
+                         expands || use_ == Use::kWholeModel
+                             ? fmt::format("; mjforge built with MuJoCo {} or later accepts it",
+                                           VersionText(feature.since))
+                             : "");
+    }
+    return use_ == Use::kBodies
+               ? "what is attached must mean the same in MuJoCo 2.2, which has nothing like it"
+               : fmt::format("this is MuJoCo {}; mjforge can be built with a later one",
+                             engine::Version());
+  }
+
+  /// Shell command that writes a copy of the file without frames, replicates and attachments beside
+  /// the file. MuJoCo 3.3.7 keeps only frames with a name or a class; MuJoCo 4.0 keeps all frames.
+  std::string ConversionCommand() const {
+    std::string file = sources_.Name(root_.mark.file);
+    if (file.starts_with('<')) file = "FILE.xml";  // standard input
+    return fmt::format(
+        "python3 -c \"import mujoco; s = mujoco.MjSpec.from_file('{}'); [setattr(f, a, '') for f "
+        "in s.frames for a in ('name', 'childclass')]; s.compile(); open('{}-flat.xml', "
+        "'w').write(s.to_xml())\"",
+        file, file.substr(0, file.rfind('.')));
+  }
+
+  /// The attribute's name, with its value if only this value is new.
+  static std::string Shown(const xml::XmlElement& element, const std::string& attribute,
+                           const MjcfFeature& feature) {
+    const std::string* value = element.Find(attribute);
+    const bool only_value = feature.names.find('=') != std::string_view::npos && value != nullptr;
+    return only_value ? attribute + "=" + *value : attribute;
+  }
+
+  /// Returns true for the first report of this attribute (empty: this tag) in the element's file.
+  bool IsNew(const xml::XmlElement& element, const std::string& attribute) {
+    const std::string& name = attribute.empty() ? '<' + element.tag : attribute;
+    return reported_.emplace(element.mark.file, name).second;
+  }
+
+  diag::SourceMark MarkOf(const xml::XmlElement& element, const std::string& attribute) const {
+    return attribute.empty() ? element.mark : xml::MarkOfAttribute(sources_, element, attribute);
+  }
+
+  xml::XmlElement& root_;
+  int version_;
+  Use use_;
+  const diag::Sources& sources_;
+  diag::Findings& findings_;
+  const Replacements* replacements_ = nullptr;
+  std::set<std::pair<std::uint32_t, std::string>> reported_;
+  bool has_command_ = false;  // a hint contains the conversion command
+};
+
+}  // namespace
+
+bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
+                  diag::Findings& findings) {
+  return Backporter(root, version, use, sources, findings).Run();
+}
+
+}  // namespace mjforge::backport

@@ -1,0 +1,29 @@
+// Rewords MJCF for an older MuJoCo: trees of elements, files, and masses of meshes.
+#pragma once
+
+#include "mjforge/backport/mesh_inertia.h"
+#include "mjforge/backport/model_file.h"
+#include "mjforge/diag/diag.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+
+/// The release that mjforge writes files for, as mjVERSION_HEADER: 2.2.2.
+inline constexpr int kPortable = 222;
+
+/// The purpose for which a file is backported.
+enum class Use {
+  kWholeModel,
+  kBodies,  // attaching: settings of the whole model (`option`, `visual`, ...) are not used
+};
+
+/// Changes the tree so that it means the same in that release (as mjVERSION_HEADER), and returns
+/// true if it changed. Ranges limit without `limited`, as since 3.0; later elements and attributes
+/// are replaced by older ones. If a later feature has no replacement, it is removed with a warning
+/// if it affects only pictures or how a model is computed; otherwise it is an error. Each attribute
+/// is reported once per file, at its first place. Frames and replicates of kBodies stay in the tree
+/// if the MuJoCo of this build expands them.
+bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
+                  diag::Findings& findings);
+
+}  // namespace mjforge::backport

@@ -1,0 +1,54 @@
+// Elements of an MJCF file with the attributes of their default classes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+
+/// An element outside of `<default>`, with its section and default class.
+struct ClassedElement {
+  xml::XmlElement* element = nullptr;
+  const xml::XmlElement* parent = nullptr;
+  std::string_view section;   // from SectionOf(); empty if the element has no defaults
+  std::string default_class;  // empty for the main class
+};
+
+/// The elements of a file, and their attributes with those of their default classes. Valid while
+/// the tree keeps its elements.
+class DefaultClasses {
+ public:
+  explicit DefaultClasses(xml::XmlElement& root);
+
+  std::vector<ClassedElement>& all() { return elements_; }
+  /// Returns the elements that share defaults: "actuator", "joint", ...
+  std::vector<ClassedElement*> In(std::string_view section);
+
+  /// Returns an attribute of the element, or else of its default class; null if neither has it.
+  const std::string* Find(const ClassedElement& classed, std::string_view attribute) const;
+  std::string Get(const ClassedElement& classed, std::string_view attribute,
+                  std::string_view otherwise) const;
+  /// Returns an attribute of the last compiler section that has it.
+  std::string Setting(std::string_view attribute, std::string_view otherwise) const;
+  /// Returns the elements of `<default>` that apply to the element, the main class first.
+  std::vector<const xml::XmlElement*> DefaultsOf(const ClassedElement& classed) const;
+
+ private:
+  void ReadClass(const xml::XmlElement& section, const std::string& name,
+                 const std::string& parent);
+  void Place(xml::XmlElement& parent, const std::string& child_class);
+
+  struct Class {
+    std::string parent;
+    std::vector<const xml::XmlElement*> elements;
+  };
+  std::map<std::string, Class> classes_ = {{"", {}}};
+  std::string main_ = "main";
+  std::vector<ClassedElement> elements_;
+};
+
+}  // namespace mjforge::backport

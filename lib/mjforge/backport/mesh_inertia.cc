@@ -1,0 +1,224 @@
+// Loads copies of a model in which boxes replace meshes, and reads the inertia of their bodies.
+#include "mjforge/backport/mesh_inertia.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/backport/default_classes.h"
+#include "mjforge/engine/engine.h"
+
+namespace mjforge::backport {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+/// Volume and inertia of a mesh about its centre of mass, along its principal axes.
+struct MeshVolume {
+  double volume = 0;  // m^3
+  Vector box;         // half sizes of the box with the same inertia, m
+};
+
+// Products of inertia of tetrahedra with a corner at the origin: Tonon, "Explicit exact formulas
+// for the 3-D tetrahedron inertia tensor in terms of its vertex coordinates" (2004).
+MeshVolume Measure(const mjModel& m, int mesh) {
+  MeshVolume measured;
+  Vector squares = {};
+  const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
+  const int* faces = m.mesh_face + static_cast<std::ptrdiff_t>(3) * m.mesh_faceadr[mesh];
+  for (int face = 0; face < m.mesh_facenum[mesh]; ++face) {
+    std::array<Vector, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float* vertex =
+          vertices + static_cast<std::ptrdiff_t>(3) * faces[3 * face + static_cast<int>(i)];
+      corners[i] = {vertex[0], vertex[1], vertex[2]};
+    }
+    const auto& [a, b, c] = corners;
+    const double volume =
+        std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                 a[2] * (b[0] * c[1] - b[1] * c[0])) /
+        6;
+    measured.volume += volume;
+    for (std::size_t i = 0; i < 3; ++i) {
+      squares[i] +=
+          volume / 10 *
+          (a[i] * a[i] + b[i] * b[i] + c[i] * c[i] + a[i] * b[i] + a[i] * c[i] + b[i] * c[i]);
+    }
+  }
+  // The mean square of a coordinate in a box with half size s is s^2 / 3.
+  for (std::size_t i = 0; i < 3; ++i) measured.box[i] = std::sqrt(3 * squares[i] / measured.volume);
+  return measured;
+}
+
+std::string Text(const mjtNum* numbers, int count) {
+  return xml::TextOf(std::vector<double>(numbers, numbers + count));
+}
+
+bool IsZero(const std::string& text) {
+  return text.find_first_not_of("+-0. \t\r\n") == std::string::npos;
+}
+
+class MeshInertia {
+ public:
+  explicit MeshInertia(xml::XmlElement& root) : root_(root) { Find(); }
+
+  bool empty() const { return geoms_.empty(); }
+
+  void Run(const std::function<engine::Loaded(const std::string&)>& load) {
+    const engine::Loaded meshes = load(xml::Flatten(Copy(nullptr)).text);
+    if (!meshes.model) return;
+    const engine::Loaded boxes = load(xml::Flatten(Copy(meshes.model.get())).text);
+    if (!boxes.model) return;
+    for (xml::XmlElement& section : root_.children) {
+      if (section.tag == "worldbody") AddInertials(section, *boxes.model);
+    }
+  }
+
+ private:
+  struct Geom {
+    std::string name;     // in the copies
+    std::string mass;     // kg; empty if the density determines it
+    std::string density;  // kg/m^3
+    std::string group;
+  };
+
+  void Find() {
+    DefaultClasses elements(root_);
+    for (const ClassedElement* compiler : elements.In("compiler")) {
+      // MuJoCo computes these masses in another way.
+      if (elements.Get(*compiler, "inertiafromgeom", "auto") != "auto") return;
+      if (elements.Get(*compiler, "exactmeshinertia", "false") != "false") return;
+    }
+    for (const ClassedElement* geom : elements.In("geom")) {
+      if (geom->parent->tag != "body" || elements.Get(*geom, "type", "") != "mesh") continue;
+      if (std::ranges::find(geom->parent->children, "inertial", &xml::XmlElement::tag) !=
+          geom->parent->children.end())
+        continue;
+      if (elements.Get(*geom, "shellinertia", "false") != "false") continue;
+      Geom found = {fmt::format("geom{}", geoms_.size()), elements.Get(*geom, "mass", ""),
+                    elements.Get(*geom, "density", "1000"), elements.Get(*geom, "group", "0")};
+      if ((!found.mass.empty() && IsZero(found.mass)) || IsZero(found.density)) continue;
+      geoms_.emplace(geom->element, std::move(found));
+      bodies_.try_emplace(geom->parent, fmt::format("body{}", bodies_.size()));
+    }
+  }
+
+  /// Copies only the bodies: with massless meshes or, if `meshes` is the compiled model of such a
+  /// copy, with boxes of the same inertia in their places.
+  xml::XmlElement Copy(const mjModel* meshes) const {
+    xml::XmlElement copy;
+    copy.tag = root_.tag;
+    for (const xml::XmlElement& section : root_.children) {
+      if (section.tag == "compiler") copy.children.push_back(section);
+      if (section.tag == "default") copy.children.push_back(CopyShapes(section));
+      if (section.tag == "asset") copy.children.push_back(CopyShapes(section));
+      if (section.tag == "worldbody") copy.children.push_back(CopyBody(section, meshes));
+    }
+    return copy;
+  }
+
+  static xml::XmlElement CopyShapes(const xml::XmlElement& section) {
+    constexpr std::string_view kKept[] = {"default", "mesh", "hfield", "geom", "joint"};
+    xml::XmlElement copy;
+    copy.tag = section.tag;
+    copy.attributes = section.attributes;
+    copy.Remove("material");
+    for (const xml::XmlElement& child : section.children) {
+      if (std::ranges::find(kKept, child.tag) != std::end(kKept))
+        copy.children.push_back(CopyShapes(child));
+    }
+    return copy;
+  }
+
+  xml::XmlElement CopyBody(const xml::XmlElement& body, const mjModel* meshes) const {
+    constexpr std::string_view kOmitted[] = {"site", "camera", "light", "composite"};
+    xml::XmlElement copy;
+    copy.tag = body.tag;
+    copy.attributes = body.attributes;
+    const auto weighed = bodies_.find(&body);
+    if (weighed != bodies_.end()) {
+      copy.Set("name", weighed->second);
+      if (meshes == nullptr) copy.children.push_back(Inertial("1", "0 0 0", "1 0 0 0", "1 1 1"));
+    }
+    for (const xml::XmlElement& child : body.children) {
+      if (std::ranges::find(kOmitted, child.tag) != std::end(kOmitted)) continue;
+      copy.children.push_back(child.tag == "body"   ? CopyBody(child, meshes)
+                              : child.tag == "geom" ? CopyGeom(child, meshes)
+                                                    : child);
+    }
+    return copy;
+  }
+
+  xml::XmlElement CopyGeom(const xml::XmlElement& geom, const mjModel* meshes) const {
+    xml::XmlElement copy = geom;
+    copy.generated_name.clear();
+    copy.Remove("material");
+    copy.Remove("name");
+    const auto found = geoms_.find(&geom);
+    if (found == geoms_.end()) return copy;
+    const Geom& weighed = found->second;
+    const int id = meshes == nullptr ? -1 : mj_name2id(meshes, mjOBJ_GEOM, weighed.name.c_str());
+    if (id < 0) {
+      copy.Set("name", weighed.name);
+      copy.Set("mass", "0");
+      return copy;
+    }
+    const MeshVolume measured = Measure(*meshes, meshes->geom_dataid[id]);
+    copy.attributes.clear();
+    copy.Set("type", "box");
+    copy.Set("size", xml::TextOf({measured.box.begin(), measured.box.end()}));
+    copy.Set("pos", Text(meshes->geom_pos + 3 * id, 3));
+    copy.Set("quat", Text(meshes->geom_quat + 4 * id, 4));
+    copy.Set("group", weighed.group);
+    const std::vector<double> density = xml::NumbersOf(weighed.density);
+    copy.Set("mass", !weighed.mass.empty() ? weighed.mass
+                     : density.empty()     ? weighed.density
+                                           : xml::TextOf({density[0] * measured.volume}));
+    return copy;
+  }
+
+  static xml::XmlElement Inertial(const std::string& mass, const std::string& pos,
+                                  const std::string& quat, const std::string& diagonal) {
+    xml::XmlElement inertial;
+    inertial.tag = "inertial";
+    inertial.attributes = {{"mass", mass}, {"pos", pos}, {"quat", quat}, {"diaginertia", diagonal}};
+    return inertial;
+  }
+
+  void AddInertials(xml::XmlElement& body, const mjModel& m) {
+    for (xml::XmlElement& child : body.children) {
+      if (child.tag == "body") AddInertials(child, m);
+    }
+    const auto weighed = bodies_.find(&body);
+    if (weighed == bodies_.end()) return;
+    const int id = mj_name2id(&m, mjOBJ_BODY, weighed->second.c_str());
+    if (id < 0) return;  // MuJoCo fused the body with its parent
+    xml::XmlElement inertial =
+        Inertial(Text(m.body_mass + id, 1), Text(m.body_ipos + 3 * id, 3),
+                 Text(m.body_iquat + 4 * id, 4), Text(m.body_inertia + 3 * id, 3));
+    inertial.mark = body.mark;
+    body.children.insert(body.children.begin(), std::move(inertial));
+  }
+
+  xml::XmlElement& root_;
+  std::map<const xml::XmlElement*, Geom> geoms_;
+  std::map<const xml::XmlElement*, std::string> bodies_;
+};
+
+}  // namespace
+
+void AddMeshInertia(xml::XmlElement& root,
+                    const std::function<engine::Loaded(const std::string&)>& load) {
+  if (mjVERSION_HEADER >= 300) return;
+  MeshInertia inertia(root);
+  if (!inertia.empty()) inertia.Run(load);
+}
+
+}  // namespace mjforge::backport

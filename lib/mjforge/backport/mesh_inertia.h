@@ -1,0 +1,20 @@
+// Masses and inertias of bodies made of meshes, by the rules of MuJoCo 3.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+
+/// Adds to each body whose mass comes from meshes an `<inertial>` with the values of MuJoCo 3,
+/// which adds up the volumes of the pyramids from the centre of mass to each face, whatever the
+/// face's orientation. Older releases use the volume of the box with the same inertia, and reject
+/// meshes with inconsistently oriented faces. `load` loads a text in the place of the file. If
+/// MuJoCo rejects that text, the tree does not change, because MuJoCo rejects the file, too.
+void AddMeshInertia(xml::XmlElement& root,
+                    const std::function<engine::Loaded(const std::string&)>& load);
+
+}  // namespace mjforge::backport

@@ -1,0 +1,50 @@
+// Table of the elements and attributes that MJCF gained between MuJoCo 2.2.2 and 4.0: the release
+// that introduced each, and its effect.
+//
+// The facts come from MuJoCo's schema (mj_printSchema) in each release, and from its changelog.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mjforge::backport {
+
+/// The part of a model that an element or attribute affects.
+enum class Effect {
+  kLooks,       // only pictures
+  kSpeed,       // only the speed or precision of computations, or how a file is saved
+  kSimulation,  // only the simulation of the whole model, not its contents
+  kReading,     // a sensor, which has no effect on the model
+  kExpansion,   // a group that MuJoCo expands when it compiles the model
+  kInclusion,   // another model, which MuJoCo merges when it compiles the model
+  kMeaning,     // the contents of the model
+};
+
+/// A row of the table: an element, or attributes of some elements.
+struct MjcfFeature {
+  /// Tags, separated by blanks: alone ("geom"), below a parent ("visual/rgba"), or all elements of
+  /// a section ("sensor/*"). "body/" includes the world, frames and replicates. Elements of
+  /// `<default>` belong to the section whose defaults they set.
+  std::string_view where;
+  /// Attributes, separated by blanks; "name=value" restricts the row to this value. Empty: the row
+  /// is about the element itself.
+  std::string_view names;
+  int since = 0;  // a mjVERSION_HEADER
+  Effect effect = Effect::kMeaning;
+  /// The value with which an attribute changes nothing; empty if there is none.
+  std::string_view neutral = {};
+};
+
+/// Returns the row of an element; null if MuJoCo 2.2.2 has the element, or no release has it.
+const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag);
+/// Returns the row of an element's attribute with this value; null as above.
+const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
+                               std::string_view attribute, std::string_view value);
+
+/// Returns the section whose elements share defaults with this one: "actuator" for a `<motor>`.
+std::string_view SectionOf(std::string_view parent, std::string_view tag);
+
+/// Returns the usual spelling of a release: "3.1.4" for 314, "3.10.0" for 3010000.
+std::string VersionText(int header);
+
+}  // namespace mjforge::backport

@@ -1,0 +1,100 @@
+// Reads and loads MJCF files, backported to the MuJoCo of this build if they need it.
+#include "mjforge/backport/model_file.h"
+
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/backport/backport.h"
+#include "mjforge/backport/mesh_inertia.h"
+#include "mjforge/bytes/bytes.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+namespace {
+
+using diag::Code;
+
+std::filesystem::path FolderOf(const std::filesystem::path& file) {
+  return file == bytes::kStandardInput ? std::filesystem::path(".") : file.parent_path();
+}
+
+/// Returns the backported tree of a file; nothing if the file needs no change, or after an error.
+std::optional<xml::XmlElement> BackportFile(const std::filesystem::path& file,
+                                            diag::Sources& sources, diag::Findings& findings) {
+  diag::Findings of_includes;  // MuJoCo reports them when it loads the file
+  std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, of_includes);
+  if (!root) return std::nullopt;
+  if (!BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings))
+    return std::nullopt;
+  if (findings.HasErrors()) return std::nullopt;
+  const std::filesystem::path folder = FolderOf(file);
+  engine::Engine engine;
+  AddMeshInertia(*root, [&](const std::string& text) { return engine.LoadTextIn(folder, text); });
+  return root;
+}
+
+}  // namespace
+
+std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::Sources& sources,
+                                       diag::Findings& findings) {
+  const std::string name = xml::ShownName(file);
+  std::string why_not;
+  std::optional<std::string> text = bytes::Read(file, bytes::kMaxMjcf, why_not);
+  if (!text) {
+    findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", name, why_not));
+    return std::nullopt;
+  }
+  if (const std::string_view kind = bytes::KindOf(*text); !kind.empty()) {
+    findings.Add(Code::kMujocoNotMjcf, {}, fmt::format("'{}' is {}, not MJCF", name, kind));
+    return std::nullopt;
+  }
+  const std::uint32_t source = sources.Add(name, *std::move(text));
+  bool has_includes = false;
+  const std::optional<xml::XmlFault> fault =
+      xml::FindMjcfFault(sources.Text(source), &has_includes);
+  if (fault) {
+    findings.Add(Code::kMujocoNotMjcf, xml::MarkAt(sources, source, fault->offset), fault->message,
+                 fault->hint);
+    return std::nullopt;
+  }
+  diag::Findings found;
+  ModelFile read{source, has_includes, {}};
+  if (const auto root = BackportFile(file, sources, found))
+    read.backported = xml::FlattenInPlace(*root);
+  const bool good = !found.HasErrors();
+  findings.Append(std::move(found));
+  if (!good) return std::nullopt;
+  return read;
+}
+
+std::optional<std::string> BackportedText(const std::filesystem::path& file) {
+  diag::Sources sources;
+  diag::Findings findings;
+  std::optional<xml::XmlElement> root = BackportFile(file, sources, findings);
+  if (!root) return std::nullopt;
+  xml::ResolveFiles(*root, FolderOf(file), findings);
+  return xml::Flatten(*root).text;
+}
+
+engine::Loaded LoadFile(engine::Engine& engine, const std::filesystem::path& file) {
+  diag::Sources sources;
+  diag::Findings findings;
+  if (const auto read = ReadModelFile(file, sources, findings))
+    return LoadFile(engine, file, *read);
+  engine::Loaded failed;
+  for (const diag::Finding& finding : findings) {
+    if (failed.error.empty() && finding.severity == diag::Severity::kError)
+      failed.error = finding.message;
+  }
+  return failed;
+}
+
+engine::Loaded LoadFile(engine::Engine& engine, const std::filesystem::path& file,
+                        const ModelFile& read) {
+  return read.backported ? engine.LoadTextIn(FolderOf(file), *read.backported)
+                         : engine.LoadFile(file);
+}
+
+}  // namespace mjforge::backport

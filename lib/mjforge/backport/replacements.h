@@ -1,0 +1,59 @@
+// Replaces attributes of later MuJoCo releases by equivalent older ones.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/backport/default_classes.h"
+
+namespace mjforge::backport {
+
+/// Replaces attributes that releases after `version` added by older ones with exactly the same
+/// meaning, if there are any.
+class Replacements {
+ public:
+  Replacements(DefaultClasses& elements, int version) : elements_(elements), version_(version) {}
+
+  /// Makes all replacements.
+  void Run();
+  /// Returns "" if an attribute (empty: the element) was replaced, the reason if the attribute
+  /// changes nothing in this file, and nothing otherwise.
+  std::optional<std::string_view> Find(const xml::XmlElement* element,
+                                       std::string_view attribute) const;
+
+ private:
+  /// Returns an attribute of the element or its default class; null if the release has the
+  /// attribute or neither sets it.
+  const std::string* FindMissing(const ClassedElement& classed, std::string_view attribute) const;
+  /// Marks an attribute as replaced, or as one that changes nothing for that reason.
+  void MarkReplaced(ClassedElement& classed, std::string_view attribute,
+                    std::string_view why_neutral = {});
+
+  // In actuator_replacements.cc:
+  void ReplaceDamping(ClassedElement& servo);
+  void ReplaceInheritedRange(ClassedElement& actuator);
+  void ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
+                              std::string_view limited);
+  /// Returns the actuators that act on the joint directly; nothing if others act on it, too.
+  std::optional<std::vector<ClassedElement*>> ActuatorsOf(const std::string& joint);
+  /// Intersects the actuator's force range with a range of joint forces; false if impossible.
+  bool LimitForce(ClassedElement& actuator, std::vector<double> range);
+
+  void ReplaceAssetFolder(ClassedElement& compiler);
+  void ReplaceLightType(ClassedElement& light);
+  void ReplaceSensorSize(ClassedElement& camera);
+  void ReplaceColorLayer(ClassedElement& material);
+  void ReplaceMeshInertia(ClassedElement& mesh);
+  /// Returns true if a geom's mass is computed from the mesh.
+  bool HasMass(const std::string& mesh);
+
+  DefaultClasses& elements_;
+  int version_;
+  std::map<std::pair<const xml::XmlElement*, std::string>, std::string_view> replaced_;
+};
+
+}  // namespace mjforge::backport

@@ -1,0 +1,293 @@
+// The journal of a batch: one line for each checkpoint, asset and closed archive, with checksums.
+
+#include "mjforge/batch/journal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <locale>
+
+#include "mjforge/batch/sealed_outputs.h"
+
+namespace mjforge::batch {
+namespace {
+
+using manifest::Seal;
+using manifest::SealedFile;
+using output::Durability;
+
+// A line consists of words and, at its end, the checksum of these words. The first line contains
+// the seal of the batch after this text.
+constexpr std::string_view kBegin = "mjforge-journal 1 ";
+constexpr std::size_t kChecksumDigits = 16;
+
+std::string ShortChecksumOf(std::string_view text) {
+  return bytes::ChecksumOf(text).substr(0, kChecksumDigits);
+}
+
+// Returns the words of a line; nothing if the checksum does not match.
+std::optional<std::string_view> VerifiedWords(std::string_view line) {
+  if (line.size() <= kChecksumDigits) return std::nullopt;
+  const std::string_view words = line.substr(0, line.size() - kChecksumDigits - 1);
+  if (line.substr(words.size() + 1) != ShortChecksumOf(words)) return std::nullopt;
+  return words;
+}
+
+Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& manifest) {
+  const Request& request = options.request;
+  Seal seal;
+  seal.name = request.variant.name;
+  if (request.destination.IsArchive()) seal.output = request.destination.path.filename().string();
+  seal.per_archive = request.destination.per_archive;
+  seal.spec = options.batch.spec;
+  seal.first = options.all.first;
+  seal.count = options.all.count;
+  seal.shard = request.shard.index;
+  seal.shards = request.shard.count;
+  seal.records = options.range.count;
+  seal.manifest.file = manifest.filename().string();
+  return seal;
+}
+
+// Returns the rest of a line, a name that may contain spaces; empty if reading the words before it
+// failed.
+std::string RestOfLine(std::string_view line, std::istringstream& words) {
+  const std::streamoff at = words.tellg();
+  return std::string(at < 0 ? std::string_view() : line.substr(static_cast<std::size_t>(at) + 1));
+}
+
+}  // namespace
+
+Journal::Journal(const SinkOptions& options)
+    : options_(options),
+      file_(options.request.destination.Manifest(options.request.shard)),
+      seal_(SealOfRequest(options, file_)) {}
+
+bool Journal::Open(diag::Findings& findings) {
+  ReadPreviousSeal();
+  if (!MayReplaceOutputs(findings)) return false;
+  manifest_file_ = output::PartFile::Open(file_, findings);
+  if (!manifest_file_) return false;
+  journal_file_ = output::PartFile::Open(file_.string() + ".journal", findings);
+  if (!journal_file_) {
+    if (manifest_file_->size() == 0) manifest_file_->Drop();  // remove the file that Open made
+    return false;
+  }
+  is_unfinished_ = manifest_file_->size() > 0 || journal_file_->size() > 0;
+  ReadJournal();
+  std::vector<bytes::Prefix> prefixes;
+  prefixes.reserve(checkpoints_.size());
+  for (const Checkpoint& checkpoint : checkpoints_) prefixes.push_back(checkpoint.manifest);
+  checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));
+  if (manifest_file_->size() > 0 && !journal_seal_ && !options_.request.force) {
+    output::AddForeignFile(manifest_file_->temporary(), findings);
+    if (journal_file_->size() == 0) journal_file_->Drop();  // remove the file that Open made
+    return false;
+  }
+  if (!options_.request.resume || !journal_seal_) return true;
+  const std::string difference = manifest::DifferenceOfOutput(*journal_seal_, seal_);
+  if (!difference.empty()) ReportOtherBatch(manifest_file_->temporary(), difference, findings);
+  return difference.empty();
+}
+
+void Journal::ReadPreviousSeal() {
+  std::string why_not;
+  previous_seal_ = ReadSealBeside(file_, why_not);
+  if (!previous_seal_)
+    previous_seal_ = ReadSealBeside(options_.request.destination.Manifest({}), why_not);
+  if (!previous_seal_ || previous_seal_->spec != seal_.spec) return;
+  for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
+}
+
+// Returns true if manifest and seal do not exist or were made by an earlier run of this batch.
+bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
+  const bool force = options_.request.force;
+  constexpr std::string_view kSealStart = R"({"mjforge_seal":)";
+  const auto is_seal = [&](std::string_view start) { return kSealStart.starts_with(start); };
+  if (!MayReplaceManifest(file_, force, findings) ||
+      !output::MayReplace(manifest::SealPathOf(file_), force, kSealStart.size(), is_seal,
+                          findings)) {
+    return false;
+  }
+  if (force || !previous_seal_ || previous_seal_->output == seal_.output) return true;
+  findings.Add(
+      diag::Code::kOutputExists, {},
+      fmt::format("'{}' is the manifest of '{}'", file_.string(), previous_seal_->output),
+      "give the archive a name that differs in more than its ending, or overwrite with --force");
+  return false;
+}
+
+std::string Journal::DifferenceFromPrevious() const {
+  return previous_seal_ ? manifest::DifferenceOfOutput(*previous_seal_, seal_) : std::string();
+}
+
+bool Journal::HasMadeArchive(const std::string& archive) const {
+  const auto is_it = [&](const SealedFile& file) { return file.file == archive; };
+  return made_archives_.contains(archive) ||
+         (previous_seal_ && std::ranges::any_of(previous_seal_->archives, is_it));
+}
+
+void Journal::ReadJournal() {
+  checkpoints_.clear();
+  assets_.clear();
+  closed_.clear();
+  seal_.assets.clear();
+  std::string why_not;
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(journal_file_->temporary(), why_not);
+  std::string line;
+  std::uint64_t read = 0;
+  while (lines && lines->Next(line, why_not) && !lines->torn()) {
+    const std::optional<std::string_view> words = VerifiedWords(line);
+    read += line.size() + 1;
+    if (!words || !ReadLine(*words, read)) break;
+  }
+}
+
+// Returns false if the line does not belong to a journal. `end` is the size of the journal up to
+// its end.
+bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
+  if (line.starts_with(kBegin)) {
+    std::string why_not;
+    journal_seal_ = manifest::ReadSeal(line.substr(kBegin.size()), why_not);
+    return journal_seal_.has_value();
+  }
+  std::istringstream words{std::string(line)};
+  words.imbue(std::locale::classic());
+  std::string kind;
+  words >> kind;
+  if (!journal_seal_) return false;
+  if (kind == "asset") {
+    HashedAsset asset;
+    words >> asset.sha256;
+    asset.name = RestOfLine(line, words);
+    if (asset.name.empty()) return false;
+    if (journal_seal_->spec == seal_.spec) made_assets_.insert(asset.sha256);
+    seal_.assets.emplace(asset.name, asset.sha256);
+    assets_.push_back(std::move(asset));
+    return true;
+  }
+  if (kind == "closed") {
+    SealedFile file;
+    words >> file.content.size >> file.content.checksum;
+    file.file = RestOfLine(line, words);
+    if (file.file.empty()) return false;
+    made_archives_.insert(file.file);
+    closed_.push_back(std::move(file));
+    assets_.clear();
+    return true;
+  }
+  if (kind == "made") made_archives_.insert(RestOfLine(line, words));
+  if (kind == "made-asset" && journal_seal_->spec == seal_.spec)
+    made_assets_.insert(RestOfLine(line, words));
+  return kind.starts_with("made") || (kind == "at" && ReadCheckpoint(words, end));
+}
+
+bool Journal::ReadCheckpoint(std::istringstream& words, std::uint64_t end) {
+  Checkpoint checkpoint;
+  words >> checkpoint.next >> checkpoint.manifest.size >> checkpoint.manifest.checksum >>
+      checkpoint.archive >> checkpoint.part.size >> checkpoint.part.checksum;
+  if (!words) return false;
+  checkpoint.journal_bytes = end;
+  checkpoints_.push_back(std::move(checkpoint));
+  return true;
+}
+
+bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
+  return journal_file_->Append(fmt::format("{} {}\n", line, ShortChecksumOf(line)), findings);
+}
+
+bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {
+  if (!manifest_file_->Truncate(0, findings) || !journal_file_->Truncate(0, findings)) return false;
+  ReadJournal();  // clears what was read before, because the journal is empty
+  std::string seal = manifest::SealText(seal_);
+  seal.pop_back();
+  if (!AppendLine(std::string(kBegin) + seal, findings) || !AppendEarlierOutputs(findings) ||
+      !AddCheckpoint(checkpoint, findings)) {
+    return false;
+  }
+  // From here on, a later run recognizes the files under construction as its own.
+  return options_.request.durability == Durability::kNone ||
+         (journal_file_->Sync(findings) &&
+          output::SyncFolder(file_.parent_path(), false, findings));
+}
+
+bool Journal::RollBackTo(const Checkpoint& checkpoint, diag::Findings& findings) {
+  if (!manifest_file_->Truncate(checkpoint.manifest.size, findings) ||
+      !journal_file_->Truncate(checkpoint.journal_bytes, findings)) {
+    return false;
+  }
+  ReadJournal();
+  return AppendEarlierOutputs(findings);
+}
+
+bool Journal::AppendEarlierOutputs(diag::Findings& findings) {
+  const auto append = [&](const char* kind, const std::set<std::string>& all) {
+    return std::ranges::all_of(
+        all, [&](const std::string& one) { return AppendLine(kind + one, findings); });
+  };
+  return append("made ", made_archives_) && append("made-asset ", made_assets_);
+}
+
+bool Journal::AppendRecords(std::string_view lines, diag::Findings& findings) {
+  return manifest_file_->Append(lines, findings);
+}
+
+bool Journal::HasAsset(const HashedAsset& asset) const {
+  return std::ranges::any_of(assets_, [&](const HashedAsset& known) {
+    return known.name == asset.name && known.sha256 == asset.sha256;
+  });
+}
+
+bool Journal::AddAsset(const HashedAsset& asset, diag::Findings& findings) {
+  if (seal_.assets.emplace(asset.name, asset.sha256).first->second != asset.sha256) {
+    output::AddAssetChanged(asset.name, findings);
+    return false;
+  }
+  assets_.push_back(asset);
+  return AppendLine(fmt::format("asset {} {}", asset.sha256, asset.name), findings);
+}
+
+bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings) {
+  return AppendLine(
+      fmt::format("at {} {} {} {} {} {}", checkpoint.next, manifest_file_->size(),
+                  manifest_file_->checksum(), checkpoint.archive, checkpoint.part.size,
+                  checkpoint.part.size == 0 ? "-" : checkpoint.part.checksum),
+      findings);
+}
+
+bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
+                               diag::Findings& findings) {
+  const bool is_durable = options_.request.durability == Durability::kBatch;
+  // The name of the part must be on the disk before the journal mentions the archive, because this
+  // name shows after a power cut that a file with the final name is an older one.
+  if (is_durable && !output::SyncFolder(file_.parent_path(), false, findings)) return false;
+  const std::string line =
+      fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
+  made_archives_.insert(archive.file);
+  closed_.push_back(std::move(archive));
+  assets_.clear();
+  return AppendLine(line, findings) && AddCheckpoint(next, findings) &&
+         (!is_durable || (manifest_file_->Sync(findings) && journal_file_->Sync(findings)));
+}
+
+bool Journal::Finish(diag::Findings& findings) {
+  const Request& request = options_.request;
+  seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
+  seal_.archives = closed_;
+  const bool if_changed = request.if_changed || request.resume;
+  // The manifest comes last, because its name promises that everything else exists.
+  if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
+                         findings, request.durability) ||
+      !manifest_file_->Commit(if_changed, request.durability, findings)) {
+    return false;
+  }
+  journal_file_->Drop();
+  return true;
+}
+
+void Journal::Drop() {
+  manifest_file_->Drop();
+  journal_file_->Drop();
+}
+
+}  // namespace mjforge::batch

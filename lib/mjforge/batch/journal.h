@@ -1,0 +1,103 @@
+// The manifest of a batch under construction, and the journal of checkpoints beside it.
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "mjforge/batch/sink.h"
+
+namespace mjforge::batch {
+
+/// State of manifest and archives at the end of a chunk.
+struct Checkpoint {
+  std::uint64_t next = 0;  // index of the first variant that is not written
+  bytes::Prefix manifest;
+  std::uint64_t archive = 0;        // number of the archive under construction
+  bytes::Prefix part;               // the archive under construction
+  std::uint64_t journal_bytes = 0;  // size of the journal after the line of this checkpoint
+};
+
+/// The manifest of a batch under construction, and the journal beside it, which has a checkpoint
+/// for each chunk, with checksums of manifest and archive. Each line of the journal ends with its
+/// own checksum; a damaged line and everything after it are ignored.
+class Journal {
+ public:
+  explicit Journal(const SinkOptions& options);
+
+  /// Opens manifest and journal. Returns false, after adding a finding, if another process has
+  /// opened them, if existing files were not made by mjforge, or if a batch to resume has another
+  /// output.
+  bool Open(diag::Findings& findings);
+
+  /// Returns true if an earlier run left a batch under construction.
+  bool is_unfinished() const { return is_unfinished_; }
+  /// Checkpoints of the earlier run whose checksum of the manifest matches, in order.
+  const std::vector<Checkpoint>& checkpoints() const { return checkpoints_; }
+  /// Closed archives, in order.
+  const std::vector<manifest::SealedFile>& closed() const { return closed_; }
+  /// Seal of the previous, finished batch; empty if there is none.
+  const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
+  /// Describes how the output of the previous batch differs from this one; empty if it does not.
+  std::string DifferenceFromPrevious() const;
+  /// Returns true if an earlier run of this batch made that archive.
+  bool HasMadeArchive(const std::string& archive) const;
+  /// SHA-256 of the assets of earlier runs with the same output and spec.
+  const std::set<std::string>& made_assets() const { return made_assets_; }
+
+  /// Path of the manifest while it is under construction, and its final path.
+  const std::filesystem::path& part() const { return manifest_file_->temporary(); }
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Empties manifest and journal, and adds the first checkpoint.
+  bool Start(const Checkpoint& checkpoint, diag::Findings& findings);
+  /// Removes everything after the checkpoint from manifest and journal.
+  bool RollBackTo(const Checkpoint& checkpoint, diag::Findings& findings);
+  bool AppendRecords(std::string_view lines, diag::Findings& findings);
+  /// Returns true if the folder or the archive under construction has an asset with that name and
+  /// hash.
+  bool HasAsset(const HashedAsset& asset) const;
+  /// Adds an asset of the folder or of the archive under construction. Returns false, after adding
+  /// a finding, if an asset with that name has had another hash.
+  bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
+  /// Adds a checkpoint, with the present state of the manifest in place of checkpoint.manifest.
+  bool AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings);
+  /// Adds an archive that is about to be renamed to its final name, and the checkpoint after it.
+  /// From then on, HasMadeArchive recognizes the archive.
+  bool AddClosedArchive(manifest::SealedFile archive, const Checkpoint& next,
+                        diag::Findings& findings);
+  /// Writes the seal, and renames the manifest to its final name.
+  bool Finish(diag::Findings& findings);
+  /// Removes the journal and the manifest under construction.
+  void Drop();
+
+ private:
+  bool MayReplaceOutputs(diag::Findings& findings) const;
+  void ReadPreviousSeal();
+  void ReadJournal();
+  bool ReadLine(std::string_view line, std::uint64_t end);
+  bool ReadCheckpoint(std::istringstream& words, std::uint64_t end);
+  bool AppendEarlierOutputs(diag::Findings& findings);
+  bool AppendLine(const std::string& line, diag::Findings& findings);
+
+  SinkOptions options_;
+  std::filesystem::path file_;
+  manifest::Seal seal_;  // this run's
+  std::unique_ptr<output::PartFile> manifest_file_;
+  std::unique_ptr<output::PartFile> journal_file_;
+  std::optional<manifest::Seal> previous_seal_;
+  std::optional<manifest::Seal> journal_seal_;  // first line of the journal
+  bool is_unfinished_ = false;
+  std::vector<Checkpoint> checkpoints_;
+  std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
+  std::vector<manifest::SealedFile> closed_;
+  std::set<std::string> made_archives_;  // archives closed by any run
+  std::set<std::string> made_assets_;
+};
+
+}  // namespace mjforge::batch

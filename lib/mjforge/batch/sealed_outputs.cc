@@ -1,0 +1,92 @@
+// Comparison of files with the seal and the records of their batch.
+
+#include "mjforge/batch/sealed_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mjforge/bytes/bytes.h"
+
+namespace mjforge::batch {
+namespace {
+
+// Limit of the size of a seal, more than that of a seal with as many archives as a folder can have.
+constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
+
+// Limit of assets whose results are remembered.
+constexpr std::size_t kMaxRememberedAssets = 10'000;
+
+void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
+                  diag::Findings& findings) {
+  std::error_code ignored;
+  const bool exists = std::filesystem::exists(file, ignored);
+  findings.Add(exists ? diag::Code::kBatchChanged : diag::Code::kBatchMissing, {},
+               exists ? fmt::format("'{}' was changed: {}", file.string(), why_not)
+                      : fmt::format("'{}' is missing", file.string()),
+               "run the command that made it again with --resume");
+}
+
+// Returns true if a file exists and is not empty or, with `verify`, has its hash; otherwise adds a
+// finding.
+bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t limit,
+               const std::string& sha256, diag::Findings& findings) {
+  std::string why_not;
+  const auto start = bytes::ReadStart(file, verify ? limit : 1, why_not);
+  if (start && (verify ? bytes::Sha256Of(*start) == sha256 : !start->empty())) return true;
+  if (start) why_not = start->empty() ? "it is empty" : "its bytes are others";
+  ReportDamage(file, why_not, findings);
+  return false;
+}
+
+}  // namespace
+
+std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
+                                             std::string& why_not) {
+  const auto text = bytes::Read(manifest::SealPathOf(manifest), kMaxSeal, why_not);
+  return text ? manifest::ReadSeal(*text, why_not) : std::nullopt;
+}
+
+std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings) {
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
+    names.push_back(at->path().filename().string());
+  if (error) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", folder.string(), error.message()));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
+                 diag::Findings& findings) {
+  const std::filesystem::path path = folder / file.file;
+  std::string why_not;
+  const bool is_good = verify ? bytes::IsSound(path, file.content, why_not)
+                              : bytes::HasSize(path, file.content.size, why_not);
+  if (!is_good) ReportDamage(path, why_not, findings);
+  return is_good;
+}
+
+bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findings) {
+  return CheckHash(folder_ / record.file, verify_, bytes::kMaxMjcf, record.sha256, findings) &&
+         CheckAssets(record, findings);
+}
+
+bool ObjectChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
+  const std::filesystem::path folder = (folder_ / record.file).parent_path();
+  // Each record may have generated assets of its own.
+  if (assets_.size() > kMaxRememberedAssets) assets_.clear();
+  return std::ranges::all_of(record.assets, [&](const auto& asset) {
+    const auto& [name, sha256] = asset;
+    const auto [known, is_new] = assets_.try_emplace({folder / name, sha256});
+    if (is_new)
+      known->second = CheckHash(folder / name, verify_, bytes::kMaxAsset, sha256, findings);
+    return known->second;
+  });
+}
+
+}  // namespace mjforge::batch

@@ -1,0 +1,49 @@
+// Comparison of files with the seal and the records of their batch.
+
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::batch {
+
+/// Returns the seal beside a manifest; nothing, and the reason in `why_not`, if there is none or it
+/// is damaged.
+std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
+                                             std::string& why_not);
+
+/// Returns the names in a folder in alphabetical order; adds a finding if it cannot be read.
+std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings);
+
+/// Returns true if the size or, with `verify`, the checksum of the file in `folder` matches its
+/// seal; otherwise adds a finding.
+bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
+                 diag::Findings& findings);
+
+/// Compares the files of a folder with records. Reads an asset of several objects only once.
+class ObjectChecker {
+ public:
+  ObjectChecker(std::filesystem::path folder, bool verify)
+      : folder_(std::move(folder)), verify_(verify) {}
+
+  /// Returns true if the file of the record and its assets exist and are not empty or, with
+  /// `verify`, have their hashes. Otherwise adds a finding; each asset is reported once.
+  bool Check(const manifest::Record& record, diag::Findings& findings);
+
+ private:
+  bool CheckAssets(const manifest::Record& record, diag::Findings& findings);
+
+  std::filesystem::path folder_;
+  bool verify_;
+  // Results of assets that were checked, by path and expected hash.
+  std::map<std::pair<std::filesystem::path, std::string>, bool> assets_;
+};
+
+}  // namespace mjforge::batch

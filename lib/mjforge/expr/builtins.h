@@ -1,0 +1,53 @@
+// Built-in functions, operators and constants of expressions. Private to the room.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+
+namespace mjforge::expr {
+
+/// Required dimensions of the arguments. kSame: all arguments have one dimension. kSameAndCount:
+/// all but the last, which is a plain number. kSameAfterFirst: all but the first.
+enum class ArgumentRule { kAnything, kSame, kSameAndCount, kSameAfterFirst, kCount, kAngle };
+/// Dimension of the result. kSame: the dimension of the arguments.
+enum class ResultRule { kSame, kCount, kAngle, kProduct, kQuotient, kPower, kRoot };
+
+/// A built-in function or operator.
+struct Builtin {
+  using Unary = double (*)(double);
+  using Binary = double (*)(double, double);
+  using Ternary = double (*)(double, double, double);
+
+  std::string_view name;
+  std::variant<Unary, Binary, Ternary> function;
+  ArgumentRule argument_rule = ArgumentRule::kAnything;
+  ResultRule result_rule = ResultRule::kCount;
+  bool is_variadic = false;  // takes one or more arguments: f(f(a, b), c)
+
+  /// Number of arguments; 0 if variadic.
+  int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
+  /// Applies the function to the first of the values.
+  double Call(const std::array<double, 3>& values) const;
+};
+
+/// Returns null if there is no function of that name.
+const Builtin* FindBuiltin(std::string_view name);
+/// Returns the operator with one operand: "-" or "!".
+const Builtin& UnaryOperator(std::string_view sign);
+/// Returns the operator with two operands ("+", "<", "&&", ...) or three ("?").
+const Builtin& Operator(std::string_view sign);
+
+/// The constants `pi`, `true` and `false`.
+struct Constant {
+  std::string_view name;
+  double value;
+  bool is_boolean;
+};
+/// Returns null if `name` is not a constant.
+const Constant* FindConstant(std::string_view name);
+
+/// Returns the usage of a function ("clamp(x, lo, hi)"), or an empty text.
+std::string_view UsageOf(std::string_view function);
+
+}  // namespace mjforge::expr

@@ -1,0 +1,27 @@
+// Dimensional analysis: checks of the dimensions of arguments, and dimensions of results. Private
+// to the room.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mjforge/expr/parser.h"
+
+namespace mjforge::expr {
+
+/// Returns the dimension of the result. If the arguments do not have the dimensions that the
+/// built-in requires, returns nothing and sets `error` at `offset`.
+std::optional<Dimension> DeriveDimension(const Builtin& builtin,
+                                         std::span<const Argument> arguments, std::size_t offset,
+                                         Error& error);
+
+/// Returns true if the argument is a plain number; otherwise sets `error` at `offset`. `what` ("an
+/// index") describes the argument in the message.
+bool CheckCount(const Argument& argument, std::string_view what, std::size_t offset, Error& error);
+
+/// Returns the dimension of a number without a unit. Small whole numbers and 0.5 are counts,
+/// because twice a length is a length. The dimension of other numbers (9.81, 700) is unknown.
+Dimension DimensionOfLiteral(double number);
+
+}  // namespace mjforge::expr

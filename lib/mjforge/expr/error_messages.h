@@ -1,0 +1,49 @@
+// Errors of expressions: one function per message. Private to the room.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/expr/tokens.h"
+
+namespace mjforge::expr {
+
+inline constexpr std::string_view kSplitHint =
+    "move a part of it into a parameter: a parameter may be an expression";
+
+/// Returns the error for a token in the place of an operand.
+Error MissingValue(std::span<const Token> tokens, std::size_t at);
+/// Returns the error for a token that cannot follow the one before it.
+Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTable& names);
+/// Returns the error for an undefined name, or for a function's name without parentheses.
+/// `beside_text`: the name is compared with a text.
+Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text);
+/// Returns the error for a name with parentheses that is not a function.
+Error NotAFunction(const Token& token, const SymbolTable& names);
+Error UnknownUnit(const Token& token, const SymbolTable& names);
+/// Returns the error for a component that a variable does not have. `component` is empty for a
+/// vector without a component.
+Error WrongComponent(const Token& token, const SymbolTable::Variable& variable,
+                     std::string_view component);
+
+/// Returns the error for a list in the place of a single value.
+Error WholeList(const Token& token);
+/// Returns the error for an argument that should be a list. `usage`: "sum(list, n)".
+Error NotAList(const Token& token, std::string_view usage);
+/// Returns the error for an index outside a vector of `count` components.
+Error NoSuchElement(const Token& token, double index, int count);
+/// Returns the error for a text that is not an operand of == or !=.
+Error MisusedText(const Token& token);
+/// Returns the error for a text compared with a number or a boolean.
+Error TextAgainst(const Token& token);
+/// Returns the error for a choice (? :) between a text and a number or a boolean.
+Error TextBeside(const Token& token);
+/// Returns the error for `count` arguments of a function with `arity` parameters (0: one or more).
+Error WrongCount(const Token& function, int arity, int count, std::string_view usage);
+Error TooManyCalls(const Token& function, int limit);
+Error TooLong(std::size_t bytes, std::size_t limit);
+Error TooDeep(const Token& token, int limit);
+
+}  // namespace mjforge::expr

@@ -1,0 +1,237 @@
+// Conversion of numbers to text (ten digits, or shortest round trip) and of text to numbers.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::expr {
+namespace {
+
+constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm of 1 m
+
+// Powers of ten that are exact as doubles, up to 10^22.
+constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kLargestPower = static_cast<int>(kPowers.size()) - 1;
+
+// A number d.ddddddddd * 10^exponent; `digits` contains the ten decimal digits.
+struct Decimal {
+  std::uint64_t digits = 0;
+  int exponent = 0;
+};
+
+// Returns the value times 10^(9 - exponent), which has ten digits before the point. Both factors
+// are exact, so the error of the product is at most half a unit in the last place, about 1e-6 for a
+// product below 1e10.
+std::optional<double> Scaled(double magnitude, int exponent) {
+  const int shift = kDigits - 1 - exponent;
+  if (shift >= 0 && shift <= kLargestPower) return magnitude * kPowers[static_cast<size_t>(shift)];
+  if (shift < 0 && -shift <= kLargestPower) return magnitude / kPowers[static_cast<size_t>(-shift)];
+  return std::nullopt;
+}
+
+// Returns the correctly rounded decimal, or nothing if the rounding is uncertain: the power of ten
+// is not exact, or the fraction is too near to one half.
+std::optional<Decimal> Rounded(double magnitude) {
+  const int binary =
+      static_cast<int>((std::bit_cast<std::uint64_t>(magnitude) >> 52) & 0x7ff) - 1023;
+  // floor(binary * log10(2)) is the decimal exponent or one less.
+  int exponent = (binary * 78913) >> 18;
+  std::optional<double> scaled = Scaled(magnitude, exponent);
+  if (scaled && *scaled >= kPowers[kDigits]) scaled = Scaled(magnitude, ++exponent);
+  if (!scaled) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(*scaled);
+  const double rest = *scaled - static_cast<double>(whole);
+  constexpr double kDoubt = 1e-5;  // ten times the error of Scaled()
+  if (std::abs(rest - 0.5) < kDoubt) return std::nullopt;
+  Decimal decimal{whole + (rest > 0.5 ? 1u : 0u), exponent};
+  if (decimal.digits == 10'000'000'000u) decimal = {1'000'000'000u, exponent + 1};
+  return decimal;
+}
+
+// Returns the eight digits of a number below 10^8 as the bytes of a word, the first digit in the
+// lowest byte. Each step splits every part in two: 4 + 4 digits, 2 + 2, 1 + 1.
+// Source: P. Khuong, "How to print integers really fast", 2017.
+std::uint64_t EightDigits(std::uint64_t number) {
+  const std::uint64_t fours = number / 10'000 | (number % 10'000) << 32;
+  const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x0000'007f'0000'007f;
+  const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16;
+  const std::uint64_t tens = (twos * 103 >> 10) & 0x000f'000f'000f'000f;
+  return tens | (twos - 10 * tens) << 8;
+}
+
+// The 16 digits of a number. The first digit is in the lowest byte of `high`, so that storing both
+// words writes the digits in order.
+static_assert(std::endian::native == std::endian::little);
+struct Digits {
+  std::uint64_t high;
+  std::uint64_t low;
+
+  explicit Digits(std::uint64_t number)
+      : high(EightDigits(number / 100'000'000)), low(EightDigits(number % 100'000'000)) {}
+
+  /// Number of digits without trailing zeros.
+  std::size_t count() const {
+    const int zeros = low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high);
+    return static_cast<std::size_t>(16 - zeros / 8);
+  }
+  /// Writes all 16 digits.
+  void Write(char* out) const {
+    constexpr std::uint64_t kZeros = 0x3030'3030'3030'3030;  // '0' eight times
+    const std::uint64_t words[] = {high | kZeros, low | kZeros};
+    std::memcpy(out, &words[0], 8);
+    std::memcpy(out + 8, &words[1], 8);
+  }
+};
+
+// Writes a number without exponent; `exponent` (at least -4) belongs to the first digit. Returns
+// the end of the text; bytes after it are overwritten.
+char* WritePositional(char* out, const Digits& digits, int exponent) {
+  if (exponent < 0) {
+    constexpr std::array kStart = {'0', '.', '0', '0', '0', '0'};
+    out = std::copy(kStart.begin(), kStart.end(), out) - 5 - exponent;
+    digits.Write(out);
+    return out + digits.count();
+  }
+  std::array<char, 32> zeros_after;
+  digits.Write(zeros_after.data());
+  std::memset(&zeros_after[16], '0', 16);
+  const std::size_t before = static_cast<std::size_t>(exponent) + 1;
+  digits.Write(out);
+  out += before;
+  if (digits.count() <= before) return out;
+  *out++ = '.';
+  std::memcpy(out, &zeros_after[before], 16);
+  return out + (digits.count() - before);
+}
+
+char* WriteScientific(char* out, const Digits& digits, int exponent) {
+  std::array<char, 16> all;
+  digits.Write(all.data());
+  *out++ = all[0];
+  if (digits.count() > 1) *out++ = '.';
+  out = std::copy_n(&all[1], digits.count() - 1, out);
+  *out++ = 'e';
+  *out++ = exponent < 0 ? '-' : '+';
+  const int size = std::abs(exponent);
+  if (size >= 100) *out++ = static_cast<char>('0' + size / 100);
+  *out++ = static_cast<char>('0' + size / 10 % 10);
+  *out++ = static_cast<char>('0' + size % 10);
+  return out;
+}
+
+template <typename... Args>
+char* WriteChars(char* out, Args... args) {
+  return std::to_chars(out, out + kLongestNumber, args...).ptr;
+}
+
+// Writes a value of at most 15 digits with 1e-3 <= |value| < 1e4. Returns null for other values.
+char* WriteShortDecimal(char* out, double value) {
+  constexpr int kCertain = 15;  // decimals of 15 digits survive a conversion to double and back
+  const double magnitude = std::abs(value);
+  if (!(magnitude >= 1e-3 && magnitude < 1e4)) return nullptr;
+  int exponent = -3;
+  for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
+  // The quotient of two exact numbers is rounded like the decimal when it is read.
+  const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
+  const double scaled = magnitude * power;
+  auto whole = static_cast<std::uint64_t>(scaled);
+  if (scaled - static_cast<double>(whole) >= 0.5) ++whole;
+  if (static_cast<double>(whole) / power != magnitude) return nullptr;
+  if (value < 0) *out++ = '-';
+  return WritePositional(out, Digits(whole * 10), exponent);
+}
+
+// Writes a whole number from 0 to 9, the most frequent case. Returns null for other values.
+char* WriteDigit(char* out, double value) {
+  if (!(value >= 0 && value <= 9)) return nullptr;
+  const int digit = static_cast<int>(value);
+  if (digit != value) return nullptr;
+  *out = static_cast<char>('0' + digit);
+  return out + 1;
+}
+
+template <auto write>
+void Append(std::string& out, double value) {
+  std::array<char, kLongestNumber> text;
+  out.append(text.data(), write(text.data(), value));
+}
+
+std::optional<double> ParseInteger(std::string_view digits, int base) {
+  std::uint64_t value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, value, base);
+  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return static_cast<double>(value);
+}
+
+}  // namespace
+
+// The text equals that of printf("%.10g") in the C locale: without exponent for 1e-4 <= |value| <
+// 1e10, otherwise with an exponent of at least two digits. MuJoCo writes its files in this format.
+// The slower std::to_chars is only used if the rounding is uncertain.
+char* WriteNumber(char* out, double value) {
+  const double magnitude = std::abs(value);
+  if (char* const end = WriteDigit(out, value)) return end;
+  if (magnitude < kPowers[kDigits]) {
+    const auto whole = static_cast<std::int64_t>(value);
+    if (static_cast<double>(whole) == value) return WriteChars(out, whole);
+  }
+  const std::optional<Decimal> decimal = Rounded(magnitude);
+  if (!decimal) return WriteChars(out, value, std::chars_format::general, kDigits);
+  const Digits digits(decimal->digits * 1'000'000);
+  if (value < 0) *out++ = '-';
+  const bool positional = decimal->exponent >= -4 && decimal->exponent < kDigits;
+  return positional ? WritePositional(out, digits, decimal->exponent)
+                    : WriteScientific(out, digits, decimal->exponent);
+}
+
+void AppendNumber(std::string& out, double value) { Append<WriteNumber>(out, value); }
+
+std::string NumberText(double value) {
+  std::string text;
+  AppendNumber(text, value);
+  return text;
+}
+
+// Drawn values have few digits. If a decimal of at most 15 digits reads back as the value, no other
+// decimal of at most 15 digits does, so it is the shortest.
+char* WriteExactNumber(char* out, double value) {
+  const bool minus_zero = value == 0 && std::signbit(value);
+  char* end = minus_zero ? nullptr : WriteDigit(out, value);
+  if (end == nullptr) end = WriteShortDecimal(out, value);
+  return end == nullptr ? WriteChars(out, value) : end;
+}
+
+void AppendExactNumber(std::string& out, double value) { Append<WriteExactNumber>(out, value); }
+
+std::string ExactNumberText(double value) {
+  std::string text;
+  AppendExactNumber(text, value);
+  return text;
+}
+
+// Numbers outside the range of a double (1e999, and 1e-999, which would become 0) are rejected.
+std::optional<double> ParseNumber(std::string_view text) {
+  if (text.starts_with("0x")) return ParseInteger(text.substr(2), 16);
+  if (text.starts_with("0o")) return ParseInteger(text.substr(2), 8);
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  // std::from_chars also reads "inf", "nan" and a second sign.
+  if (text.empty() || (!IsDigit(text.front()) && text.front() != '.')) return std::nullopt;
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return negative ? -value : value;
+}
+
+}  // namespace mjforge::expr

@@ -1,0 +1,399 @@
+// Recursive-descent parser of expressions.
+#include "mjforge/expr/parser.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/dimension_rules.h"
+#include "mjforge/expr/error_messages.h"
+#include "mjforge/expr/program_builder.h"
+#include "mjforge/expr/tokens.h"
+
+namespace mjforge::expr {
+namespace {
+
+using diag::Code;
+
+// Limits of the text; parsing within them cannot exhaust the stack.
+constexpr std::size_t kMaxBytes = 10'000;
+constexpr int kMaxDepth = 200;
+// Largest number of calls of a spec's functions, whose chains can expand to 2^n steps.
+constexpr int kMaxCalls = 1000;
+
+// Recursive descent with one function per level of precedence, from the loosest operator:
+//   choice:     any ? choice : choice
+//   any:        all (or all)*
+//   all:        negation (and negation)*
+//   negation:   not negation | comparison
+//   comparison: sum (< <= > >= == != sum)?
+//   sum, term:  left to right
+//   signed:     - signed | + signed | ! signed | power
+//   power:      primary (^ signed)?
+// Each function adds its steps to the program. A call of a spec's function parses the body of that
+// function, with the operands of the call as its arguments.
+class Parser : ProgramBuilder {
+ public:
+  Parser(std::string_view text, std::vector<Token> tokens, ParseState& state,
+         Arguments arguments = {})
+      : ProgramBuilder(text, std::move(tokens), state, std::move(arguments)), state_(state) {}
+
+  OptionalOperand Run(Expression::Result wanted = Expression::Result::kNoText) {
+    const OptionalOperand result = Choice();
+    if (!result) return result;
+    if (Now().kind != Token::Kind::kEnd) return Fail(Unexpected(tokens_, at_, names_));
+    if (result->type == Type::kText && wanted == Expression::Result::kNoText)
+      return FailText(*result);
+    return result;
+  }
+
+ private:
+  // Counts the nesting depth while a function runs.
+  class DepthGuard {
+   public:
+    explicit DepthGuard(Parser& parser) : depth_(parser.state_.depth) { ++depth_; }
+    ~DepthGuard() { --depth_; }
+    DepthGuard(const DepthGuard&) = delete;
+    DepthGuard& operator=(const DepthGuard&) = delete;
+    bool is_too_deep() const { return depth_ > kMaxDepth; }
+
+   private:
+    int& depth_;
+  };
+
+  OptionalOperand FailDepth() { return Fail(TooDeep(Now(), kMaxDepth)); }
+
+  OptionalOperand RejectText(const OptionalOperand& operand) {
+    return operand && operand->type == Type::kText ? FailText(*operand) : operand;
+  }
+
+  OptionalOperand Choice() {
+    const DepthGuard guard(*this);
+    if (guard.is_too_deep()) return FailDepth();
+    OptionalOperand condition = Any();
+    if (!condition || !Now().IsSign("?")) return condition;
+    if (condition->type == Type::kText) return FailText(*condition);
+    const std::size_t question = Now().offset;
+    ++at_;
+    const std::size_t first = at_;
+    const OptionalOperand yes = Choice();
+    if (!yes) return yes;
+    const std::size_t colon = at_;
+    if (!Take(":")) {
+      if (Now().kind != Token::Kind::kEnd) return Fail(Unexpected(tokens_, at_, names_));
+      return Fail({Code::kExprSyntax, question, "'?' has no ':'", "write condition ? a : b"});
+    }
+    const OptionalOperand no = Choice();
+    if (!no) return no;
+    if ((yes->type == Type::kText) != (no->type == Type::kText))
+      return Fail(TextBeside(tokens_[yes->type == Type::kText ? yes->token : no->token]));
+    const Type type = yes->type == no->type ? yes->type : Type::kNumber;
+    const std::array arguments = {Argument{*condition, {}}, Argument{*yes, Source(first, colon)},
+                                  Argument{*no, Source(colon + 1, at_)}};
+    OptionalOperand result = AddCall(Operator("?"), type, arguments, tokens_[colon].offset);
+    if (result) result->token = yes->token;
+    return result;
+  }
+
+  using Rule = OptionalOperand (Parser::*)();
+
+  // Parses rule (sign rule)* and rejects texts; `keyword` is an alternative to the first sign.
+  OptionalOperand Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
+                        std::string_view keyword = {}) {
+    const std::size_t first = at_;
+    OptionalOperand left = (this->*rule)();
+    while (left) {
+      const auto* sign = std::find_if(signs.begin(), signs.end(),
+                                      [this](std::string_view each) { return Now().IsSign(each); });
+      if (!keyword.empty() && Now().IsName(keyword)) sign = signs.begin();
+      if (sign == signs.end()) break;
+      if (left->type == Type::kText) return FailText(*left);
+      const std::size_t place = at_++;
+      const OptionalOperand right = RejectText((this->*rule)());
+      if (!right) return right;
+      left = AddBinary(Operator(*sign), type, *left, *right, {first, place});
+    }
+    return left;
+  }
+
+  // Adds a binary operator. `sign` and `first` are the tokens of the operator and of the start of
+  // its first operand.
+  struct OperatorPlace {
+    std::size_t first;
+    std::size_t sign;
+  };
+  OptionalOperand AddBinary(const Builtin& builtin, Type type, const TypedOperand& left,
+                            const TypedOperand& right, OperatorPlace place) {
+    const std::array arguments = {Argument{left, Source(place.first, place.sign)},
+                                  Argument{right, Source(place.sign + 1, at_)}};
+    return AddCall(builtin, type, arguments, tokens_[place.sign].offset);
+  }
+
+  OptionalOperand Any() { return Chain(&Parser::All, {"||"}, Type::kBoolean, "or"); }
+
+  OptionalOperand All() { return Chain(&Parser::Negation, {"&&"}, Type::kBoolean, "and"); }
+
+  OptionalOperand Negation() {
+    if (!Now().IsName("not")) return Comparison();
+    const DepthGuard guard(*this);
+    if (guard.is_too_deep()) return FailDepth();
+    ++at_;
+    return Unary("!", &Parser::Negation, Type::kBoolean);
+  }
+
+  // Parses the operand of a unary operator that was already taken.
+  OptionalOperand Unary(std::string_view sign, Rule rule, Type type) {
+    const OptionalOperand operand = RejectText((this->*rule)());
+    if (!operand) return operand;
+    return AddCall(UnaryOperator(sign), type, std::array{Argument{*operand, {}}}, 0);
+  }
+
+  OptionalOperand Comparison() {
+    const std::size_t first = at_;
+    const OptionalOperand left = Sum();
+    if (!left || !AtComparison()) return left;
+    const std::size_t sign = at_++;
+    const bool equality = tokens_[sign].text == "==" || tokens_[sign].text == "!=";
+    if (left->type == Type::kText && !equality) return FailText(*left);
+    beside_text_ = left->type == Type::kText;
+    const OptionalOperand right = Sum();
+    beside_text_ = false;
+    if (!right) return right;
+    if (right->type == Type::kText && !equality) return FailText(*right);
+    if ((left->type == Type::kText) != (right->type == Type::kText)) {
+      return Fail(TextAgainst(tokens_[left->type == Type::kText ? left->token : right->token]));
+    }
+    if (AtComparison()) return FailChained(first, sign);
+    return AddBinary(Operator(tokens_[sign].text), Type::kBoolean, *left, *right, {first, sign});
+  }
+
+  OptionalOperand FailChained(std::size_t first, std::size_t sign) {
+    const std::string_view left = Source(first, at_);
+    const std::string_view middle = Source(sign + 1, at_);
+    return Fail({Code::kExprSyntax, Now().offset, "comparisons cannot be chained",
+                 fmt::format("write {} and {} {} ...", left, middle, Now().text)});
+  }
+
+  OptionalOperand Sum() { return Chain(&Parser::Term, {"+", "-"}, Type::kNumber); }
+
+  OptionalOperand Term() { return Chain(&Parser::Signed, {"*", "/", "%"}, Type::kNumber); }
+
+  OptionalOperand Signed() {
+    if (!Now().IsSign("-") && !Now().IsSign("+") && !Now().IsSign("!")) return Power();
+    const DepthGuard guard(*this);
+    if (guard.is_too_deep()) return FailDepth();
+    if (Take("-")) return Unary("-", &Parser::Signed, Type::kNumber);
+    if (Take("!")) return Unary("!", &Parser::Signed, Type::kBoolean);
+    ++at_;
+    const OptionalOperand operand = RejectText(Signed());
+    if (!operand) return operand;
+    return TypedOperand{
+        .value = operand->value, .token = operand->token, .dimension = operand->dimension};
+  }
+
+  OptionalOperand Power() {
+    const std::size_t first = at_;
+    const OptionalOperand base = Primary();
+    if (!base || !Now().IsSign("^")) return base;
+    if (base->type == Type::kText) return FailText(*base);
+    const DepthGuard guard(*this);
+    if (guard.is_too_deep()) return FailDepth();
+    const std::size_t sign = at_++;
+    const OptionalOperand exponent = RejectText(Signed());
+    if (!exponent) return exponent;
+    return AddBinary(Operator("^"), Type::kNumber, *base, *exponent, {first, sign});
+  }
+
+  OptionalOperand Primary() {
+    const Token& token = Now();
+    switch (token.kind) {
+      case Token::Kind::kNumber:
+        return Number();
+      case Token::Kind::kText:
+        ++at_;
+        return Quoted(token);
+      case Token::Kind::kName:
+        if (token.text == "and" || token.text == "or" || token.text == "not") break;
+        return Name();
+      case Token::Kind::kSign:
+        if (token.text == "(") return Group();
+        break;
+      case Token::Kind::kEnd:
+        break;
+    }
+    return Fail(MissingValue(tokens_, at_));
+  }
+
+  OptionalOperand Number() {
+    const Token& token = Now();
+    if (token.unit.empty()) {
+      ++at_;
+      return Literal(token.number, Type::kNumber, DimensionOfLiteral(token.number));
+    }
+    const Unit* unit = FindUnitSuffix(token.unit);
+    if (unit == nullptr) return Fail(UnknownUnit(token, names_));
+    ++at_;
+    return Literal(token.number * unit->numerator / unit->denominator, Type::kNumber,
+                   unit->dimension);
+  }
+
+  OptionalOperand Group() {
+    const std::size_t open = Now().offset;
+    ++at_;
+    const OptionalOperand inner = Choice();
+    if (!inner) return inner;
+    if (!Take(")")) return FailOpen(open, "'(' is not closed");
+    return inner;
+  }
+
+  OptionalOperand FailOpen(std::size_t open, std::string_view message) {
+    if (Now().kind != Token::Kind::kEnd) return Fail(Unexpected(tokens_, at_, names_));
+    return Fail({Code::kExprSyntax, open, std::string(message), {}});
+  }
+
+  OptionalOperand Name() {
+    const Token& token = Now();
+    if (tokens_[at_ + 1].IsSign("(")) {
+      if (const Builtin* builtin = FindBuiltin(token.text)) return Call(*builtin);
+      if (const Formula* formula = names_.FindFormula(token.text)) return Call(*formula);
+      const ListBuiltin* list_builtin = FindListBuiltin(token.text);
+      return list_builtin ? ListBuiltinCall(*list_builtin) : Fail(NotAFunction(token, names_));
+    }
+    if (IsListAt(at_) && tokens_[at_ + 1].IsSign("[")) return Element();
+    ++at_;
+    return ResolveName(token, beside_text_);
+  }
+
+  // list[index]
+  OptionalOperand Element() {
+    const Token& name = Now();
+    const std::size_t open = tokens_[++at_].offset;
+    const std::size_t first = ++at_;
+    const DepthGuard guard(*this);
+    if (guard.is_too_deep()) return FailDepth();
+    const OptionalOperand index = RejectText(Choice());
+    if (!index) return index;
+    const std::size_t end = at_;
+    if (!Take("]")) return FailOpen(open, "'[' is not closed");
+    return AddElement(name, {*index, Source(first, end)});
+  }
+
+  // sum(list), sum(list, n), len(list)
+  OptionalOperand ListBuiltinCall(const ListBuiltin& builtin) {
+    const Token& function = Now();
+    const std::size_t open = tokens_[at_ + 1].offset;
+    at_ += 2;
+    const std::size_t list = at_;
+    if (!IsListAt(at_)) return Fail(NotAList(Now(), UsageOf(function.text)));
+    ++at_;
+    std::optional<Argument> count;
+    if (builtin.name == "sum" && Take(",")) {
+      const std::size_t first = at_;
+      const OptionalOperand operand = RejectText(Choice());
+      if (!operand) return operand;
+      count = {*operand, Source(first, at_)};
+    }
+    if (Now().IsSign(",")) return Fail(WrongCount(function, 1, 2, UsageOf(function.text)));
+    if (!Take(")")) return FailOpen(open, "'(' is not closed");
+    return AddListCall(builtin, list, count ? &*count : nullptr);
+  }
+
+  // Parses the arguments of a call, up to its ")". Applies `list_builtin`, unless null, to
+  // arguments that are lists. Returns false after an error.
+  bool ReadArguments(const ListBuiltin* list_builtin, std::vector<Argument>& arguments) {
+    const std::size_t open = tokens_[at_ + 1].offset;
+    at_ += 2;
+    if (!Now().IsSign(")")) {
+      do {
+        const std::size_t first = at_;
+        const bool is_list = list_builtin != nullptr && IsListAt(at_) &&
+                             (tokens_[at_ + 1].IsSign(",") || tokens_[at_ + 1].IsSign(")"));
+        const OptionalOperand argument =
+            is_list ? AddListCall(*list_builtin, at_++, nullptr) : RejectText(Choice());
+        if (!argument) return false;
+        arguments.push_back({*argument, Source(first, at_)});
+      } while (Take(","));
+    }
+    return Take(")") || FailOpen(open, "'(' is not closed").has_value();
+  }
+
+  OptionalOperand Call(const Builtin& builtin) {
+    const Token& name = Now();
+    std::vector<Argument> arguments;
+    if (!ReadArguments(FindListBuiltin(builtin.name), arguments)) return std::nullopt;
+    const int arity = builtin.arity();
+    const int count = static_cast<int>(arguments.size());
+    if (arity == 0 ? count == 0 : count != arity) {
+      return Fail(WrongCount(name, arity, count, UsageOf(name.text)));
+    }
+    return AddCall(builtin, Type::kNumber, arguments, name.offset);
+  }
+
+  OptionalOperand Call(const Formula& formula) {
+    const Token& name = Now();
+    std::vector<Argument> operands;
+    if (!ReadArguments(nullptr, operands)) return std::nullopt;
+    const auto arity = static_cast<int>(formula.arguments.size());
+    if (const auto count = static_cast<int>(operands.size()); count != arity)
+      return Fail(WrongCount(name, arity, count, formula.Usage()));
+    parsed_.formulas.insert(formula.name);
+    ParseState::Call call = {&formula, {}};
+    Arguments arguments;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      const auto& [operand, type, token, dimension] = operands[i].operand;
+      call.second.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant), type,
+                               dimension);
+      arguments.emplace(formula.arguments[i], operands[i].operand);
+    }
+    const auto known = state_.results.find(call);
+    if (known != state_.results.end()) return known->second;
+    const DepthGuard guard(*this);
+    if (guard.is_too_deep()) return Fail(TooDeep(name, kMaxDepth));
+    ++state_.calls;
+    const OptionalOperand result =
+        state_.calls > kMaxCalls ? std::nullopt : Inline(formula, std::move(arguments));
+    // The error names the call in the expression, not the nested one.
+    if (state_.calls > kMaxCalls) return Fail(TooManyCalls(name, kMaxCalls));
+    if (result) state_.results.emplace(std::move(call), *result);
+    return result;
+  }
+
+  OptionalOperand Inline(const Formula& formula, Arguments arguments) {
+    std::vector<Token> tokens;
+    OptionalOperand result;
+    if (Tokenize(formula.body, tokens, error_))
+      result = Parser(formula.body, std::move(tokens), state_, std::move(arguments)).Run();
+    if (!result && error_.formula.empty()) error_.formula = formula.name;
+    return result;
+  }
+
+  ParseState& state_;
+  bool beside_text_ = false;  // the left side of the comparison is a text
+};
+
+}  // namespace
+
+bool Parse(std::string_view text, const SymbolTable& names, Expression::Result wanted,
+           ParsedExpression& parsed, Error& error) {
+  if (text.size() > kMaxBytes) {
+    error = TooLong(text.size(), kMaxBytes);
+    return false;
+  }
+  std::vector<Token> tokens;
+  if (!Tokenize(text, tokens, error)) return false;
+  ParseState state{.names = names, .parsed = parsed, .error = error};
+  const auto result = Parser(text, std::move(tokens), state).Run(wanted);
+  if (!result) return false;
+  parsed.type = result->type;
+  parsed.dimension = result->dimension;
+  parsed.program.SetResult(result->value);
+  return true;
+}
+
+}  // namespace mjforge::expr

@@ -1,0 +1,66 @@
+// Results of parsing an expression, and the parser's entry point. Private to the room.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/expr/program.h"
+
+namespace mjforge::expr {
+
+/// A parsed expression.
+struct ParsedExpression {
+  Program program;
+  Type type = Type::kNumber;
+  Dimension dimension = {};
+  std::vector<Expression::Input> inputs;  // in order of first use
+  std::vector<std::string> texts;         // quoted texts
+  std::set<std::string> formulas;         // names of called functions
+};
+
+/// Result of a parsed part of an expression.
+struct TypedOperand {
+  Operand value;
+  Type type = Type::kNumber;
+  std::size_t token = 0;  // index of a text's token
+  Dimension dimension = {};
+};
+
+/// Argument of a function or operand of an operator.
+struct Argument {
+  TypedOperand operand;
+  std::string_view source;  // text in the expression; may be empty
+
+  Dimension dimension() const {
+    return operand.type == Type::kNumber ? operand.dimension : Dimension::Count();
+  }
+};
+
+/// State shared by the parser of an expression and the parsers of the functions that it calls.
+struct ParseState {
+  /// A call: the function, and step, bits, type and dimension of each argument.
+  using Call =
+      std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
+
+  const SymbolTable& names;
+  ParsedExpression& parsed;
+  Error& error;
+  int depth = 0;
+  int calls = 0;
+  /// Results of earlier calls, so that n functions that each call the next one twice need fewer
+  /// than 2^n steps.
+  std::map<Call, TypedOperand> results = {};
+};
+
+/// Parses and checks `text`. On failure returns false and sets `error`.
+bool Parse(std::string_view text, const SymbolTable& names, Expression::Result wanted,
+           ParsedExpression& parsed, Error& error);
+
+}  // namespace mjforge::expr

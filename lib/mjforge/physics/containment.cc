@@ -1,0 +1,273 @@
+// Containment test: balls dropped into an object that is held in place and then turned over.
+#include "mjforge/physics/containment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/check_names.h"
+#include "mjforge/physics/stepper.h"
+
+namespace mjforge::physics {
+namespace {
+
+using diag::Code;
+using Eigen::Vector3d;
+using expr::RoundedText;
+
+constexpr double kStay = 3;        // s, for which the balls must stay
+constexpr double kTurn = 1;        // s, for half a turn
+constexpr double kPour = 3;        // s, for the balls to leave, including the turn
+constexpr double kDensity = 2500;  // kg/m^3, glass
+// Offset of a ball from the axis, as a share of its radius: large enough that balls do not balance
+// on each other, small enough that they fall through the neck of a bottle.
+constexpr double kOffAxis = 0.1;
+constexpr double kSoft = 0.001;                     // m, tolerance of soft contacts
+constexpr double kFall = 0.3;                       // s, to fall from a rim to beside the object
+constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
+
+std::string BallName(int ball) { return fmt::format("{}ball-{}", kProbePrefix, ball); }
+
+enum class BallPlace { kAbove, kInside, kOutOverTheTop, kOutBelowTheTop };
+
+struct Ball {
+  int index = 0;
+  int qpos = 0;       // index of its position in mjData.qpos
+  double radius = 0;  // m
+  BallPlace place = BallPlace::kAbove;
+  Vector3d p_W = Vector3d::Zero();  // m, its position, or that at which it left the object
+  bool was_deep = false;            // has been far below the top
+  double rose = -1;                 // s, last time at which it was near the top again
+};
+
+/// Returns the radius of a ball, m; radii decrease by equal ratios. The largest ball is dropped
+/// first, because later it would hammer the small ones through the wall.
+double RadiusOf(const model::Holding& holding, int ball) {
+  const double share = holding.balls > 1 ? static_cast<double>(ball) / (holding.balls - 1) : 0;
+  return holding.ball.y() / 2 * std::pow(holding.ball.x() / holding.ball.y(), share);
+}
+
+/// Result of a containment test.
+struct ContainmentResult {
+  bool has_diverged = false;
+  std::vector<Ball> lost;    // while they had to stay
+  std::vector<Ball> leaked;  // through the wall, while the object was turned over
+  std::vector<Ball> kept;    // after the object was turned over
+};
+
+/// Simulation of balls in an object that is held in place as if fixed to the world.
+class Container {
+ public:
+  /// `removed` is a body that does not collide, with all bodies on it; 0: all bodies collide.
+  Container(mjModel& m, mjData& d, std::span<const mjtNum> start, const model::Holding& holding,
+            int removed)
+      : m_(m), d_(d), first_(mj_name2id(&m, mjOBJ_BODY, BallName(0).c_str())) {
+    if (first_ < 0) throw std::runtime_error("the balls are not in its world");
+    const int qpos = m.jnt_qposadr[m.body_jntadr[first_]];
+    for (int i = 0; i < holding.balls; ++i)
+      balls_.push_back({i, qpos + 7 * i, RadiusOf(holding, i)});
+    if (removed > 0) Remove(removed);
+    stepper_.emplace(m, d);
+    Hold(start);
+    if (box_.empty()) box_.min = box_.max = Vector3d(Vector3d::Zero());
+    PlaceBalls(holding);
+  }
+
+  ContainmentResult Run(bool turn_over) {
+    ContainmentResult result;
+    for (double time = 0; time < kStay && !HasDiverged(d_); time += m_.opt.timestep) Step(0);
+    const auto inside = std::partition(balls_.begin(), balls_.end(), [](const Ball& ball) {
+      return ball.place != BallPlace::kInside;
+    });
+    result.lost.assign(balls_.begin(), inside);
+    balls_.erase(balls_.begin(), inside);
+    if (turn_over) TurnOver(result);
+    result.has_diverged = HasDiverged(d_);
+    return result;
+  }
+
+ private:
+  void TurnOver(ContainmentResult& result) {
+    const auto is_in = [](const Ball& ball) { return ball.place == BallPlace::kInside; };
+    for (double time = 0; time < kPour && std::ranges::any_of(balls_, is_in) && !HasDiverged(d_);
+         time += m_.opt.timestep) {
+      Step(std::numbers::pi * std::min(time / kTurn, 1.0));
+    }
+    for (const Ball& ball : balls_) {
+      if (ball.place == BallPlace::kInside) result.kept.push_back(ball);
+      // A ball that leaves below the top may have crossed a rim that is lower than other parts.
+      // Only in the lower half of the box it must have gone through the wall.
+      const bool low = 2 * ball.p_W.z() < box_.min.z() + box_.max.z();
+      if (ball.place == BallPlace::kOutBelowTheTop && low) result.leaked.push_back(ball);
+    }
+  }
+
+  void Remove(int removed) {
+    for (int i = 0; i < m_.ngeom; ++i) {
+      int body = m_.geom_bodyid[i];
+      while (body > removed) body = m_.body_parentid[body];
+      if (body == removed) m_.geom_contype[i] = m_.geom_conaffinity[i] = 0;
+    }
+  }
+
+  /// Holds the object in place and computes its box.
+  void Hold(std::span<const mjtNum> pose) {
+    const int count = static_cast<int>(balls_.size());
+    PlaceObject(m_, d_, pose, m_.body_jntadr[first_], 7 * count);
+    HoldOthers(m_, m_.body_dofadr[first_], 6 * count);
+    mj_kinematics(&m_, &d_);
+    for (int body = 1; body < m_.nbody; ++body) {
+      const bool is_ball = body >= first_ && body < first_ + count;
+      if (m_.body_parentid[body] == 0 && !is_ball) box_.Add(compiled::CollidingBox(m_, d_, body));
+    }
+  }
+
+  /// Stacks the balls above the object.
+  void PlaceBalls(const model::Holding& holding) {
+    const Vector3d middle = (box_.min + box_.max) / 2;
+    double height = box_.max.z() + holding.drop;
+    for (const Ball& ball : balls_) {
+      const double angle = kGoldenAngle * ball.index;
+      mjtNum* p = d_.qpos + ball.qpos;
+      p[0] = (holding.at ? holding.at->x() : middle.x()) + kOffAxis * ball.radius * std::cos(angle);
+      p[1] = (holding.at ? holding.at->y() : middle.y()) + kOffAxis * ball.radius * std::sin(angle);
+      p[2] = height + ball.radius;
+      height += 2.1 * ball.radius;
+    }
+  }
+
+  /// Makes one step with gravity turned by an angle about the x axis, rad.
+  void Step(double angle) {
+    m_.opt.gravity[0] = 0;
+    m_.opt.gravity[1] = kEarthGravity * std::sin(angle);
+    m_.opt.gravity[2] = -kEarthGravity * std::cos(angle);
+    stepper_->Step();
+    for (Ball& ball : balls_) {
+      if (ball.place == BallPlace::kAbove || ball.place == BallPlace::kInside) Follow(ball);
+    }
+  }
+
+  /// Updates the place of a ball.
+  void Follow(Ball& ball) {
+    ball.p_W = Eigen::Map<const Vector3d>(d_.qpos + ball.qpos);
+    const double depth = box_.max.z() - ball.p_W.z();
+    const bool beside = ((ball.p_W - box_.max).array() > ball.radius).any() ||
+                        ((box_.min - ball.p_W).array() > ball.radius).any();
+    const bool near_top = depth < 2 * ball.radius;
+    if (depth > 3 * ball.radius) ball.was_deep = true;
+    if (near_top && ball.was_deep) ball.rose = d_.time;
+    if (depth < kSoft - ball.radius) {
+      ball.place = BallPlace::kAbove;
+    } else if (!beside) {
+      ball.place = BallPlace::kInside;
+    } else {
+      // A ball that leaves over a round rim may fall into a corner of the box first.
+      const bool over = ball.place == BallPlace::kAbove || near_top || d_.time - ball.rose < kFall;
+      ball.place = over ? BallPlace::kOutOverTheTop : BallPlace::kOutBelowTheTop;
+    }
+  }
+
+  mjModel& m_;
+  mjData& d_;
+  int first_ = 0;  // body
+  std::vector<Ball> balls_;
+  model::Box3 box_;  // box of the object in the world
+  std::optional<Stepper> stepper_;
+};
+
+std::string BallText(const Ball& ball) {
+  const Vector3d mm = 1000 * ball.p_W;
+  return fmt::format("one of {} mm in diameter at ({}, {}, {}) mm", RoundedText(2000 * ball.radius),
+                     RoundedText(mm.x()), RoundedText(mm.y()), RoundedText(mm.z()));
+}
+
+/// Findings of a containment test.
+class ContainmentReport {
+ public:
+  explicit ContainmentReport(const ProbeTest& test)
+      : name_(test.object), holding_(*test.reporter.checks().holds), reporter_(test.reporter) {}
+
+  void Add(const ContainmentResult& result) {
+    if (result.has_diverged) {
+      reporter_.Error(Code::kPhysicsUnstable, holding_.mark,
+                      fmt::format("the simulation diverges as balls drop into '{}'", name_));
+      return;
+    }
+    AddLost(result.lost, "");
+    AddLost(result.leaked, " as it is turned over");
+    if (result.kept.empty()) return;
+    reporter_.Error(Code::kPhysicsKeeps, holding_.mark,
+                    fmt::format("'{}' keeps {} as it is turned over: {}", name_,
+                                CountText(result.kept), BallText(result.kept.front())),
+                    "give it a wider mouth, or say `empties: false` if they are to stay inside");
+  }
+
+ private:
+  std::string CountText(const std::vector<Ball>& balls) const {
+    return fmt::format("{} of {} ball{}", balls.size(), holding_.balls,
+                       holding_.balls == 1 ? "" : "s");
+  }
+
+  void AddLost(const std::vector<Ball>& lost, std::string_view when) {
+    if (lost.empty()) return;
+    const auto leak = std::ranges::find(lost, BallPlace::kOutBelowTheTop, &Ball::place);
+    const bool leaks = leak != lost.end();
+    reporter_.Error(Code::kPhysicsLeaks, holding_.mark,
+                    fmt::format("'{}' loses {}{}: {}, {} its top", name_, CountText(lost), when,
+                                BallText(leaks ? *leak : lost.front()), leaks ? "below" : "over"),
+                    leaks
+                        ? "make the wall thicker or its contacts harder (a shorter `solref`), and "
+                          "look for a lid that is closed"
+                        : "let them fall less far (`drop`) or elsewhere (`at`), or take fewer");
+  }
+
+  const std::string& name_;
+  const model::Holding& holding_;
+  static_checks::Reporter& reporter_;
+};
+
+/// Returns the body that does not collide in the test, 0 if there is none; nothing after a finding.
+std::optional<int> RemovedBody(const ProbeTest& test) {
+  const model::Holding& holding = *test.reporter.checks().holds;
+  if (holding.without.empty()) return 0;
+  return FindNamed(test, mjOBJ_BODY, holding.without, {"holds", holding.mark});
+}
+
+}  // namespace
+
+std::string WithBalls(std::string_view text, const model::Holding& holding) {
+  std::string balls;
+  for (int i = 0; i < holding.balls; ++i) {
+    const double radius = RadiusOf(holding, i);
+    const double mass = kDensity * 4 / 3 * std::numbers::pi * radius * radius * radius;
+    balls += fmt::format(R"(<body name="{}"><freejoint/>{}</body>)", BallName(i),
+                         ProbeGeom(fmt::format(R"(type="sphere" size="{}")", radius), mass));
+  }
+  return WithBodies(text, balls);
+}
+
+void CheckContainment(const ProbeTest& test) {
+  const std::optional<int> removed = RemovedBody(test);
+  if (!removed) return;
+  const model::Holding& holding = *test.reporter.checks().holds;
+  const auto result = Simulate(test.m, test.workspace, [&](mjData& d) {
+    return Container(test.m, d, test.start, holding, *removed).Run(holding.empties);
+  });
+  ContainmentReport(test).Add(result);
+  if (result.has_diverged) return;
+  const auto count = [](const std::vector<Ball>& balls) { return static_cast<int>(balls.size()); };
+  const int held = holding.balls - count(result.lost);
+  const int emptied = held - count(result.leaked) - count(result.kept);
+  test.result.holds = {holding.balls, held, holding.empties ? emptied : 0};
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,232 @@
+// Drop test: simulates until the object rests, and measures drift, tilt, contacts and energy.
+#include "mjforge/physics/drop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/floor.h"
+#include "mjforge/physics/joint_rest.h"
+#include "mjforge/physics/simulation.h"
+#include "mjforge/physics/stepper.h"
+
+namespace mjforge::physics {
+namespace {
+
+using compiled::VectorAt;
+
+// Time for which everything must be slow to be at rest. A pendulum is slow for a shorter time at
+// its turning points, and a falling body soon gets faster.
+constexpr double kRestTime = 0.1;          // s
+constexpr double kMeasureInterval = 0.01;  // s
+constexpr double kLevel = 1e-9;            // tolerance of the normal of a level plane
+
+/// Fixed geoms on which objects can lie.
+struct Ground {
+  int planes = 0;
+  int others = 0;
+  double height = 0;  // height of the last level plane, m
+};
+
+Ground GroundOf(const mjModel& m, const mjData& d) {
+  Ground ground;
+  for (int i = 0; i < m.ngeom; ++i) {
+    if (m.body_weldid[m.geom_bodyid[i]] != 0) continue;
+    if (!compiled::Collides(m, i)) continue;
+    const bool level = d.geom_xmat[9 * i + 8] > 1 - kLevel;
+    if (m.geom_type[i] == mjGEOM_PLANE && level) {
+      ++ground.planes;
+      ground.height = d.geom_xpos[3 * i + 2];
+    } else {
+      ++ground.others;
+    }
+  }
+  return ground;
+}
+
+class DropSimulation {
+ public:
+  DropSimulation(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
+                 Result& result)
+      : m_(m), d_(d), checks_(checks), nudge_(nudge), result_(result), stepper_(m, d) {
+    for (const int body : FreeBodies(m)) roots_.emplace_back().body = body;
+  }
+
+  DropOutcome Run() {
+    std::ranges::copy(compiled::StartOf(m_), d_.qpos);
+    mj_kinematics(&m_, &d_);
+    Lean();
+    const Ground ground = GroundOf(m_, d_);
+    result_.dropped = !roots_.empty() && ground.planes + ground.others > 0;
+    if (result_.dropped && ground.planes == 1 && ground.others == 0) Lift(ground.height);
+    mj_forward(&m_, &d_);
+    Begin();
+    const int most = static_cast<int>(std::ceil(checks_.settle_time / m_.opt.timestep));
+    const int interval =
+        std::max(1, static_cast<int>(std::lround(kMeasureInterval / m_.opt.timestep)));
+    const double steps_at_rest = kRestTime / m_.opt.timestep;
+    int slow = 0;
+    int step = 0;
+    while (step < most && (slow < steps_at_rest || MayStillMove()) && !HasDiverged(d_)) {
+      for (int i = 0; i < interval && step < most; ++i, ++step) {
+        stepper_.Step();
+        CountContacts();
+      }
+      slow = FindFastestBody(m_, d_).speed < checks_.rest_speed ? slow + interval : 0;
+      highest_energy_ = std::max(highest_energy_, Energy());
+    }
+    result_.at_rest = slow >= steps_at_rest;
+    result_.time = step * m_.opt.timestep;
+    End();
+    return {HasDiverged(d_), WarningsOf(d_), compiled::NameOf(m_, mjOBJ_BODY, fastest_),
+            (VectorAt(d_.xipos, fastest_) - VectorAt(starts_.data(), fastest_)).norm()};
+  }
+
+ private:
+  struct Root {
+    int body = 0;
+    Eigen::Vector3d start = Eigen::Vector3d::Zero();  // centre of mass of its tree
+    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // up direction at the start
+  };
+
+  bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }
+
+  /// Returns true if a slow object may not be at rest: a nudged object may be balancing, and a
+  /// damped joint may creep.
+  bool MayStillMove() const {
+    if (IsNudged()) return Tilt() > checks_.nudge / 2;
+    return HasRestRanges(checks_);
+  }
+
+  /// Returns the largest tilt of a free body, rad.
+  double Tilt() const {
+    double tilt = 0;
+    for (const Root& root : roots_) {
+      const double up = (TurnOf(root.body) * root.up_B).z();
+      tilt = std::max(tilt, std::acos(std::clamp(up, -1.0, 1.0)));
+    }
+    return tilt;
+  }
+
+  /// Applies the nudge.
+  void Lean() {
+    if (!IsNudged()) return;
+    mj_comPos(&m_, &d_);
+    const Eigen::Vector3d way(std::cos(nudge_.azimuth), std::sin(nudge_.azimuth), 0);
+    lean_ = Eigen::AngleAxisd(nudge_.tilt, Eigen::Vector3d::UnitZ().cross(way));
+    for (const Root& root : roots_) {
+      const int joint = m_.body_jntadr[root.body];
+      mjtNum* const qpos = d_.qpos + m_.jnt_qposadr[joint];
+      const Eigen::Vector3d center = VectorAt(d_.subtree_com, root.body);
+      const Eigen::Vector3d p = center + lean_ * (VectorAt(qpos, 0) - center);
+      compiled::WritePose({p, lean_ * TurnOf(root.body)}, qpos, qpos + 3);
+      Eigen::Map<Eigen::Vector3d>(d_.qvel + m_.jnt_dofadr[joint]) = nudge_.speed * way;
+    }
+    mj_kinematics(&m_, &d_);
+  }
+
+  /// Lifts all free bodies by the same height, so that they keep their relative positions.
+  void Lift(double floor) {
+    const model::Box3 box = CollidingBox(m_, d_, FreeBodies(m_));
+    if (box.empty()) {
+      result_.dropped = false;  // without colliding geoms it would fall for ever
+      return;
+    }
+    for (const Root& root : roots_) {
+      const int joint = m_.body_jntadr[root.body];
+      // A nudged body gets no energy from a fall.
+      const double above = IsNudged() ? LargestMargin(m_) : DropHeight(m_);
+      d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + above - box.min.z();
+    }
+  }
+
+  Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }
+
+  /// Records the state at the start.
+  void Begin() {
+    starts_.assign(d_.xipos, d_.xipos + 3 * m_.nbody);
+    for (Root& root : roots_) {
+      root.start = VectorAt(d_.subtree_com, root.body);
+      root.up_B = TurnOf(root.body).conjugate() * (lean_ * Eigen::Vector3d::UnitZ());
+    }
+    // Energy gains are measured in the energy that lifts the object by its own size.
+    double radius = 0;
+    for (int i = 0; i < m_.ngeom; ++i) {
+      if (m_.geom_bodyid[i] != 0) radius = std::max(radius, Reach(i));
+    }
+    const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
+    energy_scale_ = m_.body_subtreemass[0] * (gravity > 0 ? gravity : 9.81) * 2 * radius;
+    start_energy_ = highest_energy_ = Energy();
+  }
+
+  /// Returns the radius of a geom about the centre of mass of its tree, m.
+  double Reach(int geom) const {
+    const int root = m_.body_rootid[m_.geom_bodyid[geom]];
+    return m_.geom_rbound[geom] +
+           (VectorAt(d_.geom_xpos, geom) - VectorAt(d_.subtree_com, root)).norm();
+  }
+
+  // Computes the energy here, because MuJoCo would otherwise compute it in every step. Positions of
+  // bodies are updated first: after a step they are those before the step.
+  double Energy() {
+    mj_kinematics(&m_, &d_);
+    mj_comPos(&m_, &d_);
+    const int flags = m_.opt.enableflags;
+    m_.opt.enableflags |= mjENBL_ENERGY;
+    mj_energyPos(&m_, &d_);
+    mj_energyVel(&m_, &d_);
+    m_.opt.enableflags = flags;
+    return d_.energy[0] + d_.energy[1];
+  }
+
+  void CountContacts() {
+    result_.ncon = std::max(result_.ncon, d_.ncon);
+    result_.nefc = std::max(result_.nefc, d_.nefc);
+    result_.penetration = std::max(result_.penetration, DeepestContact(d_));
+  }
+
+  void End() {
+    const FastestBody fastest = FindFastestBody(m_, d_);
+    fastest_ = fastest.body;
+    result_.speed = fastest.speed;
+    result_.sink = DeepestContact(d_);
+    if (energy_scale_ > 0)
+      result_.energy_gain = std::max(0.0, highest_energy_ - start_energy_) / energy_scale_;
+    for (const Root& root : roots_) {
+      const Eigen::Vector3d way = VectorAt(d_.subtree_com, root.body) - root.start;
+      result_.drift = std::max(result_.drift, way.head<2>().norm());
+    }
+    result_.tilt = Tilt();
+  }
+
+  mjModel& m_;
+  mjData& d_;
+  const model::Checks& checks_;
+  const Nudge& nudge_;
+  Result& result_;
+  Eigen::Quaterniond lean_ = Eigen::Quaterniond::Identity();
+  std::vector<Root> roots_;
+  std::vector<mjtNum> starts_;  // xipos at the start
+  int fastest_ = 0;             // body at the end
+  double start_energy_ = 0;
+  double highest_energy_ = 0;
+  double energy_scale_ = 0;  // J
+  Stepper stepper_;
+};
+
+}  // namespace
+
+DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
+                         Result& result) {
+  return DropSimulation(m, d, checks, nudge, result).Run();
+}
+
+std::optional<int> FreeStandingBody(const mjModel& m, mjData& d) {
+  mj_kinematics(&m, &d);
+  const Ground ground = GroundOf(m, d);
+  if (ground.planes != 1 || ground.others > 0) return std::nullopt;
+  const std::vector<int> bodies = FreeBodies(m);
+  return bodies.size() == 1 ? std::optional(bodies.front()) : std::nullopt;
+}
+
+}  // namespace mjforge::physics

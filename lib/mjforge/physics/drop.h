@@ -1,0 +1,43 @@
+// Drop test: an object falls 2 mm onto a floor, optionally nudged, and comes to rest.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/model/model.h"
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+/// State at the end of a drop, besides what `Result` has.
+struct DropOutcome {
+  bool has_diverged = false;
+  std::vector<std::string> warnings;  // MuJoCo's
+  std::string fastest;                // name of the fastest body
+  double way = 0;                     // m, distance of its centre of mass from the start
+};
+
+/// Initial disturbance of free bodies: they lean, and move along the floor.
+struct Nudge {
+  double tilt = 0;     // rad
+  double speed = 0;    // m/s
+  double azimuth = 0;  // rad, direction of both, from x towards y
+};
+
+/// Simulates a drop with the model's own options until everything rests or checks.settle_time is
+/// over; always for all of that time if an entry of checks.joints has `rests`. If the model has a
+/// level plane and nothing else to lie on, the free bodies start DropHeight() above the plane.
+/// `d` is the model's data at its initial state, and holds the final state afterwards; the model is
+/// unchanged. Fills in the members of `result` that a drop measures. The tilt is relative to the
+/// orientation before the nudge. May throw std::exception.
+DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
+                         Result& result);
+
+/// Returns the body that stands alone on a level floor, so that it can be nudged; nothing if there
+/// is none or several.
+std::optional<int> FreeStandingBody(const mjModel& m, mjData& d);
+
+}  // namespace mjforge::physics

@@ -1,0 +1,45 @@
+// Gripper with two parallel jaws. The origin of its frame is the midpoint between the jaws; they
+// close along y, and the fingers point along z.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::physics {
+
+/// Returns an MJCF text with a gripper, whose palm is a mocap body.
+std::string WithGripper(std::string_view text, const model::Grasping& grasping);
+
+/// The gripper in a model of a text of WithGripper().
+class Gripper {
+ public:
+  explicit Gripper(const mjModel& m);
+
+  /// Resets the data, sets the positions of the object's joints to `start`, and places the gripper
+  /// at a pose with `opening` (m) between the jaws.
+  void Place(mjData& d, std::span<const mjtNum> start, const model::Pose& X_WJ,
+             double opening) const;
+
+  /// Applies a closing force to each jaw, N; a negative force opens the jaws.
+  void Press(mjData& d, double force) const;
+
+  /// Returns true if a geom belongs to the gripper.
+  bool Has(int geom) const;
+  /// Returns true if the gripper penetrates anything, by the contacts in `d`.
+  bool Touches(const mjData& d) const;
+  /// Returns true if each jaw touches a body of the tree with this root, by the contacts in `d`.
+  bool Holds(const mjData& d, int root) const;
+
+ private:
+  const mjModel& m_;
+  int base_ = 0;      // body of the palm; the two fingers follow
+  int joint_ = 0;     // joint of the first finger; that of the second follows
+  double width_ = 0;  // m, largest opening
+};
+
+}  // namespace mjforge::physics

@@ -1,0 +1,320 @@
+// Controller that drives joints: smooth moves, inverse dynamics with critically damped errors.
+#include "mjforge/physics/joint_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/physics/simulation.h"
+
+namespace mjforge::physics {
+namespace {
+
+using compiled::Index;
+
+constexpr double kMoveTime = 0.5;    // s, from one end to the other
+constexpr double kFastest = 12;      // rad/s
+constexpr double kLongestMove = 10;  // s
+constexpr double kHoldTime = 0.1;    // s, at the end of a move, after the joint stops coming nearer
+constexpr double kMostWaiting = 1;   // s, for a joint that lags behind
+// Tolerance of the end of a move: a share of the range, but at most kNearest, because the range of
+// a screw is many turns.
+constexpr double kThere = 0.01;
+constexpr double kNearest = 0.005;  // rad or m
+// Natural frequency of the controller, rad/s: slower than the 50 rad/s of MuJoCo's limits and
+// contacts, and faster than a move.
+constexpr double kStiffness = 20;
+// Position errors are clamped, to limit the force on a blocked joint: to this share of the range of
+// a driven joint, and to kMostHeldError for a held one.
+constexpr double kMostError = 0.1;
+constexpr double kMostHeldError = 0.1;  // rad or m
+
+/// Returns the duration of a move, s. A screw turns at most at kFastest, so that it does not hit
+/// the end of its range like a flywheel.
+double TimeOf(double angle) {
+  return std::clamp(std::numbers::pi / 2 * std::abs(angle) / kFastest, kMoveTime, kLongestMove);
+}
+
+/// Returns a smooth move from 0 to 1 (half a cosine) that takes `duration` s.
+Setpoint SmoothMove(double time, double duration) {
+  const double share = std::clamp(time / duration, 0.0, 1.0);
+  if (share >= 1) return {1, 0, 0};
+  const double phase = std::numbers::pi * share;
+  const double rate = std::numbers::pi / duration;
+  return {(1 - std::cos(phase)) / 2, rate * std::sin(phase) / 2, rate * rate * std::cos(phase) / 2};
+}
+
+}  // namespace
+
+JointController::JointController(mjModel& m, mjData& d)
+    : m_(m), d_(d), couplings_(m), inertia_(Index(m.nv)), stepper_(m, d) {}
+
+void JointController::Begin(std::span<const mjtNum> start) {
+  start_.assign(start.begin(), start.end());
+  Reset();
+  initial_depths_ = DepthsNow();
+}
+
+std::vector<InitialPenetration> JointController::InitialPenetrations() const {
+  std::vector<InitialPenetration> penetrations;
+  for (const auto& [bodies, depth] : initial_depths_)
+    penetrations.push_back({bodies.first, bodies.second, depth});
+  return penetrations;
+}
+
+std::vector<DrivenJoint> JointController::Run(std::span<const int> joints) {
+  std::vector<DrivenJoint> all(joints.size());
+  std::vector<std::vector<JointPath>> paths;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    all[i].joint = joints[i];
+    all[i].measured.name = compiled::NameOf(m_, mjOBJ_JOINT, joints[i]);
+    paths.push_back(PathsOf(m_, joints[i], start_));
+    most = std::max(most, paths.back().size());
+  }
+  for (std::size_t k = 0; k < most; ++k) {
+    std::vector<JointDrive> drives;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (k < paths[i].size())
+        drives.push_back(
+            {.path = paths[i][k], .driven = &all[i], .moved = BodiesMovedBy(m_, joints[i])});
+    }
+    DriveAll(drives);
+  }
+  return all;
+}
+
+void JointController::Reset() {
+  mj_resetData(&m_, &d_);
+  std::ranges::copy(start_, d_.qpos);
+  mj_forward(&m_, &d_);
+}
+
+std::map<JointController::Bodies, double> JointController::DepthsNow() const {
+  std::map<Bodies, double> depths;
+  for (int i = 0; i < d_.ncon; ++i) {
+    const mjContact& contact = d_.contact[i];
+    const int body1 = m_.geom_bodyid[contact.geom1];
+    const int body2 = m_.geom_bodyid[contact.geom2];
+    if (m_.body_rootid[body1] != m_.body_rootid[body2] || !(contact.dist < 0)) continue;
+    double& depth = depths[std::minmax({body1, body2})];
+    depth = std::max(depth, -contact.dist);
+  }
+  return depths;
+}
+
+void JointController::DriveAll(std::vector<JointDrive>& drives) {
+  Reset();
+  for (const JointDrive& drive : drives) {
+    if (m_.jnt_type[drive.path.joint] != mjJNT_BALL) continue;
+    const int at = m_.jnt_qposadr[drive.path.joint];
+    std::copy_n(m_.qpos0 + at, 4, d_.qpos + at);
+  }
+  mj_forward(&m_, &d_);
+  for (int i = 0; i < m_.nv; ++i) inertia_[Index(i)] = engine::DofInertia(m_, d_, i);
+  for (JointDrive& drive : drives) Start(drive);
+  const auto move = [&](double JointDrive::*from, double JointPath::*end, double sign) {
+    for (JointDrive& drive : drives) {
+      drive.from = drive.*from;
+      drive.to = drive.path.*end + sign * drive.path.push;
+    }
+    Move(drives);
+    for (JointDrive& drive : drives) drive.counts = true;
+  };
+  move(&JointDrive::from, &JointPath::low, -1);
+  move(&JointDrive::to, &JointPath::high, 1);
+  for (JointDrive& drive : drives) {
+    drive.from = drive.to;
+    drive.to = drive.home;
+  }
+  Move(drives);
+  for (const JointDrive& drive : drives) Finish(drive);
+}
+
+void JointController::Start(JointDrive& drive) {
+  const JointPath& path = drive.path;
+  const int dof = m_.jnt_dofadr[path.joint] + path.axis;
+  inertia_[Index(dof)] = InertiaOf(dof);
+  drive.driven->range = std::max(drive.driven->range, path.range());
+  drive.driven->outside = std::max({0.0, path.low - path.start, path.start - path.high});
+  // The limits of a joint that starts outside its range first push it into the range.
+  drive.home = std::clamp(path.start, path.low, path.high);
+  drive.lowest = drive.highest = drive.home;
+  drive.counts = drive.driven->outside == 0;
+  drive.from = path.start;
+}
+
+void JointController::Finish(const JointDrive& drive) {
+  const JointPath& path = drive.path;
+  const double reached = std::min(drive.highest, path.high) - std::max(drive.lowest, path.low);
+  Result::Joint& measured = drive.driven->measured;
+  if (path.range() > 0)
+    measured.reach = std::min(measured.reach, std::max(reached, 0.0) / path.range());
+  if (path.limited) {
+    measured.overshoot =
+        std::max({measured.overshoot, path.low - drive.lowest, drive.highest - path.high});
+  }
+  measured.return_error = std::max(measured.return_error, std::abs(Value(path) - drive.home));
+}
+
+void JointController::Move(std::vector<JointDrive>& drives) {
+  const double dt = m_.opt.timestep;
+  double duration = kMoveTime;
+  for (JointDrive& drive : drives) {
+    drive.nearest = std::abs(Value(drive.path) - drive.End());
+    drive.held = 0;
+    if (m_.jnt_type[drive.path.joint] != mjJNT_SLIDE)
+      duration = std::max(duration, TimeOf(drive.to - drive.from));
+  }
+  const auto is_done = [&](const JointDrive& drive) {
+    return drive.held >= kHoldTime || drive.driven->has_diverged;
+  };
+  for (double time = 0; time < duration + kHoldTime + kMostWaiting; time += dt) {
+    if (std::ranges::all_of(drives, is_done)) return;
+    SetForces(drives, SmoothMove(time, duration));
+    stepper_.Step();
+    Measure(drives);
+    for (JointDrive& drive : drives) {
+      const double distance = std::abs(Value(drive.path) - drive.End());
+      const double near = std::min(kThere * drive.path.range(), kNearest);
+      // The joint still moves if it creeps nearer or swings about the end of the move.
+      const double speed = std::abs(d_.qvel[m_.jnt_dofadr[drive.path.joint] + drive.path.axis]);
+      const bool moves =
+          distance > near && (distance < drive.nearest - near * dt || speed > near / kHoldTime);
+      drive.nearest = std::min(drive.nearest, distance);
+      drive.held = time < duration || moves ? 0 : drive.held + dt;
+    }
+  }
+}
+
+/// Returns the inertia that a force on a degree of freedom must move: the larger of that with all
+/// other joints held, and that including bodies that equalities and tendons couple to it, such as
+/// the lift of a screw. Measures the latter with a test force.
+double JointController::InertiaOf(int dof) {
+  const double held = engine::DofInertia(m_, d_, dof);
+  const double force = held;  // for an acceleration of about 1
+  mj_forward(&m_, &d_);
+  const double idle = d_.qacc[dof];
+  double gained = 0;
+  for (const double sign : {-1.0, 1.0}) {  // a limit may block one direction
+    d_.qfrc_applied[dof] = sign * force;
+    mj_forward(&m_, &d_);
+    gained = std::max(gained, sign * (d_.qacc[dof] - idle));
+  }
+  d_.qfrc_applied[dof] = 0;
+  return gained > 0 ? std::max(held, force / gained) : held;
+}
+
+void JointController::SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress) {
+  std::fill_n(d_.qfrc_applied, m_.nv, 0.0);
+  for (int joint = 0; joint < m_.njnt; ++joint) {
+    if (m_.jnt_type[joint] == mjJNT_FREE) continue;
+    const auto drive =
+        std::ranges::find(drives, joint, [](const JointDrive& r) { return r.path.joint; });
+    if (drive != drives.end()) {
+      const JointPath& path = drive->path;
+      Push(joint, path.axis, Errors(joint, path.axis, Target(*drive, progress).position),
+           kMostError * path.range(), Target(*drive, progress));
+    } else if (const std::optional<Setpoint> held = SetpointOfOther(drives, joint, progress)) {
+      Push(joint, 0, ErrorsOfHeld(joint, held->position), kMostHeldError, *held);
+    }
+  }
+}
+
+Setpoint JointController::Target(const JointDrive& drive, const Setpoint& progress) {
+  const double way = drive.to - drive.from;
+  return {drive.from + way * progress.position, way * progress.speed, way * progress.acceleration};
+}
+
+/// Returns the setpoint of a joint that is not driven; nothing if it moves freely with others.
+std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<JointDrive>& drives,
+                                                         int joint,
+                                                         const Setpoint& progress) const {
+  if (!couplings_.IsCoupled(joint)) return Setpoint{StartOf(joint), 0, 0};
+  for (const JointDrive& drive : drives) {
+    const auto setpoint = couplings_.SetpointOf(joint, drive.path.joint, Target(drive, progress));
+    if (setpoint) return setpoint;
+  }
+  return std::nullopt;
+}
+
+/// Applies forces that correct the errors, clamped to `most`. About the other axes of a ball joint
+/// the setpoint is at rest.
+void JointController::Push(int joint, int axis, const std::array<double, 3>& errors, double most,
+                           const Setpoint& setpoint) {
+  const int dofs = m_.jnt_type[joint] == mjJNT_BALL ? 3 : 1;
+  for (int i = 0; i < dofs; ++i) {
+    const int dof = m_.jnt_dofadr[joint] + i;
+    const double error = std::clamp(errors[Index(i)], -most, most);
+    d_.qfrc_applied[dof] =
+        Force(dof, error, i == axis ? setpoint.speed : 0, i == axis ? setpoint.acceleration : 0);
+  }
+}
+
+/// Returns the position errors of the one or three degrees of freedom of a joint.
+std::array<double, 3> JointController::Errors(int joint, int axis, double target) const {
+  const int at = m_.jnt_qposadr[joint];
+  if (m_.jnt_type[joint] != mjJNT_BALL) return {m_.qpos0[at] + target - d_.qpos[at], 0, 0};
+  const std::array<mjtNum, 4> wanted =
+      compiled::BallAt(m_, joint, Eigen::Vector3d::Unit(axis), target);
+  std::array<double, 3> errors = {};
+  mju_subQuat(errors.data(), wanted.data(), d_.qpos + at);
+  return errors;
+}
+
+std::array<double, 3> JointController::ErrorsOfHeld(int joint, double target) const {
+  if (m_.jnt_type[joint] != mjJNT_BALL) return Errors(joint, 0, target);
+  const int at = m_.jnt_qposadr[joint];
+  std::array<double, 3> errors = {};
+  mju_subQuat(errors.data(), &start_[Index(at)], d_.qpos + at);
+  return errors;
+}
+
+/// Returns the start position of a hinge or slide, relative to the model's reference pose.
+double JointController::StartOf(int joint) const {
+  const int at = m_.jnt_qposadr[joint];
+  return start_[Index(at)] - m_.qpos0[at];
+}
+
+double JointController::Force(int dof, double error, double speed, double acceleration) const {
+  // Critical damping.
+  const double wanted =
+      acceleration + 2 * kStiffness * (speed - d_.qvel[dof]) + kStiffness * kStiffness * error;
+  return inertia_[Index(dof)] * wanted;
+}
+
+/// Returns the position of the joint along the path, relative to the model's reference pose.
+double JointController::Value(const JointPath& path) const {
+  return -Errors(path.joint, path.axis, 0)[Index(path.axis)];
+}
+
+void JointController::Measure(std::vector<JointDrive>& drives) {
+  const bool has_diverged = HasDiverged(d_);
+  const std::map<Bodies, double> depths = DepthsNow();
+  for (JointDrive& drive : drives) {
+    drive.driven->has_diverged = drive.driven->has_diverged || has_diverged;
+    const double value = Value(drive.path);
+    if (drive.counts) {
+      drive.lowest = std::min(drive.lowest, value);
+      drive.highest = std::max(drive.highest, value);
+    }
+    for (const auto& [bodies, depth] : depths) {
+      // If several joints are driven, a pair of bodies belongs to the joint that moves one of them.
+      const bool is_own =
+          drives.size() == 1
+              ? m_.body_rootid[bodies.first] == m_.body_rootid[m_.jnt_bodyid[drive.path.joint]]
+              : drive.moved[Index(bodies.first)] || drive.moved[Index(bodies.second)];
+      const auto initial = initial_depths_.find(bodies);
+      const double deeper = depth - (initial != initial_depths_.end() ? initial->second : 0);
+      if (!is_own || deeper <= drive.driven->measured.penetration) continue;
+      drive.driven->measured.penetration = deeper;
+      drive.driven->body1 = compiled::NameOf(m_, mjOBJ_BODY, bodies.first);
+      drive.driven->body2 = compiled::NameOf(m_, mjOBJ_BODY, bodies.second);
+      drive.driven->where = value;
+    }
+  }
+}
+
+}  // namespace mjforge::physics

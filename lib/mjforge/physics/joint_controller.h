@@ -1,0 +1,88 @@
+// Controller that drives joints along paths by forces, and measures how they follow.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/physics/joint_couplings.h"
+#include "mjforge/physics/joint_drive.h"
+#include "mjforge/physics/joint_paths.h"
+#include "mjforge/physics/stepper.h"
+
+namespace mjforge::physics {
+
+/// Drives joints of a model without gravity and with held roots. `m` and its data `d` must outlive
+/// this object.
+class JointController {
+ public:
+  JointController(mjModel& m, mjData& d);
+
+  const JointCouplings& couplings() const { return couplings_; }
+
+  /// Sets the start positions (nq), from which the joints are driven.
+  void Begin(std::span<const mjtNum> start);
+
+  /// Pairs of bodies that penetrate each other at the start positions.
+  std::vector<InitialPenetration> InitialPenetrations() const;
+
+  /// Drives the joints at the same time, along each of their paths.
+  std::vector<DrivenJoint> Run(std::span<const int> joints);
+
+ private:
+  using Bodies = std::pair<int, int>;  // the lower id first
+
+  /// State of a joint that is being driven along a path.
+  struct JointDrive {
+    JointPath path;
+    DrivenJoint* driven = nullptr;
+    std::vector<bool> moved;  // for each body, whether the joint moves it
+    double home = 0;          // position at which the joint must end
+    double from = 0;          // ends of the present move, including the push beyond the range
+    double to = 0;
+    double nearest = 0;  // least distance from the end of the move so far
+    double held = 0;     // s, since the joint last came nearer
+    bool counts = true;  // positions are measured
+    double lowest = 0;
+    double highest = 0;
+
+    double End() const { return std::clamp(to, path.low, path.high); }
+  };
+
+  void Reset();
+  /// Penetration depths of pairs of bodies of one tree, m.
+  std::map<Bodies, double> DepthsNow() const;
+  void DriveAll(std::vector<JointDrive>& drives);
+  void Start(JointDrive& drive);
+  void Finish(const JointDrive& drive);
+  /// Makes one move of each path.
+  void Move(std::vector<JointDrive>& drives);
+  double InertiaOf(int dof);
+  void SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress);
+  static Setpoint Target(const JointDrive& drive, const Setpoint& progress);
+  std::optional<Setpoint> SetpointOfOther(const std::vector<JointDrive>& drives, int joint,
+                                          const Setpoint& progress) const;
+  void Push(int joint, int axis, const std::array<double, 3>& errors, double most,
+            const Setpoint& setpoint);
+  std::array<double, 3> Errors(int joint, int axis, double target) const;
+  std::array<double, 3> ErrorsOfHeld(int joint, double target) const;
+  double StartOf(int joint) const;
+  double Force(int dof, double error, double speed, double acceleration) const;
+  double Value(const JointPath& path) const;
+  void Measure(std::vector<JointDrive>& drives);
+
+  mjModel& m_;
+  mjData& d_;
+  JointCouplings couplings_;
+  std::vector<mjtNum> start_;                // nq
+  std::map<Bodies, double> initial_depths_;  // m, at the start positions
+  std::vector<double> inertia_;  // nv, about or along the axis of each degree of freedom
+  Stepper stepper_;
+};
+
+}  // namespace mjforge::physics

@@ -1,0 +1,47 @@
+// JointCouplings of joints by equalities and tendons.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+namespace mjforge::physics {
+
+/// Desired motion of a joint, rad or m.
+struct Setpoint {
+  double position = 0;
+  double speed = 0;         // 1/s
+  double acceleration = 0;  // 1/s^2
+};
+
+/// Joints of a model that move along with others. `m` must outlive this object.
+class JointCouplings {
+ public:
+  explicit JointCouplings(const mjModel& m);
+
+  /// Returns true if an equality or a tendon may couple the joint to others.
+  bool IsCoupled(int joint) const { return coupled_[static_cast<std::size_t>(joint)]; }
+
+  /// Returns the motion that an equality requires of a joint if another joint, which is driven, is
+  /// at `target`; nothing if no equality determines the motion. Positions are relative to the
+  /// model's reference pose (qpos0).
+  std::optional<Setpoint> SetpointOf(int joint, int driven, const Setpoint& target) const;
+
+ private:
+  /// Equality of two joints: y = poly(x).
+  struct JointEquality {
+    int y = 0;
+    int x = 0;
+    const mjtNum* poly = nullptr;
+
+    bool IsLinear() const;
+    double At(double value) const;
+    double SlopeAt(double value) const;
+  };
+
+  std::vector<bool> coupled_;
+  std::vector<JointEquality> equalities_;
+};
+
+}  // namespace mjforge::physics

@@ -1,0 +1,54 @@
+// Drive test: each joint is driven through its range and back.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+/// Result of driving one joint.
+struct DrivenJoint {
+  int joint = 0;
+  double range = 0;  // rad or m, from end to end
+  Result::Joint measured;
+  const model::JointCheck* check = nullptr;  // entry of checks.joints that names it; null: none
+  /// Names of the two bodies with the deepest penetration; empty: none penetrated.
+  std::string body1;
+  std::string body2;
+  double where = 0;    // position of the joint at that penetration, rad or m
+  double outside = 0;  // distance of the start from the range, rad or m
+  bool has_diverged = false;
+};
+
+/// Two bodies that penetrate each other before any joint is driven.
+struct InitialPenetration {
+  int body1 = 0;
+  int body2 = 0;
+  double depth = 0;                          // m
+  const model::JointCheck* check = nullptr;  // entry with that pose in `at`; null: start pose
+};
+
+/// Results of a drive test.
+struct DriveResults {
+  std::vector<DrivenJoint> joints;
+  std::vector<InitialPenetration> initial_penetrations;
+};
+
+/// Drives each hinge and slide from its start position (`compiled::StartOf`) to both ends of its
+/// range and back, and a ball joint from its zero about each axis. An unlimited hinge makes a full
+/// turn; unlimited slides are left out. A force makes the joint follow smooth moves of half a
+/// second. The force accounts for the inertia that the joint moves, but not for obstacles. Free
+/// bodies are held in place, and so are other joints unless they are coupled to the driven one.
+/// There is no gravity and no floor, and joints have no friction, springs or actuators. Joints that
+/// cannot get near each other are driven at the same time, and so are joints that one entry of
+/// checks.joints names. `object` is the object's name, `d` the model's data. May throw
+/// std::exception.
+DriveResults DriveJoints(const mjModel& m, mjData& d, std::string_view object,
+                         const model::Checks& checks);
+
+}  // namespace mjforge::physics

@@ -1,0 +1,159 @@
+// Penetration of bodies into their parents: collision detection over the range of each joint.
+#include "mjforge/physics/parent_penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/stepper.h"
+
+namespace mjforge::physics {
+namespace {
+
+// Distance that a body moves from one tried position to the next, small enough that a lid does not
+// jump over a rim. On long paths it is larger.
+constexpr double kSpacing = 0.002;  // m
+constexpr int kFewestPositions = 8;
+constexpr int kMostPositions = 40;
+
+/// Copy of a model in which bodies collide with their parents.
+class UnfilteredModel {
+ public:
+  UnfilteredModel(const mjModel& m, Workspace& workspace)
+      : m_(CopyOf(m)), workspace_(workspace), data_(&workspace.For(*m_)), broad_phase_(*m_) {}
+
+  void Put(std::span<const mjtNum> qpos) { std::ranges::copy(qpos, data_->qpos); }
+
+  /// Returns the number of positions to try in the range of a joint that moves a body.
+  int Positions(int joint, int body, double range) const {
+    double way = range;
+    if (m_->jnt_type[joint] == mjJNT_HINGE) way *= Reach(joint, body);
+    return std::clamp(static_cast<int>(std::ceil(way / kSpacing)), kFewestPositions,
+                      kMostPositions);
+  }
+
+  void Move(int joint, double position) { data_->qpos[m_->jnt_qposadr[joint]] = position; }
+
+  /// Returns the penetration depth of a body, with all bodies welded to it, and its parent, m.
+  double Depth(int body, int parent) {
+    for (;;) {
+      mj_kinematics(m_.get(), data_);
+      mj_comPos(m_.get(), data_);
+      Collide();
+      if (data_->warning[mjWARN_CONTACTFULL].number == 0) break;
+      const std::vector<mjtNum> qpos(data_->qpos, data_->qpos + m_->nq);
+      if (!MakeRoom(*m_, *data_)) break;
+      data_ = &workspace_.For(*m_);
+      Put(qpos);
+    }
+    double deepest = 0;
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      const auto [low, high] = std::minmax(m_->body_weldid[m_->geom_bodyid[contact.geom1]],
+                                           m_->body_weldid[m_->geom_bodyid[contact.geom2]]);
+      if (low == parent && high == body) deepest = std::max(deepest, -contact.dist);
+    }
+    return deepest;
+  }
+
+ private:
+  /// Returns the radius of a body, with all bodies welded to it, about a joint's anchor, m.
+  double Reach(int joint, int body) const {
+    double reach = 0;
+    for (int geom = 0; geom < m_->ngeom; ++geom) {
+      if (m_->body_weldid[m_->geom_bodyid[geom]] != body) continue;
+      const Eigen::Vector3d arm =
+          compiled::VectorAt(data_->geom_xpos, geom) - compiled::VectorAt(data_->xanchor, joint);
+      reach = std::max(reach, arm.norm() + m_->geom_rbound[geom]);
+    }
+    return reach;
+  }
+
+  static engine::Model CopyOf(const mjModel& m) {
+    engine::Model copy(mj_copyModel(nullptr, &m));
+    copy->opt.disableflags |= mjDSBL_FILTERPARENT;
+    return copy;
+  }
+
+  void Collide() {
+    if (broad_phase_.works()) {
+      broad_phase_.Find(*data_, no_allowance_, 0).Collide(*m_, *data_);
+    } else {
+      mj_collision(m_.get(), data_);
+    }
+  }
+
+  engine::Model m_;
+  Workspace& workspace_;
+  mjData* data_;
+  BroadPhase broad_phase_;
+  std::vector<double> no_allowance_ = std::vector<double>(compiled::Index(m_->nbody));
+};
+
+class ParentPenetrationSearch {
+ public:
+  ParentPenetrationSearch(const mjModel& m, Workspace& workspace, std::string_view object,
+                          const model::Checks& checks)
+      : m_(m), checks_(checks), entries_(m, object, checks), unfiltered_(m, workspace) {}
+
+  std::vector<ParentPenetration> Find() {
+    std::vector<ParentPenetration> found;
+    const auto try_joint = [&](int joint, std::span<const mjtNum> start,
+                               const model::JointCheck* check) {
+      const std::optional<ParentPenetration> penetration = PenetrationOf(joint, start, check);
+      if (penetration) found.push_back(*penetration);
+    };
+    for (const int joint : entries_.Others()) try_joint(joint, compiled::StartOf(m_), nullptr);
+    for (const model::JointCheck& check : checks_.joints) {
+      if (!check.skip.empty()) continue;
+      const std::vector<mjtNum> start = entries_.StartOf(check);
+      for (const int joint : entries_.JointsOf(check)) try_joint(joint, start, &check);
+    }
+    return found;
+  }
+
+ private:
+  std::optional<ParentPenetration> PenetrationOf(int joint, std::span<const mjtNum> start,
+                                                 const model::JointCheck* check) {
+    const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
+    const int parent = m_.body_weldid[m_.body_parentid[body]];
+    const std::optional<compiled::JointRange> range = compiled::RangeOf(m_, joint);
+    // Contacts with the world are not ignored, so that parents in the world need no check.
+    if (parent == 0 || m_.jnt_type[joint] == mjJNT_BALL || !range) return std::nullopt;
+    ParentPenetration deepest{.joint = joint, .body = body, .parent = parent, .check = check};
+    unfiltered_.Put(start);
+    const double usual = unfiltered_.Depth(body, parent);
+    const int positions = unfiltered_.Positions(joint, body, range->high - range->low);
+    for (int i = 0; i < positions; ++i) {
+      const double at = range->low + (range->high - range->low) * i / (positions - 1);
+      unfiltered_.Move(joint, at);
+      const double depth = unfiltered_.Depth(body, parent) - usual;
+      if (depth <= deepest.depth) continue;
+      deepest.depth = depth;
+      deepest.where = at;
+    }
+    const double most = check != nullptr ? check->penetration.value_or(checks_.joint_penetration)
+                                         : checks_.joint_penetration;
+    return deepest.depth > most ? std::optional(deepest) : std::nullopt;
+  }
+
+  const mjModel& m_;
+  const model::Checks& checks_;
+  JointChecks entries_;
+  UnfilteredModel unfiltered_;
+};
+
+}  // namespace
+
+std::vector<ParentPenetration> FindParentPenetrations(const mjModel& m, Workspace& workspace,
+                                                      std::string_view object,
+                                                      const model::Checks& checks) {
+  if (!checks.drive) return {};
+  return ParentPenetrationSearch(m, workspace, object, checks).Find();
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,304 @@
+// Peg-in-hole test: drops pegs into holes, and pushes them sideways to see whether they are held.
+#include "mjforge/physics/peg_in_hole.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/check_names.h"
+#include "mjforge/physics/stepper.h"
+
+namespace mjforge::physics {
+namespace {
+
+using diag::Code;
+using Eigen::Vector3d;
+using expr::ExceededLimit;
+using expr::RoundedText;
+
+// Initial distance of the tip from the hole, m. From higher up, a peg whose side overlaps the rim
+// by a millimetre would sink so deep into the rim that the contact pushes it sideways, into the
+// hole.
+constexpr double kStartDistance = 0.0002;
+constexpr double kSteel = 7850;           // kg/m^3, density of a peg
+constexpr double kLengthPerDepth = 1.5;   // length of a peg per depth of its hole
+constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
+constexpr double kDepthTolerance = 1e-4;  // m, softness of contacts
+constexpr double kPushTime = 2;           // multiple of the time of a free fall
+constexpr double kLeastCosine = 0.3;  // between a push and the normal of a contact that resists it
+
+std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kProbePrefix, fitting); }
+
+Vector3d ZAxis(const model::Pose& X) { return Eigen::Quaterniond(X.q) * Vector3d::UnitZ(); }
+
+double LengthOf(const model::Fitting& fitting) { return kLengthPerDepth * fitting.depth; }
+
+/// Body that must go into a hole, and the pose of its tip in the body's frame.
+struct Peg {
+  int body = 0;
+  model::Pose X_BT;
+};
+
+/// Result of dropping a peg into a hole.
+struct Insertion {
+  double depth = 0;      // m, largest depth of the tip
+  bool is_held = false;  // the hole stops the peg from leaving sideways
+};
+
+/// Simulation of one peg that drops into one hole.
+class PegDrop {
+ public:
+  PegDrop(mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int count)
+      : m_(m), d_(d), stepper_(m, d) {
+    PlaceObject(m, d, start, count > 0 ? m.body_jntadr[first] : 0, 7 * count);
+    mj_kinematics(&m, &d);
+  }
+
+  /// Returns nothing if the simulation diverges.
+  std::optional<Insertion> Run(const Peg& peg, int hole, double depth) {
+    const model::Pose X_WH = SitePose(d_, hole);
+    Place(peg, X_WH);
+    const Vector3d way = ZAxis(X_WH);
+    Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * way;
+    double deepest = -kStartDistance;
+    for (double time = 0; time < kLongestFall && deepest < depth; time += m_.opt.timestep) {
+      stepper_.Step();
+      if (HasDiverged(d_)) return std::nullopt;
+      deepest = std::max(deepest, (TipOf(peg) - X_WH.p).dot(way));
+      NoteTouched(peg.body);
+    }
+    if (deepest < depth - kDepthTolerance) return Insertion{deepest, false};
+    const bool is_held = IsHeld(peg, X_WH);
+    if (HasDiverged(d_)) return std::nullopt;
+    return Insertion{deepest, is_held};
+  }
+
+  /// Name of the geom that the peg touched last; empty: none.
+  const std::string& touched() const { return touched_; }
+
+ private:
+  /// Places the peg in front of the hole, and holds everything else in place.
+  void Place(const Peg& peg, const model::Pose& X_WH) {
+    const Vector3d way = ZAxis(X_WH);
+    const model::Pose X_WT = {X_WH.p - kStartDistance * way, X_WH.q};
+    const model::Pose X_WB = X_WT * peg.X_BT.Inverse();
+    const int joint = m_.body_jntadr[peg.body];
+    mjtNum* const qpos = d_.qpos + m_.jnt_qposadr[joint];
+    compiled::WritePose(X_WB, qpos, qpos + 3);
+    HoldOthers(m_, m_.jnt_dofadr[joint], 6);
+  }
+
+  Vector3d TipOf(const Peg& peg) const {
+    return compiled::PoseAt(d_.xpos, d_.xquat, peg.body) * peg.X_BT.p;
+  }
+
+  /// Returns true if geoms behind the mouth of the hole stop the peg in both directions of the
+  /// hole's x axis, or of its y axis, within the width of the peg. So a slot counts as a hole, but
+  /// walls in front of the mouth do not.
+  bool IsHeld(const Peg& peg, const model::Pose& X_WH) {
+    const std::vector<mjtNum> qpos(d_.qpos, d_.qpos + m_.nq);
+    const Vector3d sides = SidesOf(peg, X_WH);
+    const auto stops = [&](int axis, double sign) {
+      std::ranges::copy(qpos, d_.qpos);
+      return Stops(peg, X_WH, X_WH.q * (sign * Vector3d::Unit(axis)), sides[axis]);
+    };
+    return (stops(0, 1) && stops(0, -1)) || (stops(1, 1) && stops(1, -1));
+  }
+
+  /// Returns the size of the peg along the axes of the hole, m.
+  Vector3d SidesOf(const Peg& peg, const model::Pose& X_WH) const {
+    const model::Pose X_HW = X_WH.Inverse();
+    model::Box3 box;
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      if (IsOf(peg.body, geom) && compiled::Collides(m_, geom))
+        box.Add(compiled::GeomBox(m_, geom, X_HW * compiled::GeomPose(d_, geom)));
+    }
+    return box.empty() ? Vector3d(Vector3d::Zero()) : Vector3d(box.max - box.min);
+  }
+
+  /// Turns gravity in the direction of `push`. Returns true if the peg is then pressed against a
+  /// geom behind the mouth, and moves by at most `most`, m.
+  bool Stops(const Peg& peg, const model::Pose& X_WH, const Vector3d& push, double most) {
+    mju_zero(d_.qvel, m_.nv);
+    mju_zero(d_.qacc_warmstart, m_.nv);
+    mj_kinematics(&m_, &d_);
+    const Vector3d start = TipOf(peg);
+    Eigen::Map<Vector3d>(m_.opt.gravity) = kEarthGravity * push;
+    const double time = kPushTime * std::sqrt(2 * most / kEarthGravity);
+    bool is_pressed = false;
+    for (double t = 0; t < time; t += m_.opt.timestep) {
+      stepper_.Step();
+      if (HasDiverged(d_) || (TipOf(peg) - start).dot(push) > most) return false;
+      is_pressed = is_pressed || IsPressed(peg, X_WH, push);
+    }
+    return is_pressed;
+  }
+
+  /// Returns true if a contact behind the mouth resists the push.
+  bool IsPressed(const Peg& peg, const model::Pose& X_WH, const Vector3d& push) const {
+    const Vector3d way = ZAxis(X_WH);
+    return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
+      const bool touches = IsOf(peg.body, contact.geom1) || IsOf(peg.body, contact.geom2);
+      const Vector3d p = Eigen::Map<const Vector3d>(contact.pos);
+      const double against = std::abs(Eigen::Map<const Vector3d>(contact.frame).dot(push));
+      return touches && contact.dist < 0 && against > kLeastCosine &&
+             (p - X_WH.p).dot(way) > kDepthTolerance;
+    });
+  }
+
+  bool IsOf(int root, int geom) const { return m_.body_rootid[m_.geom_bodyid[geom]] == root; }
+
+  void NoteTouched(int body) {
+    for (int i = 0; i < d_.ncon; ++i) {
+      const auto [one, two] = std::pair(d_.contact[i].geom1, d_.contact[i].geom2);
+      if (!IsOf(body, one) && !IsOf(body, two)) continue;
+      const int geom = IsOf(body, one) ? two : one;
+      touched_ = compiled::NameOf(m_, mjOBJ_GEOM, geom);
+    }
+  }
+
+  mjModel& m_;
+  mjData& d_;
+  std::string touched_;
+  Stepper stepper_;
+};
+
+class PegTests {
+ public:
+  explicit PegTests(const ProbeTest& test) : test_(test), fits_(test.reporter.checks().fits) {
+    for (std::size_t i = 0; i < fits_.size(); ++i) {
+      const int body = mj_name2id(&test.m, mjOBJ_BODY, PegName(i).c_str());
+      if (body < 0) continue;
+      if (first_ == 0) first_ = body;
+      ++count_;
+    }
+  }
+
+  Result::Fitting Check() {
+    Result::Fitting counts;
+    for (std::size_t i = 0; i < fits_.size(); ++i) {
+      ++counts.tried;
+      const std::optional<int> hole = Find(fits_[i], mjOBJ_SITE, fits_[i].hole);
+      const std::optional<Peg> peg = hole ? PegOf(fits_[i], i) : std::nullopt;
+      if (peg && Fits(fits_[i], *peg, *hole)) ++counts.fit;
+    }
+    return counts;
+  }
+
+ private:
+  std::optional<int> Find(const model::Fitting& fitting, mjtObj kind, const std::string& name) {
+    return FindNamed(test_, kind, name, {"fits", fitting.mark});
+  }
+
+  std::optional<Peg> PegOf(const model::Fitting& fitting, std::size_t index) {
+    const mjModel& m = test_.m;
+    if (fitting.body.empty()) {
+      const double half = LengthOf(fitting) / 2;
+      return Peg{mj_name2id(&m, mjOBJ_BODY, PegName(index).c_str()),
+                 {Vector3d(0, 0, half), Eigen::Quaterniond::Identity()}};
+    }
+    const std::optional<int> body = Find(fitting, mjOBJ_BODY, fitting.body);
+    const std::optional<int> tip = body ? Find(fitting, mjOBJ_SITE, fitting.tip) : std::nullopt;
+    if (!tip) return std::nullopt;
+    if (m.body_jntnum[*body] != 1 || m.jnt_type[m.body_jntadr[*body]] != mjJNT_FREE) {
+      test_.reporter.Error(
+          Code::kModelBadValue, fitting.mark,
+          fmt::format("`fits`: body '{}' is not free, so that it cannot be put in front "
+                      "of a hole",
+                      fitting.body));
+      return std::nullopt;
+    }
+    if (m.site_bodyid[*tip] != *body) {
+      test_.reporter.Error(
+          Code::kModelBadValue, fitting.mark,
+          fmt::format("`fits`: site '{}' is not on body '{}'", fitting.tip, fitting.body));
+      return std::nullopt;
+    }
+    return Peg{*body, compiled::PoseAt(m.site_pos, m.site_quat, *tip)};
+  }
+
+  /// Returns true if the peg fits; otherwise reports why not.
+  bool Fits(const model::Fitting& fitting, const Peg& peg, int hole) {
+    const engine::Model copy(mj_copyModel(nullptr, &test_.m));
+    RemoveOtherPegs(*copy, peg.body);
+    std::string touched;
+    const auto insertion = Simulate(*copy, test_.workspace, [&](mjData& d) {
+      PegDrop drop(*copy, d, test_.start, first_, count_);
+      const std::optional<Insertion> result = drop.Run(peg, hole, fitting.depth);
+      touched = drop.touched();
+      return result;
+    });
+    if (insertion && insertion->is_held) return true;
+    Report(fitting, insertion, touched);
+    return false;
+  }
+
+  void RemoveOtherPegs(mjModel& m, int peg) const {
+    for (int geom = 0; geom < m.ngeom; ++geom) {
+      const int body = m.geom_bodyid[geom];
+      if (body >= first_ && body < first_ + count_ && body != peg)
+        m.geom_contype[geom] = m.geom_conaffinity[geom] = 0;
+    }
+  }
+
+  void Report(const model::Fitting& fitting, const std::optional<Insertion>& insertion,
+              const std::string& touched) {
+    const std::string peg = fitting.body.empty() ? "a peg" : fmt::format("'{}'", fitting.body);
+    const double wanted = 1000 * fitting.depth;
+    if (!insertion) {
+      test_.reporter.Error(
+          Code::kPhysicsUnstable, fitting.mark,
+          fmt::format("the simulation diverges as {} goes into '{}'", peg, fitting.hole));
+    } else if (insertion->depth >= fitting.depth - kDepthTolerance) {
+      test_.reporter.Error(Code::kPhysicsDoesNotFit, fitting.mark,
+                           fmt::format("nothing holds {} sideways, {} mm behind '{}'", peg,
+                                       RoundedText(wanted), fitting.hole),
+                           "the site must be at the mouth of a hole, and its z axis is the way in");
+    } else {
+      const ExceededLimit depth(std::max(0.0, 1000 * insertion->depth), wanted);
+      test_.reporter.Error(
+          Code::kPhysicsDoesNotFit, fitting.mark,
+          fmt::format("{} goes {} mm into '{}', not {} mm{}", peg, depth.value, fitting.hole,
+                      depth.limit,
+                      touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
+          "make the hole wider or deeper; the z axis of its site is the way in");
+    }
+  }
+
+  const ProbeTest& test_;
+  const std::vector<model::Fitting>& fits_;
+  int first_ = 0;  // body of the first peg that was added
+  int count_ = 0;  // number of added pegs
+};
+
+}  // namespace
+
+std::string WithPegs(std::string_view text, const model::Checks& checks) {
+  std::string pegs;
+  for (std::size_t i = 0; i < checks.fits.size(); ++i) {
+    const model::Fitting& fitting = checks.fits[i];
+    if (!fitting.body.empty()) continue;
+    const double x = fitting.peg[0] / 2;
+    const double y = fitting.peg[1] / 2;
+    const double length = LengthOf(fitting);
+    const double area = fitting.is_round ? std::numbers::pi * x * x : 4 * x * y;
+    const std::string shape = fitting.is_round
+                                  ? fmt::format(R"(type="cylinder" size="{} {}")", x, length / 2)
+                                  : fmt::format(R"(type="box" size="{} {} {}")", x, y, length / 2);
+    pegs += fmt::format(R"(<body name="{}"><freejoint/>{}</body>)", PegName(i),
+                        ProbeGeom(shape, kSteel * area * length));
+  }
+  return WithBodies(text, pegs);
+}
+
+void CheckPegInHole(const ProbeTest& test) { test.result.fits = PegTests(test).Check(); }
+
+}  // namespace mjforge::physics

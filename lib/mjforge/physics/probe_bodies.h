@@ -1,0 +1,53 @@
+// Probe bodies (balls, pegs, a gripper) that are added to an object's world to test the object.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/physics/physics.h"
+#include "mjforge/physics/simulation.h"
+#include "mjforge/static_checks/static_checks.h"
+
+namespace mjforge::physics {
+
+constexpr std::string_view kProbePrefix = "mjforge-";  // names of probe bodies begin with it
+constexpr double kEarthGravity = 9.81;  // m/s^2, used whatever gravity the object has
+
+/// A test of an object with probe bodies.
+struct ProbeTest {
+  mjModel& m;  // with the probe bodies; the test may change the model
+  Workspace& workspace;
+  std::span<const mjtNum> start;  // positions of the object's joints: nq without probe bodies
+  const std::string& object;      // its name
+  static_checks::Reporter& reporter;
+  Result& result;
+};
+
+/// Returns an MJCF text with more bodies at the end of its world, and more equalities, both MJCF.
+/// Removes keyframes, because their number of positions would be wrong.
+std::string WithBodies(std::string_view text, std::string_view bodies,
+                       std::string_view equalities = {});
+
+constexpr std::string_view kUsualContact = R"(condim="3" friction="1 0.005 0.0001")";
+
+/// Returns a geom for a probe body. It collides with everything that collides, and states all
+/// attributes that a file's defaults could change. `shape` is its type and size, `mass` in kg,
+/// `contact` its condim and friction.
+std::string ProbeGeom(std::string_view shape, double mass,
+                      std::string_view contact = kUsualContact);
+
+/// Sets the positions of the object's joints. The probe bodies, whose first joint is `first`, have
+/// `count` positions in a row, which are not changed.
+void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int count);
+
+/// Makes a degree of freedom so heavy that nothing moves it.
+void HoldDof(mjModel& m, int dof);
+
+/// Makes all degrees of freedom except `count` from `first` on so heavy that nothing moves them,
+/// and disables equalities, limits, springs, dampers and actuators.
+void HoldOthers(mjModel& m, int first, int count);
+
+}  // namespace mjforge::physics

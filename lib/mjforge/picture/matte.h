@@ -1,0 +1,51 @@
+// Matting: two renderings on different floors give a picture with alpha and a soft shadow.
+//
+// Every picture is rendered twice, on a light and on a black floor. The difference is the visible
+// share of the floor, lit or in shadow, and so gives the alpha of the object in front of it (A. R.
+// Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing colors). The
+// floor itself becomes a shadow: black, with an alpha that is blurred.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mjforge/picture/picture.h"
+
+namespace mjforge::picture {
+
+/// Samples along each side of a pixel.
+inline constexpr int kSamples = 2;
+
+/// MuJoCo's two renderings of some rows: 3 bytes per sample, starting with the lowest row.
+struct RenderedBand {
+  std::span<const std::uint8_t> on_light;  // on the light floor
+  std::span<const std::uint8_t> on_black;
+  int light = 255;  // brightness of the light floor outside of shadows, 0..255
+};
+
+/// Accumulates renderings, and computes the picture from them.
+class Matte {
+ public:
+  Matte(int width, int height);
+  /// Adds the renderings of rows [top, bottom) of the picture.
+  void Add(const RenderedBand& drawn, int top, int bottom);
+  /// Returns the whole picture. Call it once, after all rows were added.
+  Image Finish();
+
+ private:
+  void Soften();
+  float EdgeFade(std::size_t pixel) const;
+
+  int width_;
+  int height_;
+  // Values of each pixel, 0..1: colors times alpha, alpha, the visible share of the floor, and the
+  // shadow on this share.
+  std::vector<float> color_;
+  std::vector<float> alpha_;
+  std::vector<float> floor_;
+  std::vector<float> shade_;
+};
+
+}  // namespace mjforge::picture

@@ -1,0 +1,32 @@
+// Convex partition of a polygon with holes: hole bridging, ear clipping, merging.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mjforge/solid/outline.h"
+
+namespace mjforge::solid {
+
+/// Triangulation and convex partition of an area, as indices of its corners, counter-clockwise;
+/// neighbouring polygons share whole sides. Ear clipping makes the shortest cut first; merging
+/// removes the longest cuts first where the result is convex. Without holes the partition has at
+/// most four times the minimum number of polygons. Source: Hertel and Mehlhorn, "Fast triangulation
+/// of simple polygons", 1983.
+struct ConvexPartition {
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::vector<int>> convex;
+};
+ConvexPartition PartitionOf(const Area& area);
+
+/// Sine of the largest turn that counts as straight.
+inline constexpr double kStraight = 1e-12;
+
+/// Returns true if an outline that does not cross itself turns left or is straight at each corner.
+bool IsConvex(const std::vector<Point2>& corners);
+
+/// Removes the straight corners of a convex polygon.
+void RemoveStraightCorners(std::vector<Point2>& corners);
+
+}  // namespace mjforge::solid

@@ -1,0 +1,136 @@
+// Render mesh of a prism: caps, sides and bevels, with normals and texture coordinates.
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/solid/render_mesh.h"
+
+namespace mjforge::solid {
+namespace {
+
+class ExtrusionMesher {
+ public:
+  ExtrusionMesher(const Prism& prism, const PrismSections& sections)
+      : prism_(prism), sections_(sections) {
+    const Area& middle = sections.middle;
+    for (const Point2& p : middle.corners) box_.extend(p);
+    cap_scale_ = prism.texture.repeat;
+    side_scale_ = prism.texture.repeat;
+    if (prism.texture.unit == TextureMapping::Unit::kMetre) return;
+    cap_scale_ = cap_scale_.cwiseQuotient(box_.sizes());
+    double around = 0;  // length of the outline
+    const auto [first, count] = middle.Loop(0);
+    for (std::size_t i = 0; i < count; ++i)
+      around += (middle.corners[(i + 1) % count] - middle.corners[i]).norm();
+    side_scale_ = side_scale_.cwiseQuotient(Point2(around, prism.height));
+  }
+
+  TriangleMesh Run() {
+    const double top = prism_.height / 2;
+    const double edge = top - prism_.bevel;
+    const Area& middle = sections_.middle;
+    const Area& end = sections_.end;
+    AddCaps();
+    if (prism_.bevel > 0) {
+      AddBand({end, -top}, {middle, -edge}, -std::sqrt(0.5));
+      AddBand({middle, edge}, {end, top}, std::sqrt(0.5));
+    }
+    AddBand({middle, -edge}, {middle, edge}, 0);
+    return std::move(mesh_);
+  }
+
+ private:
+  struct Section {
+    const Area& area;
+    double z;
+  };
+
+  int AddVertex(const Point2& p, double z, const Eigen::Vector3d& normal, const Point2& texcoord) {
+    mesh_.vertices.emplace_back(p.x(), p.y(), z);
+    mesh_.normals.push_back(normal);
+    mesh_.texcoords.push_back(texcoord);
+    return static_cast<int>(mesh_.vertices.size()) - 1;
+  }
+
+  void AddCaps() {
+    const Area& area = sections_.end;
+    const std::vector<std::array<int, 3>> triangles = PartitionOf(area).triangles;
+    for (const double side : {-1.0, 1.0}) {
+      const int first = static_cast<int>(mesh_.vertices.size());
+      for (const Point2& p : area.corners) {
+        const Point2 at(p.x() - box_.min().x(), box_.max().y() - p.y());
+        AddVertex(p, side * prism_.height / 2, {0, 0, side}, at.cwiseProduct(cap_scale_));
+      }
+      for (std::array<int, 3> triangle : triangles) {
+        if (side < 0) std::swap(triangle[1], triangle[2]);
+        for (int& corner : triangle) corner += first;
+        mesh_.triangles.push_back(triangle);
+      }
+    }
+  }
+
+  /// Adds the sides between two sections. `up` is the z component of the normals.
+  void AddBand(const Section& below, const Section& above, double up) {
+    for (std::size_t loop = 0; loop < below.area.ends.size(); ++loop)
+      AddLoop(below, above, up, loop);
+  }
+
+  void AddLoop(const Section& below, const Section& above, double up, std::size_t loop) {
+    const Area& middle = sections_.middle;
+    const auto [first, count] = middle.Loop(loop);
+    const auto side = [&, first = first, count = count](std::size_t i) {
+      return Point2(middle.corners[first + (i + 1) % count] - middle.corners[first + i % count]);
+    };
+    const auto outward = [&](std::size_t i) {
+      const Point2 direction = side(i).normalized();
+      return Point2(direction.y(), -direction.x());
+    };
+    const auto is_smooth = [&, count = count](std::size_t i) {  // corner at the start of side i
+      return outward(i + count - 1).dot(outward(i)) >= std::cos(prism_.crease);
+    };
+    double along = 0;
+    std::pair<int, int> very_first;
+    std::pair<int, int> last;
+    // With a texture, the vertices at its seam differ.
+    const bool joins = prism_.texture.unit == TextureMapping::Unit::kNone && is_smooth(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto add = [&, first = first, count = count](std::size_t corner, std::size_t beside) {
+        Point2 flat = outward(i);
+        if (is_smooth(corner)) flat = (flat + outward(beside)).normalized();
+        flat *= std::sqrt(1 - up * up);
+        const Eigen::Vector3d normal(flat.x(), flat.y(), up);
+        const std::size_t at = first + corner % count;
+        const auto vertex = [&](const Section& section) {
+          const Point2 texcoord(along, prism_.height / 2 - section.z);
+          return AddVertex(section.area.corners[at], section.z, normal,
+                           texcoord.cwiseProduct(side_scale_));
+        };
+        const int low = vertex(below);
+        return std::pair(low, vertex(above));
+      };
+      const auto from = i > 0 && is_smooth(i) ? last : add(i, i + count - 1);
+      if (i == 0) very_first = from;
+      along += side(i).norm();
+      last = joins && i + 1 == count ? very_first : add(i + 1, i + 1);
+      AddQuad(from.first, last.first, last.second, from.second, mesh_);
+    }
+  }
+
+  const Prism& prism_;
+  const PrismSections& sections_;
+  Eigen::AlignedBox2d box_;
+  Point2 cap_scale_;
+  Point2 side_scale_;
+  TriangleMesh mesh_;
+};
+
+}  // namespace
+
+TriangleMesh MakeExtrusionMesh(const Prism& prism, const PrismSections& sections) {
+  TriangleMesh mesh = ExtrusionMesher(prism, sections).Run();
+  if (prism.texture.unit == TextureMapping::Unit::kNone) mesh.texcoords.clear();
+  RoundCoordinates(mesh);
+  return mesh;
+}
+
+}  // namespace mjforge::solid

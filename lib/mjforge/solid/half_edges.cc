@@ -1,0 +1,43 @@
+// Construction and queries of the half-edge table.
+
+#include "mjforge/solid/half_edges.h"
+
+#include <algorithm>
+
+namespace mjforge::solid {
+
+HalfEdges::HalfEdges(const Polytope& polytope) : some_neighbour_(polytope.vertices.size(), -1) {
+  for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
+    const std::vector<int>& corners = polytope.faces[face].corners;
+    const std::size_t count = corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const int a = corners[i];
+      const int b = corners[(i + 1) % count];
+      next_[{a, b}] = {static_cast<int>(face), corners[(i + 2) % count]};
+      some_neighbour_[static_cast<std::size_t>(a)] = b;
+    }
+  }
+}
+
+std::vector<std::pair<int, int>> HalfEdges::All() const {
+  std::vector<std::pair<int, int>> all;
+  for (const auto& [edge, unused] : next_) {
+    if (edge.first < edge.second) all.push_back(edge);
+  }
+  return all;
+}
+
+std::vector<int> HalfEdges::FacesAround(int vertex) const {
+  std::vector<int> faces;
+  const int start = some_neighbour_[static_cast<std::size_t>(vertex)];
+  int neighbour = start;
+  do {
+    faces.push_back(FaceAt(vertex, neighbour));
+    // The face across the edge continues from this vertex along its next half-edge.
+    neighbour = next_.at({neighbour, vertex}).second;
+  } while (neighbour != start);
+  std::ranges::reverse(faces);
+  return faces;
+}
+
+}  // namespace mjforge::solid

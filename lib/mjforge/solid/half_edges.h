@@ -1,0 +1,30 @@
+// Half-edge table of a polytope: which faces meet at an edge and at a vertex.
+
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "mjforge/solid/polytope.h"
+
+namespace mjforge::solid {
+
+class HalfEdges {
+ public:
+  explicit HalfEdges(const Polytope& polytope);
+
+  /// Returns the face to the left of the edge from a to b, seen from outside.
+  int FaceAt(int a, int b) const { return next_.at({a, b}).first; }
+  /// Returns each edge once, as a pair of vertices.
+  std::vector<std::pair<int, int>> All() const;
+  /// Returns the faces around a vertex, counter-clockwise seen from outside.
+  std::vector<int> FacesAround(int vertex) const;
+
+ private:
+  // For each half-edge of a face: the face, and the vertex after the half-edge's end.
+  std::map<std::pair<int, int>, std::pair<int, int>> next_;
+  std::vector<int> some_neighbour_;  // a neighbour of each vertex
+};
+
+}  // namespace mjforge::solid

@@ -1,0 +1,35 @@
+// Base polygon of a prism, with rounded corners and holes, and its insets for bevels.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mjforge/solid/moments.h"
+
+namespace mjforge::solid {
+
+/// Cross sections in the middle and at both ends of a prism, with equal numbers of corners.
+struct PrismSections {
+  Area middle;
+  Area end;
+};
+
+struct BasePolygon {
+  /// The outline counter-clockwise, before its corners are rounded, then the holes clockwise.
+  std::vector<Outline> loops;
+  double round = 0;  // radius of the outline's corners
+
+  /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`.
+  std::vector<QuadratureNode> BoundaryAt(double inset) const;
+  /// Returns the cross sections for this bevel; `per_turn` and `inside` as for PointsOf.
+  PrismSections SectionsAt(double bevel, int per_turn, bool inside) const;
+
+ private:
+  std::vector<RoundedCorner> CornersOf(std::size_t loop, double inset) const;
+};
+
+/// Returns nothing and sets `fault` if outline, holes, rounding and bevel do not make a prism.
+std::optional<BasePolygon> BasePolygonOf(const Prism& prism, Fault& fault);
+
+}  // namespace mjforge::solid

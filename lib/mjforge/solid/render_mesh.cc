@@ -1,0 +1,58 @@
+// Segment counts, texture projection and rounding of render meshes.
+
+#include "mjforge/solid/render_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mjforge::solid {
+
+double ChordError(double half_size, double share) { return std::min(0.25e-3, share * half_size); }
+
+int SegmentsPerTurn(double radius, double chord_error, double angle) {
+  constexpr int kFewest = 16;       // in a whole turn
+  constexpr int kMostVisible = 48;  // within `angle`
+  const double share = angle / kWholeTurn;
+  int count = kFewest;
+  while (radius * (1 - std::cos(std::numbers::pi / count)) > chord_error &&
+         count * share < kMostVisible)
+    count *= 2;
+  return std::min(count, static_cast<int>(std::ceil(kMostVisible / share)));
+}
+
+void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
+void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh) {
+  if (texture.unit == TextureMapping::Unit::kNone) return;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
+  Eigen::Vector2d center = box.center().head<2>();
+  Eigen::Vector2d scale = texture.repeat.cwiseQuotient(box.sizes().head<2>());
+  if (texture.unit == TextureMapping::Unit::kMetre) {
+    center.setZero();
+    scale = texture.repeat;
+  }
+  scale.y() = -scale.y();  // rows of a picture are counted from the top
+  for (const Eigen::Vector3d& p : mesh.vertices)
+    mesh.texcoords.emplace_back((p.head<2>() - center).cwiseProduct(scale).array() + 0.5);
+}
+
+void RoundCoordinates(TriangleMesh& mesh) {
+  double size = 0;
+  for (const Eigen::Vector3d& p : mesh.vertices) size = std::max(size, p.cwiseAbs().maxCoeff());
+  if (!(size > 0)) return;
+  mesh.in_micrometres = size >= 2e-3 && size <= 10;
+  const auto round = [](auto& vectors, double per_unit) {
+    // Division gives the double nearest to the decimal number; adding 0 turns -0 into 0.
+    for (auto& v : vectors) v = (v.array() * per_unit).round() / per_unit + 0.0;
+  };
+  round(mesh.vertices, mesh.in_micrometres ? 1e6 : std::pow(10, 6 - std::floor(std::log10(size))));
+  round(mesh.normals, 1e4);
+  round(mesh.texcoords, 1e5);
+}
+
+}  // namespace mjforge::solid

@@ -1,0 +1,43 @@
+// Render meshes of lathes and prisms, and what all render meshes share: number of segments, texture
+// projection, rounding of coordinates.
+
+#pragma once
+
+#include <numbers>
+
+#include "mjforge/solid/convex_partition.h"
+#include "mjforge/solid/inset_polygon.h"
+
+namespace mjforge::solid {
+
+inline constexpr double kWholeTurn = 2 * std::numbers::pi;
+
+/// Returns the maximum chord error (sagitta) of the render mesh of a shape with this half size, m.
+/// `share` is the limit relative to the half size.
+double ChordError(double half_size, double share = 0.005);
+
+/// Returns the number of segments in a whole turn for this chord error: 16, 32, 64 and so on, so
+/// that most variants of a spec have the same number. At most 48 segments are within `angle`, rad,
+/// the visible part of the turn.
+int SegmentsPerTurn(double radius, double chord_error, double angle);
+
+/// Adds two triangles between four corners, counter-clockwise.
+void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh);
+
+/// Makes the render mesh of a lathe. `outline` is its closed profile or the outline of its wall;
+/// the sources of the outline's corners are points of `lathe.profile`.
+TriangleMesh MakeLatheMesh(const Lathe& lathe, const Outline& outline,
+                           const ConvexPartition& partition);
+
+/// Makes the render mesh of a prism with these cross sections.
+TriangleMesh MakeExtrusionMesh(const Prism& prism, const PrismSections& sections);
+
+/// Adds the texture coordinates that MuJoCo gives a box: along x and against y, equal in all cross
+/// sections.
+void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh);
+
+/// Rounds positions to a micrometre (in shapes below 2 mm or above 10 m to a millionth of the
+/// size) and normals to a ten-thousandth. The error is invisible, and MJCF gets shorter.
+void RoundCoordinates(TriangleMesh& mesh);
+
+}  // namespace mjforge::solid

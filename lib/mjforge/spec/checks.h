@@ -1,0 +1,74 @@
+// The demands of a spec on its objects: `expect:` and `checks:`.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/spec/entry.h"
+#include "mjforge/spec/values.h"
+
+namespace mjforge::spec {
+
+/// A joint's position in `pose:` or `at:`, as in MuJoCo's qpos.
+struct JointPosition {
+  Value joint;  // text
+  diag::SourceMark mark;
+  Value value;  // a number (m or rad), or the quaternion of a ball joint
+};
+
+enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
+
+/// An entry of `expect:`.
+struct Expectation {
+  Entry entry;  // if, for, let; min and max as fields
+  ExpectationKind kind = ExpectationKind::kThat;
+  std::optional<expr::Expression> condition;  // kThat
+  std::vector<Value> names;                   // other kinds: two bodies or parts
+  std::vector<JointPosition> at;
+  std::string doc;
+};
+
+/// The section `checks:`, with the values of settings (`checks.KEY`) in place of its own.
+struct Checks {
+  std::vector<Field> fields;
+  struct Silence {
+    diag::Code code{};
+    std::string reason;
+  };
+  std::vector<Silence> silenced;
+  struct Holding {
+    std::vector<Field> fields;
+    diag::SourceMark mark;
+  };
+  std::optional<Holding> holds;
+  struct JointCheck {
+    Entry entry;                // if, for, let; thresholds as fields
+    std::vector<Value> joints;  // texts: names of joints
+    std::vector<JointPosition> at;
+    std::string skip;
+  };
+  std::vector<JointCheck> joints;
+  struct Fitting {
+    Entry entry;  // if, for, let; the other keys as fields
+  };
+  std::vector<Fitting> fits;
+  struct Grasping {
+    std::vector<Field> fields;
+    std::vector<Value> sites;  // texts: names of sites
+    diag::SourceMark mark;
+  };
+  std::optional<Grasping> grasps;
+  struct PartCheck {
+    Entry entry;               // if, for, let; limits as fields
+    std::vector<Value> parts;  // texts: names of parts
+  };
+  std::vector<PartCheck> parts;
+};
+/// Returns true for codes that `checks: {silence: ...}` accepts: physics/... and spec/unused.
+bool CanBeSilenced(diag::Code code);
+
+}  // namespace mjforge::spec

@@ -1,0 +1,135 @@
+// The state that the readers of one spec share, and the interfaces of these readers.
+
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/spec/spec.h"
+#include "mjforge/spec/value_reader.h"
+#include "mjforge/spec/yaml.h"
+
+namespace mjforge::spec {
+
+/// Finds and loads the specs that a spec refers to.
+class NestedLoader {
+ public:
+  virtual ~NestedLoader() = default;
+  /// Loads the spec that is named at `mark`. Returns null, and adds a finding, if loading fails.
+  virtual std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
+                                                       diag::SourceMark mark) = 0;
+  /// Reads another file of the spec, relative to the spec's folder, and returns its number among
+  /// the sources. Returns nothing, and adds a finding, if reading fails.
+  virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
+};
+
+/// State of reading one spec.
+struct Context {
+  diag::Sources& sources;
+  diag::Findings& findings;
+  ObjectSpec& spec;
+  NestedLoader& loader;
+  ValueReader values;
+  std::vector<std::pair<std::string, diag::SourceMark>> locals = {};  // names of all `let:`
+};
+
+/// Reports keys that the element does not have, with suggestions.
+void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
+
+/// Reports a key that has a meaning only beside another one of the mapping.
+void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
+                Context& context);
+
+/// Returns true if the node is a mapping. Otherwise adds a finding; `what` is its expected content.
+bool IsMap(const YamlNode& node, std::string_view what, Context& context);
+/// Returns true if the node is a list. Otherwise adds a finding; `what` is its expected content.
+bool IsList(const YamlNode& node, std::string_view what, Context& context);
+
+/// Reads the fields of a mapping that hold a value. Reports fields that exclude each other (two
+/// orientations, density and mass).
+std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
+
+/// Returns true if an element may have only one of the two fields: mass and density, pos and
+/// fromto.
+bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
+
+/// Returns the field with this key; null if there is none.
+const Field* FindField(std::span<const Field> fields, Key id);
+
+/// Adds a finding unless expr::IsName(name).
+void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
+               diag::Findings& findings);
+
+/// Returns true if the name is not reserved in expressions (`pi`, `min`, `and`). Otherwise adds a
+/// finding; `what` has the name ("a parameter").
+bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
+                      diag::Findings& findings);
+
+/// Reads `functions:` and defines the functions for all expressions that are read later.
+void ReadFunctions(const YamlNode& functions, Context& context);
+/// Checks the bodies of the functions. The parameters must be declared.
+void CheckFunctions(Context& context);
+/// Returns `names` and, for each function among them, the names in the function's body.
+std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
+                                              const expr::SymbolTable& known);
+
+/// A setting: the name of a parameter or `checks.KEY`, and the new value.
+struct NamedNode {
+  std::string name;
+  YamlNode value;
+};
+/// Reads `params:` and `require:`, with settings in place of the parameters' own values.
+void ReadParameters(const YamlNode* params, const YamlNode* require,
+                    std::span<const NamedNode> settings, Context& context);
+
+/// Read `materials:` and `defaults:` of the spec itself or of an imported file.
+void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folder, bool imported,
+                   Context& context);
+void ReadDefaults(const YamlNode& defaults, Context& context);
+
+/// Reads a list of parts, sites, cameras, lights or joints. Reports entries with the same name that
+/// exist in every variant.
+std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context);
+/// Reads `cameras:` and `lights:` of an object or a body.
+std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
+void ReadJoints(const YamlNode& joints, Context& context);
+/// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
+/// finding, for other words.
+std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
+/// Reads `pose:` of an object or `at:` of an expectation or a check.
+std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
+/// Reads `expect:` of an object.
+void ReadExpectations(const YamlNode& list, Context& context);
+
+/// Reads `bodies:` in order, because each body may use properties of earlier bodies.
+void ReadBodies(const YamlNode& bodies, Context& context);
+
+/// Read `contact:` and `mjcf:` into the sections of the spec.
+void ReadContact(const YamlNode& contact, Context& context);
+void ReadSections(const YamlNode& sections, Context& context);
+
+/// The name of the setting that replaces the object's `joints:`.
+inline constexpr std::string_view kRootJoints = "root.joints";
+/// Prefix of the settings that replace values of `checks:`.
+inline constexpr std::string_view kChecksPrefix = "checks.";
+/// Reads `checks:`, with settings in place of its own values. `checks` may be null.
+void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
+
+/// Clears `first_property` of bodies whose properties (NAME.top) no expression uses, so that they
+/// are not computed.
+void DropUnusedProperties(Context& context);
+
+/// Warns of parameters, functions, local values and the spec's own materials that are never used.
+/// `materials` may be null.
+void ReportUnused(const YamlNode* materials, Context& context);
+
+/// Checks the fields of a part against its type, if the type is a literal: missing fields, fields
+/// without meaning, the count of sizes.
+void CheckPart(const Entry& part, Context& context);
+
+}  // namespace mjforge::spec

@@ -1,0 +1,29 @@
+// Tables of values in CSV files.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/spec/yaml.h"
+
+namespace mjforge::spec {
+
+struct TableColumn {
+  std::string name;
+  diag::SourceMark mark;  // in the header
+  bool is_text = false;
+  std::string unit;             // SI unit of the column's dimension: m for mm
+  std::vector<YamlNode> cells;  // numbers with the header's unit, or texts
+};
+
+/// Parses the text of a source as CSV with a header line (RFC 4180). A column name may be followed
+/// by a unit, `height [mm]`, or by `[text]`; without either, a column is numeric if all its cells
+/// are numbers. Returns nothing, and adds findings, if the text is not such a table.
+std::optional<std::vector<TableColumn>> ReadTable(std::uint32_t file, const diag::Sources& sources,
+                                                  diag::Findings& findings);
+
+}  // namespace mjforge::spec

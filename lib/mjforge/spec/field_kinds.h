@@ -1,0 +1,22 @@
+// Descriptions of field kinds for the reference, the JSON Schema and messages.
+
+#pragma once
+
+#include <string_view>
+
+#include "mjforge/spec/fields.h"
+
+namespace mjforge::spec {
+
+/// Description of a field kind. A text is empty if it depends on the field's counts, bounds or
+/// words.
+struct FieldKindInfo {
+  FieldKind kind;
+  std::string_view takes;              // "list of parts"
+  std::string_view schema = {};        // members of its JSON Schema, with markers (schema.cc)
+  std::string_view drawn = "a value";  // the result of a draw that fits
+};
+
+const FieldKindInfo& InfoOf(FieldKind kind);
+
+}  // namespace mjforge::spec

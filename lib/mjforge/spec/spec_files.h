@@ -1,0 +1,77 @@
+// The files that a spec is made of: the spec itself, nested specs, imports and tables.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::spec {
+
+/// Returns the canonical path of a file, or `file` itself if there is none.
+std::filesystem::path Canonical(const std::filesystem::path& file);
+
+/// Reads a file, adds its text to `sources` and returns its number. Returns nothing, and adds a
+/// finding with `name`, if reading fails.
+std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
+                                        diag::SourceMark mark, diag::Sources& sources,
+                                        diag::Findings& findings);
+
+class SpecFiles {
+ public:
+  /// `first` is the spec's own file, already read as `source`. The other arguments must outlive
+  /// this object.
+  SpecFiles(std::span<const std::filesystem::path> search_path, const std::filesystem::path& first,
+            std::uint32_t source, diag::Sources& sources, diag::Findings& findings)
+      : search_path_(search_path),
+        sources_(sources),
+        findings_(findings),
+        files_{first},
+        source_ids_{source} {}
+
+  /// Returns the file that `reference` names; nothing, and adds a finding, if there is none.
+  std::optional<std::filesystem::path> Find(const std::string& reference,
+                                            const std::filesystem::path& folder,
+                                            diag::SourceMark mark);
+  /// Returns true, and adds a finding, if the file is being read, because it refers to itself then.
+  bool IsOpen(const std::filesystem::path& file, diag::SourceMark mark);
+  /// Reads the file unless it was read before, and returns its number among the sources. Returns
+  /// nothing, and adds a finding, if reading fails.
+  std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
+
+  /// Marks a file as being read during the lifetime of this object.
+  class OpenScope {
+   public:
+    OpenScope(SpecFiles& files, const std::filesystem::path& file) : files_(files) {
+      files_.open_.push_back(file);
+    }
+    ~OpenScope() { files_.open_.pop_back(); }
+    OpenScope(const OpenScope&) = delete;
+    OpenScope& operator=(const OpenScope&) = delete;
+
+   private:
+    SpecFiles& files_;
+  };
+  std::size_t depth() const { return open_.size(); }
+
+  /// All files read so far, in the order in which they were first read.
+  const std::vector<std::filesystem::path>& all() const { return files_; }
+  /// Returns the hash of the texts of all files, concatenated in this order, in hexadecimal.
+  std::string Sha256() const;
+
+ private:
+  std::span<const std::filesystem::path> search_path_;
+  diag::Sources& sources_;
+  diag::Findings& findings_;
+  std::vector<std::filesystem::path> open_;  // specs and imports being read, outermost first
+  std::vector<std::filesystem::path> files_;
+  std::vector<std::uint32_t> source_ids_;  // parallel to `files_`
+};
+
+}  // namespace mjforge::spec

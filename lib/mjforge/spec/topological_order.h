@@ -1,0 +1,20 @@
+// Topological order of a dependency graph.
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace mjforge::spec {
+
+/// Edges of a dependency graph: for each node, the nodes that it depends on.
+using Dependencies = std::vector<std::vector<std::size_t>>;
+
+/// Returns all nodes, each after those that it depends on. Calls `on_cycle` for each cycle, with a
+/// path whose first and last nodes are the same.
+std::vector<std::size_t> TopologicalOrder(
+    const Dependencies& dependencies,
+    const std::function<void(const std::vector<std::size_t>&)>& on_cycle);
+
+}  // namespace mjforge::spec

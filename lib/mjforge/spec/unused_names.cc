@@ -1,0 +1,52 @@
+// Warnings of parameters, functions, local values and materials that are never used.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/context.h"
+
+namespace mjforge::spec {
+
+void DropUnusedProperties(Context& context) {
+  for (BodyEntry& body : context.spec.bodies) {
+    const auto name = LiteralText(body.head.name);
+    if (name && !context.values.uses().names.contains(std::string(*name))) body.first_property = -1;
+  }
+}
+
+void ReportUnused(const YamlNode* materials, Context& context) {
+  // After an error, not everything was read, so names that are used would be reported.
+  if (context.findings.HasErrors()) return;
+  const auto& silenced = context.spec.checks.silenced;
+  if (std::ranges::find(silenced, diag::Code::kSpecUnused, &Checks::Silence::code) !=
+      silenced.end()) {
+    return;
+  }
+  const UsedNames& uses = context.values.uses();
+  const auto report = [&](std::string_view what, std::string_view name, diag::SourceMark mark) {
+    context.findings.Warn(
+        diag::Code::kSpecUnused, mark, fmt::format("{} '{}' is never used", what, name),
+        "remove it, or say why it is there: `checks: {silence: {spec/unused: ...}}`");
+  };
+  for (const Parameter& parameter : context.spec.parameters) {
+    // A record is used if any of its columns is used.
+    const std::string name = parameter.name.substr(0, parameter.name.find('.'));
+    const bool is_column = name != parameter.name && parameter.record.empty();
+    const bool is_shared = std::holds_alternative<SharedParameter>(parameter.value.form);
+    if (!is_column && !is_shared && !uses.names.contains(name))
+      report("parameter", name, parameter.mark);
+  }
+  for (const auto& [name, mark] : context.spec.functions) {
+    if (!uses.names.contains(name)) report("function", name, mark);
+  }
+  for (const auto& [name, mark] : context.locals) {
+    if (!uses.names.contains(name)) report("local value", name, mark);
+  }
+  if (materials == nullptr || uses.any_material) return;
+  for (const YamlNode::Pair& pair : materials->pairs) {
+    if (!uses.materials.contains(pair.key)) report("material", pair.key, pair.mark);
+  }
+}
+
+}  // namespace mjforge::spec

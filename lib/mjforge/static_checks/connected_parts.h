@@ -1,0 +1,25 @@
+// Groups of parts that are connected because they touch.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mjforge/static_checks/distance.h"
+
+namespace mjforge::static_checks {
+
+/// Indices into a list of parts.
+using PartGroup = std::vector<std::size_t>;
+
+/// Returns the connected components of parts that are at most `gap` (m) apart; the heaviest first.
+std::vector<PartGroup> ConnectedGroups(std::span<const PlacedPart> parts, double gap);
+
+/// The part outside a group that is nearest to the group.
+struct NearestPart {
+  std::size_t index = 0;
+  double distance = 0;  // m
+};
+NearestPart NearestOutside(std::span<const PlacedPart> parts, const PartGroup& group);
+
+}  // namespace mjforge::static_checks

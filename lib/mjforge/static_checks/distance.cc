@@ -1,0 +1,256 @@
+// GJK distance of convex parts, and penetration depth by libccd (EPA).
+#include "mjforge/static_checks/distance.h"
+
+#include <ccd/ccd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+namespace mjforge::static_checks {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kMostIterations = 500;
+constexpr double kPrecision = 1e-10;  // error of a distance, as a share of the size
+
+// Simplex with one to four corners: point, segment, triangle or tetrahedron.
+struct Simplex {
+  std::array<Vector3d, 4> corners;
+  int count = 0;
+};
+
+// Returns the point of the corners' affine hull that is nearest to the origin, if that point is
+// inside the simplex; otherwise a smaller simplex contains the nearest point.
+template <int kEdges>
+std::optional<Vector3d> NearestInside(const Simplex& simplex) {
+  const Vector3d& first = simplex.corners[0];
+  Eigen::Matrix<double, 3, kEdges> edges;
+  for (int i = 0; i < kEdges; ++i)
+    edges.col(i) = simplex.corners[static_cast<std::size_t>(i) + 1] - first;
+  const Eigen::Matrix<double, kEdges, 1> weights = edges.colPivHouseholderQr().solve(-first);
+  if (!weights.allFinite() || weights.minCoeff() < 0 || weights.sum() > 1) return std::nullopt;
+  return first + edges * weights;
+}
+
+std::optional<Vector3d> NearestInside(const Simplex& simplex) {
+  switch (simplex.count) {
+    case 1:
+      return simplex.corners[0];
+    case 2:
+      return NearestInside<1>(simplex);
+    case 3:
+      return NearestInside<2>(simplex);
+    default:
+      return NearestInside<3>(simplex);
+  }
+}
+
+// Reduces a simplex to the corners whose hull contains the point nearest to the origin, and returns
+// that point. The newest corner, which is the last, is always kept.
+Vector3d Reduce(Simplex& simplex) {
+  double least = std::numeric_limits<double>::infinity();
+  Vector3d nearest = Vector3d::Zero();
+  Simplex best;
+  for (int subset = 1 << (simplex.count - 1); subset < 1 << simplex.count; ++subset) {
+    Simplex some;
+    for (int i = 0; i < simplex.count; ++i) {
+      if ((subset >> i & 1) != 0)
+        some.corners[static_cast<std::size_t>(some.count++)] =
+            simplex.corners[static_cast<std::size_t>(i)];
+    }
+    const auto point = NearestInside(some);
+    if (!point || point->norm() >= least) continue;
+    least = point->norm();
+    nearest = *point;
+    best = some;
+  }
+  simplex = best;
+  return nearest;
+}
+
+// Returns the point of a convex set that is nearest to the origin; `farthest` is the set's support
+// function, `middle` its approximate centre, `size` its size (m). Gilbert, Johnson and Keerthi, "A
+// fast procedure for computing the distance between complex objects in three-dimensional space",
+// 1988.
+template <typename Farthest>
+Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size) {
+  Simplex simplex;
+  Vector3d nearest = farthest(middle.isZero() ? Vector3d(Vector3d::UnitX()) : Vector3d(-middle));
+  simplex.corners[0] = nearest;
+  simplex.count = 1;
+  for (int i = 0; i < kMostIterations; ++i) {
+    const double distance = nearest.norm();
+    if (distance <= kPrecision * size) return Vector3d::Zero();
+    const Vector3d next = farthest(-nearest);
+    // Stop when the support plane through `next` is as far from the origin as `nearest`.
+    if (distance - nearest.dot(next) / distance <= kPrecision * size) return nearest;
+    if (simplex.count == 4) return Vector3d::Zero();
+    simplex.corners[static_cast<std::size_t>(simplex.count++)] = next;
+    const Vector3d reduced = Reduce(simplex);
+    if (simplex.count == 4) return Vector3d::Zero();  // the set contains the origin
+    if (reduced.norm() >= distance) return nearest;   // rounding prevents progress
+    nearest = reduced;
+  }
+  return nearest;
+}
+
+// Radius around the core of a part: a sphere is a point, and a capsule a segment, with a radius.
+double RadiusOf(const PlacedPart& part) {
+  const model::Shape& shape = part.part->shape;
+  const bool is_round =
+      shape.type == model::GeomType::kSphere || shape.type == model::GeomType::kCapsule;
+  return is_round ? shape.size.x() : 0;
+}
+
+// Support function of the core of a part.
+Vector3d FarthestOfCore(const PlacedPart& part, const Vector3d& direction_W) {
+  const model::Shape& shape = part.part->shape;
+  const Vector3d& center = part.X_WG.p;
+  if (shape.type == model::GeomType::kSphere) return center;
+  if (shape.type != model::GeomType::kCapsule) return FarthestPoint(part, direction_W);
+  const Vector3d half = part.X_WG.q * Vector3d(0, 0, shape.size.y());
+  return center + (half.dot(direction_W) > 0 ? 1 : -1) * half;
+}
+
+// Penetration depth of two overlapping cores. libccd's tolerances are absolute, so that all lengths
+// are divided by the size of the two.
+class Penetration {
+ public:
+  Penetration(const PlacedPart& a, const PlacedPart& b, double size) : a_(a), b_(b), size_(size) {}
+
+  double Depth() {
+    ccd_t ccd;
+    CCD_INIT(&ccd);
+    ccd.support1 = SupportOfA;
+    ccd.support2 = SupportOfB;
+    ccd.max_iterations = kMostIterations;
+    ccd.epa_tolerance = kPrecision;
+    ccd_real_t depth = 0;
+    ccd_vec3_t direction;
+    ccd_vec3_t position;
+    const int answer = ccdGJKPenetration(this, this, &ccd, &depth, &direction, &position);
+    if (answer != 0) return 0;  // the cores only touch
+    if (calls_ < kMostCalls) return depth * size_;
+    return size_ * Refined(Vector3d(direction.v).normalized());
+  }
+
+ private:
+  // For nearly concentric round shapes the depth is the same in all directions, and libccd would
+  // refine its polytope in each of them. After this many calls Support() stops the refinement by
+  // returning the origin, which is no farther than any point that libccd has.
+  static constexpr int kMostCalls = 1000;
+
+  static void SupportOfA(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    Support(object, true, direction, point);
+  }
+  static void SupportOfB(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+    Support(object, false, direction, point);
+  }
+  static void Support(const void* object, bool first, const ccd_vec3_t* direction,
+                      ccd_vec3_t* point) {
+    const auto& self = *static_cast<const Penetration*>(object);
+    const bool enough = ++self.calls_ > kMostCalls;
+    const Vector3d p =
+        enough ? Vector3d(Vector3d::Zero())
+               : Vector3d((FarthestOfCore(first ? self.a_ : self.b_, Vector3d(direction->v)) -
+                           self.b_.X_WG.p) /
+                          self.size_);
+    ccdVec3Set(point, p.x(), p.y(), p.z());
+  }
+
+  // Returns the translation against a direction that would separate the cores, in units of size_.
+  double Reach(const Vector3d& direction) const {
+    return direction.dot(FarthestOfCore(a_, direction) - FarthestOfCore(b_, -direction)) / size_;
+  }
+
+  // Returns the least reach near a direction or its opposite, by pattern search.
+  double Refined(const Vector3d& direction) const {
+    Vector3d best = Reach(direction) < Reach(-direction) ? direction : Vector3d(-direction);
+    double least = Reach(best);
+    for (double step = 0.2; step > 1e-7;) {
+      const Vector3d across = best.unitOrthogonal();
+      bool found = false;
+      for (int i = 0; i < 8; ++i) {
+        const Vector3d turned = Eigen::AngleAxisd(i * M_PI / 4 + 1 / step, best) * across;
+        const Vector3d near = (best + step * turned).normalized();
+        if (Reach(near) >= least) continue;
+        least = Reach(near);
+        best = near;
+        found = true;
+        break;
+      }
+      if (!found) step /= 2;
+    }
+    return least;
+  }
+
+  const PlacedPart& a_;
+  const PlacedPart& b_;
+  double size_;
+  mutable int calls_ = 0;
+};
+
+// Vector from the nearest point of core B to that of core A.
+Vector3d BetweenCores(const PlacedPart& a, const PlacedPart& b, double size) {
+  const auto difference = [&](const Vector3d& direction) {
+    return Vector3d(FarthestOfCore(a, direction) - FarthestOfCore(b, -direction));
+  };
+  return NearestToOrigin(difference, a.box_W.center() - b.box_W.center(), size);
+}
+
+double SizeOf(const PlacedPart& a, const PlacedPart& b) {
+  return a.box_W.merged(b.box_W).diagonal().norm();
+}
+
+// Support function of the convex hull of several parts.
+Vector3d FarthestOfHull(std::span<const PlacedPart> parts, const Vector3d& direction_W) {
+  Vector3d farthest = Vector3d::Zero();
+  double way = -std::numeric_limits<double>::infinity();
+  for (const PlacedPart& part : parts) {
+    const Vector3d p = FarthestPoint(part, direction_W);
+    if (p.dot(direction_W) <= way) continue;
+    way = p.dot(direction_W);
+    farthest = p;
+  }
+  return farthest;
+}
+
+}  // namespace
+
+PlacedPart::PlacedPart(const model::Part* of, const model::Pose& at) : part(of), X_WG(at) {
+  const model::Box3 box = model::BoundsOf(of->shape, at);
+  box_W = {box.min, box.max};
+}
+
+Vector3d FarthestPoint(const PlacedPart& part, const Vector3d& direction_W) {
+  const Eigen::Quaterniond& q_WG = part.X_WG.q;
+  return part.X_WG * model::SupportPoint(part.part->shape, q_WG.conjugate() * direction_W);
+}
+
+double Distance(const PlacedPart& a, const PlacedPart& b) {
+  const double cores = BetweenCores(a, b, SizeOf(a, b)).norm();
+  return std::max(cores - RadiusOf(a) - RadiusOf(b), 0.0);
+}
+
+double SignedDistance(const PlacedPart& a, const PlacedPart& b) {
+  const double size = SizeOf(a, b);
+  const double cores = BetweenCores(a, b, size).norm();
+  const double apart = cores > 0 ? cores : -Penetration(a, b, size).Depth();
+  return apart - RadiusOf(a) - RadiusOf(b);
+}
+
+Vector3d FromHull(std::span<const PlacedPart> parts, const Vector3d& p_W) {
+  const auto difference = [&](const Vector3d& direction) {
+    return Vector3d(p_W - FarthestOfHull(parts, -direction));
+  };
+  Eigen::AlignedBox3d box_W;
+  for (const PlacedPart& part : parts) box_W.extend(part.box_W);
+  return NearestToOrigin(difference, p_W - box_W.center(), box_W.diagonal().norm());
+}
+
+}  // namespace mjforge::static_checks

@@ -1,0 +1,270 @@
+// Expectations of a spec: gaps between bodies or parts, and parts inside others.
+#include "mjforge/static_checks/static_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <queue>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/static_checks/distance.h"
+#include "mjforge/static_checks/forward_kinematics.h"
+
+namespace mjforge::static_checks {
+namespace {
+
+using Eigen::Vector3d;
+using model::Expectation;
+using Kind = model::ExpectationKind;
+using PlacedParts = std::vector<PlacedPart>;
+
+constexpr double kTolerance = 1e-5;  // m, of bodies that must touch or be apart
+constexpr int kDigits = 3;
+
+// Formats the absolute value of a length: "0.132 mm".
+std::string LengthText(double length, int digits = kDigits) {
+  return expr::RoundedText(1000 * std::abs(length), digits) + " mm";
+}
+
+// Returns the number of digits with which the texts of two lengths differ.
+int DigitsFor(double a, double b) {
+  int digits = kDigits;
+  while (digits < 15 && LengthText(a, digits) == LengthText(b, digits)) digits += 3;
+  return digits;
+}
+
+// Returns directions in a shape's frame whose farthest points sample the shape's surface: all
+// corners of a box, and points between them of round shapes.
+std::vector<Vector3d> MakeDirections(bool is_box) {
+  const int around = is_box ? 4 : 64;
+  const int up = is_box ? 3 : 16;
+  std::vector<Vector3d> directions;
+  for (int i = 0; i < around; ++i) {
+    const double a = 2 * std::numbers::pi * (i + 0.5) / around;
+    for (int j = 0; j <= up; ++j) {
+      const double b = std::numbers::pi * (static_cast<double>(j) / up - 0.5);
+      directions.emplace_back(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
+    }
+  }
+  return directions;
+}
+
+const std::vector<Vector3d>& DirectionsOf(const model::Shape& shape) {
+  static const std::vector<Vector3d> kOfBox = MakeDirections(true);
+  static const std::vector<Vector3d> kOfRound = MakeDirections(false);
+  return shape.type == model::GeomType::kBox ? kOfBox : kOfRound;
+}
+
+class ExpectationChecker {
+ public:
+  ExpectationChecker(const model::Object& object, diag::Findings& findings)
+      : object_(object), findings_(findings) {}
+
+  void Check(const Expectation& expectation) {
+    expectation_ = &expectation;
+    poses_ = PosesAt(object_, expectation.positions);
+    PlacedParts second = PlacedPartsOf(expectation.second, nullptr);
+    const PlacedParts first = PlacedPartsOf(expectation.first, OnlyPart(second));
+    if (const model::Part* const part = OnlyPart(first))
+      second = PlacedPartsOf(expectation.second, part);
+    if (first.empty() || second.empty()) {
+      Report(fmt::format("'{}' has no parts",
+                         Shown(first.empty() ? expectation.first : expectation.second)));
+    } else if (expectation.kind == Kind::kInside) {
+      CheckInside(first, second);
+    } else {
+      CheckGap(first, second);
+    }
+  }
+
+ private:
+  static const model::Part* OnlyPart(const PlacedParts& placed) {
+    return placed.size() == 1 ? placed.front().part : nullptr;
+  }
+
+  // Returns the parts with the name, or the parts of the body with the name and of the bodies fixed
+  // to that body, except `other`. Visual parts are ignored if any part collides.
+  PlacedParts PlacedPartsOf(const std::string& name, const model::Part* other) const {
+    const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
+    std::vector<std::pair<const model::Part*, std::size_t>> parts;  // and indices of their bodies
+    for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
+      const bool is_part = body == object_.bodies.end();
+      if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
+        continue;
+      for (const model::Part& part : object_.bodies[i].parts) {
+        if (is_part && part.name != name && part.piece_of != name) continue;
+        if (!is_part && &part == other) continue;
+        parts.emplace_back(&part, i);
+      }
+    }
+    const auto is_visual = [](const auto& of) { return of.first->role == model::Role::kVisual; };
+    if (!std::ranges::all_of(parts, is_visual)) std::erase_if(parts, is_visual);
+    PlacedParts placed;
+    placed.reserve(parts.size());
+    for (const auto& [part, i] : parts) placed.emplace_back(part, poses_[i] * part->X_BG);
+    return placed;
+  }
+
+  // Returns the nearest ancestor that the expectation names and the body is fixed to; without such
+  // an ancestor, the highest one that the body is fixed to.
+  std::size_t Holder(std::size_t i) const {
+    const auto is_named = [&](std::size_t at) {
+      return object_.bodies[at].name == expectation_->first ||
+             object_.bodies[at].name == expectation_->second;
+    };
+    while (!is_named(i) && object_.bodies[i].joints.empty() && object_.bodies[i].parent >= 0)
+      i = static_cast<std::size_t>(object_.bodies[i].parent);
+    return i;
+  }
+
+  void CheckGap(const PlacedParts& first, const PlacedParts& second) {
+    const auto& [kind, a, b, min, max, positions, doc, mark] = *expectation_;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    // Gaps from `least` to `most` meet the expectation.
+    double least = -kInfinity;
+    double most = kInfinity;
+    if (kind == Kind::kApart) least = -kTolerance;
+    if (kind == Kind::kTouch) most = kTolerance;
+    if (min) least = *min - kRounding;
+    if (max) most = *max + kRounding;
+    double gap = kInfinity;
+    PartPair nearest;
+    for (PairQueue pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {
+      const PartPair pair = pairs.top();
+      // The remaining pairs are not nearer, or cannot change the verdict.
+      if (pair.least >= gap || (pair.least >= least && gap <= most)) break;
+      const double distance = SignedDistance(*pair.a, *pair.b);
+      if (distance >= gap) continue;
+      gap = distance;
+      nearest = pair;
+    }
+    if (gap < least) ReportGap(gap, nearest, min, "least", "not be in each other");
+    if (gap > most) ReportGap(gap, nearest, max, "most", "touch");
+  }
+
+  struct PartPair {
+    // Lower bound of the distance: that of the bounding boxes, or minus infinity if these overlap.
+    double least = 0;
+    const PlacedPart* a = nullptr;
+    const PlacedPart* b = nullptr;
+
+    auto operator<=>(const PartPair&) const = default;
+  };
+  // The pair with the smallest lower bound is first.
+  using PairQueue = std::priority_queue<PartPair, std::vector<PartPair>, std::greater<>>;
+
+  static PairQueue PairsOf(const PlacedParts& first, const PlacedParts& second) {
+    std::vector<PartPair> pairs;
+    for (const PlacedPart& a : first) {
+      for (const PlacedPart& b : second) {
+        const double apart = a.box_W.exteriorDistance(b.box_W);
+        pairs.push_back({apart > 0 ? apart : -std::numeric_limits<double>::infinity(), &a, &b});
+      }
+    }
+    return PairQueue(std::greater<>(), std::move(pairs));
+  }
+
+  // `side` is "least" or "most"; `otherwise` replaces the bound in the message if there is none.
+  void ReportGap(double gap, const PartPair& nearest, std::optional<double> bound,
+                 std::string_view side, std::string_view otherwise) {
+    const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
+    const std::string must = bound ? fmt::format("be at {} {} apart", side, Asked(*bound, digits))
+                                   : std::string(otherwise);
+    const bool touch = std::abs(gap) < (expectation_->kind == Kind::kGap ? kRounding : kTolerance);
+    const std::string is =
+        touch ? std::string("touching")
+              : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
+    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is,
+                       PartsText(*nearest.a, *nearest.b)));
+  }
+
+  void CheckInside(const PlacedParts& first, const PlacedParts& second) {
+    double farthest = 0;
+    const PlacedPart* out = nullptr;
+    for (const PlacedPart& placed : first) {
+      const double outside = Outside(placed, second);
+      if (outside <= farthest) continue;
+      farthest = outside;
+      out = &placed;
+    }
+    if (farthest <= kTolerance) return;
+    const bool is_part = out->part->name == expectation_->first;
+    Report(fmt::format("'{}' must be inside '{}', but is {} outside{}", Shown(expectation_->first),
+                       Shown(expectation_->second), LengthText(farthest),
+                       is_part ? "" : fmt::format(" (part '{}')", Shown(out->part->name))));
+  }
+
+  // Returns the largest distance of any point of the part from the convex hull, m.
+  static double Outside(const PlacedPart& placed, const PlacedParts& hull) {
+    std::vector<Vector3d> points;
+    if (placed.part->shape.mesh != nullptr) {
+      for (const Vector3d& vertex : placed.part->shape.mesh->vertices)
+        points.push_back(placed.X_WG * vertex);
+    } else {
+      for (const Vector3d& direction : DirectionsOf(placed.part->shape))
+        points.push_back(FarthestPoint(placed, placed.X_WG.q * direction));
+    }
+    Vector3d way = Vector3d::Zero();
+    for (const Vector3d& point : points) {
+      const Vector3d from = FromHull(hull, point);
+      if (from.norm() > way.norm()) way = from;
+    }
+    // Refine: between the sampled points a round shape may be farther out.
+    for (int i = 0; i < 20 && way.norm() > 0; ++i) {
+      const Vector3d from = FromHull(hull, FarthestPoint(placed, way));
+      if (from.norm() <= way.norm() * (1 + 1e-9)) break;
+      way = from;
+    }
+    return way.norm();
+  }
+
+  // Returns a name as written in the spec; the root body has the name of the object.
+  std::string_view Shown(std::string_view name) const {
+    return name == object_.bodies.front().name ? std::string_view(object_.name)
+                                               : OwnName(name, object_.name);
+  }
+
+  std::string Both() const {
+    return fmt::format("'{}' and '{}'", Shown(expectation_->first), Shown(expectation_->second));
+  }
+
+  static std::string Asked(double length, int digits) {
+    return (length < 0 ? "-" : "") + LengthText(length, digits);
+  }
+
+  // Returns " (parts ...)", or nothing if the expectation names the parts themselves.
+  std::string PartsText(const PlacedPart& a, const PlacedPart& b) const {
+    if (a.part->name == expectation_->first && b.part->name == expectation_->second) return {};
+    return fmt::format(" (parts '{}' and '{}')", Shown(a.part->name), Shown(b.part->name));
+  }
+
+  void Report(std::string message) {
+    for (const auto& [joint, numbers] : expectation_->positions) {
+      message += fmt::format(", at {} =", Shown(joint));
+      for (const double number : numbers) message += " " + expr::NumberText(number);
+    }
+    findings_.Add(diag::Code::kModelExpectation, expectation_->mark, std::move(message),
+                  expectation_->doc);
+  }
+
+  static constexpr double kRounding = 1e-9;  // m, tolerance of stated bounds
+
+  const model::Object& object_;
+  diag::Findings& findings_;
+  const Expectation* expectation_ = nullptr;
+  std::vector<model::Pose> poses_;  // X_WB
+};
+
+}  // namespace
+
+void CheckExpectations(const model::Object& object, diag::Findings& findings) {
+  for (const diag::Finding& finding : object.unmet) findings.Add(finding);
+  ExpectationChecker checker(object, findings);
+  for (const Expectation& expectation : object.expectations) checker.Check(expectation);
+}
+
+}  // namespace mjforge::static_checks

@@ -1,0 +1,21 @@
+// Checks of an object's numbers that need no simulation: the expectations of its spec, and its
+// proportions compared with those of real things.
+#pragma once
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+#include "mjforge/static_checks/reporter.h"
+
+namespace mjforge::static_checks {
+
+/// Adds an error, with the numbers found and wanted, for each of object.expectations that does not
+/// hold, and for each condition of object.unmet. Shapes are exact, except that a mesh counts as its
+/// convex hull. Visual parts count only for bodies without colliding parts.
+void CheckExpectations(const model::Object& object, diag::Findings& findings);
+
+/// Checks densities, sizes, inertias and centres of mass, overlapping and loose parts, and
+/// differences between visual and colliding parts. Returns the share of the mass that is counted
+/// twice because parts overlap. Findings about the whole object point at `mark`.
+double CheckProportions(const model::Object& object, diag::SourceMark mark, Reporter& reporter);
+
+}  // namespace mjforge::static_checks

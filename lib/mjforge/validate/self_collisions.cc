@@ -1,0 +1,142 @@
+// Bodies of an object that touch each other with all joints at zero or in the start pose.
+#include "mjforge/validate/self_collisions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/validate/contact_finder.h"
+
+namespace mjforge::validate {
+namespace {
+
+// Only this many pairs of bodies are reported.
+constexpr std::size_t kMostPairs = 50;
+constexpr double kRounding = 1e-12;  // m, rounding error of a distance
+
+class SelfCollisions {
+ public:
+  SelfCollisions(mjModel& m, const model::Object& object, diag::Findings& findings)
+      : m_(m), object_(object), findings_(findings), order_(mjcf::DepthFirst(object)) {}
+
+  bool Check() {
+    ContactFinder finder(m_);
+    std::size_t found = ReportTouching(finder, "with all joints at zero");
+    const std::span<const mjtNum> start = compiled::StartOf(m_);
+    if (found == 0 && start.data() != m_.qpos0) {
+      std::ranges::copy(start, finder.qpos().begin());
+      finder.Move();
+      found = ReportTouching(finder, "in the start pose");
+    }
+    return found > 0;
+  }
+
+ private:
+  /// Reports pairs that touch at the present joint positions; returns their number.
+  std::size_t ReportTouching(ContactFinder& finder, std::string_view when) {
+    std::size_t found = 0;
+    for (const BodyContact& contact : finder.Find()) {
+      if (contact.margin - contact.distance < object_.checks.self_collision) continue;
+      const bool related = AreParentAndChild(contact.body1, contact.body2);
+      if (related && InHost()) continue;
+      if (++found <= kMostPairs) Report(contact, related, when);
+    }
+    if (found > kMostPairs) {
+      findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
+                    fmt::format("{} more pairs of bodies touch {}", found - kMostPairs, when));
+    }
+    return found;
+  }
+
+  const model::Body& BodyOf(int id) const {
+    return object_.bodies[static_cast<std::size_t>(order_[static_cast<std::size_t>(id - 1)])];
+  }
+
+  /// Returns the first body that is rigidly connected with a body.
+  int RigidGroup(int id) const {
+    while (m_.body_jntnum[id] == 0 && m_.body_parentid[id] != 0) id = m_.body_parentid[id];
+    return id;
+  }
+
+  bool AreParentAndChild(int a, int b) const {
+    const int group_a = RigidGroup(a);
+    const int group_b = RigidGroup(b);
+    const auto is_child = [&](int child, int parent) {
+      const int above = m_.body_parentid[child];
+      return above != 0 && RigidGroup(above) == parent;
+    };
+    return is_child(group_b, group_a) || is_child(group_a, group_b);
+  }
+
+  bool InHost() const { return object_.bodies.front().name.empty(); }
+
+  /// Returns a body's name as written in the spec: without the object's prefix. The root has the
+  /// object's name, whatever a host calls it.
+  std::string_view AuthorsName(const model::Body& body) const {
+    if (InHost() && body.parent == 0) return object_.name;
+    std::string_view name = body.name;
+    if (name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_')) {
+      name.remove_prefix(object_.name.size() + 1);
+    }
+    return name;
+  }
+
+  /// Returns true if both bodies are from one attached file, in which the contact may be intended.
+  bool AreFromOneFile(const model::Body& first, const model::Body& second) const {
+    return first.attached >= 0 && first.attached == second.attached;
+  }
+
+  void Report(const BodyContact& contact, bool related, std::string_view when) {
+    const model::Body* first = &BodyOf(contact.body1);
+    const model::Body* second = &BodyOf(contact.body2);
+    int first_geom = contact.geom1;
+    int second_geom = contact.geom2;
+    if (second < first) {  // the spec's order may differ from MuJoCo's depth-first order
+      std::swap(first, second);
+      std::swap(first_geom, second_geom);
+    }
+    std::string message =
+        fmt::format("bodies '{}' and '{}' touch {}: geoms '{}' and '{}', {}", first->name,
+                    second->name, when, m_.names + m_.name_geomadr[first_geom],
+                    m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
+    if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
+    // An exclude would let free bodies pass through each other.
+    std::string hint =
+        m_.body_rootid[contact.body1] != m_.body_rootid[contact.body2]
+            ? "move them apart"
+            : fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
+                          AuthorsName(*first), AuthorsName(*second));
+    constexpr auto kCode = diag::Code::kMujocoSelfCollision;
+    diag::Finding& finding =
+        related || AreFromOneFile(*first, *second)
+            ? findings_.Warn(kCode, second->mark, std::move(message), std::move(hint))
+            : findings_.Add(kCode, second->mark, std::move(message), std::move(hint));
+    if (first->mark) finding.notes.push_back({first->mark, fmt::format("'{}'", first->name)});
+  }
+
+  mjModel& m_;
+  const model::Object& object_;
+  diag::Findings& findings_;
+  const std::vector<int> order_;  // index in the object of the body with MuJoCo's id i + 1
+};
+
+}  // namespace
+
+std::string DepthText(double distance) {
+  const double mm = std::abs(distance) < kRounding ? 0 : 1000 * std::abs(distance);
+  return expr::RoundedText(mm) +
+         (distance > kRounding ? " mm apart, within the margin" : " mm deep");
+}
+
+bool CheckSelfCollision(mjModel& m, const model::Object& object, diag::Findings& findings) {
+  return SelfCollisions(m, object, findings).Check();
+}
+
+}  // namespace mjforge::validate

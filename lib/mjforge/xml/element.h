@@ -1,0 +1,38 @@
+// An element of an MJCF file with its place, and findings about it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::xml {
+
+/// An element of an MJCF file or of a file that it includes.
+struct XmlElement {
+  std::string tag;
+  std::vector<std::pair<std::string, std::string>> attributes;
+  std::vector<XmlElement> children;
+  diag::SourceMark mark;
+  /// The unique name that MuJoCo sees if the element has no name in the file.
+  std::string generated_name;
+
+  /// Returns the value of an attribute; null if the element does not have it.
+  const std::string* Find(std::string_view attribute) const;
+  void Set(std::string_view attribute, std::string value);
+  void Remove(std::string_view attribute);
+  /// Returns the element's name in the file; empty if it has none.
+  std::string Name() const;
+  /// Returns "geom 'head'", or "the geom on line 7" if the element has no name.
+  std::string Description() const;
+};
+
+/// Adds a finding with a note at `place`. The caller sets the place of the finding itself.
+diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
+                        std::string message, std::string hint = {});
+diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,
+                          std::string message, std::string hint = {});
+
+}  // namespace mjforge::xml

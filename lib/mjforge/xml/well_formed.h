@@ -1,0 +1,31 @@
+// Checks that a text is XML, and that it is MJCF.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::xml {
+
+/// The reason why a text is not XML or not MJCF, and the byte where this was found.
+struct XmlFault {
+  std::size_t offset = 0;
+  std::string message;
+  std::string hint;
+};
+std::optional<XmlFault> FindXmlFault(std::string_view text);
+/// Checks also that the root element is `<mujoco>`, and whether the text includes other files.
+std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes = nullptr);
+
+/// Returns the code for a file that cannot be read: model/file-not-found if it does not exist,
+/// otherwise yaml/cannot-read.
+diag::Code UnreadableCode(const std::filesystem::path& file);
+
+/// Returns the name of a file in messages; "<stdin>" for standard input.
+std::string ShownName(const std::filesystem::path& file);
+
+}  // namespace mjforge::xml

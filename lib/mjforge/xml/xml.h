@@ -1,0 +1,10 @@
+// MJCF files as XML: trees of elements with their places in the text.
+#pragma once
+
+#include "mjforge/xml/asset_files.h"
+#include "mjforge/xml/attribute_numbers.h"
+#include "mjforge/xml/element.h"
+#include "mjforge/xml/flat_text.h"
+#include "mjforge/xml/places.h"
+#include "mjforge/xml/tree_reader.h"
+#include "mjforge/xml/well_formed.h"

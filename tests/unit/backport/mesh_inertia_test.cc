@@ -1,0 +1,79 @@
+#include "mjforge/backport/mesh_inertia.h"
+
+#include <optional>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+namespace {
+
+const std::string kCorner = "vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\"";
+const std::string kOutwards = "face=\"0 2 1 0 1 3 0 3 2 1 2 3\"";
+
+/// Compiles a body of these geoms. The mesh `m` is the corner of a cube.
+engine::Loaded Weighed(const std::string& geoms, const std::string& faces = kOutwards,
+                       const std::string& sections = "") {
+  const harness::TemporaryFolder folder;
+  diag::Sources sources;
+  diag::Findings findings;
+  std::optional<xml::XmlElement> root = xml::ReadXml(
+      folder.Write("m.xml", "<mujoco>" + sections + "<asset><mesh name=\"m\" " + kCorner + " " +
+                                faces + "/></asset><worldbody><body name=\"b\"><freejoint/>" +
+                                geoms + "</body></worldbody></mujoco>"),
+      sources, findings);
+  REQUIRE(root);
+  engine::Engine engine;
+  AddMeshInertia(*root, [&](const std::string& text) { return engine.LoadText(text); });
+  engine::Loaded loaded = engine.LoadText(xml::Flatten(*root).text);
+  INFO(loaded.error);
+  REQUIRE(loaded.model);
+  return loaded;
+}
+
+const std::string kMesh = "<geom type=\"mesh\" mesh=\"m\"/>";
+
+TEST_CASE("a mesh weighs what its volume does") {
+  const engine::Loaded loaded = Weighed(kMesh);
+  const mjModel& m = *loaded.model;
+  CHECK(m.body_mass[1] == Approx(1000.0 / 6));
+  for (int i = 0; i < 3; ++i) CHECK(m.body_ipos[3 + i] == Approx(0.25));
+  // Along each axis the mean square is 1/10, the mean 1/4.
+  const double sum = m.body_inertia[3] + m.body_inertia[4] + m.body_inertia[5];
+  CHECK(sum == Approx(1000.0 / 6 * 2 * 3 * (1.0 / 10 - 1.0 / 16)));
+}
+
+TEST_CASE("whichever way its faces look") {
+  const engine::Loaded loaded = Weighed(kMesh, "face=\"0 1 2 0 1 3 0 3 2 1 2 3\"");
+  CHECK(loaded.model->body_mass[1] == Approx(1000.0 / 6));
+  CHECK(loaded.model->body_ipos[3] == Approx(0.25));
+}
+
+TEST_CASE("with the mass, density and pose of each geom, among others") {
+  const engine::Loaded loaded = Weighed(
+      "<geom type=\"mesh\" mesh=\"m\" mass=\"2\" pos=\"1 0 0\"/>"
+      "<geom class=\"light\" mesh=\"m\" euler=\"0 0 90\"/>"
+      "<geom type=\"box\" size=\"0.5 0.5 0.5\" density=\"1\"/>",
+      kOutwards,
+      "<default><default class=\"light\"><geom type=\"mesh\" density=\"6\"/></default>"
+      "</default>");
+  const mjModel& m = *loaded.model;
+  CHECK(m.body_mass[1] == Approx(2 + 1 + 1));
+  CHECK(m.body_ipos[3] == Approx((2 * 1.25 - 0.25) / 4));
+  CHECK(m.body_ipos[4] == Approx((2 * 0.25 + 0.25) / 4));
+}
+
+TEST_CASE("what has an inertia, or no mass, is left alone") {
+  const std::string inertial = "<inertial pos=\"0 0 0\" mass=\"3\" diaginertia=\"1 1 1\"/>";
+  CHECK(Weighed(inertial + kMesh).model->body_mass[1] == 3);
+  const engine::Loaded loaded =
+      Weighed("<geom type=\"mesh\" mesh=\"m\" mass=\"0\"/><geom size=\"0.1\"/>");
+  CHECK(loaded.model->body_ipos[3] == 0);
+}
+
+}  // namespace
+}  // namespace mjforge::backport

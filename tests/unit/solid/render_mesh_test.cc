@@ -1,0 +1,205 @@
+// Tests of render meshes: chord errors, normals, texture coordinates, rounding.
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <set>
+
+#include "reference_geometry.h"
+
+namespace mjforge::solid {
+namespace {
+
+template <typename Shape>
+TriangleMesh MeshOf(const Shape& shape) {
+  Fault fault;
+  std::optional<Solid> solid = Make(shape, fault);
+  INFO(fault.message);
+  REQUIRE(solid);
+  return std::move(solid->render_mesh);
+}
+
+const TextureMapping kNone = {.unit = TextureMapping::Unit::kNone};
+
+TriangleMesh Can(double radius, double height, double angle = 2 * kPi) {
+  return MeshOf(Lathe{.profile = {{0, 0}, {radius, 0}, {radius, height}, {0, height}},
+                      .angle = angle,
+                      .texture = kNone});
+}
+
+/// Returns the largest distance of a chord's middle from the circle with this radius about the z
+/// axis.
+double ChordError(const TriangleMesh& mesh, double radius) {
+  const auto distance = [&](const Vector3d& p) { return radius - p.head<2>().norm(); };
+  double error = 0;
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d& a = mesh.vertices[std::size_t(t[std::size_t(i)])];
+      const Vector3d& b = mesh.vertices[std::size_t(t[std::size_t((i + 1) % 3)])];
+      if (std::max(distance(a), distance(b)) < 2e-6) error = std::max(error, distance((a + b) / 2));
+    }
+  }
+  return error;
+}
+
+std::size_t RimCount(const TriangleMesh& mesh, double radius) {
+  std::set<std::pair<double, double>> places;
+  for (const Vector3d& p : mesh.vertices) {
+    if (p.head<2>().norm() > radius - 2e-6) places.emplace(p.x(), p.y());
+  }
+  return places.size();
+}
+
+/// Returns vertex normals by MuJoCo's rule: the mean of the triangles' normals weighted by area.
+std::vector<Vector3d> ComputedNormals(const TriangleMesh& mesh) {
+  std::vector<Vector3d> normals(mesh.vertices.size(), Vector3d::Zero());
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    const auto at = [&](int i) { return mesh.vertices[std::size_t(t[std::size_t(i)])]; };
+    for (const int corner : t) normals[std::size_t(corner)] += (at(1) - at(0)).cross(at(2) - at(0));
+  }
+  for (Vector3d& normal : normals) normal.normalize();
+  return normals;
+}
+
+/// Returns the largest angle between computed and exact normals, deg.
+double Lean(const TriangleMesh& mesh) {
+  const std::vector<Vector3d> computed = ComputedNormals(mesh);
+  double most = 0;
+  for (std::size_t i = 0; i < computed.size(); ++i)
+    most = std::max(most, std::acos(std::min(1.0, computed[i].dot(mesh.normals[i].normalized()))));
+  return most * 180 / kPi;
+}
+
+TEST_CASE("chords are near the true circle, and no more than that takes") {
+  for (const double radius : {0.003, 0.01, 0.03, 0.045, 0.1, 0.5}) {
+    for (const double height : {0.001, 0.05, 0.2}) {
+      CAPTURE(radius, height);
+      const TriangleMesh mesh = Can(radius, height);
+      const double half = std::max(radius, height / 2);
+      const std::size_t count = RimCount(mesh, radius);
+      CHECK((ChordError(mesh, radius) < std::min(0.25e-3, 0.005 * half) + 2e-6 || count == 48));
+      CHECK(std::set<std::size_t>{16, 32, 48}.contains(count));
+    }
+  }
+  CHECK(RimCount(Can(0.04, 0.1), 0.04) == 32);
+  CHECK(RimCount(Can(0.004, 0.1), 0.004) == 16);
+  // A small part of a large circle has the same chord error.
+  CHECK(RimCount(Can(2, 0.1, 0.2), 2) == 10);
+  CHECK(ChordError(Can(2, 0.1, 0.2), 2) < 0.25e-3 + 2e-6);
+}
+
+TEST_CASE("without a texture each edge of a smooth surface is that of two triangles") {
+  const TriangleMesh ring =
+      MeshOf(Lathe{.profile = {{0.03, 0}, {0.04, 0}, {0.04, 0.01}, {0.03, 0.01}},
+                   .crease = kPi,
+                   .texture = kNone});
+  const TriangleMesh wheel =
+      MeshOf(Tube{.path = {{0, 0, 0}, {0.2, 0, 0}, {0.2, 0.2, 0}, {0, 0.2, 0}},
+                  .radii = {0.01, 0.01, 0.01, 0.01},
+                  .bend = 0.05,
+                  .closed = true,
+                  .texture = kNone});
+  for (const TriangleMesh* mesh : {&ring, &wheel}) {
+    std::map<std::pair<int, int>, int> edges;
+    for (const std::array<int, 3>& t : mesh->triangles) {
+      for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
+    }
+    for (const auto& [edge, count] : edges) {
+      CHECK(count == 1);
+      CHECK(edges.contains({edge.second, edge.first}));
+    }
+    CHECK(mesh->texcoords.empty());
+  }
+}
+
+TEST_CASE("normals that MuJoCo computes of the triangles hardly differ from the true ones") {
+  Lathe vase = {.profile = {{0, 0}, {0.03, 0}}, .texture = kNone};
+  for (int i = 1; i <= 12; ++i)
+    vase.profile.emplace_back(0.03 + 0.01 * std::sin(i * 0.4), 0.01 * i);
+  vase.profile.emplace_back(0, 0.12);
+  CHECK(Lean(MeshOf(vase)) < 2);
+  CHECK(Lean(MeshOf(Tube{.path = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}},
+                         .radii = {0.01, 0.01, 0.01},
+                         .bend = 0.03,
+                         .texture = kNone})) < 5);
+  CHECK(Lean(MeshOf(RoundedBox{.half = {0.05, 0.03, 0.02}, .round = 0.005, .texture = kNone})) <
+        16);
+  CHECK(Lean(MeshOf(Prism{.polygon = {{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1}},
+                          .height = 0.01,
+                          .round = 0.02,
+                          .texture = kNone})) < 8);
+}
+
+TEST_CASE("boxes and hulls get their picture from above, as MuJoCo's own boxes") {
+  RoundedBox box = {.half = {0.05, 0.03, 0.02}, .round = 0.005, .texture = {.repeat = {2, 3}}};
+  const auto check = [](const TriangleMesh& mesh, const Vector2d& scale) {
+    REQUIRE(mesh.texcoords.size() == mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const Vector2d want = (mesh.vertices[i].head<2>().cwiseProduct(scale).array() + 0.5).matrix();
+      CHECK((mesh.texcoords[i] - want).norm() < 5e-5);
+    }
+  };
+  check(MeshOf(box), Vector2d(2 / 0.1, -3 / 0.06));
+  box.texture.unit = TextureMapping::Unit::kMetre;
+  check(MeshOf(box), Vector2d(2, -3));
+  ConvexHull hull = {.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}}};
+  const TriangleMesh pyramid = MeshOf(hull);
+  check(pyramid, Vector2d(0.5, -0.5));
+  CHECK(pyramid.vertices.size() == 16);  // each face has its own
+  CHECK(Lean(pyramid) < 1e-4);
+  hull.round = 0.1;
+  check(MeshOf(hull), Vector2d(0.5, -0.5) / 1.1);
+  hull.texture = kNone;
+  CHECK(MeshOf(hull).texcoords.empty());
+}
+
+TEST_CASE("a hull with a picture collides as it is seen") {
+  Fault fault;
+  const ConvexHull hull = {.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 / 3}}};
+  const std::optional<Solid> solid = Make(hull, fault);
+  REQUIRE(solid);
+  CHECK(solid->pieces.empty());
+  CHECK(solid->render_mesh.vertices.size() == 12);
+  const auto is_exact = [](const Vector3d& p) { return p.z() == 0 || p.z() == 1.0 / 3; };
+  CHECK(std::ranges::all_of(solid->render_mesh.vertices, is_exact));
+}
+
+TEST_CASE("level discs of turned shapes get a picture in metres from above") {
+  const TriangleMesh top =
+      MeshOf(Lathe{.profile = {{0, 0}, {0.3, 0}, {0.32, 0.01}, {0.3, 0.02}, {0, 0.02}},
+                   .crease = kPi,
+                   .texture = {TextureMapping::Unit::kMetre, {10, 4}}});
+  int level = 0;
+  for (std::size_t i = 0; i < top.vertices.size(); ++i) {
+    const Vector3d& p = top.vertices[i];
+    const Vector2d want(10 * p.x(), -4 * p.y());
+    level += (top.texcoords[i] - want).norm() < 2e-5 ? 1 : 0;
+    if (p.head<2>().norm() < 1e-9) CHECK((top.texcoords[i] - want).norm() < 2e-5);
+  }
+  // Two rims and middles; elsewhere the texture goes around the axis.
+  CHECK(level >= 2 * 49 + 2);
+  CHECK(level < static_cast<int>(top.vertices.size()) - 49);
+  // The edge is shaded smoothly, as without a texture.
+  std::set<std::array<double, 3>> normals;
+  for (std::size_t i = 0; i < top.vertices.size(); ++i) {
+    if ((top.vertices[i] - Vector3d(0.3, 0, 0.02)).norm() < 1e-9)
+      normals.insert({top.normals[i].x(), top.normals[i].y(), top.normals[i].z()});
+  }
+  CHECK(normals.size() == 1);
+}
+
+TEST_CASE("vertices are at whole micrometres, those of very small or large shapes are not") {
+  for (const double size : {1e-6, 1e-3, 2e-3, 0.05, 9.0, 50.0}) {
+    CAPTURE(size);
+    const TriangleMesh mesh = Can(size * 0.7, size);
+    CHECK(mesh.in_micrometres == (size >= 2e-3 && size <= 10));
+    if (!mesh.in_micrometres) continue;
+    for (const Vector3d& p : mesh.vertices) {
+      const Vector3d whole = (p * 1e6).array().round();
+      CHECK((p * 1e6 - whole).norm() < 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mjforge::solid
