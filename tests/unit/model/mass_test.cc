@@ -58,7 +58,7 @@ TEST_CASE("a concave mesh has the mass properties of its cubes") {
     mesh.triangles.push_back({i, next, next + 6});
     mesh.triangles.push_back({i, next + 6, i + 6});
   }
-  REQUIRE(WhyNotSolid(mesh) == std::nullopt);
+  REQUIRE(FindSurfaceDefect(mesh) == std::nullopt);
   MassProperties cubes;
   const Shape cube = {.type = GeomType::kBox, .size = {0.5, 0.5, 0.5}};
   for (const Eigen::Vector3d& p :

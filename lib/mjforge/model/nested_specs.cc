@@ -1,10 +1,9 @@
-// The values of a spec that another one brings.
-
-#include <algorithm>
+// Specs nested in other specs: their parameters and the materials that replace theirs.
 
 #include "mjforge/model/assembly.h"
 
 namespace mjforge::model {
+
 std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec::Entry& entry,
                                                         sample::StreamId path) {
   const std::size_t before = findings_.size();
@@ -14,12 +13,12 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
     overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
   }
   if (findings_.size() != before) return std::nullopt;
-  // The requirements of the nested spec are retried on their own, from this attempt on.
+  // The nested spec is redrawn on its own, from this attempt on, until its requirements hold.
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }
 
-void HandIn(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
+void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
   const sample::StreamId materials = sample::Child(path, "materials");
   inner.outer = &scope;
   for (const auto& [name, value] : entry.substitutes) {
