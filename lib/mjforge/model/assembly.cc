@@ -125,7 +125,7 @@ void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
   const std::optional<Pose> X_FChild = ReadPose(reader, entry);
-  // Parts of a frame without a pose can still be checked for other errors.
+  // If the pose of a frame is invalid, its parts are still checked for other errors.
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(Pose()));
 }
 

@@ -153,7 +153,7 @@ class Assembly {
   std::size_t spec_count_ = 0;                   // welded specs
   bool is_full_ = false;                         // kMaxParts was exceeded and reported
   std::unordered_map<std::string, int> bodies_;  // indices by full name
-  std::vector<RequestedPosition> positions_;     // those of inner specs first
+  std::vector<RequestedPosition> positions_;     // inner specs first
 };
 
 }  // namespace mjforge::model

@@ -94,7 +94,7 @@ class Assets {
   Assembler& assembler_;
   Object& object_;
   diag::Findings& findings_;
-  std::vector<MeshSource> sources_;                     // one for each of Object::meshes
+  std::vector<MeshSource> sources_;                     // parallel to Object::meshes
   std::unordered_multimap<std::size_t, int> meshes_;    // indices by hash
   std::unordered_multimap<std::string, int> textures_;  // indices by own name
   std::map<std::filesystem::path, std::string> output_names_;

@@ -114,7 +114,7 @@ struct Checks {
   double joint_penetration = 0.001;        // m
   double joint_return = 0.05;              // share of the range
   double hinge_range = 6.283185307179586;  // rad, widest range of an uncoupled hinge
-  double slide_range = 3;                  // of an uncoupled slide, times the longest side
+  double slide_range = 3;                  // longest range of an uncoupled slide / longest side
   // Numbers that need no simulation.
   std::vector<PartCheck> parts;
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, lowest and highest of a part

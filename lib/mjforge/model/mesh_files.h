@@ -14,8 +14,8 @@ namespace mjforge::model {
 /// The unscaled content of a mesh file. Equal vertices are merged.
 struct MeshFile {
   TriangleMesh mesh;
-  /// MuJoCo 2.2 reads the same surface from the file. It rejects text STL, and of an OBJ it reads
-  /// only the first shape, with faces of three or four corners.
+  /// MuJoCo 2.2 reads the same surface from the file. MuJoCo rejects text STL, and of an OBJ it
+  /// reads only the first shape, with faces of three or four corners.
   bool fit_for_mujoco = true;
 };
 

@@ -148,7 +148,7 @@ struct Bounds {
 struct Object {
   std::string name;
   std::vector<Body> bodies;         // the root first, parents before children
-  std::vector<Material> materials;  // only materials that are used
+  std::vector<Material> materials;  // used ones only
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal ones are shared
   std::vector<Section> sections;                   // in the order of spec::Sections()
@@ -156,7 +156,7 @@ struct Object {
   MassProperties mass_properties;  // in the root frame, with all joints at zero
   Checks checks;
   std::vector<Expectation> expectations;
-  std::vector<diag::Finding> unmet;  // one for each condition of `expect:` that does not hold
+  std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
 };
 
 /// Returns X_RootB of every body with all joints at zero; for the root, the identity.

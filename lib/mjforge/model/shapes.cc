@@ -1,6 +1,6 @@
-#include "mjforge/model/shapes.h"
-
 // Geometry of shapes: names and sizes, support functions, bounding boxes.
+
+#include "mjforge/model/shapes.h"
 
 #include <algorithm>
 #include <array>

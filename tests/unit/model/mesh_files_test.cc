@@ -1,3 +1,5 @@
+// Tests of the readers of OBJ and STL, with damaged and random files.
+
 #include "mjforge/model/mesh_files.h"
 
 #include <array>
@@ -148,7 +150,7 @@ TEST_CASE("an OBJ file of several shapes is one mesh") {
       "o a\nf 1 3 2\nf 1 2 4\no b\nf 2 3 4\nf 1 4 3\n";
   const std::optional<MeshFile> file = ParseObj(text, why_not);
   CheckTetrahedron(file, why_not);
-  CHECK_FALSE(file->fit_for_mujoco);  // MuJoCo takes the first shape only
+  CHECK_FALSE(file->fit_for_mujoco);  // MuJoCo reads the first shape only
 }
 
 TEST_CASE("a mirroring scale leaves the triangles facing outwards") {

@@ -1,3 +1,5 @@
+// Tests of the closed-surface test of meshes.
+
 #include <catch2/catch.hpp>
 
 #include "mjforge/model/shapes.h"
@@ -47,7 +49,9 @@ TEST_CASE("a flat mesh has no volume") {
   CHECK(FindSurfaceDefect(mesh) == "no volume");
 }
 
-TEST_CASE("a mesh without triangles is not solid") { CHECK(FindSurfaceDefect({}) == "no triangles"); }
+TEST_CASE("a mesh without triangles is not solid") {
+  CHECK(FindSurfaceDefect({}) == "no triangles");
+}
 
 }  // namespace
 }  // namespace mjforge::model
