@@ -82,7 +82,6 @@ enum class Key {
   kPart,
   kSite,
   kJoint,
-  // checks
 };
 
 }  // namespace mjforge::spec

@@ -57,7 +57,7 @@ const ShapeInfo* FindShape(std::string_view type) {
 
 bool IsOfAShape(Key key) {
   static const auto kAnyTakes = [] {
-    std::array<bool, static_cast<std::size_t>(Key::kSilence) + 1> takes{};
+    std::array<bool, static_cast<std::size_t>(Key::kJoint) + 1> takes{};
     for (std::size_t k = 0; k < takes.size(); ++k) {
       takes[k] = std::ranges::any_of(
           kShapes, [&](const ShapeInfo& shape) { return shape.Takes(static_cast<Key>(k)); });

@@ -1,4 +1,4 @@
-// Queries about values: constants, literal texts, variation between variants, kinds, bounds.
+// Queries about values: constants, literal texts, draws, kinds, bounds.
 
 #include "mjforge/spec/values.h"
 
@@ -26,39 +26,24 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 bool HasDraw(const Value& value) {
-  return Varies(value, [](int) { return false; });
-}
-
-bool Varies(const Value& value, const std::function<bool(int)>& variable_varies) {
-  const auto item_varies = [&](const Value& item) { return Varies(item, variable_varies); };
-  const auto uses = [&](const expr::Expression& expression) {
-    return std::ranges::any_of(expression.inputs(), variable_varies,
-                               &expr::Expression::Input::slot);
-  };
-  const Overloaded varies = {
+  const auto has_draws = [](const auto& items) { return std::ranges::any_of(items, HasDraw); };
+  const Overloaded has_draw = {
       [](double) { return false; },
       [](bool) { return false; },
-      [&](const expr::Expression& expression) { return uses(expression); },
-      [&](const VariableReference& variable) { return variable_varies(variable.slot); },
-      [&](const Text& text) {
-        return std::ranges::any_of(text.pieces, [&](const TextPiece& piece) {
-          return (piece.text_slot >= 0 && variable_varies(piece.text_slot)) ||
-                 (piece.expression && uses(*piece.expression));
-        });
-      },
-      [&](const List& list) { return std::ranges::any_of(list.items, item_varies); },
-      [&](const HsvColor& color) { return std::ranges::any_of(color.items, item_varies); },
-      [&](const Each& each) { return item_varies(*each.value) || item_varies(*each.count); },
-      [&](const PointLoop& points) {
-        return std::ranges::any_of(*points.loops, item_varies, &Loop::range) ||
-               item_varies(*points.at);
+      [](const expr::Expression&) { return false; },
+      [](const VariableReference&) { return false; },
+      [](const Text&) { return false; },
+      [&](const List& list) { return has_draws(list.items); },
+      [&](const HsvColor& color) { return has_draws(color.items); },
+      [](const Each& each) { return HasDraw(*each.value) || HasDraw(*each.count); },
+      [](const PointLoop& points) {
+        return std::ranges::any_of(*points.loops, HasDraw, &Loop::range) || HasDraw(*points.at);
       },
       [&](const Arc& arc) {
-        return std::ranges::any_of(arc.measures, item_varies) || item_varies(*arc.center) ||
-               item_varies(*arc.steps);
+        return has_draws(arc.measures) || HasDraw(*arc.center) || HasDraw(*arc.steps);
       },
       [](const auto&) { return true; }};  // draws
-  return std::visit(varies, value.form);
+  return std::visit(has_draw, value.form);
 }
 
 bool IsListLength(double number) {

@@ -154,10 +154,6 @@ const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, std::string
 
 /// Returns true if any part of the value is drawn.
 bool HasDraw(const Value& value);
-/// Returns true if any part of the value is drawn or uses a variable that varies between variants.
-/// `variable_varies` takes the slot of a variable.
-bool Varies(const Value& value, const std::function<bool(int)>& variable_varies);
-
 /// Returns the number of a literal or of an expression without variables; nothing for other values.
 std::optional<double> ConstantOf(const Value& value);
 
