@@ -82,7 +82,7 @@ class Assets {
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<Part> AddSolid(const solid::Solid& solid, Part& part);
   /// Adds a mesh that is written inline. Without normals it is the convex hull of its vertices.
-  void AddInline(TriangleMesh mesh, Part& part);
+  void AddInline(const TriangleMesh& mesh, Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, Part& part);
   /// Adds a mesh whose source has this hash, and returns its index.

@@ -18,15 +18,11 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-template <typename Vector>
-std::size_t HashOfAll(const std::vector<Vector>& vectors) {
-  const std::string_view bytes(reinterpret_cast<const char*>(vectors.data()),
-                               vectors.size() * sizeof(Vector));
-  return std::hash<std::string_view>()(bytes);
-}
-
+// Meshes with equal vertices seldom differ otherwise.
 std::size_t HashOf(const TriangleMesh& mesh) {
-  return HashOfAll(mesh.vertices) ^ HashOfAll(mesh.normals) ^ HashOfAll(mesh.texcoords);
+  const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
+                               mesh.vertices.size() * sizeof(Eigen::Vector3d));
+  return std::hash<std::string_view>()(bytes);
 }
 
 std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
@@ -80,7 +76,7 @@ void Assets::SetMesh(int index, Part& part) {
                 .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
 }
 
-void Assets::AddInline(TriangleMesh mesh, Part& part) {
+void Assets::AddInline(const TriangleMesh& mesh, Part& part) {
   const std::size_t hash = HashOf(mesh);
   const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
@@ -90,8 +86,8 @@ void Assets::AddInline(TriangleMesh mesh, Part& part) {
   }
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
-  asset->mesh = std::move(mesh);
-  asset->is_hull = asset->mesh.normals.empty();
+  asset->mesh = mesh;
+  asset->is_hull = mesh.normals.empty();
   asset->mark = part.mark;
   SetMesh(Add(std::move(asset), {}, hash), part);
 }

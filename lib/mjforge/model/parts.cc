@@ -118,7 +118,7 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   bool good = ReadRole(reader, entry, part);
   const MaterialState* material = nullptr;
   good &= ReadMaterial(scope, reader, entry, part, material);
-  const std::optional<ShapePlacement> placed =
+  std::optional<ShapePlacement> placed =
       good ? ReadShape(reader, entry, scope.values.spec().folder, TextureOf(object_, part.material),
                        assets_, part)
            : std::nullopt;
@@ -134,7 +134,7 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
     X_SG.p = FromCorner(X_SG.p, *scope.total_size, box.min);
   }
   part.X_BG = scope.X_BS * X_SG;
-  AddWithPieces(std::move(part), placed->pieces);
+  AddWithPieces(std::move(part), std::move(placed->pieces));
 }
 
 void Assembly::AddWithPieces(Part part, std::vector<Part> pieces) {

@@ -27,10 +27,10 @@ struct Scope {
   Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, const Pose& X_BodyS);
 
   sample::Evaluator& values;
-  std::string prefix;  // prefix of the full names of its elements
-  int body;            // index in Object::bodies of the body that contains the spec's root
-  Pose X_BS;           // pose of the spec's root S in the current body B
-  sample::StreamId parts;
+  std::string prefix;      // prefix of the full names of the spec's elements
+  int body;                // index in Object::bodies of the body that contains the spec's root
+  Pose X_BS;               // pose of the spec's root S in the current body B
+  sample::StreamId parts;  // stream of the current list of parts
   std::vector<MaterialState> materials;  // parallel to values.spec().materials
   /// Scope of the spec that brings this one, and substitutes from there: pairs of the name of a
   /// material of this spec and of the outer spec's material that replaces it.
