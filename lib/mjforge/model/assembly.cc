@@ -60,12 +60,10 @@ bool HasErrorsSince(const diag::Findings& findings, std::size_t first) {
 
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
                                     diag::Findings& findings) {
-  const std::size_t before = findings.size();
-  std::string name = scope.values.Text(entry.name, list);
-  if (findings.size() != before) return std::nullopt;
-  if (IsName(name)) return name;
+  std::optional<std::string> name = scope.values.Text(entry.name, list);
+  if (!name || IsName(*name)) return name;
   findings.Add(Code::kModelBadName, entry.name.mark,
-               fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(name)),
+               fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(*name)),
                std::string(kNameRule));
   return std::nullopt;
 }
@@ -121,7 +119,7 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, c
 // Only a frame whose pose is drawn needs a name.
 void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
   const sample::StreamId frames = sample::Child(scope.parts, "frames");
-  const std::string name = scope.values.Text(entry.name, frames);
+  const std::string name = scope.values.Text(entry.name, frames).value_or("");
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
   const std::optional<Pose> X_FChild = ReadPose(reader, entry);

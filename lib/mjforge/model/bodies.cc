@@ -110,7 +110,7 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     if (!keeps_joint) MarkRootJointsRemoved(inner);
     for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
       const int slot = entry.parameter_slots[i];
-      if (slot >= 0) scope.values.SetVariable(slot, *nested, i);
+      if (slot >= 0) scope.values.Assign(slot, nested->Parameter(i));
     }
   } else if (entry.head.Find(Key::kMjcf) != nullptr) {
     part_count_ += attacher_.Add(scope, reader, entry.head, name, index);

@@ -130,14 +130,14 @@ void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entr
   check.mark = entry.entry.mark;
   check.skip = entry.skip;
   for (const spec::Value& joint : entry.joints)
-    check.joints.emplace_back(scope.values.Text(joint, root));
+    check.joints.emplace_back(scope.values.Text(joint, root).value_or(""));
   FieldReader reader(scope.values, findings_, "joint check", check.joints.front(), root);
   for (const spec::Field& field : entry.entry.fields) ReadJointField(field, reader, check);
   for (const spec::JointPosition& at : entry.at) {
     sample::Numbers numbers;
     scope.values.Vector(at.value, root, numbers);
     auto& [joint, position] = check.positions.emplace_back();
-    joint = scope.values.Text(at.joint, root);
+    joint = scope.values.Text(at.joint, root).value_or("");
     for (const auto& number : numbers) position.push_back(number);
   }
 }
@@ -147,7 +147,7 @@ void Assembly::ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry)
   PartCheck& check = object_.checks.parts.emplace_back();
   check.mark = entry.entry.mark;
   for (const spec::Value& part : entry.parts)
-    check.parts.emplace_back(scope.values.Text(part, root));
+    check.parts.emplace_back(scope.values.Text(part, root).value_or(""));
   if (check.parts.empty()) return;
   FieldReader reader(scope.values, findings_, "limit", check.parts.front(), root);
   for (const spec::Field& field : entry.entry.fields) ReadPartField(field, reader, check);
@@ -158,7 +158,7 @@ void Assembly::ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry) {
   GraspingCheck& grasps = object_.checks.grasps.emplace();
   grasps.mark = entry.mark;
   for (const spec::Value& site : entry.sites)
-    grasps.sites.emplace_back(scope.values.Text(site, root));
+    grasps.sites.emplace_back(scope.values.Text(site, root).value_or(""));
   FieldReader reader(scope.values, findings_, "grasps", object_.name, root);
   for (const spec::Field& field : entry.fields) ReadGrasping(field, reader, grasps);
 }

@@ -34,10 +34,8 @@ void Assembly::AddExpectations(Scope& scope) {
 }
 
 void Assembly::CheckCondition(Scope& scope, const spec::Expectation& entry) {
-  const std::size_t before = findings_.size();
   const expr::Expression& condition = *entry.condition;
-  const bool holds = scope.values.Condition(condition, entry.entry.mark);
-  if (holds || findings_.size() != before) return;  // or it has no value
+  if (scope.values.Condition(condition, entry.entry.mark).value_or(true)) return;
   const std::string numbers = scope.values.InputsText(condition);
   diag::Finding& finding = object_.unmet.emplace_back();
   finding.code = Code::kModelExpectation;
@@ -68,7 +66,7 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
   if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
   for (const spec::JointPosition& at : entry.at) {
     RequestedPosition position;
-    position.shown = scope.values.Text(at.joint, scope.values.root());
+    position.shown = scope.values.Text(at.joint, scope.values.root()).value_or("");
     position.joint = scope.prefix + position.shown;
     position.mark = at.mark;
     scope.values.Vector(at.value, scope.values.root(), position.numbers);
@@ -89,10 +87,11 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
 }
 
 std::optional<std::string> Assembly::FullName(Scope& scope, const spec::Value& value) {
-  const std::string name = scope.values.Text(value, scope.values.root());
+  const std::optional<std::string> name = scope.values.Text(value, scope.values.root());
+  if (!name) return std::nullopt;
   const Body& root = object_.bodies.front();
-  if (name == scope.values.spec().name) return root.name;
-  const std::string full = scope.prefix + name;
+  if (*name == scope.values.spec().name) return root.name;
+  const std::string full = scope.prefix + *name;
   std::vector<std::string_view> known = {scope.values.spec().name};
   const auto matches = [&](std::string_view other) {
     if (other.starts_with(scope.prefix)) known.push_back(other.substr(scope.prefix.size()));
@@ -105,8 +104,8 @@ std::optional<std::string> Assembly::FullName(Scope& scope, const spec::Value& v
     }
   }
   findings_.Add(Code::kModelUnknownReference, value.mark,
-                fmt::format("the object has no body and no part {}", Quoted(name)),
-                diag::DidYouMean(name, known));
+                fmt::format("the object has no body and no part {}", Quoted(*name)),
+                diag::DidYouMean(*name, known));
   return std::nullopt;
 }
 

@@ -2,7 +2,6 @@
 
 #include "mjforge/model/field_reader.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -90,31 +89,15 @@ bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numb
 }
 
 std::optional<sample::PointList> FieldReader::Points(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  sample::PointList points = values_.Points(field.value, PathOf(field));
-  if (findings_.size() != before || values_.failed()) return std::nullopt;
-  for (const double number : points.numbers) {
-    if (!std::isfinite(number)) return std::nullopt;
-  }
-  return points;
+  return values_.Points(field.value, PathOf(field));
 }
 
 std::optional<std::vector<sample::PointList>> FieldReader::Outlines(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  std::vector<sample::PointList> outlines = values_.Outlines(field.value, PathOf(field));
-  const auto is_good = [](const sample::PointList& points) {
-    return std::ranges::all_of(points.numbers, [](double number) { return std::isfinite(number); });
-  };
-  const bool failed = findings_.size() != before || values_.failed();
-  if (failed || !std::ranges::all_of(outlines, is_good)) return std::nullopt;
-  return outlines;
+  return values_.Outlines(field.value, PathOf(field));
 }
 
 std::optional<std::string> FieldReader::Text(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  std::string text = values_.Text(field.value, PathOf(field));
-  if (findings_.size() != before) return std::nullopt;
-  return text;
+  return values_.Text(field.value, PathOf(field));
 }
 
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
@@ -129,10 +112,7 @@ std::optional<std::string> FieldReader::Word(const spec::Field& field) {
 }
 
 std::optional<bool> FieldReader::Boolean(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  const bool value = values_.Boolean(field.value, PathOf(field));
-  if (findings_.size() != before) return std::nullopt;
-  return value;
+  return values_.Boolean(field.value, PathOf(field));
 }
 
 bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {

@@ -34,7 +34,7 @@ void Assembly::ReadPositions(Scope& scope) {
   const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
   for (const spec::JointPosition& entry : scope.values.spec().pose) {
     RequestedPosition& position = positions_.emplace_back();
-    position.shown = scope.values.Text(entry.joint, pose);
+    position.shown = scope.values.Text(entry.joint, pose).value_or("");
     position.joint = scope.prefix + position.shown;
     position.mark = entry.mark;
     scope.values.Vector(entry.value, sample::Child(pose, std::string_view(position.shown)),

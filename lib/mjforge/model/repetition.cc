@@ -16,12 +16,15 @@ using diag::Code;
 // cube).
 constexpr long kMaxSteps = 1'000'000;
 
-void SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
-  if (entry.locals.empty()) return;
-  const std::string name = values.Text(entry.name, list);
-  const sample::StreamId path = sample::Child(sample::Child(list, std::string_view(name)), "let");
+bool SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
+  if (entry.locals.empty()) return true;
+  const std::optional<std::string> name = values.Text(entry.name, list);
+  if (!name) return false;
+  const sample::StreamId path = sample::Child(sample::Child(list, std::string_view(*name)), "let");
+  bool is_good = true;
   for (const spec::Local& local : entry.locals)
-    values.SetLocal(local, sample::Child(path, std::string_view(local.name)));
+    is_good &= values.SetLocal(local, sample::Child(path, std::string_view(local.name)));
+  return is_good;
 }
 
 }  // namespace
@@ -70,11 +73,13 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
                       sample::StreamId list, const std::function<void()>& visit) {
   const std::size_t before = findings_.size();
   if (depth == entry.loops.size()) {
-    if (entry.condition_uses_locals) SetLocals(entry, values, list);
-    const bool exists = !entry.condition || values.Condition(*entry.condition, entry.mark);
-    // An instance that is not there may have values that cannot be computed.
-    if (exists && !entry.condition_uses_locals) SetLocals(entry, values, list);
-    if (exists && findings_.size() == before) visit();
+    const bool locals_first = entry.condition_uses_locals;
+    bool exists = !locals_first || SetLocals(entry, values, list);
+    if (exists && entry.condition)
+      exists = values.Condition(*entry.condition, entry.mark).value_or(false);
+    // The local values of an instance that does not exist may be impossible to compute.
+    if (exists && !locals_first) exists = SetLocals(entry, values, list);
+    if (exists) visit();
     return !HasErrorsSince(findings_, before);
   }
   const spec::Loop& loop = entry.loops[depth];

@@ -57,7 +57,7 @@ TEST_CASE("children of one element draw from streams of their own") {
   }
   const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
   CHECK(FindAttribute(joints[1].attributes, "coef")->numbers.at(0) ==
-        sample::Rounding(1, 2)(1 + u));
+        sample::RoundWithin(1, 2, 1 + u));
 }
 
 TEST_CASE("frames of one name in two bodies draw poses of their own") {

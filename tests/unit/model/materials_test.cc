@@ -41,7 +41,7 @@ TEST_CASE("what is drawn in a material is the same for all its parts") {
   for (const char* step : {"thing", "materials", "wood", "density"})
     path = sample::Child(path, step);
   const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
-  CHECK(a.density == sample::Rounding(400, 900)(400 + u * 500));
+  CHECK(a.density == sample::RoundWithin(400, 900, 400 + u * 500));
 }
 
 TEST_CASE("a material chosen by a parameter must exist") {

@@ -174,7 +174,8 @@ TEST_CASE("a drawn size has the stream of spec, parts, name and key") {
   sample::StreamId path = sample::kRootStream;
   for (const char* step : {"thing", "parts", "a", "size", "0"}) path = sample::Child(path, step);
   const double u = sample::Uniforms({.seed = 7, .index = 3}, path)[0];
-  CHECK(thing.part("thing_a").shape.size.x() == sample::Rounding(0.1, 0.2)(0.1 + u * (0.2 - 0.1)));
+  CHECK(thing.part("thing_a").shape.size.x() ==
+        sample::RoundWithin(0.1, 0.2, 0.1 + u * (0.2 - 0.1)));
 }
 
 }  // namespace
