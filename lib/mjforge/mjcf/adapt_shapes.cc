@@ -194,7 +194,7 @@ class Replacement {
   void AddTwin(Part twin, std::vector<Part>& parts) {
     twin.role = Role::kVisual;
     twin.mass = twin.density = 0.0;
-    std::string name = twin.name + std::string(kVisualSuffix);
+    std::string name = twin.name + std::string(model::kVisualSuffix);
     if (twin.as_is) {
       std::swap(twin.name, name);
       for (const std::string_view bits : {"contype", "conaffinity"}) {

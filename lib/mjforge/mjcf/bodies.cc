@@ -111,7 +111,7 @@ class BodyWriter {
     }
     if (part.role == Role::kCollision) return;
     writer_.Open("geom", part.mark);
-    writer_.Text("name", part.name, kVisualSuffix);
+    writer_.Text("name", part.name, model::kVisualSuffix);
     if (shape_end > 0) {
       writer_.Repeat(shape, shape_end);
     } else {

@@ -81,9 +81,6 @@ struct MjcfDocument {
   diag::SourceMark Origin(int line) const;
 };
 
-/// The name of a visual geom is its part's name with this suffix.
-inline constexpr std::string_view kVisualSuffix = "_vis";
-
 /// The name of the keyframe is the object's with this suffix.
 inline constexpr std::string_view kStartSuffix = "_start";
 /// qpos of the joints at the start, in MuJoCo's order; empty if none has a position of its own.

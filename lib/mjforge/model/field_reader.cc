@@ -1,3 +1,5 @@
+// Evaluation of fields, and findings about values that the field table does not allow.
+
 #include "mjforge/model/field_reader.h"
 
 #include <cmath>
@@ -11,7 +13,7 @@ namespace {
 
 using diag::Code;
 
-// The value of one component, where it stands apart.
+// Returns the item of a list, or the whole value if it is not a list, for the place of a finding.
 const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   const auto* list = std::get_if<spec::List>(&value.form);
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
@@ -35,7 +37,7 @@ void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_vi
   findings_.Add(code, mark, fmt::format("{} {}", Owner(), what), std::move(hint));
 }
 
-// A number that is not finite has been reported where it was computed.
+// Numbers that are not finite were reported when they were computed.
 void FieldReader::ReportNumber(const spec::Field& field, double number, std::size_t position,
                                std::size_t count) {
   if (!std::isfinite(number)) return;

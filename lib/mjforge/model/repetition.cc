@@ -1,3 +1,5 @@
+// Expansion of repeated entries: counting in advance, conditions and local values of instances.
+
 #include "mjforge/model/repetition.h"
 
 #include <fmt/format.h>
@@ -9,9 +11,9 @@ namespace {
 
 using diag::Code;
 
-// Instances that `if` takes out cost time, too: they may be some times as many
-// as the parts (a ball of cells out of a cube of cells), but not without end. So
-// do sites, joints and elements of sections, which specs that bring others multiply.
+// Limit on instances of all kinds in one object, including those that `if` leaves out. The limit
+// exceeds kMaxParts, because a condition may leave out most instances (a ball of cells cut from a
+// cube).
 constexpr long kMaxSteps = 1'000'000;
 
 bool SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
@@ -36,7 +38,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
   if (depth + 1 == entry.loops.size()) return times;
   long sum = 0;
   for (long i = 0; i < times && sum <= limit; ++i) {
-    // Loops that run over nothing cost time, too.
+    // Outer loops take time even if the inner loops have no instances.
     if (i > kMaxSteps) return limit + 1;
     values.SetVariable(loop, *range, static_cast<std::size_t>(i));
     const long inner = CountInstances(entry, depth + 1, values, limit - sum);
@@ -48,7 +50,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
 
 std::optional<std::size_t> Repetition::Count(const spec::Entry& entry, sample::Evaluator& values,
                                              std::size_t existing) {
-  if (steps_ > kMaxSteps) return std::nullopt;  // as was reported
+  if (steps_ > kMaxSteps) return std::nullopt;  // already reported
   if (entry.loops.empty()) {
     if (++steps_ <= kMaxSteps) return 1;
     findings_.Add(Code::kModelTooManyParts, entry.mark,

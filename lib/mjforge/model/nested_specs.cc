@@ -1,10 +1,9 @@
-// The values of a spec that another one brings.
-
-#include <algorithm>
+// Specs nested in other specs: their parameters and the materials that replace theirs.
 
 #include "mjforge/model/assembly.h"
 
 namespace mjforge::model {
+
 std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec::Entry& entry,
                                                         sample::StreamId path) {
   const sample::StreamId params = sample::Child(path, "params");
@@ -16,12 +15,12 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
     if (given) overrides.emplace_back(parameter, *std::move(given));
   }
   if (!is_good) return std::nullopt;
-  // The requirements of the nested spec are retried on their own, from this attempt on.
+  // The nested spec is redrawn on its own, from this attempt on, until its requirements hold.
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }
 
-void HandIn(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
+void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
   const sample::StreamId materials = sample::Child(path, "materials");
   inner.outer = &scope;
   for (const auto& [name, value] : entry.substitutes) {
