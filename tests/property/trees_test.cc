@@ -11,10 +11,10 @@
 #include "harness/random.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
-#include "mjforge/static_checks/forward_kinematics.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
+#include "mjforge/static_checks/forward_kinematics.h"
 
 namespace mjforge::model {
 namespace {

@@ -70,8 +70,7 @@ void SplitRoles(std::vector<Part>& parts) {
     Part second = first;
     second.role = Role::kVisual;
     second.mass = second.density = 0.0;
-    const auto rgba = std::ranges::find(first.attributes, "rgba", &model::Attribute::name);
-    if (first.material < 0 && rgba == first.attributes.end()) {
+    if (first.material < 0 && model::FindAttribute(first.attributes, "rgba") == nullptr) {
       first.attributes.push_back(
           {"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's default
     }

@@ -147,11 +147,8 @@ class UnsupportedFilter {
   // Returns a reference to a dropped element, or null if the element has none.
   const Attribute* DanglingReference(const Element& element) const {
     for (const Attribute& attribute : element.attributes) {
-      std::string_view kind = attribute.refers;
-      for (const Attribute& other : element.attributes) {
-        if (kind.starts_with('@') && other.name == kind.substr(1)) kind = other.text;
-      }
-      if (dropped_.contains({std::string(kind), attribute.text})) return &attribute;
+      const std::string kind(model::KindOf(attribute, element));
+      if (dropped_.contains({kind, attribute.text})) return &attribute;
     }
     for (const Element& child : element.children) {
       if (const Attribute* dangling = DanglingReference(child)) return dangling;

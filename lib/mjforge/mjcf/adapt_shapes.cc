@@ -145,17 +145,9 @@ class RoundShapeReplacer {
   diag::SourceMark first_mark;  // of the replaced parts
 
  private:
-  static std::string_view KindOf(const model::Attribute& attribute, const model::Element& element) {
-    if (!attribute.refers.starts_with('@')) return attribute.refers;
-    for (const model::Attribute& other : element.attributes) {
-      if (other.name == attribute.refers.substr(1)) return other.text;
-    }
-    return {};
-  }
-
   void FindReferences(const model::Element& element) {
     for (const model::Attribute& attribute : element.attributes) {
-      if (KindOf(attribute, element) == "geom") referenced_geoms_.insert(attribute.text);
+      if (model::KindOf(attribute, element) == "geom") referenced_geoms_.insert(attribute.text);
     }
     for (const model::Element& child : element.children) FindReferences(child);
   }
@@ -164,7 +156,7 @@ class RoundShapeReplacer {
   // true shape and sensors measure in its frame.
   void Redirect(model::Element& element) {
     for (model::Attribute& attribute : element.attributes) {
-      if (KindOf(attribute, element) != "geom") continue;
+      if (model::KindOf(attribute, element) != "geom") continue;
       const auto copy = visual_copies_.find(attribute.text);
       if (copy != visual_copies_.end()) attribute.text = copy->second;
     }
@@ -198,7 +190,7 @@ class RoundShapeReplacer {
   void AddVisualCopy(Part copy, std::vector<Part>& parts) {
     copy.role = Role::kVisual;
     copy.mass = copy.density = 0.0;
-    std::string name = copy.name + std::string(kVisualSuffix);
+    std::string name = copy.name + std::string(model::kVisualSuffix);
     if (copy.as_is) {
       std::swap(copy.name, name);
       for (const std::string_view bits : {"contype", "conaffinity"}) {

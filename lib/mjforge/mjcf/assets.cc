@@ -81,8 +81,7 @@ class AssetWriter {
     writer_.OpenElement("mesh", mesh.mark);
     writer_.WriteText("name", mesh.name);
     // An attached file's inline vertices are among its attributes.
-    const bool has_vertices = std::ranges::find(mesh.attributes, "vertex",
-                                                &model::Attribute::name) != mesh.attributes.end();
+    const bool has_vertices = model::FindAttribute(mesh.attributes, "vertex") != nullptr;
     const bool is_generated = as_files_ && mesh.file.empty();
     if (!mesh.file.empty()) {
       WriteFile("file", mesh.file, mesh.output_file);

@@ -113,7 +113,7 @@ class BodyWriter {
     }
     if (part.role == Role::kCollision) return;
     writer_.OpenElement("geom", part.mark);
-    writer_.WriteText("name", part.name, kVisualSuffix);
+    writer_.WriteText("name", part.name, model::kVisualSuffix);
     if (shape_end > 0) {
       writer_.RepeatText(shape, shape_end);
     } else {

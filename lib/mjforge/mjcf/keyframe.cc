@@ -23,8 +23,8 @@ void AddZero(const model::Joint& joint, std::vector<double>& out) {
     for (const double number : {1.0, 0.0, 0.0, 0.0}) out.emplace_back(number);
     return;
   }
-  const auto ref = std::ranges::find(joint.attributes, "ref", &model::Attribute::name);
-  out.push_back(ref == joint.attributes.end() ? 0.0 : ref->numbers.front());
+  const auto* ref = model::FindAttribute(joint.attributes, "ref");
+  out.push_back(ref == nullptr ? 0.0 : ref->numbers.front());
 }
 
 }  // namespace

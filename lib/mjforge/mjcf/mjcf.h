@@ -50,9 +50,10 @@ enum class AssetForm {
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
 constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
 
+/// Digits of the hash in the name of a generated file.
+inline constexpr std::size_t kHashDigits = 16;
 /// A mesh or texture file that is still to be generated from the object. Its name in the text has
 /// kHashDigits zeros as a placeholder for the hash of its content.
-inline constexpr std::size_t kHashDigits = 16;
 struct GeneratedFile {
   enum class Kind { kMesh, kTexture };
   Kind kind = Kind::kMesh;
@@ -81,9 +82,6 @@ struct MjcfDocument {
   /// Returns the place in the spec that produced a line (1-based); an empty mark if none did.
   diag::SourceMark Origin(int line) const;
 };
-
-/// The name of a visual geom is its part's name with this suffix.
-inline constexpr std::string_view kVisualSuffix = "_vis";
 
 /// The name of the keyframe is the object's name with this suffix.
 inline constexpr std::string_view kStartSuffix = "_start";

@@ -30,9 +30,8 @@ std::size_t CountConstraints(const model::Object& object) {
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
       if (joint.range) rows += 2;
-      const bool dry = std::ranges::find(joint.attributes, "frictionloss",
-                                         &model::Attribute::name) != joint.attributes.end();
-      if (dry) rows += joint.type == "free" ? 6 : 3;
+      if (model::FindAttribute(joint.attributes, "frictionloss") != nullptr)
+        rows += joint.type == "free" ? 6 : 3;
     }
   }
   return rows + 6 * model::ElementsOf(object, "equality").size() +

@@ -73,7 +73,7 @@ TEST_CASE("the meshes for MJX reach the true shape's bounds and are solid inside
   const double shares[] = {0.97, 0.87};  // of the volume
   for (std::size_t i = 0; i < 2; ++i) {
     const model::TriangleMesh& mesh = object.meshes[i]->mesh;
-    CHECK_FALSE(model::WhyNotSolid(mesh));
+    CHECK_FALSE(model::FindSurfaceDefect(mesh));
     const model::Shape hull{GeomType::kMesh, Eigen::Vector3d::Zero(), &mesh};
     const model::Box3 box = model::BoundsOf(hull, {});
     const model::Box3 meant = model::BoundsOf(shapes[i], {});
