@@ -12,7 +12,7 @@ using model::GeomType;
 using model::Role;
 using spec::Applies;
 
-/// The line of the element with this name, without indent and line end.
+/// Returns the line of the element with this name, without indentation and newline.
 std::string LineOf(const model::Object& object, const std::string& tag, const std::string& name) {
   MjcfDocument document;
   WriteMjcf(object, Target::kMujoco, {}, document);
