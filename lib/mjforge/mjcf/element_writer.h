@@ -70,9 +70,9 @@ class ElementWriter {
   void BeginAttribute(std::string_view name);
   void FinishLine(std::string_view end);
   void AppendEscaped(std::string_view value);
-  /// Appends the numbers, separated by spaces; `write` writes one number and returns its end.
+  /// Writes an attribute of numbers, separated by spaces; `write` writes one and returns its end.
   template <typename T, typename Write>
-  void AppendNumbers(std::span<const T> values, const Write& write);
+  void WriteList(std::string_view name, std::span<const T> values, const Write& write);
 
   std::string& text_;
   std::vector<LineOrigin>& origins_;
