@@ -42,6 +42,10 @@ struct Element {
   diag::SourceMark mark;
 };
 
+/// Returns the kind of element that an attribute of `element` refers to; for `@objtype`, the value
+/// of the attribute objtype.
+std::string_view KindOf(const Attribute& attribute, const Element& element);
+
 /// The elements of one section of MJCF (contact, sensor, ...).
 struct Section {
   const spec::SectionInfo* info = nullptr;

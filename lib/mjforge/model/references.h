@@ -14,10 +14,6 @@
 
 namespace mjforge::model {
 
-/// Returns the kind of element that an attribute of `element` refers to; for `@objtype`, the value
-/// of the attribute objtype.
-std::string_view KindOf(const Attribute& attribute, const Element& element);
-
 /// The references of one object's sections.
 class References {
  public:
