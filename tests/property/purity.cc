@@ -44,7 +44,7 @@ Loaded::Loaded(const std::filesystem::path& file) {
 }
 
 int ComparePure(Loaded& loaded, const Options& options, std::uint64_t first, std::uint64_t count) {
-  constexpr std::uint64_t kAlone = 7;  // one of this many variants is made alone
+  constexpr std::uint64_t kAlone = 7;  // every seventh variant is made alone
   INFO(loaded.recipe.reference << ", target " << mjcf::RulesOf(options.target).name);
   int valid = 0;
   Generator backwards(loaded.recipe, loaded.sources, options);

@@ -152,7 +152,7 @@ class Generator {
   std::unique_ptr<validate::Loader> loader_;         // null: variants are not loaded in MuJoCo
   std::unique_ptr<physics::Laboratory> laboratory_;  // null: variants are not simulated
   const diag::Sources& sources_;
-  diag::Sources record_sources_;  // the same files, by file name only
+  diag::Sources record_sources_;  // sources_, with file names in place of paths
   manifest::Record common_;       // result of BatchRecord
   sample::Sampler sampler_;
   files::Maker files_;

@@ -12,9 +12,9 @@ namespace {
 
 // The variant to regenerate and compare, as recorded in a manifest or a generated file.
 struct Original {
-  manifest::Record record;        // as far as known
+  manifest::Record record;        // only the known fields are set
   bool from_manifest = false;     // true: `attempt`, `status` and `sha256` are known
-  std::filesystem::path file;     // of the object; empty: none was written
+  std::filesystem::path file;     // object's file; empty: none was written
   std::filesystem::path archive;  // contains the file; empty: the file is in a folder
 };
 

@@ -64,10 +64,8 @@ class UnsupportedFilter {
 
   void Run(std::vector<Section>& sections) {
     for (Section& section : sections) DropUnsupported(section.info->name, section.elements);
-    // Repeat, because a dropped element may have been referred to, as an actuator by its sensor.
-    while (std::exchange(dropped_more_, false)) {
-      for (Section& section : sections) DropReferences(section.elements);
-    }
+    // For example, drop the sensors of a dropped actuator.
+    for (Section& section : sections) DropReferences(section.elements);
     std::erase_if(sections, [](const Section& section) { return section.elements.empty(); });
   }
 
@@ -130,7 +128,6 @@ class UnsupportedFilter {
                                section, DescribeWithTag(element)));
     if (element.name.empty()) return;
     dropped_.emplace(section, element.name);
-    dropped_more_ = true;
   }
 
   void DropReferences(std::vector<Element>& elements) {
@@ -159,7 +156,6 @@ class UnsupportedFilter {
   const TargetRules& rules_;
   diag::Findings& findings_;
   std::set<std::pair<std::string, std::string>> dropped_;  // kind, name
-  bool dropped_more_ = false;
 };
 
 // Drops the files of single sides, because the host resolves only the attribute `file`. A texture

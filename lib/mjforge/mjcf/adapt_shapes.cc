@@ -142,7 +142,7 @@ class RoundShapeReplacer {
 
   int cylinders = 0;
   int ellipsoids = 0;
-  diag::SourceMark first_mark;  // of the replaced parts
+  diag::SourceMark first_mark;  // mark of the first replaced part
 
  private:
   void FindReferences(const model::Element& element) {

@@ -20,12 +20,12 @@ namespace mjforge::mjcf {
 /// Content of the opening comment of a generated file: enough to regenerate the file.
 struct Provenance {
   std::string version;
-  std::string spec;  // as given on the command line
+  std::string spec;  // name or path on the command line
   std::string spec_sha256;
   std::vector<std::pair<std::string, std::string>> settings;  // --set
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::string name;  // of the object; empty: the name of the spec
+  std::string name;  // object's name; empty: the name of the spec
   std::string target;
   std::string assets_as;    // empty: inline
   std::string sampler;      // empty: random

@@ -11,7 +11,7 @@ namespace mjforge::mjcf {
 /// Program for which a file is written.
 enum class Target {
   kMujoco,     // complete and flat; can be simulated on its own
-  kScene,      // the same with floor, light and camera; the object rests on the floor
+  kScene,      // like kMujoco with floor, light and camera; the object rests on the floor
   kRobosuite,  // robosuite's MujocoXMLObject
   kRobocasa,   // robocasa's MJCFObject
   kMjx,        // MuJoCo XLA, only with shapes that can collide there
@@ -58,8 +58,8 @@ struct TargetRules {
   bool has_prefix = true;                    // the file has `NAME_` before every name
   std::string_view root = {};                // name of the root body; empty: the object's name
   bool has_free_joint = true;                // the file has the free joint of the root
-  std::string_view visual_copy_suffix = {};  // of geoms that the host adds
-  std::string_view region_prefix = {};       // of geoms that the host treats as regions
+  std::string_view visual_copy_suffix = {};  // suffix of geoms that the host adds
+  std::string_view region_prefix = {};       // prefix of geoms that are regions
   std::span<const HostName> host_names = {};
 
   // Support for elements, which are otherwise dropped with a warning.

@@ -70,7 +70,7 @@ TEST_CASE("the meshes for MJX reach the true shape's bounds and are solid inside
   Adapted(object, "mjx");
   const model::Shape shapes[] = {{GeomType::kCylinder, {0.03, 0.05, 0}, nullptr},
                                  {GeomType::kEllipsoid, {0.02, 0.03, 0.04}, nullptr}};
-  const double shares[] = {0.97, 0.87};  // of the volume of the true shape
+  const double shares[] = {0.97, 0.87};  // minimum share of the volume of the true shape
   for (std::size_t i = 0; i < 2; ++i) {
     const model::TriangleMesh& mesh = object.meshes[i]->mesh;
     CHECK_FALSE(model::FindSurfaceDefect(mesh));
