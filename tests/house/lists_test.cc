@@ -135,7 +135,7 @@ TEST_CASE("each file that CONTRIBUTING.md names exists") {
 TEST_CASE("the list for part types names each file with a switch or a table of them") {
   const Names types = WordsAt("ShapeInfo{\"", "ShapeInfo[{]\"(\\w+)\"");
   REQUIRE(types.size() >= 10);
-  const Names solids = WordsAt("using Shape = std::variant<", "\\b([A-Z]\\w+)[,>]");
+  const Names solids = WordsAt("using SolidShape = std::variant<", "\\b([A-Z]\\w+)[,>]");
   REQUIRE(solids.size() >= 6);
   CheckList("Adding a part type", [&](const std::string& text) {
     return HasEnumeration(text, "GeomType") || HasHalf(text, types, "\"", "\"") ||

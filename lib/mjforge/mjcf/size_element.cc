@@ -1,5 +1,5 @@
-// The <size> element of large objects, for which the default sizes of MuJoCo 2.2 are too small.
-// (MuJoCo 3 allocates dynamically, but accepts the element.)
+// Writer of the size element, for objects that exceed the default sizes of MuJoCo 2.2. MuJoCo 3
+// allocates dynamically, but accepts the element.
 
 #include <algorithm>
 

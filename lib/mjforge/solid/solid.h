@@ -31,7 +31,7 @@ struct TriangleMesh {
   bool in_micrometres = false;  // all coordinates of vertices are whole numbers of micrometres
 };
 
-/// A convex solid for collisions. It is repeated at each of the angles `turns` about z.
+/// A convex solid for collisions, repeated at each of the angles `turns` about z.
 struct ConvexPiece {
   enum class Type { kMesh, kSphere, kCapsule, kCylinder, kBox };
   Type type = Type::kMesh;
