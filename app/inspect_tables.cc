@@ -84,7 +84,7 @@ std::string BodyText(const model::Object& object, const model::Body& body) {
 // `geoms`: numbers of geoms of the bodies of a file; empty for an object, whose root has no parent.
 std::string BodiesText(const model::Object& object, std::span<const int> geoms) {
   TextTable table({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
-  for (const int number : mjcf::DepthFirst(object)) {
+  for (const int number : mjcf::DepthFirstOrder(object)) {
     const auto i = static_cast<std::size_t>(number);
     const model::Body& body = object.bodies[i];
     const model::MassProperties& mass = body.mass_properties;

@@ -21,7 +21,7 @@ void Run(Input input) {
   }
   for (const Eigen::Vector3d& vertex : mesh.vertices)
     Must(vertex.allFinite(), "a coordinate is not finite");
-  model::WhyNotSolid(model::Scaled(mesh, {1, -2, 0.5}));
+  model::FindSurfaceDefect(model::Scaled(mesh, {1, -2, 0.5}));
 }
 
 }  // namespace mjforge::fuzz

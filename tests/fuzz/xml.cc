@@ -1,11 +1,11 @@
 // MJCF as far as it is read without MuJoCo: the comment of a generated file, and the tree of a file
 // that is to be attached.
 
+#include "mjforge/xml/xml.h"
 #include "fuzz/input.h"
 #include "mjforge/attach/attach.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/mjcf/mjcf.h"
-#include "mjforge/xml/xml.h"
 
 namespace mjforge::fuzz {
 

@@ -1,4 +1,4 @@
-// Meshes and textures in files are to MuJoCo what they are in the text.
+// Tests that MuJoCo compiles the same meshes and textures from files as from inline assets.
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -25,7 +25,8 @@ engine::Model ModelOf(const Variant& variant) {
   return std::move(loaded.model);
 }
 
-// Later releases count normals and texture coordinates by themselves.
+// Returns the indices of vertex, normal and texture coordinate of a corner of a face; releases
+// after 2.2 index them separately.
 template <class M>
 std::array<int, 3> IndicesOf(const M& m, int mesh, int corner) {
   const int vertex = m.mesh_face[corner];
@@ -37,12 +38,12 @@ std::array<int, 3> IndicesOf(const M& m, int mesh, int corner) {
   }
 }
 
-// The corners of a mesh geom's faces, in the frame of its body. From OBJ, 2.2 makes a vertex of
-// each corner.
+// Corners of the faces of a mesh geom, in the frame of its body. Numbers of vertices cannot be
+// compared, because MuJoCo 2.2 makes a vertex of each corner of an OBJ file.
 struct Corners {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Eigen::Vector3d> normals;
-  std::vector<Eigen::Vector2d> texcoords;  // none, or for each corner
+  std::vector<Eigen::Vector2d> texcoords;  // empty, or one per corner
 
   Corners(const mjModel& m, int geom) {
     const int mesh = m.geom_dataid[geom];
@@ -70,8 +71,9 @@ double Largest(const std::vector<Vector>& a, const std::vector<Vector>& b) {
   return largest;
 }
 
-// How far a point of `a` is from all points of `b`.
-double Farthest(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
+// Returns the largest distance from a point of `a` to the nearest point of `b`.
+double DirectedHausdorff(const std::vector<Eigen::Vector3d>& a,
+                         const std::vector<Eigen::Vector3d>& b) {
   double farthest = 0;
   for (const Eigen::Vector3d& point : a) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -87,9 +89,9 @@ double Largest(const mjtNum* a, const mjtNum* b, int count) {
   return largest;
 }
 
-// Whether the element with that name says the attribute.
-bool Says(const std::string& text, const std::string& tag, const std::string& name,
-          const std::string& attribute) {
+// Returns true if the text has the element, with this attribute.
+bool HasAttribute(const std::string& text, const std::string& tag, const std::string& name,
+                  const std::string& attribute) {
   const std::size_t element = text.find("<" + tag + " name=\"" + name + '"');
   return text.substr(element, text.find('\n', element) - element).find(attribute) != text.npos;
 }
@@ -102,17 +104,19 @@ void CompareMeshes(const mjModel& a, const mjModel& b, const std::string& text) 
     INFO("geom " << a.names + a.name_geomadr[geom] << " with mesh " << mesh);
     const Corners ours(a, geom);
     const Corners theirs(b, geom);
-    if (!Says(text, "mesh", mesh, " face=") || Says(text, "mesh", mesh, "scale=\"-")) {
-      // MuJoCo cuts the faces of a hull in its own way, and before 4.0 leaves those of a mirrored
-      // mesh inside out where they are inline.
-      CHECK(Farthest(ours.vertices, theirs.vertices) < 1e-6);
-      CHECK(Farthest(theirs.vertices, ours.vertices) < 1e-6);
+    if (!HasAttribute(text, "mesh", mesh, " face=") ||
+        HasAttribute(text, "mesh", mesh, "scale=\"-")) {
+      // MuJoCo triangulates hulls itself, and before 4.0 leaves the faces of a mirrored inline mesh
+      // inside out. Compare only the vertices.
+      CHECK(DirectedHausdorff(ours.vertices, theirs.vertices) < 1e-6);
+      CHECK(DirectedHausdorff(theirs.vertices, ours.vertices) < 1e-6);
       continue;
     }
     CHECK(Largest(ours.vertices, theirs.vertices) < 1e-6);
-    // OBJ counts v from the other edge: 1 - (1 - v) in single precision.
+    // OBJ counts v from the opposite edge; 1 - (1 - v) has an error in single precision.
     CHECK(Largest(ours.texcoords, theirs.texcoords) < 2e-6);
-    if (Says(text, "mesh", mesh, " normal=")) CHECK(Largest(ours.normals, theirs.normals) < 1e-5);
+    if (HasAttribute(text, "mesh", mesh, " normal="))
+      CHECK(Largest(ours.normals, theirs.normals) < 1e-5);
   }
 }
 
@@ -123,13 +127,13 @@ void CompareTextures(const mjModel& a, const mjModel& b, const std::string& text
     INFO("texture " << name);
     CHECK(a.tex_width[i] == b.tex_width[i]);
     CHECK(a.tex_height[i] == b.tex_height[i]);
-    // What MuJoCo marks at random differs from one of its releases to the next.
-    if (!Says(text, "texture", name, "mark=\"random\""))
+    // Random marks differ between releases of MuJoCo.
+    if (!HasAttribute(text, "texture", name, "mark=\"random\""))
       CHECK(std::ranges::equal(engine::PixelsOf(a, i), engine::PixelsOf(b, i)));
   }
 }
 
-// Returns how many meshes and textures were in files.
+// Returns the number of meshes and textures in files.
 int CompareForms(Loaded& loaded, Options options, std::uint64_t count) {
   Generator generator(loaded.recipe, loaded.sources, options);
   options.assets = mjcf::AssetForm::kFiles;
@@ -186,7 +190,7 @@ TEST_CASE("convex meshes that MJX gets are files, too") {
 }
 
 TEST_CASE("inline meshes and patterns of an attached file become files") {
-  const Written written;
+  const SpecFolder written;
   written.Write(
       "other.xml",
       "<mujoco><asset>\n"

@@ -1,4 +1,4 @@
-// What an attached body must keep: every number of its own file.
+// Comparison of an attached body with the compiled model of its own file, number by number.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// MJCF has 10 significant digits; angles and lengths are of order 1.
+// Tolerance: generated MJCF has 10 significant digits; angles and lengths are of order 1.
 constexpr double kRelative = 1e-9;
 
 class Comparison {
@@ -26,8 +26,8 @@ class Comparison {
   Comparison(const mjModel& own, const mjModel& object) : own_(own), object_(object) {}
 
   int Run(int root) {
-    // The object's root is body 1, what was attached body 2; both files have
-    // bodies depth first.
+    // The root of the object is body 1, the attached body is body 2. Both models have their bodies
+    // in depth-first order.
     bodies_ = {root};
     for (int body = root + 1; body < own_.nbody; ++body) {
       if (std::ranges::find(bodies_, own_.body_parentid[body]) != bodies_.end()) {
@@ -191,8 +191,8 @@ class Comparison {
     CHECK(std::ranges::equal(engine::PixelsOf(own_, i), engine::PixelsOf(object_, j)));
   }
 
-  /// The surface must be where it was, in whatever frame MuJoCo keeps it (in
-  /// single precision).
+  // Compares the positions of vertices in the frame of the body, because the frame of the mesh may
+  // differ. MuJoCo stores vertices in single precision.
   void Mesh(int i, int j) {
     const int own = own_.geom_dataid[i];
     const int object = object_.geom_dataid[j];
@@ -215,7 +215,7 @@ class Comparison {
            Vector3d(Eigen::Map<const Vector3d>(m.geom_pos + 3 * geom));
   }
 
-  /// MuJoCo keeps numbers that a type does not use.
+  // Returns the number of sizes that a type uses; MuJoCo keeps unused ones.
   static int SizeCount(int type) {
     if (type == mjGEOM_SPHERE) return 1;
     return type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER ? 2 : 3;
@@ -233,7 +233,7 @@ class Comparison {
     MJFORGE_SAME(site_rgba, 4);
   }
 
-  /// Calls `compare(i, j)` for those of a kind that have a name in both.
+  // Calls `compare(i, j)` for each pair of elements of a kind with the same name in both models.
   template <typename Function>
   void ByName(mjtObj kind, int count, const Function& compare) {
     const std::string prefix = "zoo_it_";
@@ -290,7 +290,7 @@ class Comparison {
     ByName(mjOBJ_EQUALITY, object_.neq, [&](int i, int j) {
       MJFORGE_SAME(eq_type, 1);
       CHECK((own_.*engine::kEqualityActive)[i] == (object_.*engine::kEqualityActive)[j]);
-      // Later releases keep more of it than a file of 2.2 can say.
+      // Releases after 2.2 have more numbers, which MJCF for 2.2 cannot express.
       for (int k = 0; k < 11; ++k)
         Same("data", own_.eq_data, mjNEQDATA * i + k, object_.eq_data, mjNEQDATA * j + k, 1, 1);
       MJFORGE_SAME(eq_solref, mjNREF);
@@ -311,7 +311,8 @@ class Comparison {
       MJFORGE_SAME(tendon_frictionloss, 1);
       MJFORGE_SAME(tendon_lengthspring, 1);
       MJFORGE_SAME(tendon_length0, 1);
-      if (own_.wrap_type[own_.tendon_adr[i]] != mjWRAP_JOINT) {  // the others are not seen
+      if (own_.wrap_type[own_.tendon_adr[i]] !=
+          mjWRAP_JOINT) {  // tendons of joints are not rendered
         MJFORGE_SAME(tendon_width, 1);
         MJFORGE_SAME(tendon_rgba, 4);
       }

@@ -10,7 +10,7 @@ namespace mjforge::attach {
 
 namespace {
 
-/// The file as MuJoCo loads it, with the masses of meshes that it has since 3.0.
+// Loads a file with the mesh masses of MuJoCo 3.
 engine::Loaded Load(engine::Engine& engine, const std::filesystem::path& file) {
   if (mjVERSION_HEADER >= 300) return backport::LoadFile(engine, file);
   diag::Sources sources;

@@ -1,3 +1,4 @@
+// An MJCF file and its attached bodies, compiled by MuJoCo for comparison.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +10,19 @@
 
 namespace mjforge::attach {
 
-/// A file as MuJoCo compiles it, and its bodies as MuJoCo compiles them in an
-/// otherwise empty object.
+/// Compiled model of a file, and of objects with a body of that file attached.
 class AttachedFile {
  public:
   explicit AttachedFile(std::filesystem::path file);
 
-  /// Does MuJoCo load the file by itself?
+  /// Returns true if MuJoCo loads the unchanged file.
   bool Loads() const { return own_.model != nullptr; }
   const std::string& why_not() const { return own_.error; }
   const mjModel& own() const { return *own_.model; }
 
-  /// The object with this body; null if it cannot be attached.
+  /// Returns an otherwise empty object with this body attached; null if it cannot be attached.
   engine::Model Attach(int body);
-  /// Why the last could not, one line a finding.
+  /// Findings of the last call of Attach, one per line.
   const std::string& findings() const { return text_; }
   bool refused() const { return refused_; }
 
@@ -36,8 +36,8 @@ class AttachedFile {
   bool refused_ = false;
 };
 
-/// Fails where the object differs from what the file says of the body and all
-/// below it. Returns how many numbers it compared.
+/// Compares body 2 of the object with `body` of the file and its descendants; fails the test if
+/// they differ. Returns the number of compared numbers.
 int CompareAttached(const mjModel& own, int body, const mjModel& object);
 
 }  // namespace mjforge::attach

@@ -1,4 +1,4 @@
-// Random bodies of primitives: what model/ computes against what MuJoCo compiles.
+// Tests mass properties and bounds of random bodies of primitives against MuJoCo's compiled model.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ struct Solid {
   double density = 0;
 };
 
-// Every type, sizes over two decades; now and then an orientation along the axes.
+// Returns a solid of any type with sizes over two decades, sometimes aligned with the axes.
 Solid RandomSolid(Random& random) {
   Solid solid;
   solid.shape.type = static_cast<GeomType>(random.Integer(5));
@@ -70,10 +70,10 @@ std::string GeomText(const Solid& solid) {
          Attribute("density", std::vector<double>{solid.density}) + "/>";
 }
 
-// MuJoCo, loading texts of one body from memory.
+// Compiles bodies from memory with MuJoCo.
 class Compiler {
  public:
-  /// The model of one free body with `content`.
+  /// Returns the model of one free body with `content`.
   engine::Model Load(const std::string& content) {
     const std::string text =
         "<mujoco><compiler angle=\"radian\"/><size njmax=\"10\" nconmax=\"1\" "
@@ -89,14 +89,14 @@ class Compiler {
   engine::Engine engine_;
 };
 
-constexpr int kBody = 1;  // 0 is the world
+constexpr int kBody = 1;  // body 0 is the world
 
 Matrix3d PointInertia(double mass, const Vector3d& r) {
   return mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
 }
 
-// The inertia about the body's origin, along its axes: the angular block of the
-// joint-space inertia matrix of a free joint in its zero position.
+// Returns the inertia about the body's origin, along its axes: the angular block of the joint-space
+// inertia matrix of a free joint in its zero position.
 Matrix3d InertiaOfMotion(const mjModel& model) {
   const std::unique_ptr<mjData, decltype(&mj_deleteData)> data(mj_makeData(&model), &mj_deleteData);
   mj_kinematics(&model, data.get());
@@ -108,9 +108,8 @@ Matrix3d InertiaOfMotion(const mjModel& model) {
   return M.bottomRightCorner<3, 3>();
 }
 
-// One body of all solids. The compiler leaves principal axes that are off by up
-// to a millionth (mju_eig3 stops there), which changes the principal moments
-// only by the square of that: those are compared.
+// Compares one body of all solids. MuJoCo's principal axes have errors up to 1e-6 (mju_eig3 stops
+// there); the principal moments, which are compared, have the square of that error.
 void CheckOneBody(Compiler& compiler, const std::string& geoms, const MassProperties& ours) {
   const auto model = compiler.Load(geoms);
   CHECK(std::abs(ours.mass - model->body_mass[kBody]) <= 1e-9 * ours.mass);
@@ -121,7 +120,7 @@ void CheckOneBody(Compiler& compiler, const std::string& geoms, const MassProper
   CHECK((moments - theirs).norm() <= 1e-9 * theirs.norm());
 }
 
-// A body for each solid, welded together: MuJoCo adds up their whole matrices.
+// Compares one body per solid, welded together, for which MuJoCo sums full inertia matrices.
 void CheckWelded(Compiler& compiler, const std::string& bodies, const MassProperties& ours) {
   const Matrix3d about_B = ours.I_Cm_F + PointInertia(ours.mass, ours.p_FCm);
   const Matrix3d theirs = InertiaOfMotion(*compiler.Load(bodies));
@@ -151,8 +150,8 @@ TEST_CASE("the mass and centre and inertia of random bodies are MuJoCo's") {
   CHECK(solids > static_cast<std::size_t>(harness::Effort(4000)));
 }
 
-// A geom as compiled, with points of its surface at angles u and v and, for
-// flat ends, at end +1 or -1.
+// Compiled geom. Points of its surface are parametrized by angles u and v and, for flat ends, by
+// the end +1 or -1.
 struct CompiledGeom {
   CompiledGeom(const mjModel& model, int g)
       : type(model.geom_type[g]), size(model.geom_size + 3 * g), p(model.geom_pos + 3 * g) {
@@ -188,10 +187,10 @@ struct CompiledGeom {
 };
 
 constexpr double kSector = M_PI / 4;
-constexpr int kSteps = 4;  // in a sector
+constexpr int kSteps = 4;  // per sector
 
-// The largest value of `f` near the best of a grid in one sector, by compass
-// search with halved steps: at a smooth maximum the error falls with their square.
+// Maximizes `f` in one sector by compass search from the best point of a grid. At a smooth maximum
+// the error falls with the square of the step.
 template <typename Function>
 double SearchSector(const CompiledGeom& geom, double from, double end, const Function& f) {
   double best = -1e300;
@@ -249,7 +248,7 @@ TEST_CASE("the box and radius of random bodies are those of MuJoCo's geoms") {
     }
     INFO("body " << i << ": " << geoms);
     const auto model = compiler.Load(geoms);
-    const int axis = i % 3;  // each body along one axis, and the radius of every other one
+    const int axis = i % 3;  // test one axis per body, and the radius of every other body
     const auto up = Largest(*model, [axis](const Vector3d& point) { return point(axis); });
     const auto down = Largest(*model, [axis](const Vector3d& point) { return -point(axis); });
     CHECK(std::abs(up - box.max(axis)) <= 1e-9);
@@ -260,7 +259,7 @@ TEST_CASE("the box and radius of random bodies are those of MuJoCo's geoms") {
   }
 }
 
-// The rotation MuJoCo makes of an attribute of a geom.
+// Returns the rotation that MuJoCo compiles from an attribute of a geom.
 Matrix3d CompiledRotation(Compiler& compiler, const std::string& attribute) {
   const auto model = compiler.Load("<geom type=\"box\" size=\"1 1 1\"" + attribute + "/>");
   const mjtNum* q = model->geom_quat;

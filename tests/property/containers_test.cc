@@ -1,5 +1,5 @@
-// What is dropped into a bundled container stays in it, whatever is said of its own contacts:
-// MuJoCo's default contacts give way by more than a thin bottom.
+// Tests that balls dropped into bundled containers stay inside, although MuJoCo's default contacts
+// yield by more than the thickness of a thin bottom.
 
 #include <cmath>
 #include <cstdint>
@@ -20,13 +20,13 @@ namespace {
 
 struct Container {
   std::string spec;
-  std::string bottom;  // the part that is under what it holds
+  std::string bottom;  // part below the content
 };
 
 using Data = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
 
-constexpr double kStart = 0.03;  // m above the middle of the bottom; the lid of a jar is higher
-constexpr double kHeight = 0.1;  // m, of the whole fall
+constexpr double kStart = 0.03;  // m above the middle of the bottom; below the lid of a jar
+constexpr double kHeight = 0.1;  // m, height of the fall
 
 std::string SceneOf(const spec::ObjectSpec& spec, std::uint64_t index,
                     model::Bounds* bounds = nullptr) {
@@ -56,7 +56,7 @@ std::unique_ptr<spec::ObjectSpec> SpecOf(const std::string& name) {
   return spec;
 }
 
-// Where the ball is, in the frame of the container's bottom.
+// Computes the position of the ball in the frame of the container's bottom.
 void PlaceOf(const mjModel& m, const mjData& d, int bottom, double place[3]) {
   const int ball = mj_name2id(&m, mjOBJ_BODY, "ball");
   double offset[3];
@@ -64,7 +64,7 @@ void PlaceOf(const mjModel& m, const mjData& d, int bottom, double place[3]) {
   mju_mulMatTVec(place, d.geom_xmat + 9 * bottom, offset, 3, 3);
 }
 
-// Lets the ball fall onto the bottom, off its middle by the variant's number.
+// Drops the ball onto the bottom, off its middle in a direction that depends on the index.
 void Drop(const mjModel& m, mjData& d, int bottom, std::uint64_t index) {
   mj_kinematics(&m, &d);
   const int ball = mj_name2id(&m, mjOBJ_JOINT, "ball");
@@ -128,7 +128,7 @@ TEST_CASE("a small ball that falls into a turned container stays in it") {
     position[0] += 0.004 * std::cos(2.4 * static_cast<double>(index));
     position[1] += 0.004 * std::sin(2.4 * static_cast<double>(index));
     position[2] += bounds.bottom_offset + 0.7 * height;
-    d->qvel[m.jnt_dofadr[ball] + 2] = -1.4;  // as from a tenth of a metre
+    d->qvel[m.jnt_dofadr[ball] + 2] = -1.4;  // speed after a fall of 0.1 m
     while (d->time < 2) mj_step(&m, d.get());
     double offset[3];
     double place[3];

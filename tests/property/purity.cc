@@ -36,15 +36,15 @@ Loaded::Loaded(const std::filesystem::path& file) {
   spec::LoadOptions options;
   options.search_path = {harness::SourceFolder() / "specs"};
   auto loaded = LoadRecipe(file, options, sources, findings);
-  std::string said;
-  for (const diag::Finding& finding : findings) said += finding.message + "\n";
-  INFO(file << ": " << said);
+  std::string messages;
+  for (const diag::Finding& finding : findings) messages += finding.message + "\n";
+  INFO(file << ": " << messages);
   REQUIRE(loaded);
   recipe = std::move(*loaded);
 }
 
 int ComparePure(Loaded& loaded, const Options& options, std::uint64_t first, std::uint64_t count) {
-  constexpr std::uint64_t kAlone = 7;  // one of so many variants is made alone
+  constexpr std::uint64_t kAlone = 7;  // one of this many variants is made alone
   INFO(loaded.recipe.reference << ", target " << mjcf::RulesOf(options.target).name);
   int valid = 0;
   Generator backwards(loaded.recipe, loaded.sources, options);
@@ -74,7 +74,7 @@ Options Seeded(std::uint64_t seed) {
   return options;
 }
 
-Written::Written() {
+SpecFolder::SpecFolder() {
   folder_.Write("tetrahedron.obj",
                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                 "f 1 3 2\nf 1 4 3\nf 1 2 4\nf 2 3 4\n");

@@ -11,7 +11,7 @@
 
 namespace mjforge::forge {
 
-/// A spec that loads without errors; others are looked for among the bundled ones.
+/// A recipe that loads without errors. Specs that it nests are looked up among the bundled specs.
 struct Loaded {
   explicit Loaded(const std::filesystem::path& file);
 
@@ -19,19 +19,20 @@ struct Loaded {
   Recipe recipe;
 };
 
-/// Variants that MuJoCo does not look at.
+/// Returns options for variants that are not loaded in MuJoCo.
 Options Seeded(std::uint64_t seed);
 
-/// Makes the variants `first` to `first + count - 1` in order, each into the memory of the one
-/// before; then in reverse order, while all results are kept; and some of them alone, by generators
-/// of their own. Fails the test if a byte of a file or a record differs. Returns how many are valid.
+/// Makes the variants `first` to `first + count - 1` three times: in reverse order, keeping all
+/// results; in order, each in the memory of the previous one; and some of them alone, by generators
+/// of their own. Fails the test if a byte of a file or a record differs. Returns the number of
+/// valid variants.
 int ComparePure(Loaded& loaded, const Options& options, std::uint64_t first, std::uint64_t count);
 
-/// Specs in a folder of their own, with one, inner.yaml, that they may bring.
-class Written {
+/// Specs in a temporary folder with a spec that they may nest, inner.yaml.
+class SpecFolder {
  public:
-  Written();
-  /// A file beside the spec.
+  SpecFolder();
+  /// Writes a file beside the spec.
   void Write(const std::string& name, const std::string& text) const { folder_.Write(name, text); }
   Loaded Load(const std::string& text) const { return Loaded(folder_.Write("spec.yaml", text)); }
 

@@ -1,5 +1,5 @@
-// Tests that a variant is a pure function of spec, seed and index: the same file and record
-// whatever was made before it, and by whichever generator.
+// Tests that a variant is a pure function of spec, seed and index: its file and record depend
+// neither on the generator nor on earlier variants.
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace mjforge::forge {
 namespace {
 
-/// Returns how many variants are valid, of all targets.
+/// Returns the number of valid variants, summed over all targets.
 int CompareForTargets(Loaded& loaded, std::uint64_t seed, int count) {
   int valid = 0;
   for (const mjcf::TargetRules& rules : mjcf::Targets()) {
@@ -81,7 +81,7 @@ TEST_CASE("every golden spec is pure for every target") {
 }
 
 TEST_CASE("many conditions, choices and counts are pure") {
-  const Written written;
+  const SpecFolder written;
   Loaded loaded = written.Load(
       "mjforge: 1\n"
       "name: wild\n"
@@ -106,7 +106,7 @@ TEST_CASE("many conditions, choices and counts are pure") {
 }
 
 TEST_CASE("functions, local values and chosen texts are pure") {
-  const Written written;
+  const SpecFolder written;
   Loaded loaded = written.Load(
       "mjforge: 1\n"
       "name: local\n"
@@ -129,7 +129,7 @@ TEST_CASE("functions, local values and chosen texts are pure") {
 }
 
 TEST_CASE("lists and records are pure") {
-  const Written written;
+  const SpecFolder written;
   written.Write(
       "inner.yaml",
       "mjforge: 1\n"
@@ -164,7 +164,7 @@ TEST_CASE("lists and records are pure") {
 }
 
 TEST_CASE("shared parameters and materials handed in are pure") {
-  const Written written;
+  const SpecFolder written;
   written.Write(
       "fit.yaml",
       "mjforge: 1\n"
@@ -193,7 +193,7 @@ TEST_CASE("shared parameters and materials handed in are pure") {
 }
 
 TEST_CASE("failing variants between good ones are pure") {
-  const Written written;
+  const SpecFolder written;
   Loaded loaded = written.Load(
       "mjforge: 1\n"
       "name: unlucky\n"
@@ -211,7 +211,7 @@ TEST_CASE("failing variants between good ones are pure") {
 }
 
 TEST_CASE("what happens to be equal in some variants is shared in those only") {
-  const Written written;
+  const SpecFolder written;
   Loaded loaded = written.Load(
       "mjforge: 1\n"
       "name: twins\n"
@@ -228,7 +228,7 @@ TEST_CASE("what happens to be equal in some variants is shared in those only") {
 }
 
 TEST_CASE("what has no value in some variants is pure") {
-  const Written written;
+  const SpecFolder written;
   Loaded loaded = written.Load(
       "mjforge: 1\n"
       "name: pegs\n"
@@ -244,7 +244,7 @@ TEST_CASE("what has no value in some variants is pure") {
 }
 
 TEST_CASE("minus zero and numbers without end are pure") {
-  const Written written;
+  const SpecFolder written;
   Loaded prisms = written.Load(
       "mjforge: 1\n"
       "name: prisms\n"

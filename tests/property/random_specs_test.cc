@@ -13,10 +13,10 @@
 namespace mjforge::forge {
 namespace {
 
-/// Writes specs at random. What they say may well fail in some variants, or in all.
-class Author {
+/// Writes random specs, which may fail in some or all variants.
+class SpecAuthor {
  public:
-  explicit Author(std::uint32_t seed) : random_(seed) {}
+  explicit SpecAuthor(std::uint32_t seed) : random_(seed) {}
 
   std::string Spec() {
     std::string text =
@@ -105,7 +105,7 @@ class Author {
     return text + Place() + Look() + "}\n";
   }
 
-  // A shape with pieces of its own, its sizes drawn.
+  // Returns a shape with convex pieces and drawn sizes.
   std::string Turned() {
     if (OneIn(2)) {
       return ", type: lathe, facets: 6, profile: [[0.01, 0], [" + Number() + ", 0.1], " +
@@ -181,11 +181,11 @@ class Author {
 };
 
 TEST_CASE("variants of random specs are pure") {
-  const Written written;
-  std::set<std::string> covered;  // words of specs with valid variants
+  const SpecFolder written;
+  std::set<std::string> covered;  // words that occur in specs with valid variants
   for (int i = 0; i < harness::Effort(160, 40); ++i) {
     const auto seed = static_cast<std::uint32_t>(i);
-    const std::string text = Author(seed).Spec();
+    const std::string text = SpecAuthor(seed).Spec();
     INFO(text);
     Loaded loaded = written.Load(text);
     Options options = Seeded(seed);

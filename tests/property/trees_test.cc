@@ -1,5 +1,5 @@
-// Random trees of bodies, some of them other specs: what model/ computes through
-// the chain against what MuJoCo compiles from the text.
+// Tests mass properties and bounds of random trees of bodies, some with nested specs, against
+// MuJoCo's compiled model.
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,10 +11,10 @@
 #include "harness/random.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
-#include "mjforge/static_checks/forward_kinematics.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
+#include "mjforge/static_checks/forward_kinematics.h"
 
 namespace mjforge::model {
 namespace {
@@ -47,7 +47,8 @@ std::string PartText(Random& random, const std::string& name) {
          ", density: " + NumberText(random, 100, 8000) + "}";
 }
 
-// Up to seven bodies, each on any earlier one, with up to three joints.
+// Returns a spec of up to seven bodies, each with any earlier body as parent and up to three
+// joints.
 std::string SpecText(Random& random, const std::string& name, const std::string& nested) {
   std::string text = "mjforge: 1\nname: " + name + "\njoints: none\nparts: [" +
                      PartText(random, "root_part") + "]\nbodies:\n";
@@ -83,7 +84,7 @@ struct Whole {
   Box3 box;
 };
 
-// Summed up over MuJoCo's bodies and geoms where it puts them in the world.
+// Sums over MuJoCo's bodies and geoms in the world frame.
 Whole WholeOf(const mjModel& m) {
   const std::unique_ptr<mjData, decltype(&mj_deleteData)> data(mj_makeData(&m), &mj_deleteData);
   mj_kinematics(&m, data.get());
@@ -112,8 +113,8 @@ Whole WholeOf(const mjModel& m) {
   return whole;
 }
 
-// Specs of text, in a folder where they find each other.
-class Specs {
+// Makes objects of specs that may nest the specs of a folder.
+class ObjectMaker {
  public:
   std::optional<Object> Make(const std::string& text) {
     diag::Findings findings;
@@ -128,7 +129,7 @@ class Specs {
     }
     return object;
   }
-  explicit Specs(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit ObjectMaker(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
  private:
   std::filesystem::path folder_;
@@ -141,13 +142,12 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
   Random random(20261121);
   engine::Engine engine;
   mjcf::MjcfDocument document;
-  // A bundled object of several bodies, nested now and then.
-  Specs specs(harness::SourceFolder() / "tests/property");
+  ObjectMaker objects(harness::SourceFolder() / "tests/property");
   std::size_t bodies = 0;
   for (int i = 0; i < 300; ++i) {
     const std::string text = SpecText(random, "tree", "nested_tree.yaml");
     INFO(text);
-    const std::optional<Object> object = specs.Make(text);
+    const std::optional<Object> object = objects.Make(text);
     REQUIRE(object);
     bodies += object->bodies.size();
     mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {}, document);
@@ -157,10 +157,10 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
     const Whole theirs = WholeOf(*loaded.model);
     const MassProperties& ours = object->mass_properties;
     CHECK(std::abs(ours.mass - theirs.mass.mass) <= 1e-9 * ours.mass);
-    // A file holds ten digits.
+    // MJCF has ten significant digits.
     CHECK((ours.p_FCm - theirs.mass.p_FCm).norm() <= 1e-9);
-    // MuJoCo's principal moments are exact, its axes only to a millionth (mju_eig3
-    // stops there): the trace does not see them.
+    // MuJoCo's principal moments are exact, but its axes have errors up to 1e-6 (mju_eig3 stops
+    // there), which do not affect the trace.
     const double trace = theirs.mass.I_Cm_F.trace();
     CHECK(std::abs(ours.I_Cm_F.trace() - trace) <= 2e-9 * trace);
     CHECK((ours.I_Cm_F - theirs.mass.I_Cm_F).norm() <= 3e-6 * trace);
@@ -174,7 +174,7 @@ TEST_CASE("bodies move with their joints as MuJoCo's do") {
   Random random(20261123);
   engine::Engine engine;
   mjcf::MjcfDocument document;
-  Specs specs(harness::SourceFolder() / "tests/property");
+  ObjectMaker objects(harness::SourceFolder() / "tests/property");
   std::size_t moved = 0;
   for (int i = 0; i < 100; ++i) {
     std::string text = SpecText(random, "tree", "nested_tree.yaml");
@@ -184,7 +184,7 @@ TEST_CASE("bodies move with their joints as MuJoCo's do") {
         "type: ball, pos: [0.1, 0.2, 0.3]}, {name: slides, type: slide, axis: [1, 2, 3], ref: "
         "0.4}]}\n";
     INFO(text);
-    const std::optional<Object> object = specs.Make(text);
+    const std::optional<Object> object = objects.Make(text);
     REQUIRE(object);
     mjcf::WriteMjcf(*object, mjcf::Target::kMujoco, {}, document);
     const engine::Loaded loaded = engine.LoadText(document.text);

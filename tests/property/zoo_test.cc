@@ -1,4 +1,4 @@
-// Every body of MuJoCo's own models, attached, is what it is in its own file.
+// Tests that attached bodies of MuJoCo's sample models equal the bodies in their own file.
 
 #include <algorithm>
 #include <filesystem>
@@ -39,7 +39,7 @@ struct Tally {
 void AttachAll(AttachedFile& file, Tally& tally) {
   for (int body = 1; body < file.own().nbody; ++body) {
     const bool has_name = file.own().names[file.own().name_bodyadr[body]] != 0;
-    if (!has_name && body != 1) continue;  // no way to ask for it
+    if (!has_name && body != 1) continue;  // cannot be attached by name
     INFO("attached " << file.own().names + file.own().name_bodyadr[body]);
     const engine::Model object = file.Attach(body);
     if (!object && file.refused()) {
@@ -63,7 +63,8 @@ TEST_CASE("bodies of MuJoCo's model zoo keep every number when they are attached
   for (std::size_t i = 0; i < files.size(); i += step) {
     INFO(files[i].string());
     AttachedFile file(files[i]);
-    // 2.2.2 takes them all, the parts that others include, too; later ones lack its grids.
+    // MuJoCo 2.2.2 loads all files, even those meant for inclusion; later releases lack composite
+    // grids.
     if (kLater && !file.Loads()) continue;
     REQUIRE(file.Loads());
     AttachAll(file, tally);
@@ -80,7 +81,7 @@ TEST_CASE("bodies of our models of every setting keep every number when they are
     INFO(path.string());
     AttachedFile file(path);
     INFO(file.why_not());
-    if (kLater && !file.Loads()) continue;  // of settings that they do not have
+    if (kLater && !file.Loads()) continue;  // settings of 2.2 that later releases lack
     REQUIRE(file.Loads());
     AttachAll(file, tally);
   }

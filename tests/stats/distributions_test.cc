@@ -28,7 +28,7 @@ std::vector<double> Drawn(Distribution distribution, const std::vector<double>& 
   for (std::uint64_t index = 0; index < kDraws; ++index) {
     const double u = Uniforms({.seed = 11, .index = index}, stream)[0];
     const double value = Quantile(distribution, arguments, limits, u);
-    sample.push_back(rounded ? Rounding(support.lo, support.hi)(value) : value);
+    sample.push_back(rounded ? RoundWithin(support.lo, support.hi, value) : value);
   }
   return sample;
 }

@@ -16,7 +16,7 @@
 namespace mjforge::files {
 namespace {
 
-using mjcf::MadeFile;
+using mjcf::GeneratedFile;
 
 // Maximum number of cached textures. A generated texture usually is the same in all variants.
 constexpr std::size_t kMostKept = 64;
@@ -90,15 +90,15 @@ std::optional<Content> Maker::State::TextureFile(const model::Texture& texture,
 bool Maker::Make(const model::Object& object, mjcf::MjcfDocument& document,
                  diag::Findings& findings) {
   std::string& text = document.text;
-  for (const MadeFile& file : std::exchange(document.made_files, {})) {
+  for (const GeneratedFile& file : std::exchange(document.generated_files, {})) {
     const std::optional<Content> content =
-        file.kind == MadeFile::Kind::kMesh
-            ? state_->MeshFile(*object.meshes[file.number], findings)
-            : state_->TextureFile(object.textures[file.number], findings);
+        file.kind == GeneratedFile::Kind::kMesh
+            ? state_->MeshFile(*object.meshes[file.index], findings)
+            : state_->TextureFile(object.textures[file.index], findings);
     if (!content) return false;
-    text.replace(file.hash, content->hash.size(), content->hash);
-    const std::size_t begin = text.rfind('"', file.hash) + 1;
-    const std::string name = text.substr(begin, text.find('"', file.hash) - begin);
+    text.replace(file.hash_position, content->hash.size(), content->hash);
+    const std::size_t begin = text.rfind('"', file.hash_position) + 1;
+    const std::string name = text.substr(begin, text.find('"', file.hash_position) - begin);
     // Equal meshes can have the same file name; add the file once.
     if (std::ranges::count(document.assets, name, &bytes::Asset::name) == 0)
       document.assets.push_back({.name = name, .file = {}, .made = content->bytes});

@@ -18,10 +18,10 @@ class Maker {
   Maker();
   ~Maker();
 
-  /// Makes the files that `document` lacks (MjcfDocument::made_files), adds them to its assets, and
-  /// puts the hashes of their contents into their names in the text, so that files of equal names
-  /// are equal. The result depends only on the object and the text. Returns false, and adds a
-  /// finding, if a mesh has no convex hull or MuJoCo cannot make a texture.
+  /// Makes the files that `document` lacks (MjcfDocument::generated_files), adds them to its
+  /// assets, and puts the hashes of their contents into their names in the text, so that files of
+  /// equal names are equal. The result depends only on the object and the text. Returns false, and
+  /// adds a finding, if a mesh has no convex hull or MuJoCo cannot make a texture.
   bool Make(const model::Object& object, mjcf::MjcfDocument& document, diag::Findings& findings);
 
  private:

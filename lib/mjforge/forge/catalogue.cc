@@ -1,3 +1,5 @@
+// Folders in which specs are looked up by name.
+
 #include <cstdlib>
 #include <sstream>
 #include <system_error>
@@ -10,7 +12,7 @@ std::optional<std::filesystem::path> CatalogueFolder() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return std::nullopt;
-  // Beside bin/ when installed; a build tree has a link at its top.
+  // share/ is beside bin/ when installed; a build tree has a link at its top.
   for (std::filesystem::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
     const std::filesystem::path specs = folder / "share" / "mjforge" / "specs";

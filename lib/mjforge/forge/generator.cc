@@ -1,23 +1,38 @@
+// Generator: attempts, assembly, validation and the record of one variant.
+
 #include <algorithm>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/static_checks/static_checks.h"
 #include "mjforge/forge/forge.h"
+#include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::forge {
 namespace {
 
-// From one folder to a file, both whole. Empty if the way leads over the root: it would be
-// another one on every machine.
-std::string WayTo(const std::filesystem::path& file, const std::filesystem::path& folder) {
+// Returns the path of a file relative to a folder; empty if the path leads over the root, because
+// it would differ between machines.
+std::string RelativePath(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code error;
-  const auto whole = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  const auto absolute = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
   if (error) return {};
-  // A folder that is not there yet may keep the slash it was given with.
-  const auto root = whole.has_filename() ? whole : whole.parent_path();
+  // The path of a folder that does not exist yet may keep its final slash.
+  const auto root = absolute.has_filename() ? absolute : absolute.parent_path();
   const auto below = root.relative_path();
   if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
   return file.lexically_relative(root).generic_string();
+}
+
+// Adds masses, bounds and counts of elements to the record.
+void RecordProperties(const model::Object& object, mjcf::Target target, manifest::Record& record) {
+  record.mass_properties = object.mass_properties;
+  record.bounds = object.bounds;
+  record.nbody = 1;                                        // the world
+  record.ngeom = mjcf::RulesOf(target).has_scene ? 1 : 0;  // the floor
+  for (const model::Body& body : object.bodies) {
+    ++record.nbody;
+    record.njnt += static_cast<int>(body.joints.size());
+    record.ngeom += static_cast<int>(model::GeomCount(body));
+  }
 }
 
 }  // namespace
@@ -28,7 +43,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.seed = options.seed;
   record.spec = recipe.reference;
   if (options.folder && !recipe.file.empty())
-    record.spec_file = WayTo(recipe.file, *options.folder);
+    record.spec_file = RelativePath(recipe.file, *options.folder);
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
@@ -55,7 +70,7 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       attachments_(sources),
       assembler_(&attachments_) {}
 
-void Generator::Begin(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
+void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
   variant.findings.clear();
   variant.record = common_;
@@ -70,18 +85,18 @@ void Generator::Make(std::uint64_t index, Variant& variant) {
   const int resamples = options_.on_invalid == OnInvalid::kResample ? kMaxResamples : 0;
   for (int i = 0; i < resamples && outcome == Outcome::kFailed; ++i)
     outcome = Attempt(index, variant.record.attempt + 1, variant);
-  End(outcome, variant);
+  Finish(outcome, variant);
 }
 
 void Generator::Fail(std::uint64_t index, diag::Finding finding, Variant& variant) {
-  Begin(index, options_.attempt, variant);
+  Reset(index, options_.attempt, variant);
   variant.findings.Add(std::move(finding));
-  End(Outcome::kFailed, variant);
+  Finish(Outcome::kFailed, variant);
 }
 
-void Generator::End(Outcome outcome, Variant& variant) {
+void Generator::Finish(Outcome outcome, Variant& variant) {
   manifest::Record& record = variant.record;
-  if (outcome != Outcome::kMade) {
+  if (outcome != Outcome::kOk) {
     const bool skips = options_.on_invalid == OnInvalid::kSkip;
     record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
   } else {
@@ -89,7 +104,7 @@ void Generator::End(Outcome outcome, Variant& variant) {
     record.sha256 = bytes::Sha256Of(variant.document.text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
-  while (record_sources_.size() < sources_.size()) {  // attached files are added as they are read
+  while (record_sources_.size() < sources_.size()) {  // files attached since
     const std::filesystem::path file = sources_.Name(record_sources_.size() + 1);
     record_sources_.Add(file.filename().string(), {});
   }
@@ -100,14 +115,14 @@ void Generator::End(Outcome outcome, Variant& variant) {
 
 Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt,
                                       Variant& variant) {
-  Begin(index, attempt, variant);
+  Reset(index, attempt, variant);
   manifest::Record& record = variant.record;
   const spec::ObjectSpec& spec = *recipe_.spec;
   const sample::DrawKey key = {options_.seed, index, attempt};
   std::optional<sample::Evaluator> values =
       sample::Sample(spec, key, sample::kRootStream, {}, variant.findings, &sampler_);
   if (!values) {
-    // Where a thousand draws met no requirement, more of them will not either.
+    // After a thousand draws that do not meet the requirements, further attempts would fail, too.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
     return rejected ? Outcome::kHopeless : Outcome::kFailed;
@@ -117,19 +132,18 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
     record.params.emplace_back(spec.parameters[i].name, values->Parameter(i));
   }
-  if (!Assemble(*values, variant) ||
-      !files_.Make(*variant.object, variant.document, variant.findings))
+  if (!Build(*values, variant) || !files_.Make(*variant.object, variant.document, variant.findings))
     return Outcome::kFailed;
-  Describe(*variant.object, record);
-  Judge(variant);
-  return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kMade : Outcome::kFailed;
+  RecordProperties(*variant.object, options_.target, record);
+  Validate(variant);
+  return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kOk : Outcome::kFailed;
 }
 
-bool Generator::Assemble(sample::Evaluator& values, Variant& variant) {
+bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
   std::optional<model::Object> object = assembler_.Assemble(
-      values, {.name = record.name, .prefix = rules.prefix, .root = std::string(rules.root)},
+      values, {.name = record.name, .prefix = rules.has_prefix, .root = std::string(rules.root)},
       variant.findings);
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
@@ -141,7 +155,7 @@ bool Generator::Assemble(sample::Evaluator& values, Variant& variant) {
   return true;
 }
 
-void Generator::Judge(Variant& variant) {
+void Generator::Validate(Variant& variant) {
   static_checks::CheckExpectations(*variant.object, variant.findings);
   if (loader_ && loader_->Validate(variant.document, *variant.object, variant.findings) &&
       laboratory_) {
@@ -166,18 +180,6 @@ bool Generator::HashAssets(Variant& variant) {
     if (std::ranges::find(assets, asset) == assets.end()) assets.push_back(asset);
   }
   return true;
-}
-
-void Generator::Describe(const model::Object& object, manifest::Record& record) const {
-  record.mass_properties = object.mass_properties;
-  record.bounds = object.bounds;
-  record.nbody = 1;                                             // the world
-  record.ngeom = mjcf::RulesOf(options_.target).scene ? 1 : 0;  // the floor
-  for (const model::Body& body : object.bodies) {
-    ++record.nbody;
-    record.njnt += static_cast<int>(body.joints.size());
-    record.ngeom += static_cast<int>(model::GeomCount(body));
-  }
 }
 
 }  // namespace mjforge::forge

@@ -1,3 +1,5 @@
+// Loading of recipes, their references in records, and names of objects.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +10,8 @@
 namespace mjforge::forge {
 namespace {
 
-// The file's name in a folder of the search path, without its ending; nothing
-// if it is not in that folder.
+// Returns the path of a file relative to a folder of the search path, without extension; nothing if
+// the file is not in that folder.
 std::optional<std::string> NameWithin(const std::filesystem::path& file,
                                       const std::filesystem::path& folder) {
   std::error_code error;
@@ -36,13 +38,14 @@ void SetReference(const std::string& given, const std::vector<std::filesystem::p
   recipe.file = file;
 }
 
-std::optional<Recipe> RecipeOf(std::unique_ptr<spec::ObjectSpec> spec, const std::string& reference,
-                               const std::vector<std::filesystem::path>& search_path) {
+std::optional<Recipe> MakeRecipe(std::unique_ptr<spec::ObjectSpec> spec,
+                                 const std::string& reference,
+                                 const std::vector<std::filesystem::path>& search_path) {
   if (spec == nullptr) return std::nullopt;
   Recipe recipe;
   recipe.spec = std::move(spec);
   SetReference(reference, search_path, recipe);
-  for (const auto& [name, text] : recipe.spec->settings) {  // the last one of a name has won
+  for (const auto& [name, text] : recipe.spec->settings) {  // the last value of a name wins
     const auto same =
         std::ranges::find(recipe.settings, name, &std::pair<std::string, std::string>::first);
     if (same == recipe.settings.end()) {
@@ -58,15 +61,15 @@ std::optional<Recipe> RecipeOf(std::unique_ptr<spec::ObjectSpec> spec, const std
 
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings) {
-  return RecipeOf(spec::LoadSpec(reference, options, sources, findings), reference,
-                  options.search_path);
+  return MakeRecipe(spec::LoadSpec(reference, options, sources, findings), reference,
+                    options.search_path);
 }
 
 std::optional<Recipe> LoadRecipeText(const std::string& name, std::string text,
                                      const spec::LoadOptions& options, diag::Sources& sources,
                                      diag::Findings& findings) {
-  return RecipeOf(spec::LoadSpecText(name, std::move(text), ".", options, sources, findings),
-                  bytes::kStandardInput, options.search_path);
+  return MakeRecipe(spec::LoadSpecText(name, std::move(text), ".", options, sources, findings),
+                    bytes::kStandardInput, options.search_path);
 }
 
 std::string ExpandName(std::string_view text, std::uint64_t index) {

@@ -1,3 +1,5 @@
+// Replay: regenerates a recorded variant and compares its bytes.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,15 +10,15 @@
 namespace mjforge::forge {
 namespace {
 
-// What is to be made again, and what it must be equal to.
+// The variant to regenerate and compare, as recorded in a manifest or a generated file.
 struct Original {
-  manifest::Record record;        // as far as it is known
-  bool from_manifest = false;     // then `attempt`, `status` and `sha256` are known
-  std::filesystem::path file;     // the object's; empty: none was written
-  std::filesystem::path archive;  // that holds it; empty: it stands by itself
+  manifest::Record record;        // as far as known
+  bool from_manifest = false;     // true: `attempt`, `status` and `sha256` are known
+  std::filesystem::path file;     // of the object; empty: none was written
+  std::filesystem::path archive;  // contains the file; empty: the file is in a folder
 };
 
-// "out/manifest.jsonl:42" -> the file and 42; nothing if it ends otherwise.
+// Splits "out/manifest.jsonl:42" into file and index; returns nothing if there is no index.
 std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::string& what) {
   const std::size_t colon = what.rfind(':');
   if (colon == std::string::npos) return std::nullopt;
@@ -68,9 +70,10 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   return original;
 }
 
-// True if the object's file (or its hash, if the file is gone) is the variant's.
-bool IsSame(const Original& original, const Variant& variant, diag::Sources& sources,
-            diag::Findings& findings) {
+// Returns true if the recorded file (or its hash, if the file is missing) equals that of the
+// variant; otherwise adds a finding.
+bool HasSameText(const Original& original, const Variant& variant, diag::Sources& sources,
+                 diag::Findings& findings) {
   std::error_code ignored;
   const std::filesystem::path& holder = original.archive.empty() ? original.file : original.archive;
   if (original.from_manifest && !std::filesystem::exists(holder, ignored)) {
@@ -80,27 +83,28 @@ bool IsSame(const Original& original, const Variant& variant, diag::Sources& sou
                              original.record.file, variant.record.sha256, original.record.sha256));
     return false;
   }
-  std::optional<std::string> present =
+  std::optional<std::string> recorded =
       original.archive.empty()
           ? output::ReadFile(original.file, bytes::kMaxMjcf, findings)
           : output::ReadMember(original.archive, original.file.string(), findings);
-  if (!present) return false;
-  if (*present == variant.document.text) return true;
+  if (!recorded) return false;
+  if (*recorded == variant.document.text) return true;
   const std::string_view expected = variant.document.text;
-  const auto [at, same] = std::ranges::mismatch(*present, expected);
-  const auto number = static_cast<std::uint32_t>(1 + std::count(present->begin(), at, '\n'));
+  const auto [at, same] = std::ranges::mismatch(*recorded, expected);
+  const auto number = static_cast<std::uint32_t>(1 + std::count(recorded->begin(), at, '\n'));
   const auto start = static_cast<std::size_t>(same - expected.begin());
   std::string_view line = expected.substr(start == 0 ? 0 : expected.rfind('\n', start - 1) + 1);
   line = line.substr(0, line.find('\n'));
   const std::string message =
       fmt::format("line {} differs from the regenerated object: '{}'", number,
                   line.substr(std::min(line.find_first_not_of(' '), line.size())));
-  const diag::SourceMark mark{sources.Add(original.file.string(), *std::move(present)), number, 1};
+  const diag::SourceMark mark{sources.Add(original.file.string(), *std::move(recorded)), number, 1};
   findings.Add(diag::Code::kOutputDiffers, mark, message);
   return false;
 }
 
-// True if what the object refers to is as the record says.
+// Returns true if all files that the object refers to have the recorded hashes; otherwise adds
+// findings.
 bool HasSameAssets(const Original& original, const Variant& variant, diag::Findings& findings) {
   bool same = true;
   for (const auto& asset : original.record.assets) {
@@ -113,7 +117,7 @@ bool HasSameAssets(const Original& original, const Variant& variant, diag::Findi
   return same;
 }
 
-// A failed variant is not there to compare with; its findings are.
+// Repeats the findings of a variant that was recorded as failed and so has no file to compare with.
 bool ReplayFailure(const Original& original, const Variant& variant, diag::Findings& findings) {
   if (variant.ok()) {
     findings.Add(diag::Code::kOutputDiffers, {},
@@ -124,23 +128,23 @@ bool ReplayFailure(const Original& original, const Variant& variant, diag::Findi
   return false;
 }
 
-bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
-               diag::Sources& sources, diag::Findings& findings) {
+bool Regenerate(const Original& original, const Recipe& recipe, Options options,
+                diag::Sources& sources, diag::Findings& findings) {
   Variant variant;
   const bool failed = original.from_manifest && original.record.status != manifest::Status::kOk;
-  // A file that is there was found valid, or not asked about: MuJoCo's verdict
-  // has no part in its bytes.
+  // Skip validation: the recorded variant passed it or was not validated, and its result does not
+  // affect the bytes.
   if (!failed) options.validation = Validation::kNone;
   Generator generator(recipe, sources, options);
   generator.Make(original.record.index, variant);
   if (failed) return ReplayFailure(original, variant, findings);
   diag::Findings differences;
-  if (variant.ok() && IsSame(original, variant, sources, differences) &&
+  if (variant.ok() && HasSameText(original, variant, sources, differences) &&
       HasSameAssets(original, variant, differences)) {
     return true;
   }
-  // The comment does not say which draw it was, if earlier ones were invalid, nor
-  // what was asked of them.
+  // The comment in a file contains neither the attempt nor the kind of validation that rejected
+  // earlier attempts, so try each.
   if (!original.from_manifest) {
     for (const Validation validation : {Validation::kLoad, Validation::kPhysics}) {
       options.on_invalid = OnInvalid::kResample;
@@ -149,7 +153,7 @@ bool MakeAgain(const Original& original, const Recipe& recipe, Options options,
       Generator(recipe, sources, options).Make(original.record.index, resampled);
       diag::Findings ignored;
       if (resampled.ok() && resampled.record.attempt != variant.record.attempt &&
-          IsSame(original, resampled, sources, ignored)) {
+          HasSameText(original, resampled, sources, ignored)) {
         return true;
       }
     }
@@ -173,7 +177,7 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
   const std::optional<Recipe> recipe =
       LoadRecordedRecipe(original->record, request.spec, file.parent_path(), sources, findings);
   if (!recipe) return false;
-  return MakeAgain(*original, *recipe, *options, sources, findings);
+  return Regenerate(*original, *recipe, *options, sources, findings);
 }
 
 }  // namespace mjforge::forge

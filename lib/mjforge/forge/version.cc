@@ -1,3 +1,5 @@
+// Versions of mjforge and of the libraries that affect its output.
+
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {

@@ -1,3 +1,5 @@
+// Adaptation of an object to its target: the order of the steps.
+
 #include "mjforge/mjcf/adapt.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 
 namespace mjforge::mjcf {
 
-std::string Listed(std::span<const std::string_view> names) {
+std::string JoinNames(std::span<const std::string_view> names) {
   constexpr std::size_t kShown = 5;
   const std::size_t shown = std::min(names.size(), kShown);
   std::string text = fmt::format("{}", fmt::join(names.first(shown), ", "));

@@ -1,7 +1,6 @@
-#pragma once
-
-// The steps of fitting an object to its target. Each reads its own columns of the target's row and
+// Steps of adapting an object to its target. Each step reads its own columns of TargetRules and
 // does nothing if they require nothing.
+#pragma once
 
 #include <span>
 #include <string>
@@ -13,27 +12,27 @@
 
 namespace mjforge::mjcf {
 
-/// "a, b, c", at most five of them, "and 3 more".
-std::string Listed(std::span<const std::string_view> names);
+/// Returns "a, b, c, d, e and 3 more": at most five names.
+std::string JoinNames(std::span<const std::string_view> names);
 
 // adapt_names.cc
-/// Names that would clash with the host's, as errors.
+/// Reports names that would clash with names of the host.
 void CheckNames(const model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_geoms.cc
-/// Groups, looks, densities and margins of parts.
+/// Adapts groups, colors, densities and margins of parts.
 void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_bodies.cc
-/// Bodies, joints and geoms around the object; what the host adds by itself.
+/// Adds bodies, sites and geoms that the host requires; drops joints that the host adds itself.
 void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_shapes.cc
-/// Convex meshes in place of round shapes that do not collide with everything.
+/// Replaces round shapes that do not collide with every other shape by convex meshes.
 void AdaptShapes(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_sections.cc
-/// Sections, elements and textures that the host does not take.
+/// Drops sections, elements and texture files that the host does not support.
 void AdaptSections(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 }  // namespace mjforge::mjcf

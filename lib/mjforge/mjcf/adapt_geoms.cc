@@ -1,3 +1,5 @@
+// Groups, colors, densities and margins of parts for a target.
+
 #include <algorithm>
 #include <utility>
 
@@ -13,8 +15,8 @@ using model::Applies;
 using model::Part;
 using model::Role;
 
-/// Parts with something that the target overrides or drops.
-struct Lost {
+// Names of the parts of which the target overrides or drops an attribute.
+struct AffectedParts {
   std::vector<std::string_view> names;
   diag::SourceMark first;
   void Add(const Part& part) {
@@ -23,6 +25,7 @@ struct Lost {
   }
 };
 
+// Returns true if the part's own group differs from the groups of the target.
 bool Contradicts(const Part& part, const model::Attribute& group, const TargetRules& rules) {
   const double number = group.numbers.empty() ? -1 : group.numbers[0];
   const bool on_collision = part.role != Role::kVisual && group.applies != Applies::kVisual;
@@ -31,44 +34,45 @@ bool Contradicts(const Part& part, const model::Attribute& group, const TargetRu
          (on_visual && number != rules.visual_group);
 }
 
-void SetGroup(Part& part, const TargetRules& rules, Lost& lost) {
+void SetGroup(Part& part, const TargetRules& rules, AffectedParts& affected) {
   const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
   if (group != part.attributes.end()) {
-    // An attached file's groups are for its own viewers.
-    if (!part.as_is && Contradicts(part, *group, rules)) lost.Add(part);
+    // Do not report groups of attached files, which were set for other viewers.
+    if (!part.as_is && Contradicts(part, *group, rules)) affected.Add(part);
     part.attributes.erase(group);
   }
-  if (!part.as_is) return;  // WriteMjcf says it
+  if (!part.as_is) return;  // WriteMjcf adds the group
   const int number = part.role == Role::kVisual ? rules.visual_group : rules.collision_group;
   part.attributes.push_back({"group", Applies::kBoth, {static_cast<double>(number)}, {}});
 }
 
-void DropMargins(Part& part, Lost& lost) {
+void DropMargins(Part& part, AffectedParts& affected) {
   const auto is_margin = [](const model::Attribute& attribute) {
     return attribute.name == "margin" || attribute.name == "gap";
   };
   for (const model::Attribute& attribute : part.attributes) {
-    const bool nonzero = !attribute.numbers.empty() && attribute.numbers[0] != 0;
-    if (is_margin(attribute) && nonzero) lost.Add(part);
+    const bool is_nonzero = !attribute.numbers.empty() && attribute.numbers[0] != 0;
+    if (is_margin(attribute) && is_nonzero) affected.Add(part);
   }
   std::erase_if(part.attributes, is_margin);
 }
 
-// Two parts instead of one with both roles: the first then has the look, too.
+// Splits parts with both roles into a collision part and a visual part. The collision part keeps
+// its material and color, because the host shows a copy of it.
 void SplitRoles(std::vector<Part>& parts) {
   std::vector<Part> split;
   split.reserve(2 * parts.size());
   for (Part& part : parts) {
-    const bool both = part.role == Role::kBoth && !part.as_is;
+    const bool has_both = part.role == Role::kBoth && !part.as_is;
     Part& first = split.emplace_back(std::move(part));
-    if (!both) continue;
+    if (!has_both) continue;
     first.role = Role::kCollision;
     Part second = first;
     second.role = Role::kVisual;
     second.mass = second.density = 0.0;
-    const auto rgba = std::ranges::find(first.attributes, "rgba", &model::Attribute::name);
-    if (first.material < 0 && rgba == first.attributes.end()) {
-      first.attributes.push_back({"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's
+    if (first.material < 0 && model::FindAttribute(first.attributes, "rgba") == nullptr) {
+      first.attributes.push_back(
+          {"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's default
     }
     split.push_back(std::move(second));
   }
@@ -78,13 +82,13 @@ void SplitRoles(std::vector<Part>& parts) {
 }  // namespace
 
 void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  Lost groups;
-  Lost margins;
+  AffectedParts groups;
+  AffectedParts margins;
   for (model::Body& body : object.bodies) {
     for (Part& part : body.parts) {
-      if (!rules.own_groups) SetGroup(part, rules, groups);
-      if (!rules.margins && part.role != Role::kVisual) DropMargins(part, margins);
-      if (rules.states_mass) part.density = 0.0;
+      if (!rules.keeps_groups) SetGroup(part, rules, groups);
+      if (!rules.supports_margins && part.role != Role::kVisual) DropMargins(part, margins);
+      if (rules.writes_mass) part.density = 0.0;
     }
   }
   if (!groups.names.empty()) {
@@ -92,7 +96,7 @@ void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings&
         Code::kTargetDropped, groups.first,
         fmt::format("{} tells collision geoms ({}) from visual ones ({}) by their group: 'group' "
                     "of {} is overridden",
-                    rules.name, rules.collision_group, rules.visual_group, Listed(groups.names)),
+                    rules.name, rules.collision_group, rules.visual_group, JoinNames(groups.names)),
         "set 'role' to 'collision' or 'visual' instead");
   }
   if (!margins.names.empty()) {
@@ -100,9 +104,9 @@ void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings&
         Code::kTargetDropped, margins.first,
         fmt::format(
             "{} does not support margins when meshes collide: 'margin' and 'gap' of {} are dropped",
-            rules.name, Listed(margins.names)));
+            rules.name, JoinNames(margins.names)));
   }
-  if (!rules.same_look) return;
+  if (!rules.shows_collision_copies) return;
   for (model::Body& body : object.bodies) SplitRoles(body.parts);
 }
 

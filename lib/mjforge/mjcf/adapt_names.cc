@@ -1,3 +1,5 @@
+// Checks for names that clash with names of the host.
+
 #include <set>
 
 #include <fmt/format.h>
@@ -10,19 +12,19 @@ namespace {
 
 using diag::Code;
 
-class NameCheck {
+class HostNameChecker {
  public:
-  NameCheck(const model::Object& object, const TargetRules& rules, diag::Findings& findings)
-      : rules_(rules), own_(object.name + "_"), findings_(findings) {}
+  HostNameChecker(const model::Object& object, const TargetRules& rules, diag::Findings& findings)
+      : rules_(rules), prefix_(object.name + "_"), findings_(findings) {}
 
-  /// `word` is what a spec calls the element, `kind` what MJCF calls it.
+  /// Checks the name of an element; `word` is its kind in a spec, `kind` its kind in MJCF.
   void Check(std::string_view word, std::string_view kind, std::string_view name,
              diag::SourceMark mark) {
-    if (!rules_.prefix && name.starts_with(own_)) {
+    if (!rules_.has_prefix && name.starts_with(prefix_)) {
       findings_.Add(Code::kModelBadName, mark,
                     fmt::format("{} '{}' begins with the object's name: {} adds the prefix '{}' "
                                 "only to names that lack it",
-                                word, name, rules_.name, own_),
+                                word, name, rules_.name, prefix_),
                     "rename it, or the object (--name)");
     }
     for (const HostName& host : rules_.host_names) {
@@ -41,9 +43,9 @@ class NameCheck {
     }
   }
 
-  /// Geoms that the host makes beside those that collide.
-  void CheckTwins(const model::Object& object) {
-    if (rules_.twin_suffix.empty()) return;
+  /// Reports parts with the name of a visual copy that the host makes of a collision geom.
+  void CheckVisualCopies(const model::Object& object) {
+    if (rules_.visual_copy_suffix.empty()) return;
     std::set<std::string, std::less<>> colliding;
     for (const model::Body& body : object.bodies) {
       for (const model::Part& part : body.parts) {
@@ -53,9 +55,9 @@ class NameCheck {
     for (const model::Body& body : object.bodies) {
       for (const model::Part& part : body.parts) {
         const std::string_view name = part.name;
-        const bool same_name = part.as_is || part.role != model::Role::kVisual;
-        if (!same_name || !name.ends_with(rules_.twin_suffix)) continue;
-        const auto base = name.substr(0, name.size() - rules_.twin_suffix.size());
+        const bool has_geom_of_its_name = part.as_is || part.role != model::Role::kVisual;
+        if (!has_geom_of_its_name || !name.ends_with(rules_.visual_copy_suffix)) continue;
+        const auto base = name.substr(0, name.size() - rules_.visual_copy_suffix.size());
         if (!colliding.contains(base)) continue;
         findings_.Add(Code::kModelDuplicateName, part.mark,
                       fmt::format("part '{}' has the name of the visual copy of '{}' that {} makes",
@@ -67,28 +69,28 @@ class NameCheck {
 
  private:
   const TargetRules& rules_;
-  std::string own_;
+  std::string prefix_;
   diag::Findings& findings_;
 };
 
 }  // namespace
 
 void CheckNames(const model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  NameCheck check(object, rules, findings);
+  HostNameChecker checker(object, rules, findings);
   for (const model::Body& body : object.bodies) {
-    check.Check("body", "body", body.name, body.mark);
+    checker.Check("body", "body", body.name, body.mark);
     for (const model::Joint& joint : body.joints) {
-      const bool is_hosts = &body == &object.bodies.front() && joint.type == "free";
-      if (!is_hosts) check.Check("joint", "joint", joint.name, joint.mark);
+      const bool is_dropped = &body == &object.bodies.front() && joint.type == "free";
+      if (!is_dropped) checker.Check("joint", "joint", joint.name, joint.mark);
     }
-    for (const model::Site& site : body.sites) check.Check("site", "site", site.name, site.mark);
-    std::string_view last;  // one finding for the two geoms of a part
+    for (const model::Site& site : body.sites) checker.Check("site", "site", site.name, site.mark);
+    std::string_view last;  // the two parts made by SplitRoles get one finding
     for (const model::Part& part : body.parts) {
-      if (part.name != last) check.Check("part", "geom", part.name, part.mark);
+      if (part.name != last) checker.Check("part", "geom", part.name, part.mark);
       last = part.name;
     }
   }
-  check.CheckTwins(object);
+  checker.CheckVisualCopies(object);
 }
 
 }  // namespace mjforge::mjcf

@@ -1,3 +1,5 @@
+// Sections, elements and texture files that a target does not support, and references to them.
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -14,10 +16,10 @@ using model::Attribute;
 using model::Element;
 using model::Section;
 
-/// Its name, or what it is about: "exclude of 'base' and 'lid'". A reference to
-/// the root, whose name is the host's, is shown as one to the object.
-std::string Described(const Element& element, std::string_view root = {},
-                      std::string_view object = {}) {
+// Returns the quoted name of an element, or, if it has no name, its tag and references: "exclude of
+// 'base' and 'lid'". A reference to the body `root`, which the host names, is shown as `object`.
+std::string Describe(const Element& element, std::string_view root = {},
+                     std::string_view object = {}) {
   if (!element.name.empty()) return fmt::format("'{}'", element.name);
   std::string text(element.tag);
   std::string_view joint = " of ";
@@ -29,9 +31,9 @@ std::string Described(const Element& element, std::string_view root = {},
   return text;
 }
 
-/// "jointpos 'angle'".
-std::string Called(const Element& element) {
-  return element.name.empty() ? Described(element)
+// Returns tag and name of an element: "jointpos 'angle'".
+std::string DescribeWithTag(const Element& element) {
+  return element.name.empty() ? Describe(element)
                               : fmt::format("{} '{}'", element.tag, element.name);
 }
 
@@ -40,13 +42,13 @@ void DropSections(model::Object& object, const TargetRules& rules, diag::Finding
     if (section.elements.empty()) continue;
     std::vector<std::string> described;
     for (const Element& element : section.elements)
-      described.push_back(Described(element, rules.root, object.name));
+      described.push_back(Describe(element, rules.root, object.name));
     const std::vector<std::string_view> names(described.begin(), described.end());
     const std::string what = section.info->is_element
                                  ? fmt::format("'{}' is dropped", section.info->name)
                                  : fmt::format("{} element{} of '{}' {} dropped ({})", names.size(),
                                                names.size() == 1 ? "" : "s", section.info->name,
-                                               names.size() == 1 ? "is" : "are", Listed(names));
+                                               names.size() == 1 ? "is" : "are", JoinNames(names));
     findings.Warn(Code::kTargetDropped, section.elements.front().mark,
                   fmt::format("{} reads only the body and its assets: {}", rules.name, what),
                   "add it where the object is put into a task");
@@ -54,100 +56,102 @@ void DropSections(model::Object& object, const TargetRules& rules, diag::Finding
   object.sections.clear();
 }
 
-class Sieve {
+// Drops unsupported elements and attributes, and elements that refer to dropped elements.
+class UnsupportedFilter {
  public:
-  Sieve(const TargetRules& rules, diag::Findings& findings) : rules_(rules), findings_(findings) {}
+  UnsupportedFilter(const TargetRules& rules, diag::Findings& findings)
+      : rules_(rules), findings_(findings) {}
 
   void Run(std::vector<Section>& sections) {
-    for (Section& section : sections) Pass(section.info->name, section.elements);
-    // A sensor of a dropped actuator goes with it.
+    for (Section& section : sections) DropUnsupported(section.info->name, section.elements);
+    // Repeat, because a dropped element may have been referred to, as an actuator by its sensor.
     while (std::exchange(dropped_more_, false)) {
-      for (Section& section : sections) PassReferences(section.elements);
+      for (Section& section : sections) DropReferences(section.elements);
     }
     std::erase_if(sections, [](const Section& section) { return section.elements.empty(); });
   }
 
  private:
-  static bool Matches(const Refusal& refusal, const Attribute& attribute) {
-    if (attribute.name != refusal.attribute) return false;
-    if (!refusal.word.empty()) return attribute.text == refusal.word;
+  static bool Matches(const UnsupportedFeature& feature, const Attribute& attribute) {
+    if (attribute.name != feature.attribute) return false;
+    if (!feature.text.empty()) return attribute.text == feature.text;
     if (!attribute.numbers.empty()) return attribute.numbers[0] != 0;
     return attribute.text != "disable" && !attribute.text.empty();
   }
 
-  // `section` and the elements in it, those inside them included.
-  void Pass(std::string_view section, std::vector<Element>& elements) {
+  // Drops unsupported elements of a section at every depth, and unsupported attributes.
+  void DropUnsupported(std::string_view section, std::vector<Element>& elements) {
     std::erase_if(elements, [&](const Element& element) {
-      const bool refused = IsRefused(section, element);
-      if (refused) Drop(section, element);
-      return refused;
+      const bool is_dropped = IsUnsupported(section, element);
+      if (is_dropped) ReportDropped(section, element);
+      return is_dropped;
     });
     for (Element& element : elements) {
-      for (const Refusal& refusal : rules_.refusals) {
-        if (!refusal.whole && IsAbout(refusal, section, element)) Strip(refusal, element);
+      for (const UnsupportedFeature& feature : rules_.unsupported) {
+        if (!feature.drops_element && AppliesTo(feature, section, element))
+          DropAttribute(feature, element);
       }
-      Pass(section, element.children);
+      DropUnsupported(section, element.children);
     }
   }
 
-  static bool IsAbout(const Refusal& refusal, std::string_view section, const Element& element) {
-    return refusal.section == section &&
-           (refusal.element.empty() || refusal.element == element.tag);
+  static bool AppliesTo(const UnsupportedFeature& feature, std::string_view section,
+                        const Element& element) {
+    return feature.section == section &&
+           (feature.element.empty() || feature.element == element.tag);
   }
 
-  bool IsRefused(std::string_view section, const Element& element) const {
-    return std::ranges::any_of(rules_.refusals, [&](const Refusal& refusal) {
-      if (!refusal.whole || !IsAbout(refusal, section, element)) return false;
-      return refusal.attribute.empty() ||
+  bool IsUnsupported(std::string_view section, const Element& element) const {
+    return std::ranges::any_of(rules_.unsupported, [&](const UnsupportedFeature& feature) {
+      if (!feature.drops_element || !AppliesTo(feature, section, element)) return false;
+      return feature.attribute.empty() ||
              std::ranges::any_of(element.attributes, [&](const Attribute& attribute) {
-               return Matches(refusal, attribute);
+               return Matches(feature, attribute);
              });
     });
   }
 
-  void Strip(const Refusal& refusal, Element& element) {
+  void DropAttribute(const UnsupportedFeature& feature, Element& element) {
     std::erase_if(element.attributes, [&](const Attribute& attribute) {
-      const bool refused = Matches(refusal, attribute);
-      if (refused) {
+      const bool is_dropped = Matches(feature, attribute);
+      if (is_dropped) {
         findings_.Warn(
             Code::kTargetDropped, element.mark,
             fmt::format("{} has no {}{}{}: it is dropped from {}", rules_.name, attribute.name,
-                        refusal.word.empty() ? "" : " ", refusal.word, Called(element)));
+                        feature.text.empty() ? "" : " ", feature.text, DescribeWithTag(element)));
       }
-      return refused;
+      return is_dropped;
     });
   }
 
-  void Drop(std::string_view section, const Element& element) {
+  void ReportDropped(std::string_view section, const Element& element) {
     findings_.Warn(Code::kTargetDropped, element.mark,
                    fmt::format("{} does not have this kind of {}: {} is dropped", rules_.name,
-                               section, Called(element)));
+                               section, DescribeWithTag(element)));
     if (element.name.empty()) return;
     dropped_.emplace(section, element.name);
     dropped_more_ = true;
   }
 
-  void PassReferences(std::vector<Element>& elements) {
+  void DropReferences(std::vector<Element>& elements) {
     std::erase_if(elements, [&](const Element& element) {
-      const Attribute* lost = LostReference(element);
-      if (lost == nullptr) return false;
-      findings_.Warn(
-          Code::kTargetDropped, element.mark,
-          fmt::format("{} is dropped with '{}', which it refers to", Called(element), lost->text));
+      const Attribute* dangling = DanglingReference(element);
+      if (dangling == nullptr) return false;
+      findings_.Warn(Code::kTargetDropped, element.mark,
+                     fmt::format("{} is dropped with '{}', which it refers to",
+                                 DescribeWithTag(element), dangling->text));
       return true;
     });
   }
 
-  const Attribute* LostReference(const Element& element) const {
+  // Returns a reference to a dropped element, or null if the element has none.
+  const Attribute* DanglingReference(const Element& element) const {
     for (const Attribute& attribute : element.attributes) {
-      std::string_view kind = attribute.refers;
-      for (const Attribute& other : element.attributes) {
-        if (kind.starts_with('@') && other.name == kind.substr(1)) kind = other.text;
-      }
-      if (dropped_.contains({std::string(kind), attribute.text})) return &attribute;
+      const std::string kind(model::KindOf(attribute, element));
+      if (dropped_.contains({kind, attribute.text})) return &attribute;
     }
     for (const Element& child : element.children) {
-      if (const Attribute* lost = LostReference(child)) return lost;
+      if (const Attribute* dangling = DanglingReference(child)) return dangling;
     }
     return nullptr;
   }
@@ -158,9 +162,9 @@ class Sieve {
   bool dropped_more_ = false;
 };
 
-// The host finds the file of a picture, but not those of six. A texture that
-// has lost them is one colour.
-void DropPictureSides(model::Texture& texture, const TargetRules& rules, diag::Findings& findings) {
+// Drops the files of single sides, because the host resolves only the attribute `file`. A texture
+// without remaining files gets a flat color.
+void DropTextureSides(model::Texture& texture, const TargetRules& rules, diag::Findings& findings) {
   const auto is_side = [](const model::TextureFile& file) { return file.attribute != "file"; };
   if (std::ranges::none_of(texture.files, is_side)) return;
   findings.Warn(Code::kTargetDropped, texture.mark,
@@ -185,10 +189,10 @@ void DropPictureSides(model::Texture& texture, const TargetRules& rules, diag::F
 }  // namespace
 
 void AdaptSections(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  if (!rules.sections) DropSections(object, rules, findings);
-  if (!rules.refusals.empty()) Sieve(rules, findings).Run(object.sections);
-  if (rules.picture_sides) return;
-  for (model::Texture& texture : object.textures) DropPictureSides(texture, rules, findings);
+  if (!rules.supports_sections) DropSections(object, rules, findings);
+  if (!rules.unsupported.empty()) UnsupportedFilter(rules, findings).Run(object.sections);
+  if (rules.supports_texture_sides) return;
+  for (model::Texture& texture : object.textures) DropTextureSides(texture, rules, findings);
 }
 
 }  // namespace mjforge::mjcf

@@ -1,3 +1,5 @@
+// Replacement of cylinders and ellipsoids by convex meshes for a target that cannot collide them.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,28 +24,29 @@ using model::Part;
 using model::Role;
 using model::TriangleMesh;
 
-// MJX halves the corners of a face with 20 or more. The corners lie on the true
-// surface, some of them on the axes: the mesh has the same extents along those
-// and is nowhere outside; at the middle of a side it is 2 % of the radius inside.
+// Sides of the prism that replaces a cylinder; MJX drops half of the corners of faces with 20 or
+// more. All corners are on the true surface, some of them on the axes, so the mesh has the same
+// extents along the axes and lies inside the cylinder. The middle of a side is 2 % of the radius
+// inside.
 constexpr int kSides = 16;
 
-TriangleMesh Prism(const Eigen::Vector3d& size) {
+TriangleMesh MakePrism(const Eigen::Vector3d& size) {
   std::array<Eigen::Vector2d, kSides> polygon;
   for (std::size_t i = 0; i < kSides; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kSides;
-    polygon[i] = {size.x() * WithoutNoise(std::cos(angle)),
-                  size.x() * WithoutNoise(std::sin(angle))};
+    polygon[i] = {size.x() * FlushNoise(std::cos(angle)), size.x() * FlushNoise(std::sin(angle))};
   }
   return solid::MakeConvexPrism(polygon, 2 * size.y()).value_or(TriangleMesh());
 }
 
-// Points of edges cut in half, each made once.
-class Middles {
+// Midpoints of edges, each added once to the vertices. Sums of the two vertices are stored, because
+// UnitIcosphere normalizes them.
+class EdgeMidpoints {
  public:
-  explicit Middles(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
+  explicit EdgeMidpoints(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
 
-  int Of(int i, int j) {
-    const auto [found, is_new] = known_.try_emplace(std::minmax(i, j), vertices_.size());
+  int IndexOf(int i, int j) {
+    const auto [found, is_new] = indices_.try_emplace(std::minmax(i, j), vertices_.size());
     if (is_new) {
       const Eigen::Vector3d sum =
           vertices_[static_cast<std::size_t>(i)] + vertices_[static_cast<std::size_t>(j)];
@@ -54,12 +57,12 @@ class Middles {
 
  private:
   std::vector<Eigen::Vector3d>& vertices_;
-  std::map<std::pair<int, int>, std::size_t> known_;
+  std::map<std::pair<int, int>, std::size_t> indices_;
 };
 
-// An icosahedron, each face cut into four; its corners on the unit sphere. Six
-// of the cuts are on the axes.
-TriangleMesh UnitBall() {
+// Icosahedron with each face subdivided into four, projected onto the unit sphere. Six of the edge
+// midpoints are on the axes.
+TriangleMesh UnitIcosphere() {
   constexpr double kGolden = std::numbers::phi;
   TriangleMesh ball;
   for (const double a : {-1.0, 1.0}) {
@@ -71,16 +74,16 @@ TriangleMesh UnitBall() {
   }
   const auto at = [&](int k) { return ball.vertices[static_cast<std::size_t>(k)]; };
   const auto is_edge = [&](int i, int j) {
-    return (at(i) - at(j)).norm() < 2.1;  // 2; the next distance is 2 phi
+    return (at(i) - at(j)).norm() < 2.1;  // edges have length 2; the next larger distance is 2 phi
   };
-  Middles middles(ball.vertices);
+  EdgeMidpoints midpoints(ball.vertices);
   for (int i = 0; i < 12; ++i) {
     for (int j = i + 1; j < 12; ++j) {
       for (int k = j + 1; k < 12; ++k) {
         if (!is_edge(i, j) || !is_edge(j, k) || !is_edge(i, k)) continue;
-        const int ij = middles.Of(i, j);
-        const int jk = middles.Of(j, k);
-        const int ik = middles.Of(i, k);
+        const int ij = midpoints.IndexOf(i, j);
+        const int jk = midpoints.IndexOf(j, k);
+        const int ik = midpoints.IndexOf(i, k);
         ball.triangles.insert(ball.triangles.end(),
                               {{i, ij, ik}, {j, jk, ij}, {k, ik, jk}, {ij, jk, ik}});
       }
@@ -93,8 +96,8 @@ TriangleMesh UnitBall() {
   return ball;
 }
 
-TriangleMesh Ellipsoid(const Eigen::Vector3d& size) {
-  static const TriangleMesh kUnit = UnitBall();
+TriangleMesh MakeEllipsoid(const Eigen::Vector3d& size) {
+  static const TriangleMesh kUnit = UnitIcosphere();
   TriangleMesh mesh = kUnit;
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex = vertex.cwiseProduct(size);
   return mesh;
@@ -102,9 +105,9 @@ TriangleMesh Ellipsoid(const Eigen::Vector3d& size) {
 
 bool IsRound(GeomType type) { return type == GeomType::kCylinder || type == GeomType::kEllipsoid; }
 
-class Replacement {
+class RoundShapeReplacer {
  public:
-  explicit Replacement(model::Object& object) : object_(object) {
+  explicit RoundShapeReplacer(model::Object& object) : object_(object) {
     for (const auto& mesh : object.meshes) mesh_names_.insert(mesh->name);
     for (const model::Section& section : object.sections) {
       if (section.info->name == "contact") continue;
@@ -127,10 +130,10 @@ class Replacement {
         }
       }
       body.parts = std::move(parts);
-      // MuJoCo would take it from the mesh.
+      // Without an inertial element MuJoCo would compute the inertia from the mesh.
       body.explicit_inertial = true;
     }
-    if (twins_.empty()) return;
+    if (visual_copies_.empty()) return;
     for (model::Section& section : object_.sections) {
       if (section.info->name == "contact") continue;
       for (model::Element& element : section.elements) Redirect(element);
@@ -139,45 +142,38 @@ class Replacement {
 
   int cylinders = 0;
   int ellipsoids = 0;
-  diag::SourceMark first;
+  diag::SourceMark first_mark;  // of the replaced parts
 
  private:
-  static std::string_view KindOf(const model::Attribute& attribute, const model::Element& element) {
-    if (!attribute.refers.starts_with('@')) return attribute.refers;
-    for (const model::Attribute& other : element.attributes) {
-      if (other.name == attribute.refers.substr(1)) return other.text;
-    }
-    return {};
-  }
-
   void FindReferences(const model::Element& element) {
     for (const model::Attribute& attribute : element.attributes) {
-      if (KindOf(attribute, element) == "geom") referred_.insert(attribute.text);
+      if (model::KindOf(attribute, element) == "geom") referenced_geoms_.insert(attribute.text);
     }
     for (const model::Element& child : element.children) FindReferences(child);
   }
 
-  // A tendon wraps around the true shape, a sensor wants its frame.
+  // Makes references to a replaced geom refer to its visual copy, because tendons wrap around the
+  // true shape and sensors measure in its frame.
   void Redirect(model::Element& element) {
     for (model::Attribute& attribute : element.attributes) {
-      if (KindOf(attribute, element) != "geom") continue;
-      const auto twin = twins_.find(attribute.text);
-      if (twin != twins_.end()) attribute.text = twin->second;
+      if (model::KindOf(attribute, element) != "geom") continue;
+      const auto copy = visual_copies_.find(attribute.text);
+      if (copy != visual_copies_.end()) attribute.text = copy->second;
     }
     for (model::Element& child : element.children) Redirect(child);
   }
 
   void Replace(Part part, std::vector<Part>& parts) {
     int& count = part.shape.type == GeomType::kCylinder ? cylinders : ellipsoids;
-    if (cylinders + ellipsoids == 0) first = part.mark;
+    if (cylinders + ellipsoids == 0) first_mark = part.mark;
     ++count;
-    Part twin = part;
-    const bool has_look = part.role == Role::kBoth && !part.as_is;
+    Part visual_copy = part;
+    const bool has_visual = part.role == Role::kBoth && !part.as_is;
     part.mesh = MeshOf(part);
     part.shape = {GeomType::kMesh, Eigen::Vector3d::Zero(),
                   &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh};
-    part.density = 0.0;  // of the true shape
-    if (has_look) {
+    part.density = 0.0;  // the mass is that of the true shape
+    if (has_visual) {
       part.role = Role::kCollision;
       part.material = -1;
       std::erase_if(part.attributes, [](const model::Attribute& attribute) {
@@ -186,27 +182,27 @@ class Replacement {
     }
     const std::string name = part.name;
     parts.push_back(std::move(part));
-    if (!has_look && !referred_.contains(name)) return;
-    AddTwin(std::move(twin), parts);
+    if (!has_visual && !referenced_geoms_.contains(name)) return;
+    AddVisualCopy(std::move(visual_copy), parts);
   }
 
-  /// The true shape, without contacts.
-  void AddTwin(Part twin, std::vector<Part>& parts) {
-    twin.role = Role::kVisual;
-    twin.mass = twin.density = 0.0;
-    std::string name = twin.name + std::string(kVisualSuffix);
-    if (twin.as_is) {
-      std::swap(twin.name, name);
+  // Adds the true shape without contacts.
+  void AddVisualCopy(Part copy, std::vector<Part>& parts) {
+    copy.role = Role::kVisual;
+    copy.mass = copy.density = 0.0;
+    std::string name = copy.name + std::string(model::kVisualSuffix);
+    if (copy.as_is) {
+      std::swap(copy.name, name);
       for (const std::string_view bits : {"contype", "conaffinity"}) {
-        std::erase_if(twin.attributes,
+        std::erase_if(copy.attributes,
                       [&](const model::Attribute& attribute) { return attribute.name == bits; });
-        twin.attributes.push_back({bits, model::Applies::kBoth, {0}, {}});
+        copy.attributes.push_back({bits, model::Applies::kBoth, {0}, {}});
       }
-      twins_.emplace(name, twin.name);
+      visual_copies_.emplace(name, copy.name);
     } else {
-      twins_.emplace(twin.name, name);
+      visual_copies_.emplace(copy.name, name);
     }
-    parts.push_back(std::move(twin));
+    parts.push_back(std::move(copy));
   }
 
   int MeshOf(const Part& part) {
@@ -217,7 +213,7 @@ class Replacement {
     auto asset = std::make_unique<model::MeshAsset>();
     asset->name = part.name + "_convex";
     while (!mesh_names_.insert(asset->name).second) asset->name += '_';
-    asset->mesh = part.shape.type == GeomType::kCylinder ? Prism(size) : Ellipsoid(size);
+    asset->mesh = part.shape.type == GeomType::kCylinder ? MakePrism(size) : MakeEllipsoid(size);
     asset->is_hull = true;
     asset->mark = part.mark;
     object_.meshes.push_back(std::move(asset));
@@ -226,8 +222,8 @@ class Replacement {
 
   model::Object& object_;
   std::set<std::string, std::less<>> mesh_names_;
-  std::set<std::string, std::less<>> referred_;            // geoms
-  std::map<std::string, std::string, std::less<>> twins_;  // of those replaced
+  std::set<std::string, std::less<>> referenced_geoms_;
+  std::map<std::string, std::string, std::less<>> visual_copies_;  // by name of the replaced geom
   // Indices in Object::meshes, by the type and size of the shape that the mesh replaces.
   std::map<std::tuple<GeomType, double, double, double>, std::size_t> meshes_;
 };
@@ -235,24 +231,24 @@ class Replacement {
 }  // namespace
 
 void AdaptShapes(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  if (rules.round_shapes) return;
-  Replacement replacement(object);
-  replacement.Run();
+  if (rules.supports_round_shapes) return;
+  RoundShapeReplacer replacer(object);
+  replacer.Run();
   const auto text = [](int count, std::string_view word, std::string_view mesh,
                        std::string_view meshes) {
     return count == 1 ? fmt::format("1 {} collides as a {}", word, mesh)
                       : fmt::format("{} {}s collide as {}", count, word, meshes);
   };
   std::string what;
-  if (replacement.cylinders > 0)
-    what = text(replacement.cylinders, "cylinder", "16-sided prism", "16-sided prisms");
-  if (replacement.ellipsoids > 0) {
+  if (replacer.cylinders > 0)
+    what = text(replacer.cylinders, "cylinder", "16-sided prism", "16-sided prisms");
+  if (replacer.ellipsoids > 0) {
     if (!what.empty()) what += ", ";
-    what += text(replacement.ellipsoids, "ellipsoid", "42-cornered mesh", "42-cornered meshes");
+    what += text(replacer.ellipsoids, "ellipsoid", "42-cornered mesh", "42-cornered meshes");
   }
   if (what.empty()) return;
   findings.Warn(
-      Code::kTargetDropped, replacement.first,
+      Code::kTargetDropped, replacer.first_mark,
       fmt::format("{} does not collide cylinders and ellipsoids with boxes and meshes: {}",
                   rules.name, what),
       "mass and look still come from the original shapes; capsules and spheres need no "

@@ -1,3 +1,5 @@
+// Writers of textures, materials and meshes.
+
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -10,33 +12,35 @@ namespace {
 
 constexpr std::string_view kFolder = "assets/";
 
-// What the content of a mesh's file says.
+// Attributes of a mesh that its file replaces.
 constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"};
 
-using Spelling = ElementWriter::Spelling;
+using NumberFormat = ElementWriter::NumberFormat;
 
 template <typename Vector>
 void WriteVectors(std::string_view name, const std::vector<Vector>& vectors, ElementWriter& writer,
-                  Spelling spelling = Spelling::kNumber) {
+                  NumberFormat format = NumberFormat::kExact) {
   if (vectors.empty()) return;
-  writer.Numbers(name, {vectors.front().data(), vectors.size() * vectors.front().size()}, spelling);
+  writer.WriteNumbers(name, {vectors.front().data(), vectors.size() * vectors.front().size()},
+                      format);
 }
 
 void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
   const model::TriangleMesh& mesh = asset.mesh;
-  if (mesh.in_micrometres) writer.Raw(" scale=\"1e-06 1e-06 1e-06\"");
+  if (mesh.in_micrometres) writer.WriteRaw(" scale=\"1e-06 1e-06 1e-06\"");
   WriteVectors("vertex", mesh.vertices, writer,
-               mesh.in_micrometres ? Spelling::kMicrometres : Spelling::kNumber);
-  // MuJoCo makes normals of the triangles that share a vertex, which differ hardly. Where a texture
-  // begins and ends they share none; below square micrometres it takes their area for none.
+               mesh.in_micrometres ? NumberFormat::kMicrometres : NumberFormat::kExact);
+  // MuJoCo computes almost the same normals from the triangles that share a vertex. Its result is
+  // wrong at the seam of a texture, where triangles share no vertex, and for triangles below a
+  // square micrometre, whose area it treats as zero.
   const bool are_computed = mesh.in_micrometres && mesh.texcoords.empty();
   if (are_computed)
-    writer.Raw(" smoothnormal=\"true\"");
+    writer.WriteRaw(" smoothnormal=\"true\"");
   else
     WriteVectors("normal", mesh.normals, writer);
   WriteVectors("texcoord", mesh.texcoords, writer);
   if (asset.is_hull) return;
-  writer.Integers("face", {mesh.triangles.front().data(), 3 * mesh.triangles.size()});
+  writer.WriteIntegers("face", {mesh.triangles.front().data(), 3 * mesh.triangles.size()});
 }
 
 class AssetWriter {
@@ -45,92 +49,93 @@ class AssetWriter {
               MjcfDocument& document)
       : object_(object), as_files_(as_files), writer_(writer), document_(document) {}
 
-  void Texture(std::size_t number) {
-    const model::Texture& texture = object_.textures[number];
-    writer_.Open("texture", texture.mark);
-    writer_.Text("name", texture.name);
+  void WriteTexture(std::size_t index) {
+    const model::Texture& texture = object_.textures[index];
+    writer_.OpenElement("texture", texture.mark);
+    writer_.WriteText("name", texture.name);
     if (as_files_ && texture.files.empty()) {
-      Generated(number);
+      WriteGeneratedTexture(index);
     } else {
-      for (const model::Attribute& attribute : texture.attributes) writer_.Attribute(attribute);
+      for (const model::Attribute& attribute : texture.attributes)
+        writer_.WriteAttribute(attribute);
     }
     for (const model::TextureFile& picture : texture.files) {
-      File(picture.attribute, picture.file, picture.output_file);
+      WriteFile(picture.attribute, picture.file, picture.output_file);
     }
-    writer_.Close();
+    writer_.CloseEmpty();
   }
 
-  void Material(const model::Material& material) {
-    writer_.Open("material", material.mark);
-    writer_.Text("name", material.name);
+  void WriteMaterial(const model::Material& material) {
+    writer_.OpenElement("material", material.mark);
+    writer_.WriteText("name", material.name);
     if (material.texture >= 0) {
-      writer_.Text("texture", object_.textures[static_cast<std::size_t>(material.texture)].name);
+      writer_.WriteText("texture",
+                        object_.textures[static_cast<std::size_t>(material.texture)].name);
     }
-    for (const model::Attribute& attribute : material.attributes) writer_.Attribute(attribute);
-    writer_.Close();
+    for (const model::Attribute& attribute : material.attributes) writer_.WriteAttribute(attribute);
+    writer_.CloseEmpty();
   }
 
-  void Mesh(std::size_t number) {
-    const model::MeshAsset& mesh = *object_.meshes[number];
-    writer_.Open("mesh", mesh.mark);
-    writer_.Text("name", mesh.name);
+  void WriteMesh(std::size_t index) {
+    const model::MeshAsset& mesh = *object_.meshes[index];
+    writer_.OpenElement("mesh", mesh.mark);
+    writer_.WriteText("name", mesh.name);
     // An attached file's inline vertices are among its attributes.
-    const bool says_vertices = std::ranges::find(mesh.attributes, "vertex",
-                                                 &model::Attribute::name) != mesh.attributes.end();
-    const bool is_made = as_files_ && mesh.file.empty();
+    const bool has_vertices = model::FindAttribute(mesh.attributes, "vertex") != nullptr;
+    const bool is_generated = as_files_ && mesh.file.empty();
     if (!mesh.file.empty()) {
-      File("file", mesh.file, mesh.output_file);
-    } else if (is_made) {
-      Made({.kind = MadeFile::Kind::kMesh, .number = number}, mesh.name, ".obj");
-    } else if (!says_vertices) {
+      WriteFile("file", mesh.file, mesh.output_file);
+    } else if (is_generated) {
+      WriteGeneratedFile({.kind = GeneratedFile::Kind::kMesh, .index = index}, mesh.name, ".obj");
+    } else if (!has_vertices) {
       WriteInline(mesh, writer_);
     }
-    if (!mesh.file.empty() || says_vertices) writer_.Point("scale", mesh.scale);
+    if (!mesh.file.empty() || has_vertices) writer_.WritePoint("scale", mesh.scale);
     for (const model::Attribute& attribute : mesh.attributes) {
-      if (!is_made || std::ranges::count(kMeshData, attribute.name) == 0)
-        writer_.Attribute(attribute);
+      if (!is_generated || std::ranges::count(kMeshData, attribute.name) == 0)
+        writer_.WriteAttribute(attribute);
     }
-    writer_.Close();
+    writer_.CloseEmpty();
   }
 
  private:
-  void File(std::string_view attribute, const std::filesystem::path& file,
-            const std::string& output_file) {
+  void WriteFile(std::string_view attribute, const std::filesystem::path& file,
+                 const std::string& output_file) {
     std::string name(kFolder);
     name += output_file;
-    writer_.Text(attribute, name);
+    writer_.WriteText(attribute, name);
     document_.assets.push_back({.name = std::move(name), .file = file});
   }
 
-  void Made(MadeFile file, std::string_view of, std::string_view ending) {
-    std::string name = std::string(kFolder) + StemOf(of) + '_';
+  void WriteGeneratedFile(GeneratedFile file, std::string_view label, std::string_view extension) {
+    std::string name = std::string(kFolder) + StemOf(label) + '_';
     const std::size_t hash = name.size();
-    name.append(kHashDigits, '0').append(ending);
-    writer_.Text("file", name);
-    file.hash = document_.text.size() - 1 - name.size() + hash;  // 1: the quote
-    document_.made_files.push_back(file);
+    name.append(kHashDigits, '0').append(extension);
+    writer_.WriteText("file", name);
+    file.hash_position = document_.text.size() - 1 - name.size() + hash;  // 1: closing quote
+    document_.generated_files.push_back(file);
   }
 
-  // Several materials may have equal pictures, so they are named after the pattern.
-  void Generated(std::size_t number) {
+  // Names the file after the pattern, because several materials may share one image.
+  void WriteGeneratedTexture(std::size_t index) {
     std::string_view type = "cube";
     std::string_view pattern;
-    for (const model::Attribute& attribute : object_.textures[number].attributes) {
+    for (const model::Attribute& attribute : object_.textures[index].attributes) {
       if (attribute.name == "type") type = attribute.text;
       if (attribute.name == "builtin") pattern = attribute.text;
     }
-    writer_.Text("type", type);
-    Made({.kind = MadeFile::Kind::kTexture, .number = number}, pattern, ".png");
-    // MuJoCo makes the six sides of a cube one below the other.
-    if (type != "2d") writer_.Raw(" gridsize=\"6 1\" gridlayout=\"RLUDFB\"");
+    writer_.WriteText("type", type);
+    WriteGeneratedFile({.kind = GeneratedFile::Kind::kTexture, .index = index}, pattern, ".png");
+    // MuJoCo generates the six sides of a cube one below the other.
+    if (type != "2d") writer_.WriteRaw(" gridsize=\"6 1\" gridlayout=\"RLUDFB\"");
   }
 
-  // What it is of, without the object's own name, which may differ between variants.
-  std::string StemOf(std::string_view of) const {
-    if (of.starts_with(object_.name + '_')) of.remove_prefix(object_.name.size() + 1);
-    constexpr std::size_t kLongest = 60;  // archives take names of 100 bytes
-    // MuJoCo 2.2 folds the case of file names.
-    std::string stem = diag::LowerCase(of.substr(0, kLongest));
+  // Returns a file name without the object's name, which may differ between variants.
+  std::string StemOf(std::string_view label) const {
+    if (label.starts_with(object_.name + '_')) label.remove_prefix(object_.name.size() + 1);
+    constexpr std::size_t kLongest = 60;  // names in archives have at most 100 bytes
+    // MuJoCo 2.2 ignores the case of file names.
+    std::string stem = diag::LowerCase(label.substr(0, kLongest));
     constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyz0123456789_";
     std::ranges::replace_if(
         stem, [&](char c) { return kPlain.find(c) == kPlain.npos; }, '_');
@@ -148,20 +153,20 @@ class AssetWriter {
 void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writer,
                  MjcfDocument& document) {
   AssetWriter assets(object, as_files, writer, document);
-  for (std::size_t i = 0; i < object.textures.size(); ++i) assets.Texture(i);
-  for (const model::Material& material : object.materials) assets.Material(material);
-  for (std::size_t i = 0; i < object.meshes.size(); ++i) assets.Mesh(i);
+  for (std::size_t i = 0; i < object.textures.size(); ++i) assets.WriteTexture(i);
+  for (const model::Material& material : object.materials) assets.WriteMaterial(material);
+  for (std::size_t i = 0; i < object.meshes.size(); ++i) assets.WriteMesh(i);
 }
 
 std::string TextureElement(const model::Texture& texture) {
   MjcfDocument document;
   ElementWriter writer(document);
-  writer.Open("texture");
-  writer.Text("name", "texture");  // MuJoCo 2.2 wants one
+  writer.OpenElement("texture");
+  writer.WriteText("name", "texture");  // required by MuJoCo 2.2
   for (const model::Attribute& attribute : texture.attributes) {
-    if (attribute.name != "mark" || attribute.text != "random") writer.Attribute(attribute);
+    if (attribute.name != "mark" || attribute.text != "random") writer.WriteAttribute(attribute);
   }
-  writer.Close();
+  writer.CloseEmpty();
   return document.text;
 }
 

@@ -1,3 +1,5 @@
+// Writers of bodies, joints, sites and geoms, in depth-first order.
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,18 +13,18 @@ namespace {
 using model::Applies;
 using model::Role;
 
-// What robosuite's collision geoms look like where nothing else is said.
-constexpr std::string_view kCollisionLook = " rgba=\"0.5 0 0 1\"";
+// Default color of collision geoms, as in robosuite.
+constexpr std::string_view kCollisionColor = " rgba=\"0.5 0 0 1\"";
 
-// An inertia matrix in its own axes.
-struct Principal {
+// Diagonalized inertia matrix.
+struct PrincipalInertia {
   Eigen::Quaterniond axes;
   Eigen::Vector3d moments;
 };
 
-// Not `fullinertia`: MuJoCo's diagonalization stops at off-diagonal terms of 1e-12 kg m^2
-// (mju_eig3), much for a small object.
-Principal PrincipalOf(const Eigen::Matrix3d& inertia) {
+// Diagonalizes the inertia here, because MuJoCo's diagonalization of `fullinertia` stops at
+// off-diagonal terms of 1e-12 kg m^2 (mju_eig3), a large error for a small object.
+PrincipalInertia Diagonalize(const Eigen::Matrix3d& inertia) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) *= -1;
@@ -31,182 +33,189 @@ Principal PrincipalOf(const Eigen::Matrix3d& inertia) {
 
 class BodyWriter {
  public:
-  BodyWriter(const model::Object& object, const GeomGroups& groups, ElementWriter& writer)
-      : object_(object), groups_(groups), writer_(writer) {}
+  BodyWriter(const model::Object& object, const TargetRules& rules, ElementWriter& writer)
+      : object_(object), rules_(rules), writer_(writer) {}
 
-  /// The body's start and everything in it but child bodies and the end.
+  /// Writes the start tag of a body and its content without child bodies.
   void Begin(const model::Body& body, double lift) {
-    writer_.Open("body", body.mark);
-    if (!body.name.empty()) writer_.Text("name", body.name);
+    writer_.OpenElement("body", body.mark);
+    if (!body.name.empty()) writer_.WriteText("name", body.name);
     model::Pose pose = body.X_PB;
     if (body.parent < 0) pose.p.z() += lift;
-    writer_.Pose(pose);
-    for (const model::Attribute& attribute : body.attributes) writer_.Attribute(attribute);
-    writer_.Content();
-    Inertial(body);
-    for (const model::Joint& joint : body.joints) Joint(joint);
-    for (const model::Site& site : body.sites) Site(site);
+    writer_.WritePose(pose);
+    for (const model::Attribute& attribute : body.attributes) writer_.WriteAttribute(attribute);
+    writer_.BeginContent();
+    WriteInertial(body);
+    for (const model::Joint& joint : body.joints) WriteJoint(joint);
+    for (const model::Site& site : body.sites) WriteSite(site);
     for (const model::Element& element : body.elements) WriteElement(element, writer_);
-    for (const model::Part& part : body.parts) Part(part);
+    for (const model::Part& part : body.parts) WritePart(part);
   }
 
  private:
-  void Inertial(const model::Body& body) {
+  void WriteInertial(const model::Body& body) {
     const model::MassProperties& properties = body.mass_properties;
     if (properties.mass == 0) {
-      // MuJoCo 2.2 does not load several massless geoms without it, and other simulators do not
-      // load a mass of 0: this is the least that MuJoCo calls a mass.
+      // MuJoCo 2.2 rejects a body with several massless geoms and no inertial element, and other
+      // simulators reject a mass of 0. This mass is MuJoCo's minimum (mjMINVAL).
       if (model::GeomCount(body) < 2) return;
-      writer_.Open("inertial", body.mark);
-      writer_.Raw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
-      writer_.Close();
+      writer_.OpenElement("inertial", body.mark);
+      writer_.WriteRaw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
+      writer_.CloseEmpty();
     } else if (body.explicit_inertial) {
-      const Principal principal = PrincipalOf(properties.I_Cm_F);
-      writer_.Open("inertial", body.mark);
-      writer_.Pose({properties.p_FCm, principal.axes});
-      writer_.Number("mass", properties.mass);
-      writer_.Vector("diaginertia", principal.moments);
-      writer_.Close();
+      const PrincipalInertia principal = Diagonalize(properties.I_Cm_F);
+      writer_.OpenElement("inertial", body.mark);
+      writer_.WritePose({properties.p_FCm, principal.axes});
+      writer_.WriteNumber("mass", properties.mass);
+      writer_.WriteVector("diaginertia", principal.moments);
+      writer_.CloseEmpty();
     }
   }
 
-  void Joint(const model::Joint& joint) {
-    writer_.Open("joint", joint.mark);
-    writer_.Text("name", joint.name);
-    writer_.Text("type", joint.type);
+  void WriteJoint(const model::Joint& joint) {
+    writer_.OpenElement("joint", joint.mark);
+    writer_.WriteText("name", joint.name);
+    writer_.WriteText("type", joint.type);
     if (joint.type != "free") {
-      writer_.Point("pos", joint.pos);
-      writer_.Point("axis", joint.axis);
-      writer_.Raw(joint.range ? " limited=\"true\"" : " limited=\"false\"");
-      if (joint.range) writer_.Vector("range", *joint.range);
+      writer_.WritePoint("pos", joint.pos);
+      writer_.WritePoint("axis", joint.axis);
+      writer_.WriteRaw(joint.range ? " limited=\"true\"" : " limited=\"false\"");
+      if (joint.range) writer_.WriteVector("range", *joint.range);
     }
-    for (const model::Attribute& attribute : joint.attributes) writer_.Attribute(attribute);
-    writer_.Close();
+    for (const model::Attribute& attribute : joint.attributes) writer_.WriteAttribute(attribute);
+    writer_.CloseEmpty();
   }
 
-  void Site(const model::Site& site) {
-    writer_.Open("site", site.mark);
-    writer_.Text("name", site.name);
-    writer_.Text("type", model::GeomTypeName(site.type));
-    Size(site.type, site.size);
-    writer_.Pose(site.X_BS);
-    Material(site.material);
-    for (const model::Attribute& attribute : site.attributes) writer_.Attribute(attribute);
-    writer_.Close();
+  void WriteSite(const model::Site& site) {
+    writer_.OpenElement("site", site.mark);
+    writer_.WriteText("name", site.name);
+    writer_.WriteText("type", model::GeomTypeName(site.type));
+    WriteSize(site.type, site.size);
+    writer_.WritePose(site.X_BS);
+    WriteMaterial(site.material);
+    for (const model::Attribute& attribute : site.attributes) writer_.WriteAttribute(attribute);
+    writer_.CloseEmpty();
   }
 
-  void Part(const model::Part& part) {
-    if (part.as_is) return AsItIs(part);
-    std::size_t shape = 0;  // bytes of the text
+  void WritePart(const model::Part& part) {
+    if (part.as_is) return WriteAttachedGeom(part);
+    std::size_t shape = 0;  // offsets in the text, bytes
     std::size_t shape_end = 0;
     if (part.role != Role::kVisual) {
-      writer_.Open("geom", part.mark);
-      writer_.Text("name", part.name);
+      writer_.OpenElement("geom", part.mark);
+      writer_.WriteText("name", part.name);
       shape = writer_.size();
-      Shape(part);
+      WriteShape(part);
       shape_end = writer_.size();
-      Mass(part);
-      CollisionRest(part);
-      writer_.Close();
+      WriteMass(part);
+      WriteCollisionAttributes(part);
+      writer_.CloseEmpty();
     }
     if (part.role == Role::kCollision) return;
-    writer_.Open("geom", part.mark);
-    writer_.Text("name", part.name, kVisualSuffix);
+    writer_.OpenElement("geom", part.mark);
+    writer_.WriteText("name", part.name, model::kVisualSuffix);
     if (shape_end > 0) {
-      writer_.Repeat(shape, shape_end);
+      writer_.RepeatText(shape, shape_end);
     } else {
-      Shape(part);
+      WriteShape(part);
     }
-    VisualRest(part);
-    writer_.Close();
+    WriteVisualAttributes(part);
+    writer_.CloseEmpty();
   }
 
-  // Its body states the inertia.
-  void AsItIs(const model::Part& part) {
-    writer_.Open("geom", part.mark);
-    writer_.Text("name", part.name);
-    Shape(part);
-    writer_.Raw(" mass=\"0\"");
-    Material(part.material);
-    for (const model::Attribute& attribute : part.attributes) writer_.Attribute(attribute);
-    writer_.Close();
+  // Writes a geom without mass: the region box, or a geom of an attached file, whose body has an
+  // inertial element.
+  void WriteAttachedGeom(const model::Part& part) {
+    writer_.OpenElement("geom", part.mark);
+    writer_.WriteText("name", part.name);
+    WriteShape(part);
+    writer_.WriteRaw(" mass=\"0\"");
+    WriteMaterial(part.material);
+    for (const model::Attribute& attribute : part.attributes) writer_.WriteAttribute(attribute);
+    writer_.CloseEmpty();
   }
 
-  void Shape(const model::Part& part) {
-    writer_.Text("type", model::GeomTypeName(part.shape.type));
+  void WriteShape(const model::Part& part) {
+    writer_.WriteText("type", model::GeomTypeName(part.shape.type));
     if (part.shape.type == model::GeomType::kMesh) {
-      writer_.Text("mesh", object_.meshes[static_cast<std::size_t>(part.mesh)]->name);
+      writer_.WriteText("mesh", object_.meshes[static_cast<std::size_t>(part.mesh)]->name);
     } else {
-      Size(part.shape.type, part.shape.size);
+      WriteSize(part.shape.type, part.shape.size);
     }
-    writer_.Pose(part.X_BG);
+    writer_.WritePose(part.X_BG);
   }
 
-  void Size(model::GeomType type, const Eigen::Vector3d& size) {
-    if (type == model::GeomType::kSphere && groups_.sphere_sizes == 3) {
-      writer_.Point("size", Eigen::Vector3d::Constant(size[0]));
+  void WriteSize(model::GeomType type, const Eigen::Vector3d& size) {
+    if (type == model::GeomType::kSphere && rules_.sphere_sizes == 3) {
+      writer_.WritePoint("size", Eigen::Vector3d::Constant(size[0]));
       return;
     }
-    writer_.Vector("size", size, static_cast<std::size_t>(model::SizeCount(type)));
+    writer_.WriteVector("size", size, static_cast<std::size_t>(model::SizeCount(type)));
   }
 
-  void Mass(const model::Part& part) {
+  void WriteMass(const model::Part& part) {
     if (part.mass > 0 && part.density > 0) {
-      writer_.Number("density", part.density);
+      writer_.WriteNumber("density", part.density);
     } else {
-      writer_.Number("mass", part.mass);
+      writer_.WriteNumber("mass", part.mass);
     }
   }
 
-  void Material(int material) {
+  void WriteMaterial(int material) {
     if (material < 0) return;
-    writer_.Text("material", object_.materials[static_cast<std::size_t>(material)].name);
+    writer_.WriteText("material", object_.materials[static_cast<std::size_t>(material)].name);
   }
 
-  void CollisionRest(const model::Part& part) {
+  void WriteCollisionAttributes(const model::Part& part) {
     const bool shows_look = part.role == Role::kCollision;
     bool has_group = false;
-    bool has_look = shows_look && part.material >= 0;
-    if (shows_look) Material(part.material);
+    bool has_color = shows_look && part.material >= 0;
+    if (shows_look) WriteMaterial(part.material);
     for (const model::Attribute& attribute : part.attributes) {
       if (attribute.applies == Applies::kVisual && !shows_look) continue;
       has_group |= attribute.name == "group";
-      has_look |= attribute.name == "rgba";
-      writer_.Attribute(attribute);
+      has_color |= attribute.name == "rgba";
+      writer_.WriteAttribute(attribute);
     }
-    if (!has_group) writer_.Raw(groups_.collision);
-    if (!has_look) writer_.Raw(kCollisionLook);
+    if (!has_group) writer_.WriteRaw(GroupAttribute(rules_.collision_group));
+    if (!has_color) writer_.WriteRaw(kCollisionColor);
   }
 
-  void VisualRest(const model::Part& part) {
-    writer_.Raw(" contype=\"0\" conaffinity=\"0\"");
+  void WriteVisualAttributes(const model::Part& part) {
+    writer_.WriteRaw(" contype=\"0\" conaffinity=\"0\"");
     if (part.role == Role::kVisual && part.mass > 0) {
-      Mass(part);
+      WriteMass(part);
     } else {
-      writer_.Raw(" mass=\"0\"");
+      writer_.WriteRaw(" mass=\"0\"");
     }
-    Material(part.material);
+    WriteMaterial(part.material);
     bool has_group = false;
     for (const model::Attribute& attribute : part.attributes) {
       if (attribute.applies == Applies::kCollision) continue;
       has_group |= attribute.name == "group";
-      writer_.Attribute(attribute);
+      writer_.WriteAttribute(attribute);
     }
-    if (!has_group) writer_.Raw(groups_.visual);
+    if (!has_group) writer_.WriteRaw(GroupAttribute(rules_.visual_group));
   }
 
   const model::Object& object_;
-  const GeomGroups& groups_;
+  const TargetRules& rules_;
   ElementWriter& writer_;
 };
 
 }  // namespace
 
-std::vector<int> DepthFirst(const model::Object& object) {
+std::string_view GroupAttribute(int group) {
+  constexpr std::string_view kAttributes[] = {" group=\"0\"", " group=\"1\"", " group=\"2\"",
+                                              " group=\"3\""};
+  return kAttributes[group];
+}
+
+std::vector<int> DepthFirstOrder(const model::Object& object) {
   const std::size_t count = object.bodies.size();
   std::vector<int> order;
-  // Children as linked lists, filled from the back to keep their order; the
-  // entry after the last body is the world's.
+  // Linked lists of children, filled from the back to preserve the order. The entry after the last
+  // body is the list of the world.
   std::vector<int> first_child(count + 1, -1);
   std::vector<int> next_sibling(count, -1);
   for (std::size_t i = count; i-- > 0;) {
@@ -229,20 +238,20 @@ std::vector<int> DepthFirst(const model::Object& object) {
   return order;
 }
 
-void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
+void WriteBodies(const model::Object& object, const TargetRules& rules, double lift,
                  ElementWriter& writer) {
-  BodyWriter bodies(object, groups, writer);
+  BodyWriter bodies(object, rules, writer);
   std::vector<int> open;
-  for (const int i : DepthFirst(object)) {
+  for (const int i : DepthFirstOrder(object)) {
     const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
     while (!open.empty() && open.back() != body.parent) {
-      writer.End("body");
+      writer.EndElement("body");
       open.pop_back();
     }
     bodies.Begin(body, lift);
     open.push_back(i);
   }
-  for (; !open.empty(); open.pop_back()) writer.End("body");
+  for (; !open.empty(); open.pop_back()) writer.EndElement("body");
 }
 
 }  // namespace mjforge::mjcf

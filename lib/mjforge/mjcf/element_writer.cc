@@ -1,3 +1,5 @@
+// Streaming XML writer: tags, escaped texts, numbers in three formats.
+
 #include "mjforge/mjcf/element_writer.h"
 
 #include <algorithm>
@@ -14,10 +16,10 @@
 namespace mjforge::mjcf {
 namespace {
 
-/// Levels of indentation: bodies deep in a chain would be mostly blanks.
+// Maximum number of indentation levels; without it, deep kinematic chains would be mostly blanks.
 constexpr std::size_t kDeepest = 24;
 
-// By byte: every character of every name is asked for.
+// Table by byte, because every character of every text is looked up.
 constexpr auto kNeedsEscape = [] {
   std::array<bool, 256> needs{};
   for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
@@ -32,7 +34,7 @@ char* WriteInteger(char* out, T number) {
   return std::to_chars(out, out + expr::kLongestNumber, number).ptr;
 }
 
-// The nearest whole number of micrometres. (std::round is a call.)
+// Rounds to whole micrometres. (std::round is not inlined.)
 std::int64_t Micrometres(double metres) {
   return static_cast<std::int64_t>(metres * 1e6 + std::copysign(0.5, metres));
 }
@@ -42,13 +44,13 @@ std::int64_t Micrometres(double metres) {
 ElementWriter::ElementWriter(MjcfDocument& document)
     : text_(document.text), origins_(document.origins) {}
 
-void ElementWriter::Line(std::string_view text) {
+void ElementWriter::WriteLine(std::string_view text) {
   Indent();
   text_ += text;
-  Finish("\n");
+  FinishLine("\n");
 }
 
-void ElementWriter::Open(std::string_view tag, diag::SourceMark mark) {
+void ElementWriter::OpenElement(std::string_view tag, diag::SourceMark mark) {
   if (mark) origins_.push_back({line_, mark});
   Indent();
   text_ += '<';
@@ -57,46 +59,41 @@ void ElementWriter::Open(std::string_view tag, diag::SourceMark mark) {
 
 void ElementWriter::Indent() { text_.append(2 * std::min(depth_, kDeepest), ' '); }
 
-void ElementWriter::Content() {
-  Finish(">\n");
+void ElementWriter::BeginContent() {
+  FinishLine(">\n");
   ++depth_;
 }
 
-void ElementWriter::End(std::string_view tag) {
+void ElementWriter::EndElement(std::string_view tag) {
   --depth_;
   Indent();
   text_ += "</";
   text_ += tag;
-  Finish(">\n");
+  FinishLine(">\n");
 }
 
-void ElementWriter::Finish(std::string_view end) {
+void ElementWriter::FinishLine(std::string_view end) {
   text_ += end;
   ++line_;
 }
 
-// Single characters are put in where they stand; a longer text is a call.
-void ElementWriter::Begin(std::string_view name) {
+// Appends single characters, because `+=` of a string is a function call.
+void ElementWriter::BeginAttribute(std::string_view name) {
   text_ += ' ';
   text_ += name;
   text_ += '=';
   text_ += '"';
 }
 
-void ElementWriter::Text(std::string_view name, std::string_view value) {
-  Begin(name);
-  Escaped(value);
-  text_ += '"';
-}
-
-void ElementWriter::Text(std::string_view name, std::string_view value, std::string_view suffix) {
-  Begin(name);
-  Escaped(value);
+void ElementWriter::WriteText(std::string_view name, std::string_view value,
+                              std::string_view suffix) {
+  BeginAttribute(name);
+  AppendEscaped(value);
   text_ += suffix;
   text_ += '"';
 }
 
-void ElementWriter::Escaped(std::string_view value) {
+void ElementWriter::AppendEscaped(std::string_view value) {
   if (std::ranges::none_of(value, NeedsEscape)) {
     text_ += value;
     return;
@@ -118,28 +115,26 @@ void ElementWriter::Escaped(std::string_view value) {
   }
 }
 
-void ElementWriter::Number(std::string_view name, double value) { Numbers(name, {&value, 1}); }
-
-void ElementWriter::Numbers(std::string_view name, std::span<const double> values,
-                            Spelling spelling) {
-  Begin(name);
-  AppendAll(values, [spelling](char* out, double number) {
-    if (spelling == Spelling::kMicrometres) return WriteInteger(out, Micrometres(number));
-    return expr::WriteNumber(out, spelling == Spelling::kNumber ? number : WithoutNoise(number));
+void ElementWriter::WriteNumbers(std::string_view name, std::span<const double> values,
+                                 NumberFormat format) {
+  BeginAttribute(name);
+  AppendNumbers(values, [format](char* out, double number) {
+    if (format == NumberFormat::kMicrometres) return WriteInteger(out, Micrometres(number));
+    return expr::WriteNumber(out, format == NumberFormat::kExact ? number : FlushNoise(number));
   });
   text_ += '"';
 }
 
-void ElementWriter::Integers(std::string_view name, std::span<const int> values) {
-  Begin(name);
-  AppendAll(values, WriteInteger<int>);
+void ElementWriter::WriteIntegers(std::string_view name, std::span<const int> values) {
+  BeginAttribute(name);
+  AppendNumbers(values, WriteInteger<int>);
   text_ += '"';
 }
 
-// Through a buffer, because appending number by number takes a third of a mesh's time.
+// Uses a buffer, because appending each number to the string takes a third of the time of a mesh.
 template <typename T, typename Write>
-void ElementWriter::AppendAll(std::span<const T> values, const Write& write) {
-  constexpr std::size_t kMost = 64;  // numbers in the buffer
+void ElementWriter::AppendNumbers(std::span<const T> values, const Write& write) {
+  constexpr std::size_t kMost = 64;  // capacity of the buffer, numbers
   std::array<char, kMost*(expr::kLongestNumber + 1)> buffer;
   for (std::size_t i = 0; i < values.size(); i += kMost) {
     char* out = buffer.data();
@@ -152,23 +147,23 @@ void ElementWriter::AppendAll(std::span<const T> values, const Write& write) {
   if (!values.empty()) text_.pop_back();
 }
 
-void ElementWriter::Pose(const model::Pose& pose) {
-  Point("pos", pose.p);
+void ElementWriter::WritePose(const model::Pose& pose) {
+  WritePoint("pos", pose.p);
   const Eigen::Quaterniond& q = pose.q;
-  if (WithoutNoise(q.x()) == 0 && WithoutNoise(q.y()) == 0 && WithoutNoise(q.z()) == 0) return;
-  Vector("quat", model::Wxyz(q), 4, Spelling::kWithoutNoise);
+  if (FlushNoise(q.x()) == 0 && FlushNoise(q.y()) == 0 && FlushNoise(q.z()) == 0) return;
+  WriteVector("quat", model::Wxyz(q), 4, NumberFormat::kFlushed);
 }
 
-void ElementWriter::Attribute(const model::Attribute& attribute) {
+void ElementWriter::WriteAttribute(const model::Attribute& attribute) {
   if (attribute.numbers.empty()) {
-    Text(attribute.name, attribute.text);
+    WriteText(attribute.name, attribute.text);
     return;
   }
-  // Cameras and lights are turned and moved with what brings them.
+  // Poses of cameras and lights were transformed with their body, which leaves rounding errors.
   const bool is_place =
       attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
-  Numbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()},
-          is_place ? Spelling::kWithoutNoise : Spelling::kNumber);
+  WriteNumbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()},
+               is_place ? NumberFormat::kFlushed : NumberFormat::kExact);
 }
 
 }  // namespace mjforge::mjcf

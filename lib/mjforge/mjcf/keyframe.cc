@@ -1,3 +1,5 @@
+// Start positions of the joints (qpos), and the keyframe with them.
+
 #include <algorithm>
 
 #include "mjforge/mjcf/sections.h"
@@ -5,6 +7,7 @@
 namespace mjforge::mjcf {
 namespace {
 
+// Appends the qpos of a free joint.
 void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
   out.push_back(pose.p[0]);
   out.push_back(pose.p[1]);
@@ -13,13 +16,15 @@ void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
   out.insert(out.end(), quat.begin(), quat.end());
 }
 
+// Appends the position in which a joint has its default value: `ref`, or the identity of a ball
+// joint.
 void AddZero(const model::Joint& joint, std::vector<double>& out) {
   if (joint.type == "ball") {
     for (const double number : {1.0, 0.0, 0.0, 0.0}) out.emplace_back(number);
     return;
   }
-  const auto ref = std::ranges::find(joint.attributes, "ref", &model::Attribute::name);
-  out.push_back(ref == joint.attributes.end() ? 0.0 : ref->numbers.front());
+  const auto* ref = model::FindAttribute(joint.attributes, "ref");
+  out.push_back(ref == nullptr ? 0.0 : ref->numbers.front());
 }
 
 }  // namespace
@@ -31,7 +36,7 @@ std::vector<double> StartPositions(const model::Object& object, double lift) {
     return std::ranges::any_of(body.joints, has_start);
   };
   if (std::ranges::none_of(object.bodies, is_posed)) return positions;
-  for (const int i : DepthFirst(object)) {
+  for (const int i : DepthFirstOrder(object)) {
     const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
     for (const model::Joint& joint : body.joints) {
       if (joint.type == "free") {
@@ -49,13 +54,13 @@ std::vector<double> StartPositions(const model::Object& object, double lift) {
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer) {
   const std::vector<double> positions = StartPositions(object, lift);
   if (positions.empty()) return;
-  writer.Open("keyframe");
-  writer.Content();
-  writer.Open("key");
-  writer.Text("name", object.name, kStartSuffix);
-  writer.Numbers("qpos", positions, ElementWriter::Spelling::kWithoutNoise);
-  writer.Close();
-  writer.End("keyframe");
+  writer.OpenElement("keyframe");
+  writer.BeginContent();
+  writer.OpenElement("key");
+  writer.WriteText("name", object.name, kStartSuffix);
+  writer.WriteNumbers("qpos", positions, ElementWriter::NumberFormat::kFlushed);
+  writer.CloseEmpty();
+  writer.EndElement("keyframe");
 }
 
 }  // namespace mjforge::mjcf

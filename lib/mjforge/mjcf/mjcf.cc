@@ -1,3 +1,5 @@
+// MJCF file of an object: the order of its sections; look-up of line origins; size of meshes.
+
 #include "mjforge/mjcf/mjcf.h"
 
 #include <algorithm>
@@ -7,17 +9,6 @@
 #include "mjforge/mjcf/sections.h"
 
 namespace mjforge::mjcf {
-namespace {
-
-// Keeps the memory.
-void Clear(MjcfDocument& document) {
-  document.text.clear();
-  document.origins.clear();
-  document.assets.clear();
-  document.made_files.clear();
-}
-
-}  // namespace
 
 diag::SourceMark MjcfDocument::Origin(int line) const {
   const auto found = std::ranges::lower_bound(origins, line, {}, &LineOrigin::line);
@@ -26,7 +17,7 @@ diag::SourceMark MjcfDocument::Origin(int line) const {
 
 std::size_t MeshBytes(std::string_view text) {
   std::size_t bytes = 0;
-  // As the writer puts them: one per line.
+  // The writer puts each element on a line of its own.
   while (!text.empty()) {
     const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
     const std::string_view line = text.substr(0, size);
@@ -40,39 +31,42 @@ std::size_t MeshBytes(std::string_view text) {
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,
                MjcfDocument& document) {
   const TargetRules& rules = RulesOf(target);
-  const bool scene = rules.scene;
-  Clear(document);
+  const bool scene = rules.has_scene;
+  document.text.clear();
+  document.origins.clear();
+  document.assets.clear();
+  document.generated_files.clear();
   document.lift = scene ? LiftOntoFloor(object) : 0;
 
   AppendProvenance(provenance, document);
   ElementWriter writer(document);
-  writer.Line("");
-  writer.Open("mujoco");
-  writer.Text("model", object.name);
-  writer.Content();
-  // Threads cost hosts that load thousands of small models more than they save.
-  writer.Line("<compiler angle=\"radian\" usethread=\"false\"/>");
+  writer.WriteLine("");
+  writer.OpenElement("mujoco");
+  writer.WriteText("model", object.name);
+  writer.BeginContent();
+  // For hosts that load thousands of small models, threads cost more time than they save.
+  writer.WriteLine("<compiler angle=\"radian\" usethread=\"false\"/>");
   document.size_position = scene ? std::string::npos : document.text.size();
   WriteSizes(object, scene, writer);
   WriteSettings(object, writer);
 
-  if (scene || rules.always_assets || !object.textures.empty() || !object.materials.empty() ||
+  if (scene || rules.always_has_assets || !object.textures.empty() || !object.materials.empty() ||
       !object.meshes.empty()) {
-    writer.Open("asset");
-    writer.Content();
+    writer.OpenElement("asset");
+    writer.BeginContent();
     WriteAssets(object, provenance.assets_as == kAssetForms[1], writer, document);
     if (scene) WriteSceneAssets(writer);
-    writer.End("asset");
+    writer.EndElement("asset");
   }
-  writer.Open("worldbody");
-  writer.Content();
+  writer.OpenElement("worldbody");
+  writer.BeginContent();
   document.world_position = scene ? std::string::npos : document.text.size();
-  document.host_frees = !rules.free_joint;
+  document.host_adds_free_joint = !rules.has_free_joint;
   if (scene) WriteSceneWorld(object, writer);
-  WriteBodies(object, GroupsOf(target), document.lift, writer);
-  writer.End("worldbody");
+  WriteBodies(object, rules, document.lift, writer);
+  writer.EndElement("worldbody");
   WriteSections(object, document.lift, writer);
-  writer.End("mujoco");
+  writer.EndElement("mujoco");
 }
 
 }  // namespace mjforge::mjcf

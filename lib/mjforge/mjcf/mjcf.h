@@ -1,6 +1,5 @@
+// Conversion of an object to MJCF text that MuJoCo 2.2 to 3.x load with the same masses.
 #pragma once
-
-// Object -> MJCF text that MuJoCo 2.2 to 3.x load with the same masses.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +17,7 @@
 
 namespace mjforge::mjcf {
 
-/// The content of the opening comment: enough to regenerate the file.
+/// Content of the opening comment of a generated file: enough to regenerate the file.
 struct Provenance {
   std::string version;
   std::string spec;  // as given on the command line
@@ -26,15 +25,16 @@ struct Provenance {
   std::vector<std::pair<std::string, std::string>> settings;  // --set
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::string name;  // the object's, where it is not the spec's
+  std::string name;  // of the object; empty: the name of the spec
   std::string target;
   std::string assets_as;    // empty: inline
   std::string sampler;      // empty: random
   std::uint64_t batch = 0;  // 0: the variant does not depend on the batch's size
 };
-/// Reads the comment of a generated file back; nothing if it has none.
+/// Reads the opening comment of a generated file; returns nothing if the file has none.
 std::optional<Provenance> ReadProvenance(std::string_view mjcf);
 
+/// Place in the spec that produced a line of the text.
 struct LineOrigin {
   int line = 0;  // 1-based
   diag::SourceMark mark;
@@ -42,70 +42,69 @@ struct LineOrigin {
   bool operator==(const LineOrigin&) const = default;
 };
 
-/// How meshes and textures that no file has are written.
+/// Storage of meshes and textures that are generated, not copied from a file.
 enum class AssetForm {
-  kInline,  // into the text
-  kFiles    // beside it, as OBJ and PNG: the room files makes them
+  kInline,  // in the text
+  kFiles    // in OBJ and PNG files beside the text, made by the room `files`
 };
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
 constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
 
-/// A file that is made from the object. Its name in the text has as many zeros where its content's
-/// hash belongs.
+/// Digits of the hash in the name of a generated file.
 inline constexpr std::size_t kHashDigits = 16;
-struct MadeFile {
+/// A mesh or texture file that is still to be generated from the object. Its name in the text has
+/// kHashDigits zeros as a placeholder for the hash of its content.
+struct GeneratedFile {
   enum class Kind { kMesh, kTexture };
   Kind kind = Kind::kMesh;
-  std::size_t number = 0;  // in Object::meshes or Object::textures
-  std::size_t hash = 0;    // byte of the text
+  std::size_t index = 0;          // in Object::meshes or Object::textures
+  std::size_t hash_position = 0;  // offset of the placeholder in the text, bytes
 };
 
+/// MJCF text with the origins of its lines and the files that it refers to.
 struct MjcfDocument {
   std::string text;
-  std::vector<LineOrigin> origins;  // by line
-  /// Byte where a <size> element may be inserted; npos if MuJoCo must get the text unchanged (a
-  /// scene has contacts).
+  std::vector<LineOrigin> origins;  // sorted by line
+  /// Offset at which a <size> element may be inserted, bytes; npos if MuJoCo must get the text
+  /// unchanged (a scene has contacts).
   std::size_t size_position = 0;
-  /// Byte where an element of the world may be inserted, right before the root body; npos if the
-  /// file has its own floor.
+  /// Offset at which an element of the world may be inserted, bytes, right before the root body;
+  /// npos if the file has its own floor.
   std::size_t world_position = 0;
-  /// The host gives the root body a free joint, so the file has none.
-  bool host_frees = false;
+  /// True if the host adds a free joint to the root body, so that the file must not have one.
+  bool host_adds_free_joint = false;
   double lift = 0;  // m, added to the height of the root body
-  /// Files the text refers to.
+  /// Existing files that the text refers to.
   bytes::Assets assets;
-  /// Others, which are still to be made.
-  std::vector<MadeFile> made_files;
+  /// Files that the text refers to and that do not exist yet.
+  std::vector<GeneratedFile> generated_files;
 
-  /// The place in the spec that produced a line; no place if none did.
+  /// Returns the place in the spec that produced a line (1-based); an empty mark if none did.
   diag::SourceMark Origin(int line) const;
 };
 
-/// The name of a visual geom is its part's name with this suffix.
-inline constexpr std::string_view kVisualSuffix = "_vis";
-
-/// The name of the keyframe is the object's with this suffix.
+/// The name of the keyframe is the object's name with this suffix.
 inline constexpr std::string_view kStartSuffix = "_start";
-/// qpos of the joints at the start, in MuJoCo's order; empty if none has a position of its own.
-/// `lift`, m, is added to the height of bodies of the world.
+/// Returns qpos at the start, in MuJoCo's order; empty if no joint has a start position. `lift`, m,
+/// is added to the height of free bodies.
 std::vector<double> StartPositions(const model::Object& object, double lift);
 
-/// Object::bodies in the order of the text, which is MuJoCo's: depth first.
-std::vector<int> DepthFirst(const model::Object& object);
+/// Returns the indices of Object::bodies in depth-first order, which the text and MuJoCo use.
+std::vector<int> DepthFirstOrder(const model::Object& object);
 
-/// Adapts the object to its target: see TargetRules. What the target does not support is dropped
-/// with a warning; what would break there is an error. Must be called before WriteMjcf, so that the
-/// object can still be compared with what MuJoCo compiles.
+/// Adapts the object to its target (TargetRules). Drops elements that the target does not support,
+/// with a warning, and reports elements that would break the target as errors. Call this function
+/// before WriteMjcf, so that the object can still be compared with the compiled model.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
-/// Bytes of the text's <mesh> elements: what shapes cost.
+/// Returns the size of all <mesh> elements of the text, bytes.
 std::size_t MeshBytes(std::string_view text);
 
-/// A texture as an element of MJCF on its own, without random marks: these differ between MuJoCo's
-/// releases.
+/// Returns a <texture> element without random marks, because these differ between releases of
+/// MuJoCo.
 std::string TextureElement(const model::Texture& texture);
 
-/// Replaces the content of `document`, reusing its memory.
+/// Writes the object as MJCF; replaces the content of `document`, reusing its memory.
 void WriteMjcf(const model::Object& object, Target target, const Provenance& provenance,
                MjcfDocument& document);
 

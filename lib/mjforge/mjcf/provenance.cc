@@ -1,3 +1,5 @@
+// Writing and reading of the comment that a generated file begins with.
+
 #include "mjforge/mjcf/provenance.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@
 namespace mjforge::mjcf {
 namespace {
 
-// The comment is `mjforge VERSION key=value ...`, one space apart. Bytes that
+// Format of the comment: `mjforge VERSION key=value ...`, separated by single spaces. Bytes that
 // would end a value or the comment are written as %XX.
 constexpr std::string_view kOpening = " mjforge ";
 constexpr std::string_view kSetting = "set:";
@@ -67,8 +69,8 @@ std::string_view NextWord(std::string_view& rest) {
   return word;
 }
 
-/// Takes one `key=value` over; false if it is not one. Unknown keys are passed
-/// over: a later version may say more.
+// Reads one `key=value` into the provenance; returns false if the word is malformed. Unknown keys
+// are ignored, because a later version may write more keys.
 bool ReadPair(std::string_view word, Provenance& provenance) {
   const std::size_t equals = word.find('=');
   if (equals == std::string_view::npos) return false;
@@ -138,7 +140,7 @@ void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
 
 std::optional<Provenance> ReadProvenance(std::string_view mjcf) {
   pugi::xml_document document;
-  // A broken file still has the comment: what was read before the error is kept.
+  // pugixml keeps the nodes before a syntax error, so a broken file still has its comment.
   document.load_buffer(mjcf.data(), mjcf.size(), pugi::parse_default | pugi::parse_comments);
   for (const pugi::xml_node node : document.children()) {
     if (node.type() != pugi::node_comment) continue;

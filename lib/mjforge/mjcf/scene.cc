@@ -1,3 +1,5 @@
+// Floor, light and camera of the scene target.
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,11 +9,11 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Names of the scene's own elements have a hyphen, which an object's cannot have.
+// Names of elements of the scene contain a hyphen, which names of the object cannot contain.
 
-bool Finite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
+bool IsFinite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
 
-/// Looking from `eye` at `target`, upright: a camera looks along its -z, its y is up.
+// Orientation of an upright camera at `eye` that looks at `target`: along its -z axis, with y up.
 Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
   Eigen::Matrix3d axes;
   axes.col(2) = (eye - target).normalized();
@@ -20,18 +22,18 @@ Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& tar
   return Eigen::Quaterniond(axes);
 }
 
-// Of a box on the floor.
-struct View {
+// Positions of light and camera for a box on the floor, m.
+struct SceneView {
   Eigen::Vector3d center;
   Eigen::Vector3d light;
   Eigen::Vector3d eye;
 };
 
-View ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+SceneView ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
   Eigen::Vector3d center = (min + max) / 2;
   center.z() -= min.z();
   const double radius = std::max((max - min).norm() / 2, 1e-3);  // m
-  // MuJoCo's cameras see 45 degrees from top to bottom.
+  // The default vertical field of view of MuJoCo's cameras is 45 degrees.
   constexpr double kHalfView = 22.5 * std::numbers::pi / 180;
   return {center, center + radius * Eigen::Vector3d(1, -2, 6),
           center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized()};
@@ -46,30 +48,30 @@ double LiftOntoFloor(const model::Object& object) {
 }
 
 void WriteSceneAssets(ElementWriter& writer) {
-  writer.Line(
+  writer.WriteLine(
       "<texture name=\"scene-floor\" type=\"2d\" builtin=\"checker\" rgb1=\"0.8 0.8 0.8\" "
       "rgb2=\"0.65 0.65 0.65\" width=\"300\" height=\"300\"/>");
-  writer.Line(
+  writer.WriteLine(
       "<material name=\"scene-floor\" texture=\"scene-floor\" texuniform=\"true\" "
       "texrepeat=\"10 10\"/>");
 }
 
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer) {
   model::Box3 box = object.bounds.aabb;
-  if (!Finite(box)) box = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  const View view = ViewOf(box.min, box.max);
+  if (!IsFinite(box)) box = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  const SceneView view = ViewOf(box.min, box.max);
 
-  writer.Open("light");
-  writer.Text("name", "scene-light");
-  writer.Point("pos", view.light);
-  writer.Point("dir", Eigen::Vector3d(-1, 2, -6).normalized());
-  writer.Close();
-  writer.Open("camera");
-  writer.Text("name", "scene-camera");
-  writer.Pose({view.eye, LookAt(view.eye, view.center)});
-  writer.Close();
+  writer.OpenElement("light");
+  writer.WriteText("name", "scene-light");
+  writer.WritePoint("pos", view.light);
+  writer.WritePoint("dir", Eigen::Vector3d(-1, 2, -6).normalized());
+  writer.CloseEmpty();
+  writer.OpenElement("camera");
+  writer.WriteText("name", "scene-camera");
+  writer.WritePose({view.eye, LookAt(view.eye, view.center)});
+  writer.CloseEmpty();
 
-  writer.Line(
+  writer.WriteLine(
       "<geom name=\"scene-floor\" type=\"plane\" size=\"0 0 1\" pos=\"0 0 0\" "
       "material=\"scene-floor\"/>");
 }

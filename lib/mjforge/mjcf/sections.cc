@@ -1,11 +1,13 @@
-#include "mjforge/mjcf/sections.h"
+// Writers of the sections that pass through from spec to MJCF: settings, contacts, tendons,
+// sensors.
 
-#include <string_view>
+#include "mjforge/mjcf/sections.h"
 
 namespace mjforge::mjcf {
 namespace {
 
-// `custom` names no body; it stands with the settings, before what may need it.
+// Returns true for sections that are written before the bodies. `custom` is among them, because it
+// refers to no body and later elements may refer to it.
 bool IsSetting(const model::Section& section) {
   return section.info->is_element || section.info->name == "custom";
 }
@@ -15,25 +17,25 @@ void WriteSection(const model::Section& section, ElementWriter& writer) {
     for (const model::Element& element : section.elements) WriteElement(element, writer);
     return;
   }
-  writer.Open(section.info->name);
-  writer.Content();
+  writer.OpenElement(section.info->name);
+  writer.BeginContent();
   for (const model::Element& element : section.elements) WriteElement(element, writer);
-  writer.End(section.info->name);
+  writer.EndElement(section.info->name);
 }
 
 }  // namespace
 
 void WriteElement(const model::Element& element, ElementWriter& writer) {
-  writer.Open(element.tag, element.mark);
-  if (!element.name.empty()) writer.Text("name", element.name);
-  for (const model::Attribute& attribute : element.attributes) writer.Attribute(attribute);
+  writer.OpenElement(element.tag, element.mark);
+  if (!element.name.empty()) writer.WriteText("name", element.name);
+  for (const model::Attribute& attribute : element.attributes) writer.WriteAttribute(attribute);
   if (element.children.empty()) {
-    writer.Close();
+    writer.CloseEmpty();
     return;
   }
-  writer.Content();
+  writer.BeginContent();
   for (const model::Element& child : element.children) WriteElement(child, writer);
-  writer.End(element.tag);
+  writer.EndElement(element.tag);
 }
 
 void WriteSettings(const model::Object& object, ElementWriter& writer) {

@@ -1,8 +1,5 @@
+// Writers of the sections of an MJCF file, called by WriteMjcf in the order of the file.
 #pragma once
-
-// The pieces of a file, in the order WriteMjcf puts them together.
-
-#include <string_view>
 
 #include "mjforge/mjcf/element_writer.h"
 #include "mjforge/mjcf/mjcf.h"
@@ -10,41 +7,37 @@
 
 namespace mjforge::mjcf {
 
-/// How geoms are written for a target.
-struct GeomGroups {
-  // The groups they are shown and filtered by, as attributes.
-  std::string_view collision;
-  std::string_view visual;
-  int sphere_sizes = 1;  // numbers in a sphere's size: 1, or 3 equal ones
-};
-const GeomGroups& GroupsOf(Target target);
-
-/// Textures, materials and meshes, without the element around them; adds the files they name to the
-/// document's. `as_files`: none of them is inline.
+/// Writes textures, materials and meshes without the <asset> element around them. Adds the files
+/// that they refer to to the document. If `as_files`, writes references to generated files in place
+/// of inline data.
 void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writer,
                  MjcfDocument& document);
 
-/// The tree of bodies. `lift`, m, is added to the height of root bodies.
-void WriteBodies(const model::Object& object, const GeomGroups& groups, double lift,
+/// Returns the attribute of a geom in this group (0 to 3): ` group="3"`.
+std::string_view GroupAttribute(int group);
+/// Writes the tree of bodies. `lift`, m, is added to the height of root bodies.
+void WriteBodies(const model::Object& object, const TargetRules& rules, double lift,
                  ElementWriter& writer);
 
-/// An element with its attributes and everything in it.
+/// Writes an element with its attributes and children.
 void WriteElement(const model::Element& element, ElementWriter& writer);
-/// Settings of the whole model (option, size, visual, statistic, custom).
+/// Writes settings of the whole model (option, size, visual, statistic, custom).
 void WriteSettings(const model::Object& object, ElementWriter& writer);
-/// Sections that refer to bodies (contact, equality, tendon, actuator, sensor), and the keyframe.
+/// Writes sections that refer to bodies (contact, equality, tendon, actuator, sensor), and the
+/// keyframe.
 void WriteSections(const model::Object& object, double lift, ElementWriter& writer);
 
-/// The keyframe of the positions that joints start from, if any has one.
+/// Writes a keyframe with the start positions of the joints if any joint has one.
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer);
 
-/// How far a scene lifts the object so that it rests on the floor at z = 0, m.
+/// Returns the height added to the object so that it rests on the floor at z = 0, m.
 double LiftOntoFloor(const model::Object& object);
-/// Room for the contacts and constraints of a large object, if MuJoCo's default sizes might not be
-/// enough.
+/// Writes a <size> element for the contacts and constraints of a large object if MuJoCo's default
+/// sizes might not be enough.
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);
+/// Writes texture and material of the floor.
 void WriteSceneAssets(ElementWriter& writer);
-/// Floor, light and camera.
+/// Writes floor, light and camera.
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer);
 
 }  // namespace mjforge::mjcf

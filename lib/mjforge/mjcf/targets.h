@@ -1,6 +1,5 @@
+// Targets: the programs that read generated files, and a table of their requirements.
 #pragma once
-
-// Who reads the files, and what that reader adds, needs and refuses.
 
 #include <optional>
 #include <span>
@@ -9,69 +8,70 @@
 
 namespace mjforge::mjcf {
 
+/// Program for which a file is written.
 enum class Target {
   kMujoco,     // complete and flat; can be simulated on its own
   kScene,      // the same with floor, light and camera; the object rests on the floor
-  kRobosuite,  // its MujocoXMLObject
-  kRobocasa,   // its MJCFObject
+  kRobosuite,  // robosuite's MujocoXMLObject
+  kRobocasa,   // robocasa's MJCFObject
   kMjx,        // MuJoCo XLA, only with shapes that can collide there
 };
 
-/// A name that the host gives to something that it adds.
+/// Name of an element that the host adds.
 struct HostName {
   std::string_view kind;  // body, joint, site
   std::string_view name;
 };
 
-/// An element, or an attribute of one, that the host does not accept. Empty words match any.
-struct Refusal {
+/// An element or attribute that the host does not accept. Empty fields match any text.
+struct UnsupportedFeature {
   std::string_view section;
   std::string_view element = {};
   std::string_view attribute = {};
-  std::string_view word = {};  // the attribute's text
-  bool whole = true;           // the element is dropped, otherwise only the attribute
+  std::string_view text = {};  // value of the attribute
+  bool drops_element = true;   // false: only the attribute is dropped
 };
 
-/// One row of the table of targets.
+/// Row of the table of targets.
 struct TargetRules {
   Target target;
-  std::string_view name;  // of --target
+  std::string_view name;  // value of --target
   std::string_view doc;
 
-  // How geoms are written.
+  // Geoms.
   int collision_group = 3;  // MuJoCo's viewer hides it
   int visual_group = 2;
-  bool own_groups = true;    // a part's own `group` comes before these
-  bool same_look = false;    // collision geoms look like the visual ones
-  bool states_mass = false;  // never the density, which the host overwrites
-  int sphere_sizes = 1;      // numbers in a sphere's size
-  bool round_shapes = true;  // cylinders and ellipsoids collide with boxes and meshes
-  bool margins = true;       // geoms may have a margin
+  bool keeps_groups = true;             // a part's own `group` takes precedence
+  bool shows_collision_copies = false;  // the host shows copies of collision geoms
+  bool writes_mass = false;             // in place of density, which the host overwrites
+  int sphere_sizes = 1;                 // numbers in a sphere's size
+  bool supports_round_shapes = true;    // cylinders and ellipsoids collide with boxes and meshes
+  bool supports_margins = true;         // geoms may have a margin
 
-  // What the file has around the object.
-  bool scene = false;          // floor, light and camera
-  bool always_assets = false;  // <asset>, even if it is empty
-  bool outer_body = false;     // an unnamed body around the root, with sites at the bounds
-  bool region_box = false;     // a geom `reg_bbox` around the object
+  // Elements of the file around the object.
+  bool has_scene = false;          // floor, light and camera
+  bool always_has_assets = false;  // <asset>, even if it is empty
+  bool has_outer_body = false;     // unnamed parent of the root, with sites at the bounds
+  bool has_region_box = false;     // geom `reg_bbox` around the object
 
-  // What the host adds, so the file leaves it out.
-  bool prefix = true;                   // `NAME_` before every name
-  std::string_view root = {};           // name of the root body; empty: the object's
-  bool free_joint = true;               // the root's
-  std::string_view twin_suffix = {};    // the host makes geoms NAME + this
-  std::string_view region_prefix = {};  // geoms with this prefix mean something to the host
+  // Elements and names that the host adds itself.
+  bool has_prefix = true;                    // the file has `NAME_` before every name
+  std::string_view root = {};                // name of the root body; empty: the object's name
+  bool has_free_joint = true;                // the file has the free joint of the root
+  std::string_view visual_copy_suffix = {};  // of geoms that the host adds
+  std::string_view region_prefix = {};       // of geoms that the host treats as regions
   std::span<const HostName> host_names = {};
 
-  // What is dropped, with a warning.
-  bool sections = true;       // contact, sensor, ...: all of them
-  bool picture_sides = true;  // textures made of several files
-  std::span<const Refusal> refusals = {};
+  // Support for elements, which are otherwise dropped with a warning.
+  bool supports_sections = true;       // contact, sensor, ...
+  bool supports_texture_sides = true;  // textures composed of several files
+  std::span<const UnsupportedFeature> unsupported = {};
 
-  /// Whether objects may have to change for this target.
+  /// Returns true if objects may have to change for this target.
   bool adapts() const { return target != Target::kMujoco && target != Target::kScene; }
 };
 
-/// In the order of the enumeration.
+/// Returns the table, in the order of the enumeration.
 std::span<const TargetRules> Targets();
 std::vector<std::string_view> TargetNames();
 const TargetRules& RulesOf(Target target);

@@ -1,3 +1,5 @@
+// Assembler: entry point of the assembly, and caches of mesh and texture files.
+
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/model/assembly.h"
 #include "mjforge/model/mesh_files.h"
@@ -5,13 +7,13 @@
 
 namespace mjforge::model {
 
-std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
+std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const NameOptions& options,
                                           diag::Findings& findings) {
   return Assembly(*this, findings).Run(values, options);
 }
 
-const Assembler::CachedMesh& Assembler::ReadFile(const std::filesystem::path& file) {
-  const auto [found, is_new] = files_.try_emplace(file);
+const Assembler::CachedMesh& Assembler::ReadMesh(const std::filesystem::path& file) {
+  const auto [found, is_new] = meshes_.try_emplace(file);
   CachedMesh& cached = found->second;
   if (!is_new) return cached;
   std::error_code error;
@@ -21,7 +23,7 @@ const Assembler::CachedMesh& Assembler::ReadFile(const std::filesystem::path& fi
   if (!read) return cached;
   cached.fit_for_mujoco = read->fit_for_mujoco;
   cached.mesh = std::move(read->mesh);
-  cached.why_not_solid = WhyNotSolid(*cached.mesh);
+  cached.surface_defect = FindSurfaceDefect(*cached.mesh);
   return cached;
 }
 

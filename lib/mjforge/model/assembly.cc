@@ -1,3 +1,5 @@
+// Assembly of a spec: its parts, frames and welded specs, in order.
+
 #include "mjforge/model/assembly.h"
 
 #include <algorithm>
@@ -5,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/model/mass_and_bounds.h"
 #include "mjforge/model/names.h"
 #include "mjforge/model/pose_reader.h"
-#include "mjforge/model/sums.h"
 #include "mjforge/model/views.h"
 
 namespace mjforge::model {
@@ -22,7 +24,8 @@ Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, co
       parts(sample::Child(evaluator.root(), "parts")),
       materials(evaluator.spec().materials.size()) {}
 
-std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::Options& options) {
+std::optional<Object> Assembly::Run(sample::Evaluator& values,
+                                    const Assembler::NameOptions& options) {
   const std::size_t before = findings_.size();
   const spec::ObjectSpec& spec = values.spec();
   spec_ = &spec;
@@ -57,12 +60,10 @@ bool HasErrorsSince(const diag::Findings& findings, std::size_t first) {
 
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
                                     diag::Findings& findings) {
-  const std::size_t before = findings.size();
-  std::string name = scope.values.Text(entry.name, list);
-  if (findings.size() != before) return std::nullopt;
-  if (IsName(name)) return name;
+  std::optional<std::string> name = scope.values.Text(entry.name, list);
+  if (!name || IsName(*name)) return name;
   findings.Add(Code::kModelBadName, entry.name.mark,
-               fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(name)),
+               fmt::format("{} name {} is not a valid name", entry.element->name, Quoted(*name)),
                std::string(kNameRule));
   return std::nullopt;
 }
@@ -115,19 +116,19 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, c
   }
 }
 
-// A frame needs no name, unless its pose is drawn.
+// Only a frame whose pose is drawn needs a name.
 void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
   const sample::StreamId frames = sample::Child(scope.parts, "frames");
-  const std::string name = scope.values.Text(entry.name, frames);
+  const std::string name = scope.values.Text(entry.name, frames).value_or("");
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
   const std::optional<Pose> X_FChild = ReadPose(reader, entry);
-  // Parts of a frame without a pose can still be checked for other errors.
+  // If the pose of a frame is invalid, its parts are still checked for other errors.
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(Pose()));
 }
 
-// Where each of some levels of specs brings the next one twice, there soon are too many, be they
-// empty.
+// Specs are counted even if they are empty, because their number doubles with each level if each
+// spec brings the next one twice.
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF) {
   if (!HasRoomFor("specs in it", spec_count_++, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
@@ -142,24 +143,24 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
 
   const Pose X_SW = X_SF * *X_FW;
   const bool corner = scope.places_corners();
-  Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(at_),
+  Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(current_body_),
               corner ? Pose{.q = X_SW.q} : scope.X_BS * X_SW);
-  HandIn(scope, entry, path, inner);
-  const Extent before = ExtentNow();
+  SetSubstitutes(scope, entry, path, inner);
+  const ElementCounts before = CountElements();
   AddSpec(inner);
-  TakeAwayJoints(inner);
+  MarkRootJointsRemoved(inner);
   if (!corner) return;
-  // Placed by its own lower corner, which is known only now.
+  // The spec is placed by its lower corner, which is known only now.
   const Box3 box = BoundsOf(body().parts, before.parts).aabb;
   if (box.empty()) return;
   Move(scope.X_BS * Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before, inner.body);
 }
 
-Assembly::Extent Assembly::ExtentNow() {
+Assembly::ElementCounts Assembly::CountElements() {
   return {body().parts.size(), body().sites.size(), body().elements.size(), object_.bodies.size()};
 }
 
-void Assembly::Move(const Pose& X_BC, const Extent& from, int parent) {
+void Assembly::Move(const Pose& X_BC, const ElementCounts& from, int parent) {
   for (std::size_t i = from.parts; i < body().parts.size(); ++i) {
     body().parts[i].X_BG = X_BC * body().parts[i].X_BG;
   }
@@ -175,24 +176,24 @@ void Assembly::Move(const Pose& X_BC, const Extent& from, int parent) {
   }
 }
 
-// mass: of a spec.
+// Scales the masses of a spec so that they add up to its `mass:`.
 void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body) {
   const spec::ObjectSpec& spec = scope.values.spec();
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
   const std::optional<double> mass = reader.Number(*spec.mass);
   if (!mass) return;
   double sum = 0.0;
-  for (std::size_t i = first_part; i < body().parts.size(); ++i) sum = sum + body().parts[i].mass;
+  for (std::size_t i = first_part; i < body().parts.size(); ++i) sum += body().parts[i].mass;
   for (std::size_t i = first_body; i < object_.bodies.size(); ++i) {
-    sum = sum + object_.bodies[i].mass_properties.mass;
+    sum += object_.bodies[i].mass_properties.mass;
   }
   if (!(sum > 0)) {
-    if (part_count_ == 0) return;  // reported as such
+    if (part_count_ == 0) return;  // Finish reports it
     reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
     return;
   }
   const double factor = *mass / sum;
-  ScaleMass(factor, object_.bodies, at_, first_part, first_body);
+  ScaleMass(factor, object_.bodies, current_body_, first_part, first_body);
   for (const auto& [slot, body_mass] : scope.body_masses)
     scope.values.SetVariable(slot, body_mass * factor);
 }

@@ -1,14 +1,16 @@
+// Assembly of one object: adds the elements of a spec, and of the specs nested in it, to a tree of
+// bodies.
+
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
-#include "mjforge/model/attached.h"
+#include "mjforge/model/attacher.h"
 #include "mjforge/model/materials.h"
 #include "mjforge/model/model.h"
 #include "mjforge/model/references.h"
@@ -17,7 +19,7 @@
 
 namespace mjforge::model {
 
-/// One object in the making: a tree of bodies and specs, filled from the outermost spec inwards.
+/// The state of one assembly. An instance builds one object.
 class Assembly {
  public:
   Assembly(Assembler& assembler, diag::Findings& findings)
@@ -31,7 +33,7 @@ class Assembly {
                    bodies_},
                   findings) {}
 
-  std::optional<Object> Run(sample::Evaluator& values, const Assembler::Options& options);
+  std::optional<Object> Run(sample::Evaluator& values, const Assembler::NameOptions& options);
 
  private:
   // assembly.cc
@@ -39,36 +41,40 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
-  /// How much the body at hand and the object have.
-  struct Extent {
+  /// Numbers of elements of the current body, and of bodies.
+  struct ElementCounts {
     std::size_t parts = 0;
     std::size_t sites = 0;
     std::size_t views = 0;
     std::size_t bodies = 0;
   };
-  Extent ExtentNow();
-  /// Moves what came since `from`: parts, sites and views of the body at hand, and the bodies on
-  /// `parent`.
-  void Move(const Pose& X_BC, const Extent& from, int parent);
-  /// Whether one more of `what` may come to the `count` there are; else a finding, the first time.
+  ElementCounts CountElements();
+  /// Moves the elements added since `from` was counted: parts, sites and views of the current body,
+  /// and children of the body `parent`.
+  void Move(const Pose& X_BC, const ElementCounts& from, int parent);
+  /// Returns true if there are fewer than kMaxParts elements. Otherwise reports, the first time,
+  /// that there are too many; `what` is their plural.
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
-  // nested.cc
-  /// The values of the spec that an entry brings, with the entry's parameters set; null after a
-  /// finding.
+  void ReadTotalSize(Scope& scope);
+  void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
+
+  // nested_specs.cc
+  /// Returns the values of the spec that an entry brings, with the entry's parameters set; nothing
+  /// after a finding.
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
-  void ReadTotalSize(Scope& scope);
-  void ReadChecks(Scope& scope);  // checks.cc
+
+  // checks.cc
+  void ReadChecks(Scope& scope);
   void ReadFitting(Scope& scope, const spec::Checks::Fitting& entry);
   void ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry);
   void ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry);
   void ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entry);
-  void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // bodies.cc
   void AddBodies(Scope& scope);
   void AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies);
-  /// Adds the content of the entry to the body `index`, the last one so far.
+  /// Adds the content of the entry to the body `index`, which must be the last one.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, std::size_t index, sample::StreamId path);
   void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry, const Bounds& bounds,
@@ -81,34 +87,34 @@ class Assembly {
   void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
-  struct Position {
-    std::string joint;  // its full name
-    std::string shown;  // as the spec says it
+  /// A joint's position in `pose:` or `at:`.
+  struct RequestedPosition {
+    std::string joint;  // full name
+    std::string shown;  // name in the spec
     sample::Numbers numbers;
     diag::SourceMark mark;
   };
-  /// Reads `pose:` of a spec; SetPositions, once all joints are there, gives it to them.
+  /// Reads `pose:` of a spec; SetPositions applies the positions once all joints exist.
   void ReadPositions(Scope& scope);
   void SetPositions();
-  /// The position as qpos has it; nothing, and a finding, if the joint cannot be there. `what`:
-  /// "pose".
-  std::optional<sample::Numbers> Placed(std::string_view what, const Position& position,
+  /// Returns the position as in qpos; nothing, and a finding, if the joint cannot have it. `what`
+  /// names the key in messages.
+  std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
                                         const Joint& joint);
-  /// Reports that there is no such joint.
-  void ReportUnknown(std::string_view what, const Position& position);
+  void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
 
   // expectations.cc
-  /// Checks the conditions of `expect:`, and reads the rest of it.
+  /// Evaluates the conditions of `expect:`, and reads its other entries.
   void AddExpectations(Scope& scope);
   void AddExpectation(Scope& scope, const spec::Expectation& entry);
-  /// The full name of a body or a part; nothing, and a finding, if it is neither.
+  /// Returns the full name of a body or a part; nothing, and a finding, if there is none.
   std::optional<std::string> FullName(Scope& scope, const spec::Value& value);
   void CheckCondition(Scope& scope, const spec::Expectation& entry);
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
-  /// Adds the part to the body; in place of a shape that MuJoCo does not have, what is seen of it
-  /// and its pieces, which come in its frame.
+  /// Adds the part to the current body. A part with pieces becomes the visual part, and its pieces,
+  /// whose poses are in its frame, collide.
   void AddWithPieces(Part part, std::vector<Part> pieces);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, Part& part,
                     const MaterialState*& material);
@@ -118,7 +124,7 @@ class Assembly {
   bool SetDensity(FieldReader& reader, const spec::Field& field, double density, Part& part);
 
   // views.cc
-  /// Cameras and lights; `path` is that of the body.
+  /// Adds cameras and lights; `path` is the stream of their body.
   void AddViews(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId path);
   void AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list);
 
@@ -128,10 +134,10 @@ class Assembly {
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);
-  /// Notes the names of a spec's root joints, which attaching it removes.
-  void TakeAwayJoints(Scope& scope);
+  /// Marks the root joints of a nested spec as removed, so that references to them are reported.
+  void MarkRootJointsRemoved(Scope& scope);
 
-  Body& body() { return object_.bodies[at_]; }
+  Body& body() { return object_.bodies[current_body_]; }
 
   Object object_;
   diag::Findings& findings_;
@@ -141,13 +147,13 @@ class Assembly {
   Materials materials_;
   Sections sections_;
   Attacher attacher_;
-  const spec::ObjectSpec* spec_ = nullptr;  // the object's own
-  std::size_t at_ = 0;                      // the body that parts, sites and joints go into
-  std::size_t part_count_ = 0;              // of all bodies
-  std::size_t spec_count_ = 0;              // brought by parts and bodies
-  bool is_full_ = false;
-  std::unordered_map<std::string, int> bodies_;  // by full name
-  std::vector<Position> positions_;              // those of inner specs first
+  const spec::ObjectSpec* spec_ = nullptr;       // the outermost spec
+  std::size_t current_body_ = 0;                 // index of the body that elements are added to
+  std::size_t part_count_ = 0;                   // in all bodies
+  std::size_t spec_count_ = 0;                   // welded specs
+  bool is_full_ = false;                         // kMaxParts was exceeded and reported
+  std::unordered_map<std::string, int> bodies_;  // indices by full name
+  std::vector<RequestedPosition> positions_;     // inner specs first
 };
 
 }  // namespace mjforge::model

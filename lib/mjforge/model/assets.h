@@ -1,6 +1,10 @@
+// Meshes and textures of an object, and the parts made of shapes of the room `solid`.
+
 #pragma once
 
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,82 +18,85 @@
 
 namespace mjforge::model {
 
-/// The stream of a material's fields.
+/// Returns the stream of a material's fields.
 inline sample::StreamId MaterialPath(const sample::Evaluator& values,
                                      const spec::Material& material) {
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// A shape of the room `solid` and its places in the spec, for findings.
+/// A shape of the room `solid`, and its places in the spec for findings.
 struct SolidInput {
   const solid::SolidShape& shape;
-  const spec::Field& field;  // the main outline, path or size
-  /// Places of the points of each outline: the main one, then the holes.
+  const spec::Field& field;  // the outer outline, the path or the size
+  /// Places of the points of each outline: the outer one, then the holes.
   const std::vector<std::vector<diag::SourceMark>>& marks;
 };
 
-/// The factors of `scale`, that many; 1 without one. Nothing after a finding.
+/// Returns `count` factors from `scale`, all 1 without this field; nothing after a finding.
 std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
                                          std::size_t count);
 
-/// The field; null, and a finding, without one.
+/// Returns the field; null, and a finding, if the entry does not have it.
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, spec::Key id,
                             std::string_view key, diag::SourceMark mark);
 
-/// The meshes and textures of one object; equal ones are shared.
+/// Adds meshes and textures to one object. Equal ones are shared.
 class Assets {
  public:
   Assets(Assembler& assembler, Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// The part gets the look of a shape that MuJoCo does not have, and the mass of the true solid;
-  /// returns its pieces, with their poses in the part's frame. `texture`: its coordinates.
+  /// Gives the part the render mesh and the exact mass of a shape of `solid`. Returns the convex
+  /// pieces, with poses in the part's frame.
   std::optional<std::vector<Part>> AddShape(const FieldReader& reader, const SolidInput& input,
                                             Part& part);
-  /// Sets the part's mesh and shape from file and scale; file names are relative to `folder`.
+  /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 Part& part);
-  /// The solid's mass properties at density 1, in its own frame; nothing for a
-  /// mesh whose surface is open.
+  /// Returns the mass properties at density 1, in the shape's frame; nothing for a mesh whose
+  /// surface is not closed. `mesh` is its index in Object::meshes.
   std::optional<MassProperties> UnitMassOf(const Shape& shape, int mesh);
-  /// Adds a material's texture. Returns its index, or nothing after a finding.
+  /// Adds a material's texture. Returns its index; nothing after a finding.
   std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
                                 const std::string& name);
-  /// The index of an equal texture with that own name; otherwise adds this one and returns its
-  /// index.
+  /// Returns the index of an equal texture whose name in its spec or file is `own_name`. Adds the
+  /// texture if there is none.
   int ShareTexture(const std::string& own_name, Texture texture);
-  /// Whether the pictures of all textures fit into memory.
+  /// Adds a finding if the pictures of all textures together have too many pixels.
   void CheckPixels();
-  /// As ShareTexture, for a mesh that an attached file brings, renamed to `name`.
+  /// Returns the index of an equal mesh. Adds a copy, called `name`, if there is none.
   int ShareMesh(const MeshAsset& mesh, const std::string& name);
-  /// The name of the file's copy: its own with _ for what some system does not take in a name, and
-  /// with _2, _3, ... where that is taken.
+  /// Returns the name of the file's copy in assets/: its own name, with _ in place of characters
+  /// that some system rejects, and _2, _3, ... appended if another file has the name.
   std::string OutputName(const std::filesystem::path& file);
 
  private:
-  struct Source {  // of a mesh read from a file
-    std::filesystem::path file;
+  /// Origin of a mesh, by which equal meshes are found.
+  struct MeshSource {
+    std::filesystem::path file;  // empty for inline meshes
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-    bool is_solid = true;
+    bool is_closed = true;
     std::optional<MassProperties> unit_mass = {};  // computed on first use
   };
 
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<Part> AddSolid(const solid::Solid& solid, Part& part);
-  /// A mesh that is written as text; one without normals is a convex hull.
-  void AddInline(TriangleMesh mesh, Part& part);
+  /// Adds a mesh that is written inline. Without normals it is the convex hull of its vertices.
+  void AddInline(const TriangleMesh& mesh, Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, Part& part);
-  void Share(int index, Part& part);
+  /// Adds a mesh whose source has this hash, and returns its index.
+  int Add(std::unique_ptr<MeshAsset> mesh, MeshSource source, std::size_t hash);
+  void SetMesh(int index, Part& part);
   bool ReadPicture(FieldReader& reader, const spec::Field& field,
                    const std::filesystem::path& folder, Texture& texture);
 
   Assembler& assembler_;
   Object& object_;
   diag::Findings& findings_;
-  std::vector<Source> sources_;  // as Object::meshes
-  std::unordered_multimap<std::size_t, int> by_hash_;
-  std::unordered_multimap<std::string, int> textures_;  // by own name
+  std::vector<MeshSource> sources_;                     // parallel to Object::meshes
+  std::unordered_multimap<std::size_t, int> meshes_;    // indices by hash
+  std::unordered_multimap<std::string, int> textures_;  // indices by own name
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

@@ -1,6 +1,6 @@
-#pragma once
+// Content of an MJCF file that becomes part of an object, and the interface to its reader.
 
-// What an MJCF file brings into an object, and the interface to its reader.
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -12,18 +12,18 @@
 
 namespace mjforge::model {
 
-/// One body of an MJCF file with everything below it, with the numbers that MuJoCo compiled in that
-/// file (autolimits, classes, angles, inertia options and the rest resolved). Names are the file's,
-/// changed where names cannot have their characters; references use the changed names.
+/// A body of an MJCF file and everything below it, with the numbers that MuJoCo compiled
+/// (autolimits, classes, angles and inertia options are resolved). Names are those of the file,
+/// changed if they have characters that a name cannot have; references use the changed names.
 struct Attachment {
-  /// The first is the requested body, with parent -1; parents before children. Every body states
-  /// its inertia (explicit_inertial, mass_properties).
+  /// The requested body first, with parent -1; parents before children. Every body has an explicit
+  /// inertia (explicit_inertial, mass_properties).
   std::vector<Body> bodies;
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;
-  /// contact, equality, tendon, actuator and sensor elements that refer to
-  /// nothing outside; unnamed ones stay so.
+  /// Elements of contact, equality, tendon, actuator and sensor that refer only to elements of the
+  /// attachment. Elements without a name have none here either.
   std::vector<Section> sections;
   /// Names of the first body's joints, which attaching removes.
   std::vector<std::string> root_joints;
@@ -33,9 +33,9 @@ struct Attachment {
 class AttachmentSource {
  public:
   virtual ~AttachmentSource() = default;
-  /// The body called `body` in `file` (empty: the first); null after an error. Every call adds all
-  /// findings, warnings too, at `mark` with notes in the XML. Reads each file once and keeps the
-  /// result for its own lifetime.
+  /// Returns the body called `body` of `file` (if empty, the first body); null after an error.
+  /// Every call adds all findings, including warnings, at `mark`, with notes in the XML. Each file
+  /// is read once; the result lives as long as the source.
   virtual const Attachment* Attach(const std::filesystem::path& file, const std::string& body,
                                    diag::SourceMark mark, diag::Findings& findings) = 0;
 };

@@ -1,8 +1,8 @@
+// MJCF attributes and elements that mjforge carries without interpreting them.
+
 #pragma once
 
-// MJCF that mjforge carries without interpreting it.
-
-#include <span>
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,30 +13,40 @@
 
 namespace mjforge::model {
 
-using spec::Applies;  // for rooms to the right, which do not know specs
+using spec::Applies;  // for rooms that may not name `spec`
 
-/// One MJCF attribute that mjforge carries without interpreting it: its numbers
-/// or, if there are none, its text.
+/// An MJCF attribute: its numbers or, if there are none, its text.
 struct Attribute {
-  std::string_view name;  // of the field table: lives forever
+  std::string_view name;  // static storage: the field table
   Applies applies = Applies::kBoth;
   sample::Numbers numbers;
   std::string text;
-  std::string_view refers = {};  // kind of element the text names; see spec::FieldInfo
+  std::string_view refers = {};  // kind of element that the text names; see spec::FieldInfo
 
   bool operator==(const Attribute&) const = default;
 };
 
-/// An MJCF element that mjforge carries whole: a sensor, a camera.
+/// Returns a pointer to the attribute of that name, or null.
+template <typename Attributes>
+auto* FindAttribute(Attributes& attributes, std::string_view name) {
+  const auto found = std::ranges::find(attributes, name, &Attribute::name);
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+/// An MJCF element that is carried whole, such as a sensor or a camera.
 struct Element {
-  std::string_view tag;  // of the section table: lives forever
-  std::string name;      // empty: it has none
+  std::string_view tag;  // static storage: the section table
+  std::string name;      // empty if it has none
   std::vector<Attribute> attributes;
   std::vector<Element> children;
   diag::SourceMark mark;
 };
 
-/// The elements of one section (contact, sensor, ...).
+/// Returns the kind of element that an attribute of `element` refers to; for `@objtype`, the value
+/// of the attribute objtype.
+std::string_view KindOf(const Attribute& attribute, const Element& element);
+
+/// The elements of one section of MJCF (contact, sensor, ...).
 struct Section {
   const spec::SectionInfo* info = nullptr;
   std::vector<Element> elements;

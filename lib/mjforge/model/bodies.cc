@@ -1,4 +1,4 @@
-// bodies: each an inline one, another spec, or a body of an MJCF file.
+// `bodies:`: inline bodies, other specs, and bodies of MJCF files.
 
 #include <limits>
 #include <utility>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "mjforge/model/assembly.h"
+#include "mjforge/model/mass_and_bounds.h"
 #include "mjforge/model/names.h"
 #include "mjforge/model/pose_reader.h"
-#include "mjforge/model/sums.h"
 
 namespace mjforge::model {
 namespace {
@@ -18,7 +18,7 @@ using spec::Key;
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-// Until its body is there a property has no value: `if` may leave the body out.
+// Properties have no value until their body exists, because `if` may leave the body out.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   const int count =
       entry.first_property < 0 ? 0 : static_cast<int>(spec::BodyPropertyNames().size());
@@ -34,8 +34,8 @@ void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   }
 }
 
-// For placement: corner. Where the origin of a body is if the lower corner of its box, turned, is
-// at `p`, counted from the lower corner of the declared box.
+// For `placement: corner`: returns the position of a body's origin if the lower corner of its
+// rotated bounding box is at `p`, relative to the lower corner of the declared box.
 Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
                                  const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
                                  const Eigen::Vector3d& max) {
@@ -70,18 +70,18 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
     body.name = scope.prefix + *name;
     body.mark = entry.head.mark;
   }
-  // A body without a good parent still shows what else is wrong with it.
+  // A body without a valid parent is still checked for other errors.
   object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
   bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
 
-  // The parts, sites and joints that follow go into this body.
+  // The parts, sites and joints that follow belong to this body.
   const bool by_corner = scope.places_corners();
-  const std::size_t outer = std::exchange(at_, index);
+  const std::size_t outer = std::exchange(current_body_, index);
   const Pose X_BS = std::exchange(scope.X_BS, Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
   Fill(scope, entry, reader, *name, index, path);
   Bounds bounds;
-  if (by_corner || entry.first_property >= 0) bounds = BoundsFrom(object_.bodies, index);
+  if (by_corner || entry.first_property >= 0) bounds = SubtreeBounds(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddViews(scope, entry.views, path);
@@ -91,7 +91,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
     joint.name = object_.bodies[index].name + "_joint0";
   }
   ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
-  at_ = outer;
+  current_body_ = outer;
   scope.X_BS = X_BS;
   scope.total_size = total_size;
   PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
@@ -103,14 +103,14 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
     if (!nested) return;
     Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
-    HandIn(scope, entry.head, path, inner);
+    SetSubstitutes(scope, entry.head, path, inner);
     AddSpec(inner);
-    // A body that stays free keeps its joint, under the same name.
-    const bool stays = entry.is_free && nested->spec().root_joints == spec::RootJoints::kFree;
-    if (!stays) TakeAwayJoints(inner);
+    // A body that is free in both specs keeps its free joint, which has the same name in both.
+    const bool keeps_joint = entry.is_free && nested->spec().root_joints == spec::RootJoints::kFree;
+    if (!keeps_joint) MarkRootJointsRemoved(inner);
     for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
       const int slot = entry.parameter_slots[i];
-      if (slot >= 0) scope.values.SetVariable(slot, *nested, i);
+      if (slot >= 0) scope.values.Assign(slot, nested->Parameter(i));
     }
   } else if (entry.head.Find(Key::kMjcf) != nullptr) {
     part_count_ += attacher_.Add(scope, reader, entry.head, name, index);
@@ -125,9 +125,9 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
   if (field == nullptr) return;
   const std::optional<double> mass = reader.Number(*field);
   if (!mass) return;
-  const double sum = MassFrom(object_.bodies, index).mass;
+  const double sum = SubtreeMass(object_.bodies, index).mass;
   if (sum > 0) {
-    ScaleMass(*mass / sum, object_.bodies, at_, body().parts.size(), index);
+    ScaleMass(*mass / sum, object_.bodies, current_body_, body().parts.size(), index);
   } else {
     reader.Report(Code::kModelNoMass, *field, "cannot be reached: no part has mass");
   }
@@ -155,7 +155,6 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& ent
   return scope.body;
 }
 
-// Of the object itself: its sites, parts and bodies, the root's pose aside.
 void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                              std::size_t index) {
   if (entry.first_property < 0) return;
@@ -167,7 +166,7 @@ void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const B
                            half[0],
                            half[1],
                            half[2],
-                           MassFrom(object_.bodies, index).mass};
+                           SubtreeMass(object_.bodies, index).mass};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
   }

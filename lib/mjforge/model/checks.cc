@@ -1,6 +1,7 @@
-// checks: of the spec, evaluated for one variant.
+// Reader of `checks:`, evaluated for one variant.
 
-#include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/model/assembly.h"
@@ -8,16 +9,15 @@
 namespace mjforge::model {
 namespace {
 
-constexpr std::pair<std::string_view, bool Checks::*> kBooleans[] = {
+template <typename Struct, typename Member>
+using KeyedMember = std::pair<std::string_view, Member Struct::*>;
+
+constexpr KeyedMember<Checks, bool> kBooleans[] = {
     {"stable", &Checks::stable},
     {"drive", &Checks::drive},
 };
 
-struct NumberCheck {
-  std::string_view key;
-  double Checks::*member;
-};
-constexpr NumberCheck kNumbers[] = {
+constexpr KeyedMember<Checks, double> kNumbers[] = {
     {"self_collision", &Checks::self_collision},
     {"settle_time", &Checks::settle_time},
     {"rest_speed", &Checks::rest_speed},
@@ -40,49 +40,59 @@ constexpr NumberCheck kNumbers[] = {
     {"look", &Checks::look},
 };
 
-struct RangeCheck {
-  std::string_view key;
-  Eigen::Vector2d Checks::*member;
-};
-constexpr RangeCheck kRanges[] = {
+constexpr KeyedMember<Checks, Eigen::Vector2d> kRanges[] = {
     {"density", &Checks::density},
     {"bulk_density", &Checks::bulk_density},
 };
 
-std::optional<Eigen::Vector2d> ReadRange(const spec::Field& field, FieldReader& reader) {
+constexpr KeyedMember<FittingCheck, std::string> kFittingTexts[] = {
+    {"hole", &FittingCheck::hole}, {"body", &FittingCheck::body}, {"tip", &FittingCheck::tip}};
+
+constexpr KeyedMember<GraspingCheck, double> kGraspingNumbers[] = {{"width", &GraspingCheck::width},
+                                                                   {"force", &GraspingCheck::force},
+                                                                   {"pull", &GraspingCheck::pull}};
+
+constexpr KeyedMember<JointCheck, std::optional<double>> kJointNumbers[] = {
+    {"overshoot", &JointCheck::overshoot},
+    {"reach", &JointCheck::reach},
+    {"penetration", &JointCheck::penetration},
+    {"return", &JointCheck::joint_return},
+};
+
+constexpr KeyedMember<PartCheck, std::optional<double>> kPartNumbers[] = {
+    {"thickness", &PartCheck::thickness}, {"aspect", &PartCheck::aspect}};
+
+// Sets the member that the table lists for the field's key, unless reading the field fails.
+template <typename Table, typename Read, typename Struct>
+void SetMember(const Table& table, Read read, FieldReader& reader, const spec::Field& field,
+               Struct& out) {
+  for (const auto& [key, member] : table) {
+    if (key != field.info->key) continue;
+    if (const auto value = std::invoke(read, reader, field)) out.*member = *value;
+  }
+}
+
+std::optional<Eigen::Vector2d> ReadLimits(FieldReader& reader, const spec::Field& field) {
   const auto range = reader.Vector<2>(field);
-  if (!range) return std::nullopt;
-  if (range->x() > range->y())
+  if (range && range->x() > range->y())
     reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
   return range;
 }
 
 void ReadCheck(const spec::Field& field, FieldReader& reader, Checks& checks) {
   if (field.info->key == "profile") checks.simready = reader.Word(field) == "simready";
-  for (const auto& [key, member] : kBooleans) {
-    if (key == field.info->key) checks.*member = reader.Boolean(field).value_or(checks.*member);
-  }
-  for (const NumberCheck& check : kNumbers) {
-    if (check.key == field.info->key)
-      checks.*check.member = reader.Number(field).value_or(checks.*check.member);
-  }
-  for (const RangeCheck& check : kRanges) {
-    if (check.key == field.info->key)
-      checks.*check.member = ReadRange(field, reader).value_or(checks.*check.member);
-  }
+  SetMember(kBooleans, &FieldReader::Boolean, reader, field, checks);
+  SetMember(kNumbers, &FieldReader::Number, reader, field, checks);
+  SetMember(kRanges, ReadLimits, reader, field, checks);
 }
 
-void ReadGrasping(const spec::Field& field, FieldReader& reader, Grasping& grasps) {
-  const std::string_view key = field.info->key;
-  const std::pair<std::string_view, double Grasping::*> numbers[] = {
-      {"width", &Grasping::width}, {"force", &Grasping::force}, {"pull", &Grasping::pull}};
-  for (const auto& [name, member] : numbers) {
-    if (name == key) grasps.*member = reader.Number(field).value_or(grasps.*member);
-  }
-  if (key == "tries") grasps.tries = static_cast<int>(reader.Number(field).value_or(grasps.tries));
+void ReadGrasping(const spec::Field& field, FieldReader& reader, GraspingCheck& grasps) {
+  SetMember(kGraspingNumbers, &FieldReader::Number, reader, field, grasps);
+  if (field.info->key == "tries")
+    grasps.tries = static_cast<int>(reader.Number(field).value_or(grasps.tries));
 }
 
-void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) {
+void ReadHolding(const spec::Field& field, FieldReader& reader, HoldingCheck& holds) {
   const std::string_view key = field.info->key;
   if (key == "ball") {
     sample::Numbers sizes;
@@ -102,29 +112,14 @@ void ReadHolding(const spec::Field& field, FieldReader& reader, Holding& holds) 
   }
 }
 
-constexpr std::pair<std::string_view, std::optional<double> JointCheck::*> kOfJoints[] = {
-    {"overshoot", &JointCheck::overshoot},
-    {"reach", &JointCheck::reach},
-    {"penetration", &JointCheck::penetration},
-    {"return", &JointCheck::joint_return},
-};
-
 void ReadJointField(const spec::Field& field, FieldReader& reader, JointCheck& check) {
-  for (const auto& [key, member] : kOfJoints) {
-    if (key != field.info->key) continue;
-    if (const auto number = reader.Number(field)) check.*member = *number;
-  }
-  if (field.info->key == "rests") check.rests = ReadRange(field, reader);
+  SetMember(kJointNumbers, &FieldReader::Number, reader, field, check);
+  if (field.info->key == "rests") check.rests = ReadLimits(reader, field);
 }
 
 void ReadPartField(const spec::Field& field, FieldReader& reader, PartCheck& check) {
-  if (field.info->key == "density") check.density = ReadRange(field, reader);
-  const std::pair<std::string_view, std::optional<double> PartCheck::*> numbers[] = {
-      {"thickness", &PartCheck::thickness}, {"aspect", &PartCheck::aspect}};
-  for (const auto& [key, member] : numbers) {
-    if (key != field.info->key) continue;
-    if (const auto number = reader.Number(field)) check.*member = *number;
-  }
+  if (field.info->key == "density") check.density = ReadLimits(reader, field);
+  SetMember(kPartNumbers, &FieldReader::Number, reader, field, check);
 }
 
 }  // namespace
@@ -135,14 +130,14 @@ void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entr
   check.mark = entry.entry.mark;
   check.skip = entry.skip;
   for (const spec::Value& joint : entry.joints)
-    check.joints.emplace_back(scope.values.Text(joint, root));
+    check.joints.emplace_back(scope.values.Text(joint, root).value_or(""));
   FieldReader reader(scope.values, findings_, "joint check", check.joints.front(), root);
   for (const spec::Field& field : entry.entry.fields) ReadJointField(field, reader, check);
   for (const spec::JointPosition& at : entry.at) {
     sample::Numbers numbers;
     scope.values.Vector(at.value, root, numbers);
     auto& [joint, position] = check.positions.emplace_back();
-    joint = scope.values.Text(at.joint, root);
+    joint = scope.values.Text(at.joint, root).value_or("");
     for (const auto& number : numbers) position.push_back(number);
   }
 }
@@ -152,7 +147,7 @@ void Assembly::ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry)
   PartCheck& check = object_.checks.parts.emplace_back();
   check.mark = entry.entry.mark;
   for (const spec::Value& part : entry.parts)
-    check.parts.emplace_back(scope.values.Text(part, root));
+    check.parts.emplace_back(scope.values.Text(part, root).value_or(""));
   if (check.parts.empty()) return;
   FieldReader reader(scope.values, findings_, "limit", check.parts.front(), root);
   for (const spec::Field& field : entry.entry.fields) ReadPartField(field, reader, check);
@@ -160,10 +155,10 @@ void Assembly::ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry)
 
 void Assembly::ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry) {
   const sample::StreamId root = scope.values.root();
-  Grasping& grasps = object_.checks.grasps.emplace();
+  GraspingCheck& grasps = object_.checks.grasps.emplace();
   grasps.mark = entry.mark;
   for (const spec::Value& site : entry.sites)
-    grasps.sites.emplace_back(scope.values.Text(site, root));
+    grasps.sites.emplace_back(scope.values.Text(site, root).value_or(""));
   FieldReader reader(scope.values, findings_, "grasps", object_.name, root);
   for (const spec::Field& field : entry.fields) ReadGrasping(field, reader, grasps);
 }
@@ -171,14 +166,10 @@ void Assembly::ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry) {
 void Assembly::ReadFitting(Scope& scope, const spec::Checks::Fitting& entry) {
   const sample::StreamId root = scope.values.root();
   FieldReader reader(scope.values, findings_, "fits", object_.name, root);
-  Fitting& fitting = object_.checks.fits.emplace_back();
+  FittingCheck& fitting = object_.checks.fits.emplace_back();
   fitting.mark = entry.entry.mark;
-  const std::pair<std::string_view, std::string Fitting::*> texts[] = {
-      {"hole", &Fitting::hole}, {"body", &Fitting::body}, {"tip", &Fitting::tip}};
   for (const spec::Field& field : entry.entry.fields) {
-    for (const auto& [key, member] : texts) {
-      if (key == field.info->key) fitting.*member = reader.Text(field).value_or("");
-    }
+    SetMember(kFittingTexts, &FieldReader::Text, reader, field, fitting);
     if (field.info->key == "depth") fitting.depth = reader.Number(field).value_or(0);
     sample::Numbers sides;
     if (field.info->key != "peg" || !reader.Numbers(field, sides)) continue;
@@ -193,7 +184,7 @@ void Assembly::ReadChecks(Scope& scope) {
   for (const spec::Field& field : checks.fields) ReadCheck(field, reader, object_.checks);
   if (checks.holds) {
     FieldReader in_holds(scope.values, findings_, "holds", object_.name, scope.values.root());
-    Holding& holds = object_.checks.holds.emplace();
+    HoldingCheck& holds = object_.checks.holds.emplace();
     holds.mark = checks.holds->mark;
     for (const spec::Field& field : checks.holds->fields) ReadHolding(field, in_holds, holds);
   }

@@ -1,4 +1,4 @@
-// expect: conditions are checked at once; how bodies and parts lie is kept with the object.
+// `expect:`: evaluates conditions, and adds the expected distances and contacts to the object.
 
 #include <algorithm>
 
@@ -8,12 +8,9 @@
 #include "mjforge/model/names.h"
 
 namespace mjforge::model {
-namespace {
 
 using diag::Code;
 using spec::Key;
-
-}  // namespace
 
 void Assembly::AddExpectations(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
@@ -25,22 +22,20 @@ void Assembly::AddExpectations(Scope& scope) {
   }
   for (const spec::Expectation& entry : spec.expectations) {
     const std::size_t unmet = object_.unmet.size();
-    repetition_.ForEach(entry.entry, scope.values, sample::Child(scope.values.root(), "expect"),
-                        [&] {
-                          if (!entry.condition) {
-                            AddExpectation(scope, entry);
-                          } else if (object_.unmet.size() == unmet) {  // the first is enough
-                            CheckCondition(scope, entry);
-                          }
-                        });
+    repetition_.ForEach(
+        entry.entry, scope.values, sample::Child(scope.values.root(), "expect"), [&] {
+          if (!entry.condition) {
+            AddExpectation(scope, entry);
+          } else if (object_.unmet.size() == unmet) {  // report the first instance only
+            CheckCondition(scope, entry);
+          }
+        });
   }
 }
 
 void Assembly::CheckCondition(Scope& scope, const spec::Expectation& entry) {
-  const std::size_t before = findings_.size();
   const expr::Expression& condition = *entry.condition;
-  const bool holds = scope.values.Condition(condition, entry.entry.mark);
-  if (holds || findings_.size() != before) return;  // or it has no value
+  if (scope.values.Condition(condition, entry.entry.mark).value_or(true)) return;
   const std::string numbers = scope.values.InputsText(condition);
   diag::Finding& finding = object_.unmet.emplace_back();
   finding.code = Code::kModelExpectation;
@@ -70,8 +65,8 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
   if (const spec::Field* min = entry.entry.Find(Key::kMin)) expectation.min = reader.Number(*min);
   if (const spec::Field* max = entry.entry.Find(Key::kMax)) expectation.max = reader.Number(*max);
   for (const spec::JointPosition& at : entry.at) {
-    Position position;
-    position.shown = scope.values.Text(at.joint, scope.values.root());
+    RequestedPosition position;
+    position.shown = scope.values.Text(at.joint, scope.values.root()).value_or("");
     position.joint = scope.prefix + position.shown;
     position.mark = at.mark;
     scope.values.Vector(at.value, scope.values.root(), position.numbers);
@@ -81,35 +76,36 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
       if (found != body.joints.end()) joint = &*found;
     }
     if (joint == nullptr) {
-      ReportUnknown("at", position);
+      ReportUnknownJoint("at", position);
       return;
     }
-    auto placed = Placed("position", position, *joint);
-    if (!placed) return;
-    expectation.positions.emplace_back(position.joint, *std::move(placed));
+    auto qpos = ToQpos("position", position, *joint);
+    if (!qpos) return;
+    expectation.positions.emplace_back(position.joint, *std::move(qpos));
   }
   object_.expectations.push_back(std::move(expectation));
 }
 
 std::optional<std::string> Assembly::FullName(Scope& scope, const spec::Value& value) {
-  const std::string name = scope.values.Text(value, scope.values.root());
+  const std::optional<std::string> name = scope.values.Text(value, scope.values.root());
+  if (!name) return std::nullopt;
   const Body& root = object_.bodies.front();
-  if (name == scope.values.spec().name) return root.name;
-  const std::string full = scope.prefix + name;
+  if (*name == scope.values.spec().name) return root.name;
+  const std::string full = scope.prefix + *name;
   std::vector<std::string_view> known = {scope.values.spec().name};
-  const auto is_it = [&](std::string_view other) {
+  const auto matches = [&](std::string_view other) {
     if (other.starts_with(scope.prefix)) known.push_back(other.substr(scope.prefix.size()));
     return other == full;
   };
   for (const Body& body : object_.bodies) {
-    if (is_it(body.name)) return full;
+    if (matches(body.name)) return full;
     for (const Part& part : body.parts) {
-      if (is_it(part.name) || (!part.piece_of.empty() && is_it(part.piece_of))) return full;
+      if (matches(part.name) || (!part.piece_of.empty() && matches(part.piece_of))) return full;
     }
   }
   findings_.Add(Code::kModelUnknownReference, value.mark,
-                fmt::format("the object has no body and no part {}", Quoted(name)),
-                diag::DidYouMean(name, known));
+                fmt::format("the object has no body and no part {}", Quoted(*name)),
+                diag::DidYouMean(*name, known));
   return std::nullopt;
 }
 

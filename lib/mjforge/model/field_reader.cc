@@ -1,6 +1,7 @@
+// Evaluation of fields, and findings about values that the field table does not allow.
+
 #include "mjforge/model/field_reader.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace {
 
 using diag::Code;
 
-// The value of one component, where it stands apart.
+// Returns the item of a list, or the whole value if it is not a list, for the place of a finding.
 const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   const auto* list = std::get_if<spec::List>(&value.form);
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
@@ -36,7 +37,7 @@ void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_vi
   findings_.Add(code, mark, fmt::format("{} {}", Owner(), what), std::move(hint));
 }
 
-// A number that is not finite has been reported where it was computed.
+// Numbers that are not finite were reported when they were computed.
 void FieldReader::ReportNumber(const spec::Field& field, double number, std::size_t position,
                                std::size_t count) {
   if (!std::isfinite(number)) return;
@@ -88,31 +89,15 @@ bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numb
 }
 
 std::optional<sample::PointList> FieldReader::Points(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  sample::PointList points = values_.Points(field.value, PathOf(field));
-  if (findings_.size() != before || values_.failed()) return std::nullopt;
-  for (const double number : points.numbers) {
-    if (!std::isfinite(number)) return std::nullopt;
-  }
-  return points;
+  return values_.Points(field.value, PathOf(field));
 }
 
 std::optional<std::vector<sample::PointList>> FieldReader::Outlines(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  std::vector<sample::PointList> outlines = values_.Outlines(field.value, PathOf(field));
-  const auto is_good = [](const sample::PointList& points) {
-    return std::ranges::all_of(points.numbers, [](double number) { return std::isfinite(number); });
-  };
-  const bool failed = findings_.size() != before || values_.failed();
-  if (failed || !std::ranges::all_of(outlines, is_good)) return std::nullopt;
-  return outlines;
+  return values_.Outlines(field.value, PathOf(field));
 }
 
 std::optional<std::string> FieldReader::Text(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  std::string text = values_.Text(field.value, PathOf(field));
-  if (findings_.size() != before) return std::nullopt;
-  return text;
+  return values_.Text(field.value, PathOf(field));
 }
 
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
@@ -127,10 +112,7 @@ std::optional<std::string> FieldReader::Word(const spec::Field& field) {
 }
 
 std::optional<bool> FieldReader::Boolean(const spec::Field& field) {
-  const std::size_t before = findings_.size();
-  const bool value = values_.Boolean(field.value, PathOf(field));
-  if (findings_.size() != before) return std::nullopt;
-  return value;
+  return values_.Boolean(field.value, PathOf(field));
 }
 
 bool FieldReader::ReadAttribute(const spec::Field& field, Attribute& out) {

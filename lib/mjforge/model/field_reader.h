@@ -1,3 +1,5 @@
+// Reader of an element's fields: evaluates their values and checks them against the field table.
+
 #pragma once
 
 #include <optional>
@@ -8,8 +10,7 @@
 
 namespace mjforge::model {
 
-/// Evaluates the fields of one element and checks them against the field table. If a function
-/// returns nothing, it has added a finding.
+/// Reads the fields of one element. A function that returns nothing or false has added a finding.
 class FieldReader {
  public:
   /// `path` is the stream of the element; a field's stream is its child named by the key.
@@ -17,8 +18,8 @@ class FieldReader {
               std::string_view name, sample::StreamId path)
       : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
 
-  /// A reader for a child of the element, the `position`-th with its tag: the child has its own
-  /// streams, but findings name the element.
+  /// Returns a reader for a child element, the `position`-th with this tag. The child has its own
+  /// streams, but findings name the parent element.
   FieldReader ForChild(std::string_view tag, std::size_t position) const {
     FieldReader child = *this;
     child.path_ = sample::Child(sample::Child(path_, tag), position);
@@ -27,7 +28,7 @@ class FieldReader {
 
   std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
-  /// As Numbers, for a field that must have exactly N numbers.
+  /// Returns the numbers of a field that must have exactly N numbers.
   template <int N>
   std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
     sample::Numbers numbers;
@@ -38,12 +39,12 @@ class FieldReader {
   std::optional<sample::PointList> Points(const spec::Field& field);
   std::optional<std::vector<sample::PointList>> Outlines(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
-  /// One of the words of the field table.
+  /// Returns one of the words that the field table lists.
   std::optional<std::string> Word(const spec::Field& field);
   std::optional<bool> Boolean(const spec::Field& field);
   bool ReadAttribute(const spec::Field& field, Attribute& out);
 
-  /// "part 'head'"
+  /// Returns the element in messages: "part 'head'".
   std::string Owner() const;
   /// Adds the finding "KEY of OWNER <what>".
   void Report(diag::Code code, const spec::Field& field, std::string_view what,
@@ -57,7 +58,7 @@ class FieldReader {
   sample::StreamId PathOf(const spec::Field& field) const {
     return sample::Child(path_, field.info->key);
   }
-  /// Says what is wrong with one of the `count` numbers of a field.
+  /// Reports the rule that one of the `count` numbers of a field breaks.
   void ReportNumber(const spec::Field& field, double number, std::size_t position,
                     std::size_t count);
 

@@ -1,4 +1,4 @@
-// Once all is there: whether the object can exist, and what follows from its parts.
+// End of the assembly: checks of the whole object, its mass and bounds, start positions.
 
 #include <algorithm>
 #include <functional>
@@ -8,8 +8,8 @@
 
 #include "mjforge/model/assembly.h"
 #include "mjforge/model/free_bodies.h"
+#include "mjforge/model/mass_and_bounds.h"
 #include "mjforge/model/names.h"
-#include "mjforge/model/sums.h"
 #include "mjforge/model/views.h"
 
 namespace mjforge::model {
@@ -20,14 +20,15 @@ using diag::Code;
 // MuJoCo's mjMINVAL, the smallest mass of a body that moves.
 constexpr double kSmallestMass = 1e-15;
 
+// Returns true for actuators with an activation state (MuJoCo's `act`).
 bool HasState(const Element& actuator) {
   constexpr std::string_view kStateful[] = {"intvelocity", "cylinder", "muscle"};
   if (std::ranges::find(kStateful, actuator.tag) != std::end(kStateful)) return true;
-  const auto dyntype = std::ranges::find(actuator.attributes, "dyntype", &Attribute::name);
-  return dyntype != actuator.attributes.end() && dyntype->text != "none";
+  const Attribute* dyntype = FindAttribute(actuator.attributes, "dyntype");
+  return dyntype != nullptr && dyntype->text != "none";
 }
 
-// Of the bodies with joints, once they share the mass of what is fixed to them.
+// Reports bodies with joints that have no mass even after ShareMass.
 void CheckMass(const Object& object, diag::Findings& findings) {
   for (const Body& body : object.bodies) {
     if (body.joints.empty() || body.mass_properties.mass > kSmallestMass) continue;
@@ -62,17 +63,17 @@ void Assembly::Finish(Scope& scope) {
   references_.Check();
   CheckViews(object_, findings_);
   SumMass(object_.bodies.front(), assets_);
-  object_.mass_properties = MassFrom(object_.bodies, 0);
+  object_.mass_properties = SubtreeMass(object_.bodies, 0);
   ShareMass(object_.bodies);
   CheckMass(object_, findings_);
   object_.bounds =
-      scope.total_size ? DeclaredBounds(*scope.total_size) : BoundsFrom(object_.bodies, 0);
+      scope.total_size ? DeclaredBounds(*scope.total_size) : SubtreeBounds(object_.bodies, 0);
   ReleaseFreeBodies(object_.bodies, findings_);
   SetPositions();
   AddExpectations(scope);
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
   for (Section& section : object_.sections) {
-    // MuJoCo 2.2 wants actuators with a state behind those without.
+    // MuJoCo 2.2 requires actuators with a state to come last.
     if (section.info->name == "actuator")
       std::stable_partition(section.elements.begin(), section.elements.end(),
                             std::not_fn(HasState));

@@ -1,10 +1,12 @@
+// Bodies with free joints: moves them from their parent to the world.
+
 #include "mjforge/model/free_bodies.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "mjforge/model/sums.h"
+#include "mjforge/model/mass_and_bounds.h"
 
 namespace mjforge::model {
 namespace {
@@ -14,7 +16,7 @@ const Joint* FreeJointOf(const Body& body) {
   return found == body.joints.end() ? nullptr : &*found;
 }
 
-/// The next body above that moves against its own parent, and is not free; null: there is none.
+// Returns the nearest ancestor that has joints and is not free; null if there is none.
 const Body* MovingParent(const std::vector<Body>& bodies, int parent) {
   for (; parent >= 0; parent = bodies[static_cast<std::size_t>(parent)].parent) {
     const Body& body = bodies[static_cast<std::size_t>(parent)];
@@ -51,10 +53,10 @@ void ReleaseFreeBodies(std::vector<Body>& bodies, diag::Findings& findings) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Joint* joint = FreeJointOf(bodies[i]);
     if (joint == nullptr || !MayBeFree(bodies, bodies[i], *joint, findings)) continue;
-    if (i > 0) released.push_back(i);  // the root is one of the world
+    if (i > 0) released.push_back(i);  // the root already is a child of the world
   }
   if (released.empty()) return;
-  const std::vector<Pose> X_RootB = PosesFrom(bodies, 0);
+  const std::vector<Pose> X_RootB = SubtreePoses(bodies, 0);
   for (const std::size_t i : released) {
     bodies[i].parent = -1;
     bodies[i].X_PB = bodies.front().X_PB * X_RootB[i];

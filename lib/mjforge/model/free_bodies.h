@@ -1,3 +1,5 @@
+// Bodies with free joints, which MuJoCo requires to be children of the world.
+
 #pragma once
 
 #include <vector>
@@ -6,8 +8,8 @@
 
 namespace mjforge::model {
 
-/// Makes each body with a free joint one of the world, which stays where its parent has it. A
-/// finding for one whose parent moves by another joint, and for one that has further joints.
+/// Makes each body with a free joint a child of the world, at its present pose. Adds a finding if
+/// the body has further joints, or is on a body that moves by another joint.
 void ReleaseFreeBodies(std::vector<Body>& bodies, diag::Findings& findings);
 
 }  // namespace mjforge::model

@@ -1,3 +1,5 @@
+// Point test: decides if a point is in a shape or in an object.
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,8 @@
 namespace mjforge::model {
 namespace {
 
-// Points of the surface are inside, but a point computed to be on it may miss it
-// by rounding: a few units in the last place of the numbers that went in.
+// Relative tolerance: a point computed to be on the surface, which counts as inside, may be off by
+// a few units in the last place of the numbers it was computed from.
 constexpr double kRounding = 1e-14;
 
 double SegmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
@@ -28,8 +30,8 @@ double TriangleDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   return std::min({SegmentDistance(p, a, b), SegmentDistance(p, b, c), SegmentDistance(p, c, a)});
 }
 
-// The signed solid angle of a triangle seen from the origin. Source: Van
-// Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
+// Returns the signed solid angle of a triangle seen from the origin. Source: Van Oosterom and
+// Strackee, "The solid angle of a plane triangle", 1983.
 double SolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double la = a.norm();
   const double lb = b.norm();
@@ -38,8 +40,8 @@ double SolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   return 2 * std::atan2(a.dot(b.cross(c)), below);
 }
 
-// On the surface, or wound round by it: the solid angles add up to 4 pi inside
-// and to 0 outside. This is the solid itself, not its convex hull.
+// Returns true for points on the surface or inside, where the solid angles of all triangles add up
+// to 4 pi (0 outside).
 bool MeshContains(const TriangleMesh& mesh, const Eigen::Vector3d& p, double guard) {
   double angle = 0;
   for (const auto& triangle : mesh.triangles) {
@@ -64,7 +66,7 @@ double LargestSize(const Shape& shape) {
 }  // namespace
 
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) {
-  // Products of larger numbers overflow.
+  // Products of coordinates larger than kFar overflow.
   constexpr double kFar = 1e100;
   if (p_A.cwiseAbs().maxCoeff() > kFar) return false;
   const Eigen::Vector3d p = X_AG.q.conjugate() * (p_A - X_AG.p);
@@ -90,7 +92,6 @@ bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) 
 }
 
 bool Contains(const Object& object, const Eigen::Vector3d& p_Root) {
-  // The root's own pose in the world does not count: points are in its frame.
   const std::vector<Pose> X_RootB = BodyPoses(object);
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     const Eigen::Vector3d p_B = X_RootB[i].Inverse() * p_Root;

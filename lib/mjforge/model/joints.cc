@@ -1,3 +1,5 @@
+// Joints of bodies: types, axes, ranges, and the root joints of a spec.
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -24,7 +26,7 @@ bool ReadType(FieldReader& reader, const spec::Entry& entry, Joint& joint) {
   return true;
 }
 
-// What MuJoCo asks of the limits of a joint of this type, or nothing.
+// Returns the rule of MuJoCo that `range` breaks for this joint type; empty if it is valid.
 std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range) {
   const double lower = range[0];
   const double upper = range[1];
@@ -36,7 +38,7 @@ std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range
   return lower < upper ? "" : "must go from a smaller to a larger number";
 }
 
-// A range holds where it is given, unless `limited: false`.
+// Reads the limits. A range applies unless `limited: false`.
 bool ReadRange(FieldReader& reader, const spec::Entry& entry, Joint& joint) {
   const spec::Field* range_field = entry.Find(Key::kRange);
   const spec::Field* limited_field = entry.Find(Key::kLimited);
@@ -86,16 +88,16 @@ void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
   }
 }
 
-void Assembly::TakeAwayJoints(Scope& scope) {
+void Assembly::MarkRootJointsRemoved(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   const std::string origin = fmt::format("spec '{}'", spec.name);
   if (spec.root_joints == spec::RootJoints::kFree) {
-    references_.TakeAway(scope.prefix + "joint0", origin);
+    references_.MarkRemoved(scope.prefix + "joint0", origin);
   }
   for (const spec::Entry& entry : spec.joints) {
     repetition_.ForEach(entry, scope.values, scope.values.root(), [&] {
       const auto name = ReadName(scope, entry, scope.values.root(), findings_);
-      if (name) references_.TakeAway(scope.prefix + *name, origin);
+      if (name) references_.MarkRemoved(scope.prefix + *name, origin);
     });
   }
 }

@@ -1,3 +1,5 @@
+// Volume, mass, centre of mass and inertia of shapes.
+
 #include <cmath>
 
 #include "mjforge/model/shapes.h"
@@ -5,9 +7,9 @@
 namespace mjforge::model {
 namespace {
 
-// Inertia matrices of solids of mass 1 about their centres. Source: Goldstein,
-// "Classical Mechanics", 3rd ed., ch. 5; the capsule is a cylinder and two
-// hemispheres, each moved by the distance of its centroid, 3/8 r, from its face.
+// Returns the principal moments of a capsule of mass 1 about its centre: a cylinder and two
+// hemispheres, whose centroids are at 3/8 r from their faces. Source: Goldstein, "Classical
+// Mechanics", 3rd ed., ch. 5.
 Eigen::Vector3d CapsuleInertia(double radius, double half_length) {
   const double height = 2 * half_length;
   const double spheres = 4 * radius / (4 * radius + 3 * height);  // share of the mass
@@ -18,6 +20,7 @@ Eigen::Vector3d CapsuleInertia(double radius, double half_length) {
   return {across, across, cylinder * r2 / 2 + spheres * 2 * r2 / 5};
 }
 
+// Returns the principal moments of a solid of mass 1 about its centre. Source: Goldstein.
 Eigen::Vector3d UnitInertia(const Shape& shape) {
   const Eigen::Vector3d& s = shape.size;
   const Eigen::Vector3d s2 = s.cwiseProduct(s);
@@ -40,17 +43,18 @@ Eigen::Vector3d UnitInertia(const Shape& shape) {
   return Eigen::Vector3d::Zero();
 }
 
-// A point near the mesh: tetrahedra from there cancel less than from a far origin.
+// Returns the mean vertex. Sums over tetrahedra from this point lose fewer digits than from an
+// origin far away.
 Eigen::Vector3d Middle(const TriangleMesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
   return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
 }
 
-// Sums over the tetrahedra between a point M and each triangle (a, b, c). With
-// d = det(a b c): volume d / 6, first moment d / 24 (a + b + c), second moments
-// d / 120 (aa' + bb' + cc' + ss'), s = a + b + c. Source: Tonon, "Explicit exact
-// formulas for the 3-D tetrahedron inertia tensor", 2004.
+// Sums over the tetrahedra between the mean vertex M and each triangle (a, b, c). With
+// d = det(a b c) and s = a + b + c, a tetrahedron has volume d / 6, first moment d / 24 s and
+// second moments d / 120 (aa' + bb' + cc' + ss'). Source: Tonon, "Explicit exact formulas for the
+// 3-D tetrahedron inertia tensor", 2004.
 MassProperties MeshMass(const TriangleMesh& mesh, double density) {
   const Eigen::Vector3d p_GM = Middle(mesh);
   double volume6 = 0;
@@ -77,21 +81,9 @@ MassProperties MeshMass(const TriangleMesh& mesh, double density) {
   return result;
 }
 
-// What a point mass at `r` from the point adds to the inertia about it.
+// Returns the inertia of a point mass at distance vector `r`.
 Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& r) {
   return mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-}
-
-double MeshVolume(const TriangleMesh& mesh) {
-  const Eigen::Vector3d p_GM = Middle(mesh);
-  double volume6 = 0;
-  for (const auto& triangle : mesh.triangles) {
-    const Eigen::Vector3d a = mesh.vertices[static_cast<std::size_t>(triangle[0])] - p_GM;
-    const Eigen::Vector3d b = mesh.vertices[static_cast<std::size_t>(triangle[1])] - p_GM;
-    const Eigen::Vector3d c = mesh.vertices[static_cast<std::size_t>(triangle[2])] - p_GM;
-    volume6 += a.dot(b.cross(c));
-  }
-  return volume6 / 6;
 }
 
 }  // namespace
@@ -110,7 +102,7 @@ double Volume(const Shape& shape) {
     case GeomType::kBox:
       return 8 * s.prod();
     case GeomType::kMesh:
-      return MeshVolume(*shape.mesh);
+      return MeshMass(*shape.mesh, 1).mass;
   }
   return 0;
 }
@@ -131,13 +123,13 @@ MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F) {
 }
 
 MassProperties Combine(const MassProperties& a, const MassProperties& b) {
-  MassProperties both;
-  both.mass = a.mass + b.mass;
-  if (both.mass == 0) return both;
-  both.p_FCm = (a.mass * a.p_FCm + b.mass * b.p_FCm) / both.mass;
-  both.I_Cm_F = a.I_Cm_F + PointInertia(a.mass, a.p_FCm - both.p_FCm) + b.I_Cm_F +
-                PointInertia(b.mass, b.p_FCm - both.p_FCm);
-  return both;
+  MassProperties sum;
+  sum.mass = a.mass + b.mass;
+  if (sum.mass == 0) return sum;
+  sum.p_FCm = (a.mass * a.p_FCm + b.mass * b.p_FCm) / sum.mass;
+  sum.I_Cm_F = a.I_Cm_F + PointInertia(a.mass, a.p_FCm - sum.p_FCm) + b.I_Cm_F +
+               PointInertia(b.mass, b.p_FCm - sum.p_FCm);
+  return sum;
 }
 
 MassProperties Scaled(const MassProperties& properties, double factor) {

@@ -1,3 +1,5 @@
+// Materials: lookup with substitutes, evaluation and sharing.
+
 #include "mjforge/model/materials.h"
 
 #include <algorithm>
@@ -23,21 +25,18 @@ const MaterialState* Materials::Find(Scope& scope, const std::string& name, diag
   const std::vector<spec::Material>& materials = scope.values.spec().materials;
   const auto found = std::ranges::find(materials, name, &spec::Material::name);
   if (found == materials.end()) {
-    std::vector<std::string_view> names;
-    names.reserve(materials.size());
-    for (const spec::Material& material : materials) names.push_back(material.name);
     findings_.Add(Code::kSpecUnknownMaterial, mark, fmt::format("no material {}", Quoted(name)),
-                  diag::DidYouMean(name, names));
+                  diag::DidYouMean(name, materials, &spec::Material::name));
     return nullptr;
   }
   MaterialState& state = scope.materials[static_cast<std::size_t>(found - materials.begin())];
-  if (!state.ready) Evaluate(scope, *found, state);
+  if (!state.is_evaluated) Evaluate(scope, *found, state);
   return &state;
 }
 
-// Once an object: all parts of a material share what is drawn in it.
+// Runs once per object, so that all parts of a material share its drawn values.
 void Materials::Evaluate(Scope& scope, const spec::Material& material, MaterialState& state) {
-  state.ready = true;
+  state.is_evaluated = true;
   FieldReader reader(scope.values, findings_, "material", material.name,
                      MaterialPath(scope.values, material));
   Material look;

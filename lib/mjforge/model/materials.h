@@ -1,3 +1,5 @@
+// Materials of an object: evaluation on first use, and sharing of equal ones.
+
 #pragma once
 
 #include <string>
@@ -8,17 +10,17 @@
 
 namespace mjforge::model {
 
-/// The materials of one object; equal ones are shared.
+/// Adds materials to one object. Equal ones are shared.
 class Materials {
  public:
   Materials(Object& object, Assets& assets, diag::Findings& findings)
       : object_(object), assets_(assets), findings_(findings) {}
 
-  /// The state of the material that a field names, or of the one in its place, evaluated; null
+  /// Returns the evaluated material that a field names, or its substitute from the outer spec; null
   /// after a finding.
   const MaterialState* Use(Scope& scope, FieldReader& reader, const spec::Field& field);
-  /// The index of an equal material with that own name; otherwise adds this one and returns its
-  /// index.
+  /// Returns the index of an equal material whose name in its spec or file is `own_name`. Adds the
+  /// material if there is none.
   int Share(const std::string& own_name, Material material);
 
  private:
@@ -28,7 +30,7 @@ class Materials {
   Object& object_;
   Assets& assets_;
   diag::Findings& findings_;
-  std::unordered_multimap<std::string, int> by_name_;  // own names
+  std::unordered_multimap<std::string, int> by_name_;  // indices by own name
 };
 
 }  // namespace mjforge::model

@@ -1,3 +1,5 @@
+// Meshes of an object: inline meshes and files, shared if they are equal, and names of copies.
+
 #include <algorithm>
 #include <functional>
 #include <string_view>
@@ -16,15 +18,11 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-template <typename Vector>
-std::size_t HashOfAll(const std::vector<Vector>& vectors) {
-  const std::string_view bytes(reinterpret_cast<const char*>(vectors.data()),
-                               vectors.size() * sizeof(Vector));
-  return std::hash<std::string_view>()(bytes);
-}
-
+// Meshes with equal vertices seldom differ otherwise.
 std::size_t HashOf(const TriangleMesh& mesh) {
-  return HashOfAll(mesh.vertices) ^ HashOfAll(mesh.normals) ^ HashOfAll(mesh.texcoords);
+  const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
+                               mesh.vertices.size() * sizeof(Eigen::Vector3d));
+  return std::hash<std::string_view>()(bytes);
 }
 
 std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
@@ -37,7 +35,7 @@ bool AreSame(const TriangleMesh& a, const TriangleMesh& b) {
          a.texcoords == b.texcoords;
 }
 
-// In the name of a file, on some system.
+// Returns true for characters that some system rejects in file names.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
   const auto byte = static_cast<unsigned char>(c);
@@ -58,7 +56,7 @@ std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry&
     reader.Report(Code::kModelBadValue, *field, "is zero");
     return std::nullopt;
   }
-  if (numbers.size() == 1) numbers.resize(count, double{numbers[0]});
+  if (numbers.size() == 1) numbers.resize(count, numbers[0]);
   if (!reader.HasCount(*field, numbers, count)) return std::nullopt;
   return numbers;
 }
@@ -72,31 +70,26 @@ const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key i
   return field;
 }
 
-void Assets::Share(int index, Part& part) {
+void Assets::SetMesh(int index, Part& part) {
   part.mesh = index;
   part.shape = {.type = GeomType::kMesh,
                 .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
 }
 
-void Assets::AddInline(TriangleMesh mesh, Part& part) {
+void Assets::AddInline(const TriangleMesh& mesh, Part& part) {
   const std::size_t hash = HashOf(mesh);
-  const auto [begin, end] = by_hash_.equal_range(hash);
+  const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const auto index = static_cast<std::size_t>(it->second);
     const TriangleMesh& other = object_.meshes[index]->mesh;
-    if (!sources_[index].file.empty() || !AreSame(other, mesh)) continue;
-    return Share(it->second, part);
+    if (sources_[index].file.empty() && AreSame(other, mesh)) return SetMesh(it->second, part);
   }
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
-  asset->mesh = std::move(mesh);
-  asset->is_hull = asset->mesh.normals.empty();
+  asset->mesh = mesh;
+  asset->is_hull = mesh.normals.empty();
   asset->mark = part.mark;
-  const int index = static_cast<int>(object_.meshes.size());
-  object_.meshes.push_back(std::move(asset));
-  sources_.emplace_back();
-  by_hash_.emplace(hash, index);
-  Share(index, part);
+  SetMesh(Add(std::move(asset), {}, hash), part);
 }
 
 bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
@@ -108,7 +101,7 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   if (!name || !factors) return false;
   const Eigen::Vector3d scale(factors->data());
   const std::filesystem::path file = (folder / *name).lexically_normal();
-  const Assembler::CachedMesh& content = assembler_.ReadFile(file);
+  const Assembler::CachedMesh& content = assembler_.ReadMesh(file);
   if (!content.exists) {
     findings_.Add(Code::kModelFileNotFound, field->value.mark,
                   fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
@@ -121,10 +114,10 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
                   fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
     return false;
   }
-  if (content.why_not_solid && part.role != Role::kVisual) {
+  if (content.surface_defect && part.role != Role::kVisual) {
     findings_.Add(
         Code::kModelBadMesh, field->value.mark,
-        fmt::format("mesh {} is not a closed surface: {}", Quoted(*name), *content.why_not_solid),
+        fmt::format("mesh {} is not a closed surface: {}", Quoted(*name), *content.surface_defect),
         "repair the file, or give the part `role: visual`");
     return false;
   }
@@ -135,10 +128,10 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
 void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                      const Assembler::CachedMesh& content, Part& part) {
   const std::size_t hash = HashOf(file, scale);
-  const auto [begin, end] = by_hash_.equal_range(hash);
+  const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
-    const Source& source = sources_[static_cast<std::size_t>(it->second)];
-    if (source.file == file && source.scale == scale) return Share(it->second, part);
+    const MeshSource& source = sources_[static_cast<std::size_t>(it->second)];
+    if (source.file == file && source.scale == scale) return SetMesh(it->second, part);
   }
   auto asset = std::make_unique<MeshAsset>();
   asset->name = part.name;
@@ -149,16 +142,12 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
     asset->file = file;
     asset->output_file = OutputName(file);
   }
-  const int index = static_cast<int>(object_.meshes.size());
-  object_.meshes.push_back(std::move(asset));
-  sources_.push_back({.file = file, .scale = scale, .is_solid = !content.why_not_solid});
-  by_hash_.emplace(hash, index);
-  Share(index, part);
+  SetMesh(Add(std::move(asset), {file, scale, !content.surface_defect}, hash), part);
 }
 
 int Assets::ShareMesh(const MeshAsset& mesh, const std::string& name) {
   const std::size_t hash = HashOf(mesh.file, mesh.scale) + mesh.attributes.size();
-  const auto [begin, end] = by_hash_.equal_range(hash);
+  const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
     if (other.file == mesh.file && !other.is_hull && other.scale == mesh.scale &&
@@ -169,17 +158,21 @@ int Assets::ShareMesh(const MeshAsset& mesh, const std::string& name) {
   auto asset = std::make_unique<MeshAsset>(mesh);
   asset->name = name;
   if (!mesh.file.empty()) asset->output_file = OutputName(mesh.file);
+  return Add(std::move(asset), {mesh.file, mesh.scale, false}, hash);
+}
+
+int Assets::Add(std::unique_ptr<MeshAsset> mesh, MeshSource source, std::size_t hash) {
   const int index = static_cast<int>(object_.meshes.size());
-  object_.meshes.push_back(std::move(asset));
-  sources_.push_back({.file = mesh.file, .scale = mesh.scale, .is_solid = false});
-  by_hash_.emplace(hash, index);
+  object_.meshes.push_back(std::move(mesh));
+  sources_.push_back(std::move(source));
+  meshes_.emplace(hash, index);
   return index;
 }
 
 std::optional<MassProperties> Assets::UnitMassOf(const Shape& shape, int mesh) {
   if (shape.type != GeomType::kMesh) return MassOf(shape, 1);
-  Source& source = sources_[static_cast<std::size_t>(mesh)];
-  if (!source.is_solid) return std::nullopt;
+  MeshSource& source = sources_[static_cast<std::size_t>(mesh)];
+  if (!source.is_closed) return std::nullopt;
   if (!source.unit_mass) source.unit_mass = MassOf(shape, 1);
   return source.unit_mass;
 }
@@ -188,10 +181,10 @@ std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
   std::string name = file.filename().string();
-  // Archives are unpacked on other systems, too, and MuJoCo takes a backslash for a slash.
+  // Archives are unpacked on any system, and MuJoCo treats a backslash like a slash.
   std::ranges::replace_if(name, IsUnportable, '_');
   const std::filesystem::path safe = name;
-  // MuJoCo 2.2 folds the case of file names.
+  // MuJoCo 2.2 ignores the case of file names.
   for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
     name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
   }

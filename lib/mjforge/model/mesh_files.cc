@@ -1,3 +1,5 @@
+// Readers of OBJ (by tinyobjloader), binary STL and text STL.
+
 #include "mjforge/model/mesh_files.h"
 
 #include <algorithm>
@@ -30,8 +32,8 @@ struct VertexHash {
   }
 };
 
-// Collects triangles by their corners; equal corners become one vertex, and
-// triangles that thereby have no area are left out.
+// Builds a mesh from triangles given by their corners. Equal corners become one vertex; triangles
+// with two equal corners are left out.
 class MeshBuilder {
  public:
   void Add(const std::array<Eigen::Vector3d, 3>& corners) {
@@ -66,7 +68,7 @@ class MeshBuilder {
   bool finite_ = true;
 };
 
-// The loader's words on one line, without their end.
+// Returns the first line of a message of the loader.
 std::string FirstLine(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
@@ -97,7 +99,7 @@ std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, bool has_poly
   return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && !has_polygons};
 }
 
-// Does some face line have more than four corners?
+// Returns true if a face has more than four corners.
 bool HasPolygons(std::string_view content) {
   while (!content.empty()) {
     const std::string_view line = content.substr(0, content.find('\n'));
@@ -114,10 +116,10 @@ bool HasPolygons(std::string_view content) {
   return false;
 }
 
-// Binary STL: a header of any 80 bytes, the number of triangles, and for each its normal and its
-// corners, twelve numbers, and two more bytes.
+// Binary STL: a header of any 80 bytes, the number of triangles, and for each triangle twelve
+// numbers (normal and corners) and two unused bytes.
 static_assert(std::endian::native == std::endian::little);
-constexpr std::size_t kStlCount = 80;  // where it stands
+constexpr std::size_t kStlCount = 80;  // offset of the number of triangles
 constexpr std::size_t kStlHeader = 84;
 constexpr std::size_t kStlTriangle = 50;
 
@@ -143,7 +145,7 @@ void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
   }
 }
 
-// The words of a line `vertex X Y Z`, in the precision of binary STL.
+// Returns the coordinates in the words of a line `vertex X Y Z`, in the precision of binary STL.
 std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words) {
   if (words.size() != 4) return std::nullopt;
   Eigen::Vector3d vertex;
@@ -155,12 +157,12 @@ std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words
   return vertex;
 }
 
-// Text STL, one line after the other. Names of solids may be any words, and normals are not needed.
-// False, and why, if it is something else.
+// Reads text STL line by line. Names of solids may be any words, and normals are ignored. Returns
+// false and sets `why_not` if a line does not belong in such a text.
 bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why_not) {
-  constexpr std::string_view kPassedOver[] = {"solid", "facet", "outer", "endfacet", "endsolid"};
+  constexpr std::string_view kIgnored[] = {"solid", "facet", "outer", "endfacet", "endsolid"};
   std::array<Eigen::Vector3d, 3> corners;
-  std::size_t count = 0;  // of the triangle at hand
+  std::size_t count = 0;  // corners of the current triangle
   bool is_begun = false;
   for (std::size_t number = 1; !content.empty(); ++number) {
     const std::string_view line = content.substr(0, content.find('\n'));
@@ -168,7 +170,7 @@ bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why
     const std::vector<std::string_view> words = expr::WordsOf(line);
     if (words.empty()) continue;
     is_begun |= words[0] == "solid";
-    if (is_begun && std::ranges::count(kPassedOver, words[0]) > 0) continue;
+    if (is_begun && std::ranges::count(kIgnored, words[0]) > 0) continue;
     const auto vertex = words[0] == "vertex" ? StlVertex(words) : std::nullopt;
     if (is_begun && vertex && count < 3) {
       corners[count++] = *vertex;
@@ -185,9 +187,9 @@ bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why
   return count == 0;
 }
 
-// What `parse` gives; nothing, and why, if it throws.
+// Returns the result of `parse`. If it throws, returns nothing and sets `why_not`.
 template <typename Parse>
-std::optional<MeshFile> Caught(Parse parse, std::string& why_not) {
+std::optional<MeshFile> CatchExceptions(Parse parse, std::string& why_not) {
   try {
     return parse();
   } catch (const std::bad_alloc&) {
@@ -215,7 +217,7 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
     why_not = reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error());
     return std::nullopt;
   };
-  return Caught(parse, why_not);
+  return CatchExceptions(parse, why_not);
 }
 
 std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not) {
@@ -231,7 +233,7 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
     if (!mesh) return std::nullopt;
     return MeshFile{std::move(*mesh), is_binary};
   };
-  return Caught(parse, why_not);
+  return CatchExceptions(parse, why_not);
 }
 
 std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not,
@@ -259,18 +261,6 @@ TriangleMesh Scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
     for (auto& triangle : scaled.triangles) std::swap(triangle[1], triangle[2]);
   }
   return scaled;
-}
-
-std::optional<TriangleMesh> ReadMesh(const std::filesystem::path& file,
-                                     const Eigen::Vector3d& scale, std::string& why_not) {
-  if (!scale.allFinite() || scale.x() == 0 || scale.y() == 0 || scale.z() == 0) {
-    why_not = "a scale is zero or not finite";
-    return std::nullopt;
-  }
-  bool unreadable = false;
-  std::optional<MeshFile> read = ReadMeshFile(file, why_not, unreadable);
-  if (!read) return std::nullopt;
-  return Scaled(read->mesh, scale);
 }
 
 }  // namespace mjforge::model

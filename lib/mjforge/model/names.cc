@@ -1,14 +1,18 @@
+// Quoted texts, and duplicate names of elements.
+
 #include "mjforge/model/names.h"
 
+#include <algorithm>
+#include <functional>
 #include <map>
-#include <unordered_map>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace mjforge::model {
 namespace {
-
-constexpr std::string_view kTwin = "_vis";
 
 void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMark second,
                  diag::SourceMark first, std::string hint, diag::Findings& findings) {
@@ -20,54 +24,79 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
   if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 
-// The named elements of an object by kind and name.
+// An element with a name. The hash is compared first, because numbers are faster than texts.
+struct NamedElement {
+  std::size_t hash;
+  std::string_view kind;
+  std::string_view name;
+  std::size_t position;
+  diag::SourceMark mark;
+  const Part* part;
+
+  auto Key() const { return std::tuple(hash, kind, name, position); }
+};
+
+// The named elements of an object, found by kind and name.
 class NameTable {
  public:
-  struct Place {
-    std::string_view kind;
-    std::string_view name;
-    diag::SourceMark mark;
-    const Part* part = nullptr;
-  };
-
-  explicit NameTable(diag::Findings& findings) : findings_(findings) {}
-
-  /// Repeats are reported, one for each place in the spec.
-  void Add(const Place& place) {
-    if (place.name.empty()) return;
-    const auto [known, is_new] = places_[place.kind].try_emplace(place.name, place);
-    if (is_new) return;
-    diag::SourceMark& reported = reported_[place.kind];
-    if (reported && reported == place.mark) return;
-    reported = place.mark;
-    ReportTwice(place.kind, std::string(place.name), place.mark, known->second.mark, {}, findings_);
+  void Add(std::string_view kind, std::string_view name, diag::SourceMark mark,
+           const Part* part = nullptr) {
+    if (name.empty()) return;
+    elements_.push_back({HashOf(name), kind, name, elements_.size(), mark, part});
   }
   template <typename Elements>
   void AddAll(std::string_view kind, const Elements& elements) {
-    for (const auto& element : elements) Add({kind, element.name, element.mark});
+    for (const auto& element : elements) Add(kind, element.name, element.mark);
   }
-  const Place* Find(std::string_view kind, std::string_view name) const {
-    const auto& places = places_.find(kind)->second;
-    const auto found = places.find(name);
-    return found == places.end() ? nullptr : &found->second;
+
+  /// Sorts the table and reports repeated names, in the order in which they were added. Repetitions
+  /// at the same place in the spec are reported once.
+  void ReportDuplicates(diag::Findings& findings) {
+    std::ranges::sort(elements_, {}, &NamedElement::Key);
+    const NamedElement* first = nullptr;
+    std::map<std::size_t, std::pair<const NamedElement*, const NamedElement*>> duplicates;
+    for (const NamedElement& element : elements_) {
+      if (first != nullptr && element.kind == first->kind && element.name == first->name) {
+        duplicates.emplace(element.position, std::pair(&element, first));
+      } else {
+        first = &element;
+      }
+    }
+    std::map<std::string_view, diag::SourceMark> reported;  // last place of a kind
+    for (const auto& [position, pair] : duplicates) {
+      const auto& [element, earlier] = pair;
+      diag::SourceMark& last = reported[element->kind];
+      if (last && last == element->mark) continue;
+      last = element->mark;
+      ReportTwice(element->kind, std::string(element->name), element->mark, earlier->mark, {},
+                  findings);
+    }
+  }
+
+  /// Returns the first element of that kind and name, or null. The table must be sorted.
+  const NamedElement* Find(std::string_view kind, std::string_view name) const {
+    const auto found = std::ranges::lower_bound(
+        elements_, std::tuple(HashOf(name), kind, name, std::size_t{0}), {}, &NamedElement::Key);
+    const bool exists = found != elements_.end() && found->kind == kind && found->name == name;
+    return exists ? &*found : nullptr;
   }
 
  private:
-  diag::Findings& findings_;
-  std::map<std::string_view, std::unordered_map<std::string_view, Place>> places_;
-  std::map<std::string_view, diag::SourceMark> reported_;  // the last one of a kind
+  static std::size_t HashOf(std::string_view name) { return std::hash<std::string_view>()(name); }
+
+  std::vector<NamedElement> elements_;
 };
 
-// A part whose name is that of another part's visual twin.
-void CheckTwins(const Object& object, const NameTable& names, diag::Findings& findings) {
+// Reports parts whose name is that of another part's visual geom.
+void CheckVisualNames(const Object& object, const NameTable& names, diag::Findings& findings) {
   for (const Body& body : object.bodies) {
     for (const Part& part : body.parts) {
-      if (!part.name.ends_with(kTwin)) continue;
+      if (!part.name.ends_with(kVisualSuffix)) continue;
       std::string_view stem = part.name;
-      stem.remove_suffix(kTwin.size());
-      const NameTable::Place* twin = names.Find("part", stem);
+      stem.remove_suffix(kVisualSuffix.size());
+      const NamedElement* twin = names.Find("part", stem);
       if (twin == nullptr || twin->part->role == Role::kCollision || twin->part->as_is) continue;
-      // A visual part has no geom of its own name.
+      // The only geom of a visual part has the suffix, too.
       if (!part.as_is && part.role == Role::kVisual) continue;
       ReportTwice("part", part.name, part.mark, twin->mark,
                   fmt::format("part '{}' has a visual twin of that name", stem), findings);
@@ -93,24 +122,24 @@ std::string Quoted(std::string_view text) {
 }
 
 void CheckUniqueNames(const Object& object, diag::Findings& findings) {
-  NameTable names(findings);
+  NameTable names;
   names.AddAll("material", object.materials);
   names.AddAll("texture", object.textures);
-  for (const auto& mesh : object.meshes) names.Add({"mesh", mesh->name, mesh->mark});
+  for (const auto& mesh : object.meshes) names.Add("mesh", mesh->name, mesh->mark);
   names.AddAll("body", object.bodies);
   for (const Body& body : object.bodies) {
     names.AddAll("joint", body.joints);
     names.AddAll("site", body.sites);
-    for (const Part& part : body.parts) names.Add({"part", part.name, part.mark, &part});
-    // Cameras and lights.
-    for (const Element& element : body.elements) {
-      names.Add({element.tag, element.name, element.mark});
-    }
+    for (const Part& part : body.parts) names.Add("part", part.name, part.mark, &part);
+    for (const Element& view : body.elements) names.Add(view.tag, view.name, view.mark);
   }
-  CheckTwins(object, names, findings);
+  names.ReportDuplicates(findings);
+  CheckVisualNames(object, names, findings);
+  NameTable section_names;
   for (const Section& section : object.sections) {
-    if (!section.info->is_element) names.AddAll(section.info->name, section.elements);
+    if (!section.info->is_element) section_names.AddAll(section.info->name, section.elements);
   }
+  section_names.ReportDuplicates(findings);
 }
 
 }  // namespace mjforge::model

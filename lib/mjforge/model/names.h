@@ -1,3 +1,5 @@
+// Names of elements: quoting in messages, and the test for duplicates.
+
 #pragma once
 
 #include <string>
@@ -12,11 +14,10 @@ using expr::IsName;
 inline constexpr std::string_view kNameRule =
     "a name is a letter, then letters, digits and underscores";
 
-/// 'text' on one line: control characters as \n or \x07, cut when very long.
+/// Returns the text in quotes, on one line: control characters as \n or \x07, long texts cut off.
 std::string Quoted(std::string_view text);
 
-/// Reports names that occur twice among the elements of one kind, including the parts' visual twins
-/// (NAME_vis).
+/// Reports names that two elements of one kind have, including names of visual geoms (NAME_vis).
 void CheckUniqueNames(const Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::model

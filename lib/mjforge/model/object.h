@@ -1,7 +1,7 @@
-#pragma once
+// An object as numbers in SI units: a tree of bodies with parts, joints and sites, its assets, and
+// the sections of MJCF that belong to it.
 
-// An object: a tree of bodies with parts, joints and sites, its assets, and the
-// MJCF sections that go with it. Numbers only, in SI units.
+#pragma once
 
 #include <cstddef>
 #include <filesystem>
@@ -17,7 +17,6 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/model/attributes.h"
 #include "mjforge/model/checks.h"
-#include "mjforge/model/meshes.h"
 #include "mjforge/model/poses.h"
 #include "mjforge/model/shapes.h"
 #include "mjforge/sample/sample.h"
@@ -25,23 +24,25 @@
 
 namespace mjforge::model {
 
-/// Objects with more parts than this are refused: MuJoCo's loading grows with the square of their
-/// number, and so many still fit into the default time limit on a machine half as fast as ours.
+/// Objects with more parts are rejected: MuJoCo's loading time grows with the square of their
+/// number, and this number loads within the default time limit on a machine half as fast as ours.
 inline constexpr int kMaxParts = 40'000;
 
-/// A mesh asset. Inline vertices (a prism, the look and the pieces of a lathe), or a file that is
-/// copied into the output.
+/// A part that collides and is visible has two geoms: the visual one is named after the part, with
+/// this suffix.
+inline constexpr std::string_view kVisualSuffix = "_vis";
+
+/// A mesh, written inline (for the shapes of `solid`) or as a file that is copied into the output.
 struct MeshAsset {
   std::string name;
   TriangleMesh mesh;           // scaled
-  std::filesystem::path file;  // empty: inline, as vertices and triangles
-  /// The surface is the convex hull of the vertices, as for a prism: MuJoCo makes the triangles
-  /// itself.
+  std::filesystem::path file;  // empty for inline meshes
+  /// The surface is the convex hull of the vertices; MuJoCo computes the triangles itself.
   bool is_hull = false;
-  std::string output_file;  // its name in assets/
+  std::string output_file;  // file name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  /// For the mesh of an attached file: the other attributes of its element (refpos, refquat, inline
-  /// vertices); `mesh` is the result with all of them applied.
+  /// Other attributes of an attached file's mesh (refpos, refquat, inline vertices); `mesh` is the
+  /// result after all of them are applied.
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -49,46 +50,46 @@ struct MeshAsset {
 struct TextureFile {
   std::string_view attribute = "file";  // or fileright, fileup, ...
   std::filesystem::path file;
-  std::string output_file;  // its name in assets/
+  std::string output_file;  // file name in assets/
 
   bool operator==(const TextureFile&) const = default;
 };
 
 struct Texture {
   std::string name;
-  std::vector<TextureFile> files;  // none: builtin
+  std::vector<TextureFile> files;  // empty for builtin textures
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
 
 struct Material {
   std::string name;
-  int texture = -1;  // in Object::textures
+  int texture = -1;  // index in Object::textures
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
 
 enum class Role { kBoth, kCollision, kVisual };
 
-/// One part of a body B: a solid, written as a collision geom, a visual one or both. A shape that
-/// MuJoCo does not have is several: what is seen of it, under its name, and its pieces, NAME_0 and
-/// so on, which collide.
+/// A rigid solid of a body B, written as a collision geom, a visual geom or both. A shape of the
+/// room `solid` becomes several parts: its render mesh, with its name, and the convex pieces
+/// NAME_0, NAME_1, ..., which collide.
 struct Part {
   std::string name;
-  std::string piece_of;  // the name of the shape whose piece it is; empty: none
+  std::string piece_of;  // name of the shape that this part is a piece of; otherwise empty
   Role role = Role::kBoth;
   Shape shape;
-  int mesh = -1;  // in Object::meshes
+  int mesh = -1;  // index in Object::meshes
   Pose X_BG;
-  /// kg; 0 for a visual part. MJCF states the density instead if that was given (`density` > 0), so
-  /// that MuJoCo computes the mass from the same number.
+  /// kg; 0 for most visual parts. If `density`, kg/m^3, is greater than 0, the density is written
+  /// instead, so that MuJoCo computes the mass from the number in the spec.
   double mass = 0;
   double density = 0;
-  /// Of density 1, in G: the true solid that has the mass, where that is not `shape`.
+  /// Mass properties at density 1, in G, of the exact solid if it differs from `shape`.
   std::optional<MassProperties> solid;
-  int material = -1;  // in Object::materials
-  /// A geom of an attached file: written under its own name and with no more
-  /// attributes than it has; the role only says whether it collides.
+  int material = -1;  // index in Object::materials
+  /// A geom of an attached file, which is written under its own name and with only the attributes
+  /// that it has. The role then only decides if it collides.
   bool as_is = false;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -99,9 +100,8 @@ struct Joint {
   std::string_view type = "free";  // free ball slide hinge
   Eigen::Vector3d pos = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  std::optional<Eigen::Vector2d> range;  // limited if present
-  /// Where it stands at the start, as qpos has it: m or rad, of a ball joint w, x, y, z. Empty: at
-  /// its zero.
+  std::optional<Eigen::Vector2d> range;  // none: not limited
+  /// Start position as in qpos: m or rad, for a ball joint w, x, y, z. Empty: the joint's zero.
   sample::Numbers start;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -119,57 +119,56 @@ struct Site {
 
 struct Body {
   std::string name;
-  int parent = -1;  // in Object::bodies; -1: the world, for the root and for free bodies
+  int parent = -1;  // index in Object::bodies; -1: the world, for the root and for free bodies
   Pose X_PB;
   std::vector<Joint> joints;
   std::vector<Part> parts;
   std::vector<Site> sites;
   std::vector<Element> elements;      // cameras and lights
-  std::vector<Attribute> attributes;  // of the body itself
+  std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
-  /// Whether MJCF states the inertia instead of leaving it to MuJoCo: bodies
-  /// with mesh parts, whose mass MuJoCo's versions compute differently, and
-  /// attached ones, which keep the inertia of their own file.
+  /// MJCF has an <inertial> element instead of leaving the inertia to MuJoCo: for bodies with mesh
+  /// parts, because releases of MuJoCo compute the mass of meshes differently, and for attached
+  /// bodies, which keep the inertia of their file.
   bool explicit_inertial = false;
-  /// Of an attached file's bodies: the first of them, in Object::bodies.
+  /// Index of the first body of the same attached file; -1 for other bodies.
   int attached = -1;
   diag::SourceMark mark;
 };
 
-/// Extents of the collision parts in the root frame (all parts if none collides).
+/// Extents of the collision parts in the root frame (of all parts if none collides).
 struct Bounds {
   Box3 aabb;
   double top_offset = 0;         // aabb.max.z, m
   double bottom_offset = 0;      // aabb.min.z, m
   double horizontal_radius = 0;  // largest distance from the root's z axis, m
-  Eigen::Vector3d half_size() const;
+  Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
 };
 
 struct Object {
   std::string name;
   std::vector<Body> bodies;         // the root first, parents before children
-  std::vector<Material> materials;  // those in use
+  std::vector<Material> materials;  // used ones only
   std::vector<Texture> textures;
-  std::vector<std::unique_ptr<MeshAsset>> meshes;  // shared where equal
+  std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal ones are shared
   std::vector<Section> sections;                   // in the order of spec::Sections()
   Bounds bounds;
   MassProperties mass_properties;  // in the root frame, with all joints at zero
   Checks checks;
   std::vector<Expectation> expectations;
-  std::vector<diag::Finding> unmet;  // conditions of `expect:` that do not hold
+  std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
 };
 
-/// X_RootB of every body with all joints at zero; that of the first body, the root, is the
-/// identity.
+/// Returns X_RootB of every body with all joints at zero; for the root, the identity.
 std::vector<Pose> BodyPoses(const Object& object);
 
-/// How many geoms MJCF has for the body's parts: a part that is both collision and visual has two.
+/// Returns the number of geoms in MJCF; a part that is both collision and visual has two.
 std::size_t GeomCount(const Body& body);
 
-/// The elements of a section, none if the object has none.
+/// Returns the elements of a section; none if the object does not have the section.
 std::span<const Element> ElementsOf(const Object& object, std::string_view section);
 
-/// Is the point in a collision part?
+/// Returns true if the point is in a collision part, with all joints at zero.
 bool Contains(const Object& object, const Eigen::Vector3d& p_Root);
 
 }  // namespace mjforge::model

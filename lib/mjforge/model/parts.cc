@@ -1,3 +1,5 @@
+// Parts: material, shape, mass and attributes, and the split into visual part and pieces.
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -26,20 +28,17 @@ bool ReadRole(FieldReader& reader, const spec::Entry& entry, Part& part) {
   return true;
 }
 
-// Whether it is written to the MJCF element unchanged.
+// Returns true for fields that are written to the MJCF element unchanged.
 bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
 
-bool Has(const std::vector<Attribute>& attributes, std::string_view name) {
-  return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
-}
-
-// Walls are thin, and what lies in them brings MuJoCo's soft contacts along: it would sink through.
-// With these a ball of 5 mm that falls 10 cm stays on a floor of 1.5 mm; a time constant of less
-// than two steps of 2 ms is not stable. docs/physics.md shows how they were found.
+// Hardens the contacts of a shape's pieces, because things would sink through its thin
+// walls with MuJoCo's default parameters. With these values a ball of 5 mm that falls 10 cm stays
+// on a floor of 1.5 mm. A time constant below two steps of 2 ms would not be stable.
+// docs/physics.md shows how the values were found.
 void HardenContacts(std::vector<Attribute>& attributes) {
-  if (Has(attributes, "solref")) return;
+  if (FindAttribute(attributes, "solref") != nullptr) return;
   const auto add = [&](std::string_view name, sample::Numbers numbers) {
-    if (Has(attributes, name)) return;
+    if (FindAttribute(attributes, name) != nullptr) return;
     Attribute& added = attributes.emplace_back();
     added.name = name;
     added.applies = Applies::kCollision;
@@ -49,7 +48,7 @@ void HardenContacts(std::vector<Attribute>& attributes) {
   add("solmix", {100});
 }
 
-// What a material's texture asks for.
+// Returns the texture mapping that a material needs; none if it has no 2D texture.
 solid::TextureMapping TextureOf(const Object& object, int index) {
   using Unit = solid::TextureMapping::Unit;
   solid::TextureMapping texture = {.unit = Unit::kNone};
@@ -57,7 +56,7 @@ solid::TextureMapping TextureOf(const Object& object, int index) {
   const Material& material = object.materials[static_cast<std::size_t>(index)];
   if (material.texture < 0) return texture;
   const Texture& image = object.textures[static_cast<std::size_t>(material.texture)];
-  // A cube's pictures lie around the shape by themselves.
+  // MuJoCo computes the coordinates of cube textures itself.
   const auto is_2d = [](const Attribute& a) { return a.name == "type" && a.text == "2d"; };
   if (std::ranges::none_of(image.attributes, is_2d)) return texture;
   texture.unit = Unit::kWhole;
@@ -67,12 +66,12 @@ solid::TextureMapping TextureOf(const Object& object, int index) {
     const std::size_t last = attribute.numbers.size() - 1;
     texture.repeat = {attribute.numbers[0], attribute.numbers[last]};
   }
-  // As MuJoCo computes them: half as often as `texrepeat` says.
+  // MuJoCo repeats uniform textures on its own geoms half as often as `texrepeat`, too.
   if (texture.unit == Unit::kMetre) texture.repeat /= 2;
   return texture;
 }
 
-// Of a part, or of the pieces that stand for it.
+// Returns the bounding box of a part, or of its pieces if it has some.
 Box3 BoxOf(const Part& part, const std::vector<Part>& pieces, const Pose& X_FG) {
   if (pieces.empty()) return BoundsOf(part.shape, X_FG);
   Box3 box;
@@ -91,18 +90,19 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<A
                     std::span<const Attribute> of_material) {
   bool good = true;
   out.reserve(entry.fields.size() + of_material.size());
-  const auto read = [&](auto from, auto to) {
-    for (; from != to; ++from) {
-      if (!IsAttribute(from->info->id) || Has(out, from->info->key)) continue;
-      good &= reader.ReadAttribute(*from, out.emplace_back());
+  auto field = entry.fields.begin();
+  const auto read = [&](bool defaults) {
+    for (; field != entry.fields.end() && field->is_default == defaults; ++field) {
+      if (!IsAttribute(field->info->id)) continue;
+      if (defaults && FindAttribute(out, field->info->key) != nullptr) continue;
+      good &= reader.ReadAttribute(*field, out.emplace_back());
     }
   };
-  const auto defaults = std::ranges::find(entry.fields, true, &spec::Field::is_default);
-  read(entry.fields.begin(), defaults);
+  read(false);
   for (const Attribute& attribute : of_material) {
-    if (!Has(out, attribute.name)) out.push_back(attribute);
+    if (FindAttribute(out, attribute.name) == nullptr) out.push_back(attribute);
   }
-  read(defaults, entry.fields.end());
+  read(true);
   return good;
 }
 
@@ -118,7 +118,7 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
   bool good = ReadRole(reader, entry, part);
   const MaterialState* material = nullptr;
   good &= ReadMaterial(scope, reader, entry, part, material);
-  const std::optional<PlacedShape> placed =
+  std::optional<ShapePlacement> placed =
       good ? ReadShape(reader, entry, scope.values.spec().folder, TextureOf(object_, part.material),
                        assets_, part)
            : std::nullopt;
@@ -134,21 +134,21 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
     X_SG.p = FromCorner(X_SG.p, *scope.total_size, box.min);
   }
   part.X_BG = scope.X_BS * X_SG;
-  AddWithPieces(std::move(part), placed->pieces);
+  AddWithPieces(std::move(part), std::move(placed->pieces));
 }
 
 void Assembly::AddWithPieces(Part part, std::vector<Part> pieces) {
   std::vector<Part>& parts = body().parts;
   part_count_ += 1 + static_cast<int>(pieces.size());
-  if (part.solid) part.density = 0;  // MuJoCo would take it for that of the mesh
+  if (part.solid) part.density = 0;  // MuJoCo would apply the density to the render mesh
   const bool is_seen = part.role != Role::kCollision;
   for (Part& piece : pieces) {
     piece.role = Role::kCollision;
     piece.attributes = part.attributes;
     if (pieces.size() > 1) HardenContacts(piece.attributes);
     if (is_seen) {
-      const auto is_look = [](const Attribute& a) { return a.applies == Applies::kVisual; };
-      std::erase_if(piece.attributes, is_look);
+      std::erase_if(piece.attributes,
+                    [](const Attribute& a) { return a.applies == Applies::kVisual; });
     } else {
       piece.material = part.material;
     }
@@ -186,8 +186,8 @@ bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double 
   return true;
 }
 
-// The part's own mass or density, its material's density, the defaults'
-// mass or density, water. A visual part has mass only by its own word.
+// Sets the mass by the first of: the part's own mass or density, its material's density, the
+// defaults' mass or density, the density of water. A visual part has mass only by its own fields.
 bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
                         const MaterialState* material, Part& part) {
   const spec::Field* mass = entry.Find(Key::kMass);
@@ -204,11 +204,11 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
     if (!number || !SetDensity(reader, *field, *number, part)) return false;
     return SetMass(reader, mass != nullptr ? number : std::nullopt, part);
   }
-  part.density = 1000.0;  // MuJoCo's
+  part.density = 1000;  // MuJoCo's default
   return SetMass(reader, std::nullopt, part);
 }
 
-// The mass given, or that of the part's density.
+// Sets the given mass, or the mass by the part's density.
 bool Assembly::SetMass(FieldReader& reader, const std::optional<double>& mass, Part& part) {
   const std::optional<MassProperties> unit =
       part.solid ? part.solid : assets_.UnitMassOf(part.shape, part.mesh);

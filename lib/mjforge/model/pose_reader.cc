@@ -1,3 +1,5 @@
+// Readers of positions, the five orientations of MJCF, `fromto` and directions.
+
 #include "mjforge/model/pose_reader.h"
 
 namespace mjforge::model {
@@ -9,7 +11,7 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using spec::Key;
 
-// MuJoCo's mjEPS: axes shorter than this are refused there.
+// MuJoCo's mjEPS: MuJoCo rejects axes that are shorter.
 constexpr double kShortest = 1e-14;
 
 bool HasLength(const Eigen::Ref<const Eigen::VectorXd>& vector) {
@@ -97,10 +99,10 @@ std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
   return pose;
 }
 
-// As mjCGeom::Compile of MuJoCo 2.2 (src/user/user_objects.cc): z points from
-// the second point to the first.
-std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
-                               const spec::Field* up_field) {
+// The z axis points from the second point to the first, as in mjCGeom::Compile of MuJoCo 2.2
+// (src/user/user_objects.cc).
+std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
+                                  const spec::Field* up_field) {
   const auto ends = reader.Vector<6>(field);
   if (!ends) return std::nullopt;
   const Vector3d from = ends->head<3>();
@@ -110,10 +112,10 @@ std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
     reader.Report(Code::kModelBadValue, field, "has two equal end points");
     return std::nullopt;
   }
-  Span span = {.pose = {.p = (from + to) / 2}, .half_length = half};
+  Segment segment = {.pose = {.p = (from + to) / 2}, .half_length = half};
   if (up_field == nullptr) {
-    span.pose.q = FromZAxis(from - to);
-    return span;
+    segment.pose.q = FromZAxis(from - to);
+    return segment;
   }
   const std::optional<Vector3d> up = ReadDirection(reader, *up_field);
   if (!up) return std::nullopt;
@@ -123,8 +125,8 @@ std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
     return std::nullopt;
   }
   const Vector3d x = up->cross(z);
-  span.pose.q = FromXyAxes(x, z.cross(x));
-  return span;
+  segment.pose.q = FromXyAxes(x, z.cross(x));
+  return segment;
 }
 
 }  // namespace mjforge::model

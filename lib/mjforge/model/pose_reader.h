@@ -1,3 +1,5 @@
+// Readers of poses: pos with an orientation, fromto, directions.
+
 #pragma once
 
 #include <optional>
@@ -6,19 +8,21 @@
 
 namespace mjforge::model {
 
-/// The pose from pos and whichever orientation is given; nothing after a finding.
+/// Returns the pose given by pos and one of quat, euler, axisangle, xyaxes and zaxis; nothing after
+/// a finding.
 std::optional<Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 
-/// The pose and half length that `fromto` gives.
-struct Span {
+/// The segment that `fromto` gives: pose of its middle, with z along it, and half its length, m.
+struct Segment {
   Pose pose;
   double half_length = 0;
 };
-/// `up` may be null: then z is turned the shortest way; else y points along it, as far as it can.
-std::optional<Span> ReadFromTo(FieldReader& reader, const spec::Field& field,
-                               const spec::Field* up);
+/// Reads `fromto`. If `up` is null, the rotation that turns z is the smallest one; otherwise the y
+/// axis is as close to `up` as possible.
+std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
+                                  const spec::Field* up);
 
-/// The unit vector along a field's three numbers.
+/// Returns the unit vector along a field's three numbers.
 std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::model

@@ -1,3 +1,5 @@
+// Composition of poses, and conversion of MJCF's orientations to quaternions.
+
 #include "mjforge/model/poses.h"
 
 #include <cmath>
@@ -25,8 +27,8 @@ Eigen::Quaterniond FromXyAxes(const Eigen::Vector3d& x, const Eigen::Vector3d& y
   return Eigen::Quaterniond(axes).normalized();
 }
 
-// As mjuu_z2quat of MuJoCo 2.2 (src/user/user_util.cc): where z points exactly
-// down, the half turn is about x.
+// If z points exactly down, the half turn is about x, as in mjuu_z2quat of MuJoCo 2.2
+// (src/user/user_util.cc).
 Eigen::Quaterniond FromZAxis(const Eigen::Vector3d& z) {
   const Eigen::Vector3d unit = z.stableNormalized();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ().cross(unit);

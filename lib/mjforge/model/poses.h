@@ -1,6 +1,6 @@
-#pragma once
+// Rigid poses, and the orientations of MJCF (quat, euler, axisangle, xyaxes, zaxis).
 
-// Rigid poses and the ways MJCF writes an orientation.
+#pragma once
 
 #include <Eigen/Dense>
 
@@ -17,16 +17,16 @@ struct Pose {
   Pose Inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
 };
 
-/// The numbers of MJCF's `quat`: w x y z.
+/// Returns the numbers of MJCF's `quat`: w, x, y, z.
 inline Eigen::Vector4d Wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-/// Angles about the moving x, y and z axes in turn (MuJoCo's eulerseq "xyz"), rad.
+/// Rotates about the moving x, y and z axes in turn (MuJoCo's eulerseq "xyz"), rad.
 Eigen::Quaterniond FromEuler(const Eigen::Vector3d& angles);
-/// Rotation by `angle` (rad) about `axis` (not zero; any length).
+/// Rotates by `angle`, rad, about `axis`, which has any length but 0.
 Eigen::Quaterniond FromAxisAngle(const Eigen::Vector3d& axis, double angle);
-/// The frame whose x axis is along `x` and whose y axis is in the plane of x
-/// and y, as MuJoCo's xyaxes. Not parallel, not zero.
+/// Returns the frame whose x axis is along `x` and whose y axis is in the plane of x and y, like
+/// MuJoCo's xyaxes. The vectors must not be parallel or zero.
 Eigen::Quaterniond FromXyAxes(const Eigen::Vector3d& x, const Eigen::Vector3d& y);
-/// The smallest rotation that takes +z to `z` (not zero), as MuJoCo's zaxis.
+/// Returns the smallest rotation that takes +z to `z` (not zero), like MuJoCo's zaxis.
 Eigen::Quaterniond FromZAxis(const Eigen::Vector3d& z);
 
 }  // namespace mjforge::model

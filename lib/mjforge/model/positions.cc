@@ -1,7 +1,8 @@
-// pose: where joints stand at the start.
+// Positions of joints: `pose:`, the start positions, and `at:` of expectations.
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -14,17 +15,17 @@ namespace {
 
 using diag::Code;
 
-// A turn given in degrees may miss the end of its range by a rounding.
-constexpr double kRounding = 1e-9;
+// Tolerance: a position given in degrees is rounded when it is converted to radians.
+constexpr double kTolerance = 1e-9;
 
 bool IsWithin(const Eigen::Vector2d& range, double position) {
-  const double slack = kRounding * (range[1] - range[0]);
+  const double slack = kTolerance * (range[1] - range[0]);
   return position >= range[0] - slack && position <= range[1] + slack;
 }
 
-// Of a ball joint: w is the cosine of half the turn.
+// Returns true if a ball joint is turned by at most range[1]; w is the cosine of half the angle.
 bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
-  return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kRounding;
+  return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kTolerance;
 }
 
 }  // namespace
@@ -32,8 +33,8 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
 void Assembly::ReadPositions(Scope& scope) {
   const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
   for (const spec::JointPosition& entry : scope.values.spec().pose) {
-    Position& position = positions_.emplace_back();
-    position.shown = scope.values.Text(entry.joint, pose);
+    RequestedPosition& position = positions_.emplace_back();
+    position.shown = scope.values.Text(entry.joint, pose).value_or("");
     position.joint = scope.prefix + position.shown;
     position.mark = entry.mark;
     scope.values.Vector(entry.value, sample::Child(pose, std::string_view(position.shown)),
@@ -41,32 +42,32 @@ void Assembly::ReadPositions(Scope& scope) {
   }
 }
 
-// What an outer spec says comes later and wins.
+// Positions of outer specs are later in the list and override those of inner specs.
 void Assembly::SetPositions() {
   if (positions_.empty()) return;
   std::map<std::string_view, Joint*> joints;
   for (Body& body : object_.bodies) {
     for (Joint& joint : body.joints) joints.emplace(joint.name, &joint);
   }
-  for (const Position& position : positions_) {
+  for (const RequestedPosition& position : positions_) {
     const auto found = joints.find(position.joint);
     if (found != joints.end()) {
-      auto placed = Placed("pose", position, *found->second);
-      if (!placed) return;
-      found->second->start = *std::move(placed);
-    } else if (references_.IsTakenAway(position.joint)) {
+      auto qpos = ToQpos("pose", position, *found->second);
+      if (!qpos) return;
+      found->second->start = *std::move(qpos);
+    } else if (references_.IsRemoved(position.joint)) {
       findings_
           .Add(Code::kAttachNotCarried, position.mark,
                fmt::format("pose of joint {} is left out: attaching its spec removed the joint",
                            Quoted(position.shown)))
           .severity = diag::Severity::kWarning;
     } else {
-      ReportUnknown("pose", position);
+      ReportUnknownJoint("pose", position);
     }
   }
 }
 
-void Assembly::ReportUnknown(std::string_view what, const Position& position) {
+void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition& position) {
   const std::size_t prefix = position.joint.size() - position.shown.size();
   std::vector<std::string_view> names;
   for (const Body& body : object_.bodies) {
@@ -80,7 +81,8 @@ void Assembly::ReportUnknown(std::string_view what, const Position& position) {
                 diag::DidYouMean(position.shown, names));
 }
 
-std::optional<sample::Numbers> Assembly::Placed(std::string_view what, const Position& position,
+std::optional<sample::Numbers> Assembly::ToQpos(std::string_view what,
+                                                const RequestedPosition& position,
                                                 const Joint& joint) {
   sample::Numbers numbers = position.numbers;
   const auto bad = [&](const std::string& wrong, std::string hint = {}) {
@@ -99,7 +101,7 @@ std::optional<sample::Numbers> Assembly::Placed(std::string_view what, const Pos
   }
   if (wanted == 4) {
     const Eigen::Vector4d q(numbers.data());
-    if (!(q.norm() > kRounding)) return bad("is not a rotation: all numbers are 0");
+    if (!(q.norm() > kTolerance)) return bad("is not a rotation: all numbers are 0");
     const Eigen::Vector4d unit = q.normalized();
     numbers.assign(unit.begin(), unit.end());
     if (joint.range && !IsTurnedWithin(*joint.range, unit)) {
@@ -108,7 +110,7 @@ std::optional<sample::Numbers> Assembly::Placed(std::string_view what, const Pos
     }
   } else if (joint.range && !IsWithin(*joint.range, numbers[0])) {
     const double number = numbers[0];
-    // Somebody may think in degrees.
+    // The author may have meant degrees.
     const bool is_degrees = joint.type == "hinge" && std::abs(number) > 2 * std::numbers::pi &&
                             IsWithin(*joint.range, number * std::numbers::pi / 180);
     return bad(

@@ -1,3 +1,5 @@
+// Horizontal radius of shapes: the largest distance of a point from the z axis.
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,21 +8,20 @@
 namespace mjforge::model {
 namespace {
 
-// The largest distance from the origin of a point of the ellipse with centre
-// (u, v) and half axes a >= b >= 0 along x and y.
+// Returns the largest distance from the origin of a point of the ellipse with centre (u, v) and
+// half axes a >= b >= 0 along x and y.
 //
-// We look for the unit vector t that makes |c + A t| largest, c = (|u|, |v|) (by
-// symmetry), A = diag(a, b). A Lagrange multiplier gives (l I - A^2) t = A c, and
-// the largest value belongs to the root with l >= a^2 (this is the trust region
-// problem; More and Sorensen, "Computing a trust region step", 1983). With
-// d = l - a^2, t1 = a u / d and t2 = b v / (d + a^2 - b^2), |t| falls strictly
-// with d; Newton's method on 1 / |t| - 1, kept in a bracket, finds the root. An
-// error in d changes the distance, which is stationary there, only quadratically.
+// The unit vector t maximizes |c + A t| with c = (|u|, |v|) (by symmetry) and A = diag(a, b). A
+// Lagrange multiplier gives (l I - A^2) t = A c, and the maximum belongs to the root with l >= a^2
+// (this is the trust region problem; More and Sorensen, "Computing a trust region step", 1983).
+// With d = l - a^2, t1 = a u / d and t2 = b v / (d + a^2 - b^2), |t| decreases strictly with d.
+// Newton's method on 1 / |t| - 1, kept in a bracket, finds the root. An error in d changes the
+// distance, which is stationary there, only quadratically.
 double FarthestOnEllipse(double u, double v, double a, double b) {
   u = std::abs(u);
   v = std::abs(v);
   const double gap = (a - b) * (a + b);
-  // Off by less than the last bit of a: take the centre to be on the minor axis.
+  // A centre this close to the minor axis is put on it: the error is below the last bit of a.
   if (u < 1e-18 * a) {
     const double t2 = b * v >= gap ? 1 : b * v / gap;
     return std::hypot(a * std::sqrt(1 - t2 * t2), v + b * t2);
@@ -44,9 +45,9 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
   return std::hypot(u + a * t.x(), v + b * t.y());
 }
 
-// The distance is a convex function, so that it is largest at an extreme point:
-// on the rims of the end discs. A disc with unit normal n is seen from above as
-// an ellipse: r across the tilt and r |n_z| along it.
+// The distance from the z axis is a convex function, so that it is largest at an extreme point, on
+// the rim of an end disc. A disc with unit normal n, seen from above, is an ellipse with half axes
+// r across the tilt and r |n_z| along it.
 double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   const Eigen::Vector3d n = X_AG.q * Eigen::Vector3d::UnitZ();
   const double tilt = std::hypot(n.x(), n.y());
@@ -62,9 +63,9 @@ double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   return largest;
 }
 
-// Seen from above, the ellipsoid R diag(s) (unit ball) + p is the ellipse E (unit
-// ball) + p with E the upper two rows of R diag(s); its half axes are the
-// singular values of E, here from the eigenvalues of the 2 x 2 matrix E E'.
+// Seen from above, the ellipsoid R diag(s) (unit ball) + p is the ellipse E (unit ball) + p, where
+// E is the upper two rows of R diag(s). The half axes are the singular values of E, computed from
+// the eigenvalues of the 2 x 2 matrix E E'.
 double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
   const Eigen::Matrix3d scaled = X_AG.q.toRotationMatrix() * size.asDiagonal();
   const Eigen::Vector3d ex = scaled.row(0);
@@ -73,8 +74,8 @@ double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
   const double difference = (ex.squaredNorm() - ey.squaredNorm()) / 2;
   const double mixed = ex.dot(ey);
   const double a = std::sqrt(mean + std::hypot(difference, mixed));
-  const double b = ex.cross(ey).norm() / a;                // the product of both is the area / pi
-  const double angle = std::atan2(mixed, difference) / 2;  // of the major axis
+  const double b = ex.cross(ey).norm() / a;                // a b is the area / pi
+  const double angle = std::atan2(mixed, difference) / 2;  // angle of the major axis
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   return FarthestOnEllipse(c * X_AG.p.x() + s * X_AG.p.y(), c * X_AG.p.y() - s * X_AG.p.x(), a,

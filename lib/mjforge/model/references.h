@@ -1,3 +1,5 @@
+// References between elements by name, such as a sensor's joint, checked once all elements exist.
+
 #pragma once
 
 #include <map>
@@ -12,54 +14,56 @@
 
 namespace mjforge::model {
 
-/// The kind of element that an attribute of `element` refers to; for `@objtype`, the kind that the
-/// attribute objtype gives.
-std::string_view KindOf(const Attribute& attribute, const Element& element);
-
-/// The names that elements of sections refer to, checked once all elements exist.
+/// The references of one object's sections.
 class References {
  public:
   References(Object& object, diag::Findings& findings) : object_(object), findings_(findings) {}
 
-  /// An element: its section and its index there.
-  struct Place {
+  /// Place of an element: its section and its index there.
+  struct ElementPlace {
     const spec::SectionInfo* section = nullptr;
     std::size_t position = 0;
   };
-  /// The element at `place` refers to an element of that kind. `owner` names the attribute and its
-  /// element in messages.
-  void Add(Place place, std::string_view kind, std::string full_name, std::string shown,
+  /// Adds a reference of the element at `place` to an element of this kind. Messages have the name
+  /// as `shown`, and the attribute and its element as `owner`.
+  void Add(ElementPlace place, std::string_view kind, std::string full_name, std::string shown,
            std::string owner, diag::SourceMark mark);
-  /// A joint that attaching removed; `origin` names the spec or file it came from.
-  void TakeAway(std::string joint, std::string origin);
-  bool IsTakenAway(const std::string& joint) const;
+  /// Notes that attaching the spec or file `origin` removed a joint.
+  void MarkRemoved(std::string joint, std::string origin);
+  bool IsRemoved(const std::string& joint) const;
 
-  /// Removes elements that refer to something removed, with a warning for each; reports names that
+  /// Drops elements that refer to removed elements, with a warning for each, and reports names that
   /// no element has.
   void Check();
 
  private:
-  struct Reference {
-    Place place;
+  struct NameReference {
+    ElementPlace place;
     std::string_view kind;
     std::string name;
-    std::string shown;  // as the spec or the file says it
+    std::string shown;  // name in the spec or file
     std::string owner;  // "joint of jointpos 'angle'"
     diag::SourceMark mark;
   };
   using Set = std::unordered_set<std::string_view>;
-  using Names = std::map<std::string_view, Set>;  // by kind
+  using Names = std::map<std::string_view, Set>;  // sets by kind
 
-  Names Collect() const;
-  bool TakeOutOne(const Reference& reference);
-  void Report(const Reference& reference, const Set& names);
+  /// Returns the names of all elements of the kinds that are referred to. `geoms` stores names that
+  /// the object does not contain as texts.
+  Names CollectNames(std::vector<std::string>& geoms) const;
+  /// Drops the element if it refers to a removed one. Returns true if it was dropped now.
+  bool DropIfRemoved(const NameReference& reference);
+  bool IsDropped(ElementPlace place) const {
+    return dropped_.contains({place.section, place.position});
+  }
+  void Report(const NameReference& reference, const Set& names);
 
   Object& object_;
   diag::Findings& findings_;
-  std::vector<Reference> references_;
-  // By kind: a name that is gone, and why.
-  std::map<std::string, std::map<std::string, std::string>, std::less<>> gone_;
-  std::set<std::pair<const spec::SectionInfo*, std::size_t>> taken_out_;
+  std::vector<NameReference> references_;
+  // Removed elements: reasons by kind and name.
+  std::map<std::string, std::map<std::string, std::string>, std::less<>> removed_;
+  std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;  // elements of sections
 };
 
 }  // namespace mjforge::model

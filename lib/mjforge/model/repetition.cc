@@ -1,3 +1,5 @@
+// Expansion of repeated entries: counting in advance, conditions and local values of instances.
+
 #include "mjforge/model/repetition.h"
 
 #include <fmt/format.h>
@@ -9,17 +11,20 @@ namespace {
 
 using diag::Code;
 
-// Instances that `if` takes out cost time, too: they may be some times as many
-// as the parts (a ball of cells out of a cube of cells), but not without end. So
-// do sites, joints and elements of sections, which specs that bring others multiply.
+// Limit on instances of all kinds in one object, including those that `if` leaves out. The limit
+// exceeds kMaxParts, because a condition may leave out most instances (a ball of cells cut from a
+// cube).
 constexpr long kMaxSteps = 1'000'000;
 
-void SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
-  if (entry.locals.empty()) return;
-  const std::string name = values.Text(entry.name, list);
-  const sample::StreamId path = sample::Child(sample::Child(list, std::string_view(name)), "let");
+bool SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
+  if (entry.locals.empty()) return true;
+  const std::optional<std::string> name = values.Text(entry.name, list);
+  if (!name) return false;
+  const sample::StreamId path = sample::Child(sample::Child(list, std::string_view(*name)), "let");
+  bool is_good = true;
   for (const spec::Local& local : entry.locals)
-    values.SetLocal(local, sample::Child(path, std::string_view(local.name)));
+    is_good &= values.SetLocal(local, sample::Child(path, std::string_view(local.name)));
+  return is_good;
 }
 
 }  // namespace
@@ -33,7 +38,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
   if (depth + 1 == entry.loops.size()) return times;
   long sum = 0;
   for (long i = 0; i < times && sum <= limit; ++i) {
-    // Loops that run over nothing cost time, too.
+    // Outer loops take time even if the inner loops have no instances.
     if (i > kMaxSteps) return limit + 1;
     values.SetVariable(loop, *range, static_cast<std::size_t>(i));
     const long inner = CountInstances(entry, depth + 1, values, limit - sum);
@@ -45,7 +50,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
 
 std::optional<std::size_t> Repetition::Count(const spec::Entry& entry, sample::Evaluator& values,
                                              std::size_t existing) {
-  if (steps_ > kMaxSteps) return std::nullopt;  // as was reported
+  if (steps_ > kMaxSteps) return std::nullopt;  // already reported
   if (entry.loops.empty()) {
     if (++steps_ <= kMaxSteps) return 1;
     findings_.Add(Code::kModelTooManyParts, entry.mark,
@@ -68,11 +73,13 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
                       sample::StreamId list, const std::function<void()>& visit) {
   const std::size_t before = findings_.size();
   if (depth == entry.loops.size()) {
-    if (entry.condition_uses_locals) SetLocals(entry, values, list);
-    const bool exists = !entry.condition || values.Condition(*entry.condition, entry.mark);
-    // An instance that is not there may have values that cannot be computed.
-    if (exists && !entry.condition_uses_locals) SetLocals(entry, values, list);
-    if (exists && findings_.size() == before) visit();
+    const bool locals_first = entry.condition_uses_locals;
+    bool exists = !locals_first || SetLocals(entry, values, list);
+    if (exists && entry.condition)
+      exists = values.Condition(*entry.condition, entry.mark).value_or(false);
+    // The local values of an instance that does not exist may be impossible to compute.
+    if (exists && !locals_first) exists = SetLocals(entry, values, list);
+    if (exists) visit();
     return !HasErrorsSince(findings_, before);
   }
   const spec::Loop& loop = entry.loops[depth];

@@ -1,6 +1,6 @@
-#pragma once
+// Scope of a spec during assembly, and readers that all kinds of elements share.
 
-// What the readers of an object's elements share.
+#pragma once
 
 #include <optional>
 #include <span>
@@ -13,54 +13,54 @@
 
 namespace mjforge::model {
 
-/// A material of a spec, evaluated when the first part asks for it.
+/// A material of a spec, which is evaluated when it is first used.
 struct MaterialState {
-  bool ready = false;
-  int index = -1;  // in Object::materials; -1: it has no look
+  bool is_evaluated = false;
+  int index = -1;  // index in Object::materials; -1 if it has only a density or contact attributes
   std::optional<double> density;
   const spec::Field* density_field = nullptr;
   std::vector<Attribute> contact;
 };
 
-/// One spec in the object: its own, one welded into a body, or one that is a body.
+/// A spec in the object: the outermost one, one that is welded to a body, or one that is a body.
 struct Scope {
   Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, const Pose& X_BodyS);
 
   sample::Evaluator& values;
-  std::string prefix;  // of its elements' names
-  int body;            // in Object::bodies, that holds the spec's root
-  Pose X_BS;           // of the spec's root S in the body B at hand
-  sample::StreamId parts;
-  std::vector<MaterialState> materials;  // as spec.materials
-  /// The spec that brings this one, and which of its materials are used in place of this one's: by
-  /// name, of this spec and of that one.
+  std::string prefix;      // prefix of the full names of the spec's elements
+  int body;                // index in Object::bodies of the body that contains the spec's root
+  Pose X_BS;               // pose of the spec's root S in the current body B
+  sample::StreamId parts;  // stream of the current list of parts
+  std::vector<MaterialState> materials;  // parallel to values.spec().materials
+  /// Scope of the spec that brings this one, and substitutes from there: pairs of the name of a
+  /// material of this spec and of the outer spec's material that replaces it.
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
   std::optional<Eigen::Vector3d> total_size;
-  /// The slot and the value, kg, of NAME.mass of each body, which the spec's own `mass:` scales.
+  /// Slot and value, kg, of NAME.mass of each body, because the spec's `mass:` scales these masses.
   std::vector<std::pair<int, double>> body_masses;
 
-  /// placement: corner, in a declared box.
+  /// Returns true for `placement: corner` in a spec with `total_size:`.
   bool places_corners() const {
     return total_size && values.spec().placement == spec::Placement::kCorner;
   }
 };
 
-/// Hands materials of a scope to that of the spec that an entry brings.
-void HandIn(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner);
+/// Sets the materials that replace materials of a nested spec (`materials:` of its entry).
+void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner);
 
-/// The entry's own name, checked; nothing after a finding.
+/// Returns the name of an entry's instance in its spec; nothing after a finding.
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
                                     diag::Findings& findings);
 
-/// Reads an element's own attributes into `out`, then adds those of its material and of the
-/// defaults that it lacks; false after a finding.
+/// Reads an element's attributes into `out`, which is empty: its own ones, then those of its
+/// material and of the defaults that are still missing. Returns false after a finding.
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<Attribute>& out,
                     std::span<const Attribute> of_material = {});
 
-/// placement: corner. `p` is where the lower corner of something should be, counted from that of
-/// the declared box, with half sizes `total_size`; `lower` is the corner seen from the thing's
-/// origin. Where the origin is then.
+/// Returns the position of an element's origin for `placement: corner`. `p` is the required
+/// position of its lower corner, relative to the lower corner of the declared box, whose half sizes
+/// are `total_size`; `lower` is the element's lower corner relative to its origin.
 Eigen::Vector3d FromCorner(const Eigen::Vector3d& p, const Eigen::Vector3d& total_size,
                            const Eigen::Vector3d& lower);
 

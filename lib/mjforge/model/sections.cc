@@ -1,3 +1,5 @@
+// Elements of sections: repetition, attributes, references and limits.
+
 #include "mjforge/model/sections.h"
 
 #include <algorithm>
@@ -12,24 +14,24 @@ namespace {
 
 using diag::Code;
 
-// A range holds where it is given, unless its `limited` says otherwise. MuJoCo
-// versions differ where it is silent, so it never is.
-struct Limit {
+// A range and its switch. A range applies unless the switch is false. The switch is always written,
+// because its default differs between releases of MuJoCo.
+struct LimitAttributes {
   std::string_view range;
   std::string_view limited;
 };
-constexpr Limit kLimits[] = {{"range", "limited"},
-                             {"ctrlrange", "ctrllimited"},
-                             {"forcerange", "forcelimited"},
-                             {"actrange", "actlimited"}};
+constexpr LimitAttributes kLimits[] = {{"range", "limited"},
+                                       {"ctrlrange", "ctrllimited"},
+                                       {"forcerange", "forcelimited"},
+                                       {"actrange", "actlimited"}};
 
-void SayLimits(const spec::ElementInfo& info, std::vector<Attribute>& attributes) {
-  const auto says = [&](std::string_view name) {
-    return std::ranges::find(attributes, name, &Attribute::name) != attributes.end();
+void SetLimited(const spec::ElementInfo& info, std::vector<Attribute>& attributes) {
+  const auto has = [&](std::string_view name) {
+    return FindAttribute(attributes, name) != nullptr;
   };
-  for (const Limit& limit : kLimits) {
+  for (const LimitAttributes& limit : kLimits) {
     const spec::FieldInfo* limited = info.Find(limit.limited);
-    if (limited == nullptr || !says(limit.range) || says(limit.limited)) continue;
+    if (limited == nullptr || !has(limit.range) || has(limit.limited)) continue;
     Attribute& attribute = attributes.emplace_back();
     attribute.name = limited->key;
     attribute.text = "true";
@@ -38,7 +40,7 @@ void SayLimits(const spec::ElementInfo& info, std::vector<Attribute>& attributes
 
 }  // namespace
 
-std::vector<Element>& Sections::Of(const spec::SectionInfo& info) {
+std::vector<Element>& Sections::ElementsOf(const spec::SectionInfo& info) {
   const auto found = std::ranges::find(object_.sections, &info, &Section::info);
   if (found != object_.sections.end()) return found->elements;
   return object_.sections.emplace_back(Section{&info, {}}).elements;
@@ -49,7 +51,6 @@ void Sections::Add(Scope& scope, bool outermost) {
   const sample::StreamId mjcf = sample::Child(scope.values.root(), "mjcf");
   for (const spec::Section& section : spec.sections) {
     const sample::StreamId path = sample::Child(mjcf, section.info->name);
-    // Settings of the whole model are the outermost object's to make.
     if (section.info->is_element && !outermost) {
       diag::Finding& finding = findings_.Add(
           Code::kAttachNotCarried, section.entries.front().mark,
@@ -60,7 +61,7 @@ void Sections::Add(Scope& scope, bool outermost) {
       continue;
     }
     for (const spec::Entry& entry : section.entries) {
-      if (!repetition_.Count(entry, scope.values, Of(*section.info).size())) continue;
+      if (!repetition_.Count(entry, scope.values, ElementsOf(*section.info).size())) continue;
       repetition_.ForEach(entry, scope.values, path,
                           [&] { AddElement(scope, *section.info, entry, path); });
     }
@@ -78,7 +79,7 @@ void Sections::AddElement(Scope& scope, const spec::SectionInfo& section, const 
   }
   FieldReader reader(scope.values, findings_, entry.element->name, name,
                      sample::Child(path, std::string_view(name)));
-  std::vector<Element>& elements = Of(section);
+  std::vector<Element>& elements = ElementsOf(section);
   Element element;
   if (!name.empty()) element.name = scope.prefix + name;
   if (ReadElement(scope, reader, entry, element, {&section, elements.size()})) {
@@ -87,7 +88,7 @@ void Sections::AddElement(Scope& scope, const spec::SectionInfo& section, const 
 }
 
 bool Sections::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry,
-                           Element& element, References::Place place) {
+                           Element& element, References::ElementPlace place) {
   element.tag = entry.element->name;
   element.mark = entry.mark;
   bool good = true;
@@ -108,7 +109,7 @@ bool Sections::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry&
                     fmt::format("{} of {}", attribute.name, reader.Owner()),
                     entry.fields[i].value.mark);
   }
-  SayLimits(*entry.element, element.attributes);
+  SetLimited(*entry.element, element.attributes);
   for (const spec::Entry& child : entry.children) {
     const std::string_view tag = child.element->name;
     const auto same = std::ranges::count(element.children, tag, &Element::tag);

@@ -1,3 +1,5 @@
+// Sections of MJCF in a spec: `contact:` and `mjcf:`.
+
 #pragma once
 
 #include <vector>
@@ -8,22 +10,23 @@
 
 namespace mjforge::model {
 
-/// contact: and mjcf: of specs, once the bodies are there.
+/// Adds the elements of sections to one object.
 class Sections {
  public:
   Sections(Object& object, Repetition& repetition, References& references, diag::Findings& findings)
       : object_(object), repetition_(repetition), references_(references), findings_(findings) {}
 
-  /// Those of a spec; `outermost`: it is the object's own.
+  /// Adds the sections of a spec, whose bodies must exist. Settings of the whole model are ignored,
+  /// with a warning, unless the spec is the outermost one.
   void Add(Scope& scope, bool outermost);
-  /// The elements of a section, which is added if it is missing.
-  std::vector<Element>& Of(const spec::SectionInfo& info);
+  /// Returns the elements of a section, which is added if it is missing.
+  std::vector<Element>& ElementsOf(const spec::SectionInfo& info);
 
  private:
   void AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,
                   sample::StreamId path);
   bool ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry, Element& element,
-                   References::Place place);
+                   References::ElementPlace place);
 
   Object& object_;
   Repetition& repetition_;

@@ -1,3 +1,5 @@
+// Shapes of parts: type, size, pose or `fromto`, and keys that do not belong to the type.
+
 #include "mjforge/model/shape_reader.h"
 
 #include <fmt/format.h>
@@ -14,7 +16,7 @@ using spec::Key;
 
 bool HasEnds(std::string_view type) { return spec::FindShape(type)->Takes(Key::kFromTo); }
 
-// Keys of other shapes, for types that are known only now.
+// Reports keys of other shapes. The type may be drawn, so that the spec cannot be checked earlier.
 bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const spec::ShapeInfo* shape = spec::FindShape(type);
   bool stray = false;
@@ -62,22 +64,22 @@ GeomType TypeOf(std::string_view word) {
   return GeomType::kMesh;
 }
 
-std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
-                                     const std::filesystem::path& folder,
-                                     const solid::TextureMapping& texture, Assets& assets,
-                                     Part& part) {
+std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
+                                        const std::filesystem::path& folder,
+                                        const solid::TextureMapping& texture, Assets& assets,
+                                        Part& part) {
   const spec::Field* type = Required(reader, entry, Key::kType, "type", part.mark);
   if (type == nullptr) return std::nullopt;
   const std::optional<std::string> word = reader.Word(*type);
   if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
   part.shape.type = TypeOf(*word);
-  PlacedShape placed;
+  ShapePlacement placed;
   std::optional<double> half_length;
   if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
-    const std::optional<Span> span = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
-    if (!span) return std::nullopt;
-    placed.X_FG = span->pose;
-    half_length = span->half_length;
+    const std::optional<Segment> segment = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
+    if (!segment) return std::nullopt;
+    placed.X_FG = segment->pose;
+    half_length = segment->half_length;
   } else {
     const std::optional<Pose> pose = ReadPose(reader, entry);
     if (!pose) return std::nullopt;

@@ -1,3 +1,5 @@
+// Reader of a part's shape and pose.
+
 #pragma once
 
 #include <filesystem>
@@ -9,18 +11,19 @@
 
 namespace mjforge::model {
 
-struct PlacedShape {
+/// Pose of a part's shape, and convex pieces in G if it is a shape of the room `solid`.
+struct ShapePlacement {
   Pose X_FG;
-  std::vector<Part> pieces;  // of a shape that MuJoCo does not have, in G
+  std::vector<Part> pieces;
 };
-/// Sets the part's shape. `texture`: the coordinates of a shape that has some. Nothing
-/// after a finding.
-std::optional<PlacedShape> ReadShape(FieldReader& reader, const spec::Entry& entry,
-                                     const std::filesystem::path& folder,
-                                     const solid::TextureMapping& texture, Assets& assets,
-                                     Part& part);
+/// Sets the part's shape and mesh. `texture` is the mapping for shapes with texture coordinates.
+/// Returns nothing after a finding.
+std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
+                                        const std::filesystem::path& folder,
+                                        const solid::TextureMapping& texture, Assets& assets,
+                                        Part& part);
 
-/// The type that a word of the field table names; prisms and lathes are meshes.
+/// Returns the geom type for a value of `type:`; shapes of the room `solid` are meshes.
 GeomType TypeOf(std::string_view word);
 
 }  // namespace mjforge::model

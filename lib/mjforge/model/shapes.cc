@@ -1,3 +1,5 @@
+// Geometry of shapes: names and sizes, support functions, bounding boxes.
+
 #include "mjforge/model/shapes.h"
 
 #include <algorithm>
@@ -98,8 +100,8 @@ Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& directio
   return Eigen::Vector3d::Zero();
 }
 
-// Every shape but the mesh is symmetric about its centre, so that one support
-// value an axis gives both sides of the box.
+// Every shape except the mesh is symmetric about its centre, so that one value of the support
+// function per axis gives both sides of the box.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {
   const Eigen::Matrix3d R_AG = X_AG.q.toRotationMatrix();
   if (shape.type == GeomType::kMesh) return MeshBounds(*shape.mesh, X_AG.p, R_AG);

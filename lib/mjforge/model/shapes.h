@@ -1,27 +1,31 @@
+// Shapes in the convention of MuJoCo's geoms, and their exact geometry: volume, inertia, bounds,
+// support function, point test. To add one, see CONTRIBUTING.md, "Adding a part type".
+
 #pragma once
 
-// Solid shapes with MuJoCo's sizes, and what can be computed of them exactly. To add one:
-// CONTRIBUTING.md, "To add a part type".
-
 #include <limits>
-#include <span>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include <Eigen/Dense>
 
-#include "mjforge/model/meshes.h"
 #include "mjforge/model/poses.h"
+#include "mjforge/solid/solid.h"
 
 namespace mjforge::model {
 
+using solid::TriangleMesh;
+
 enum class GeomType { kSphere, kCapsule, kEllipsoid, kCylinder, kBox, kMesh };
-std::string_view GeomTypeName(GeomType type);  // MJCF's word
-/// How many numbers MJCF's `size` has for it; 0 for a mesh.
+/// Returns the value of MJCF's attribute `type`.
+std::string_view GeomTypeName(GeomType type);
+/// Returns the number of values in MJCF's attribute `size`; 0 for a mesh.
 int SizeCount(GeomType type);
 
-/// A shape in its own frame G, centred as MuJoCo centres it. size, m: sphere
-/// (radius), capsule and cylinder (radius, half length of the straight part
-/// along z), ellipsoid (three radii), box (three half lengths); all > 0.
+/// A shape in its own frame G, centred as MuJoCo centres it. Components of `size`, m, all > 0:
+/// sphere (radius), capsule and cylinder (radius, half length of the straight part along z),
+/// ellipsoid (three radii), box (three half lengths).
 struct Shape {
   GeomType type = GeomType::kSphere;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
@@ -32,44 +36,48 @@ struct Shape {
 struct MassProperties {
   double mass = 0;                                   // kg
   Eigen::Vector3d p_FCm = Eigen::Vector3d::Zero();   // centre of mass, m
-  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();  // about it, along F's axes, kg m^2
+  Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();  // about p_FCm, along the axes of F, kg m^2
 };
 
 double Volume(const Shape& shape);  // m^3
 
-/// In the shape's frame. Closed forms for solids of uniform density; meshes by
-/// the divergence theorem (Mirtich, "Fast and accurate computation of
-/// polyhedral mass properties", 1996; Tonon, 2004).
+/// Returns the mass properties in the shape's frame for a uniform density, kg/m^3: closed forms,
+/// and for meshes the divergence theorem (Mirtich, "Fast and accurate computation of polyhedral
+/// mass properties", 1996; Tonon, 2004).
 MassProperties MassOf(const Shape& shape, double density);
 
-/// The same body seen from frame A.
+/// Expresses mass properties in frame A instead of F.
 MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F);
-/// The two bodies as one (parallel axis theorem).
+/// Adds two bodies in the same frame (parallel axis theorem).
 MassProperties Combine(const MassProperties& a, const MassProperties& b);
-
-/// The same body, `factor` times as dense.
+/// Multiplies the density of a body by `factor`.
 MassProperties Scaled(const MassProperties& properties, double factor);
 
-/// The largest value of dot(direction, point) over the shape; direction of any length.
+/// Support function: the largest dot(direction, point) over the shape. The direction has any
+/// length.
 double Support(const Shape& shape, const Eigen::Vector3d& direction_G);
-
-/// A point of the shape, or of its convex hull, where that value is reached, in G.
+/// Returns a point of the shape, in G, at which the support function has its value.
 Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& direction_G);
 
+/// Axis-aligned bounding box, m; empty by default.
 struct Box3 {
   Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
   bool empty() const { return min.x() > max.x(); }
   void Add(const Box3& other);
 };
-/// Exact axis-aligned box of the shape at a pose.
+/// Returns the exact axis-aligned bounding box of the shape at a pose.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
 
-/// The largest distance of a point of the shape from the z axis of A. Exact up
-/// to rounding.
+/// Returns the largest distance between a point of the shape and the z axis of A, m; exact up to
+/// rounding.
 double HorizontalRadius(const Shape& shape, const Pose& X_AG);
 
-/// Is the point in the shape, surface included?
+/// Returns true if the point is in the shape or on its surface. A mesh may be concave.
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A);
+
+/// Returns the reason why a mesh has no well-defined inside ("edge shared by 1 triangle", "inside
+/// out"); nothing if the mesh is closed, consistently oriented and of positive volume.
+std::optional<std::string> FindSurfaceDefect(const TriangleMesh& mesh);
 
 }  // namespace mjforge::model

@@ -1,3 +1,5 @@
+// Sites of bodies.
+
 #include <utility>
 
 #include "mjforge/model/assembly.h"
@@ -33,7 +35,7 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   if (const spec::Field* size = entry.Find(Key::kSize)) {
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);
-    // MuJoCo lets its default, 0.005, stand for those left out.
+    // MuJoCo's default, 0.005, applies to missing components.
     numbers.resize(3, 0.005);
     site.size = Eigen::Vector3d(numbers.data());
   }

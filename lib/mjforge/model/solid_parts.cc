@@ -1,4 +1,4 @@
-// Parts of shapes that MuJoCo does not have: what is seen, the pieces that collide, the mass.
+// Parts made of a shape of the room `solid`: render mesh, convex pieces and mass.
 
 #include <algorithm>
 #include <memory>
@@ -14,23 +14,11 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-constexpr std::size_t kManyPieces = 100;
+constexpr std::size_t kManyPieces = 100;  // more cause a warning
 
-GeomType TypeOf(solid::ConvexPiece::Type type) {
-  switch (type) {
-    case solid::ConvexPiece::Type::kSphere:
-      return GeomType::kSphere;
-    case solid::ConvexPiece::Type::kCapsule:
-      return GeomType::kCapsule;
-    case solid::ConvexPiece::Type::kCylinder:
-      return GeomType::kCylinder;
-    case solid::ConvexPiece::Type::kBox:
-      return GeomType::kBox;
-    case solid::ConvexPiece::Type::kMesh:
-      break;
-  }
-  return GeomType::kMesh;
-}
+// In the order of solid::ConvexPiece::Type.
+constexpr GeomType kGeomTypes[] = {GeomType::kMesh, GeomType::kSphere, GeomType::kCapsule,
+                                   GeomType::kCylinder, GeomType::kBox};
 
 MassProperties PropertiesOf(const solid::Mass& mass) {
   return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
@@ -39,7 +27,7 @@ MassProperties PropertiesOf(const solid::Mass& mass) {
 }  // namespace
 
 std::vector<Part> Assets::AddSolid(const solid::Solid& solid, Part& part) {
-  // A convex solid of one mesh is a single geom, like MuJoCo's own shapes.
+  // A convex solid with a single mesh is a single part, like MuJoCo's own shapes.
   if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
     AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
     return {};
@@ -55,7 +43,8 @@ std::vector<Part> Assets::AddSolid(const solid::Solid& solid, Part& part) {
     for (const double turn : convex.turns) {
       piece.name = fmt::format("{}_{}", part.name, pieces.size());
       if (convex.type != solid::ConvexPiece::Type::kMesh) {
-        piece.shape = {.type = TypeOf(convex.type), .size = convex.size};
+        piece.shape = {.type = kGeomTypes[static_cast<std::size_t>(convex.type)],
+                       .size = convex.size};
         piece.X_BG = {convex.p, convex.q};
       } else {
         if (piece.mesh < 0) AddInline(convex.mesh, piece);  // shared by all turns
@@ -68,7 +57,7 @@ std::vector<Part> Assets::AddSolid(const solid::Solid& solid, Part& part) {
 }
 
 void Assets::Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault) {
-  // "hole 2 of part 'lid'", "profile of part 'mug': point 3", "part 'pin'".
+  // Examples: "hole 2 of part 'lid'", "profile of part 'mug': point 3", "part 'pin'".
   std::string where = reader.Owner();
   diag::SourceMark mark = input.field.value.mark;
   const auto& marks = input.marks;

@@ -11,13 +11,13 @@ namespace {
 
 using spec::Key;
 
-/// Reads the fields of one shape. A shape with a field that is wrong is not made.
+// Reads the fields of one shape, and makes the shape unless a field is invalid.
 class SolidReader {
  public:
   SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark)
       : reader_(reader), entry_(entry), mark_(mark) {}
 
-  /// The value of an optional field.
+  /// Returns the value of an optional field, or `without`.
   double Number(Key key, double without) {
     const spec::Field* field = entry_.Find(key);
     if (field == nullptr) return without;
@@ -41,14 +41,14 @@ class SolidReader {
     return Number(Key::kWall, 0);
   }
 
-  /// The points of a required field, which findings about the shape refer to.
+  /// Returns the points of a required field, to which findings about the shape refer.
   sample::PointList Points(Key key, std::string_view name) {
     field_ = Required(reader_, entry_, key, name, mark_);
     std::optional<sample::PointList> points =
         field_ != nullptr ? reader_.Points(*field_) : std::nullopt;
     is_good_ &= points.has_value();
     if (!points) return {};
-    // A solid::Fault counts this outline first, then the holes.
+    // In a solid::Fault this outline is loop 0, before the holes.
     marks_.insert(marks_.begin(), points->marks);
     return *std::move(points);
   }
@@ -63,7 +63,7 @@ class SolidReader {
     return *std::move(outlines);
   }
 
-  /// The `count` numbers of a required field; the last one is `last` if that is given.
+  /// Returns the `count` numbers of a required field; `last`, if given, is the last of them.
   sample::Numbers Numbers(Key key, std::string_view name, std::size_t count,
                           const std::optional<double>& last = std::nullopt) {
     field_ = Required(reader_, entry_, key, name, mark_);
@@ -86,7 +86,7 @@ class SolidReader {
     is_good_ = false;
   }
 
-  /// The factors of x and y.
+  /// Returns the factors of x and y.
   Eigen::Vector2d Scale() {
     const std::optional<sample::Numbers> scale = ReadScale(reader_, entry_, 2);
     is_good_ &= scale.has_value();

@@ -1,3 +1,5 @@
+// Reader of the shapes of the room `solid`.
+
 #pragma once
 
 #include <optional>
@@ -8,11 +10,11 @@
 
 namespace mjforge::model {
 
-/// Whether a part of that type, with those keys, is made by the solid room.
+/// Returns true if the room `solid` makes parts of this type with these keys.
 bool IsSolid(std::string_view type, const spec::Entry& entry);
 
-/// Reads such a part; see Assets::AddShape. `half_length`: of a box or cylinder with `fromto`.
-/// `texture`: what its coordinates are for.
+/// Reads such a part and adds it by Assets::AddShape. `half_length` is given for a box or cylinder
+/// with `fromto`.
 std::optional<std::vector<Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
                                            std::string_view type,
                                            const std::optional<double>& half_length,

@@ -1,3 +1,5 @@
+// Textures of an object: pictures, generated textures, and the limit on pixels.
+
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,21 +14,14 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// MuJoCo has no default for the pixels of a generated texture.
+// Default width of a generated texture, in pixels; MuJoCo has none.
 constexpr double kPixels = 64;
 
-Attribute* Find(std::vector<Attribute>& attributes, std::string_view name) {
-  for (Attribute& attribute : attributes) {
-    if (attribute.name == name) return &attribute;
-  }
-  return nullptr;
-}
-
 void FillInPixels(std::vector<Attribute>& attributes) {
-  const Attribute* width = Find(attributes, "width");
+  const Attribute* width = FindAttribute(attributes, "width");
   const double pixels = width != nullptr ? width->numbers[0] : kPixels;
   for (const std::string_view name : {"width", "height"}) {
-    if (Find(attributes, name) != nullptr) continue;
+    if (FindAttribute(attributes, name) != nullptr) continue;
     Attribute& attribute = attributes.emplace_back();
     attribute.name = name;
     attribute.numbers.push_back(pixels);
@@ -85,7 +80,7 @@ std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Mat
 
 void Assets::CheckPixels() {
   const auto side = [](Texture& texture, std::string_view name) -> double {
-    const Attribute* attribute = Find(texture.attributes, name);
+    const Attribute* attribute = FindAttribute(texture.attributes, name);
     return attribute == nullptr ? 0.0 : attribute->numbers[0];
   };
   double pixels = 0.0;

@@ -1,3 +1,5 @@
+// Cameras and lights: poses, orientations, degrees and targets.
+
 #include "mjforge/model/views.h"
 
 #include <algorithm>
@@ -18,43 +20,31 @@ constexpr std::string_view kPos = "pos";
 constexpr std::string_view kQuat = "quat";
 constexpr std::string_view kDir = "dir";
 
-Attribute* FindIn(Element& view, std::string_view name) {
-  const auto found = std::ranges::find(view.attributes, name, &Attribute::name);
-  return found == view.attributes.end() ? nullptr : &*found;
-}
-
-void SetVector(Element& view, std::string_view name, const Eigen::Vector3d& vector) {
-  Attribute* attribute = FindIn(view, name);
+template <typename Vector>
+void SetVector(Element& view, std::string_view name, const Vector& vector) {
+  Attribute* attribute = FindAttribute(view.attributes, name);
   if (attribute == nullptr) attribute = &view.attributes.emplace_back();
   attribute->name = name;
   attribute->numbers.assign(vector.begin(), vector.end());
 }
 
 Eigen::Vector3d VectorOf(Element& view, std::string_view name, const Eigen::Vector3d& otherwise) {
-  const Attribute* attribute = FindIn(view, name);
+  const Attribute* attribute = FindAttribute(view.attributes, name);
   if (attribute == nullptr) return otherwise;
   return Eigen::Vector3d(attribute->numbers.data());
 }
 
-void SetTurn(Element& view, const Eigen::Quaterniond& q) {
-  Attribute* attribute = FindIn(view, kQuat);
-  if (attribute == nullptr) attribute = &view.attributes.emplace_back();
-  attribute->name = kQuat;
-  const Eigen::Vector4d quat = Wxyz(q);
-  attribute->numbers.assign(quat.begin(), quat.end());
-}
-
-// MJCF has these in degrees, whatever its compiler element says.
+// Converts angles that MJCF always has in degrees, whatever its element `compiler` states.
 void ToDegrees(Element& view) {
   for (const std::string_view name : {"fovy", "cutoff"}) {
-    Attribute* attribute = FindIn(view, name);
+    Attribute* attribute = FindAttribute(view.attributes, name);
     if (attribute == nullptr) continue;
     attribute->numbers.front() *= 180 / std::numbers::pi;
   }
 }
 
-Eigen::Quaterniond TurnOf(Element& view) {
-  const Attribute* attribute = FindIn(view, kQuat);
+Eigen::Quaterniond OrientationOf(Element& view) {
+  const Attribute* attribute = FindAttribute(view.attributes, kQuat);
   if (attribute == nullptr) return Eigen::Quaterniond::Identity();
   const auto& wxyz = attribute->numbers;
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
@@ -63,11 +53,11 @@ Eigen::Quaterniond TurnOf(Element& view) {
 }  // namespace
 
 void MoveView(const Pose& X_AB, Element& view) {
-  const Pose X_BV = {VectorOf(view, kPos, Eigen::Vector3d::Zero()), TurnOf(view)};
+  const Pose X_BV = {VectorOf(view, kPos, Eigen::Vector3d::Zero()), OrientationOf(view)};
   const Pose X_AV = X_AB * X_BV;
   SetVector(view, kPos, X_AV.p);
   if (view.tag == "camera") {
-    SetTurn(view, X_AV.q);
+    SetVector(view, kQuat, Wxyz(X_AV.q));
     return;
   }
   SetVector(view, kDir, X_AB.q * VectorOf(view, kDir, -Eigen::Vector3d::UnitZ()));
@@ -102,13 +92,13 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
   const std::optional<Pose> X_SV = ReadPose(reader, entry);
   if (!good || !X_SV) return;
   SetVector(view, kPos, X_SV->p);
-  if (view.tag == "camera") SetTurn(view, X_SV->q);
+  if (view.tag == "camera") SetVector(view, kQuat, Wxyz(X_SV->q));
   MoveView(scope.X_BS, view);
-  if (Attribute* target = FindIn(view, "target")) {
+  if (Attribute* target = FindAttribute(view.attributes, "target")) {
     const bool is_root = target->text == scope.values.spec().name;
     target->text = is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name
                            : scope.prefix + target->text;
-    if (FindIn(view, "mode") == nullptr) {
+    if (FindAttribute(view.attributes, "mode") == nullptr) {
       Attribute& mode = view.attributes.emplace_back();
       mode.name = "mode";
       mode.text = "targetbody";
@@ -118,7 +108,7 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
 }
 
 void CheckViews(const Object& object, diag::Findings& findings) {
-  // As the spec has them, without the object's prefix.
+  // Removes the object's prefix from a name.
   const auto shown = [&](std::string_view name) {
     const bool has_prefix = name.starts_with(object.name + "_");
     return has_prefix ? name.substr(object.name.size() + 1) : name;
@@ -127,8 +117,8 @@ void CheckViews(const Object& object, diag::Findings& findings) {
   for (const Body& body : object.bodies) names.push_back(shown(body.name));
   for (const Body& body : object.bodies) {
     for (const Element& view : body.elements) {
-      const auto target = std::ranges::find(view.attributes, "target", &Attribute::name);
-      if (target == view.attributes.end()) continue;
+      const Attribute* target = FindAttribute(view.attributes, "target");
+      if (target == nullptr) continue;
       if (target->text == body.name) {
         findings.Add(diag::Code::kModelBadValue, view.mark,
                      fmt::format("{} {} looks at the body that it is on", view.tag,

@@ -1,15 +1,15 @@
-#pragma once
+// Cameras and lights of bodies.
 
-// Cameras and lights, which are elements of their bodies.
+#pragma once
 
 #include "mjforge/model/object.h"
 
 namespace mjforge::model {
 
-/// Moves a camera or light, X_BV, to X_AB * X_BV.
+/// Expresses the pose of a camera or light, X_BV, in frame A: X_AB * X_BV.
 void MoveView(const Pose& X_AB, Element& view);
 
-/// Adds a finding for each that looks at its own body, or at one that the object does not have.
+/// Adds a finding for each camera or light whose target is its own body or does not exist.
 void CheckViews(const Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::model

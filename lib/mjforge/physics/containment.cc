@@ -51,7 +51,7 @@ struct Ball {
 
 /// Returns the radius of a ball, m; radii decrease by equal ratios. The largest ball is dropped
 /// first, because later it would hammer the small ones through the wall.
-double RadiusOf(const model::Holding& holding, int ball) {
+double RadiusOf(const model::HoldingCheck& holding, int ball) {
   const double share = holding.balls > 1 ? static_cast<double>(ball) / (holding.balls - 1) : 0;
   return holding.ball.y() / 2 * std::pow(holding.ball.x() / holding.ball.y(), share);
 }
@@ -68,8 +68,8 @@ struct ContainmentResult {
 class Container {
  public:
   /// `removed` is a body that does not collide, with all bodies on it; 0: all bodies collide.
-  Container(mjModel& m, mjData& d, std::span<const mjtNum> start, const model::Holding& holding,
-            int removed)
+  Container(mjModel& m, mjData& d, std::span<const mjtNum> start,
+            const model::HoldingCheck& holding, int removed)
       : m_(m), d_(d), first_(mj_name2id(&m, mjOBJ_BODY, BallName(0).c_str())) {
     if (first_ < 0) throw std::runtime_error("the balls are not in its world");
     const int qpos = m.jnt_qposadr[m.body_jntadr[first_]];
@@ -132,7 +132,7 @@ class Container {
   }
 
   /// Stacks the balls above the object.
-  void PlaceBalls(const model::Holding& holding) {
+  void PlaceBalls(const model::HoldingCheck& holding) {
     const Vector3d middle = (box_.min + box_.max) / 2;
     double height = box_.max.z() + holding.drop;
     for (const Ball& ball : balls_) {
@@ -231,20 +231,20 @@ class ContainmentReport {
   }
 
   const std::string& name_;
-  const model::Holding& holding_;
+  const model::HoldingCheck& holding_;
   static_checks::Reporter& reporter_;
 };
 
 /// Returns the body that does not collide in the test, 0 if there is none; nothing after a finding.
 std::optional<int> RemovedBody(const ProbeTest& test) {
-  const model::Holding& holding = *test.reporter.checks().holds;
+  const model::HoldingCheck& holding = *test.reporter.checks().holds;
   if (holding.without.empty()) return 0;
   return FindNamed(test, mjOBJ_BODY, holding.without, {"holds", holding.mark});
 }
 
 }  // namespace
 
-std::string WithBalls(std::string_view text, const model::Holding& holding) {
+std::string WithBalls(std::string_view text, const model::HoldingCheck& holding) {
   std::string balls;
   for (int i = 0; i < holding.balls; ++i) {
     const double radius = RadiusOf(holding, i);
@@ -258,7 +258,7 @@ std::string WithBalls(std::string_view text, const model::Holding& holding) {
 void CheckContainment(const ProbeTest& test) {
   const std::optional<int> removed = RemovedBody(test);
   if (!removed) return;
-  const model::Holding& holding = *test.reporter.checks().holds;
+  const model::HoldingCheck& holding = *test.reporter.checks().holds;
   const auto result = Simulate(test.m, test.workspace, [&](mjData& d) {
     return Container(test.m, d, test.start, holding, *removed).Run(holding.empties);
   });

@@ -11,7 +11,7 @@
 namespace mjforge::physics {
 
 /// Returns an MJCF text with the balls of checks.holds.
-std::string WithBalls(std::string_view text, const model::Holding& holding);
+std::string WithBalls(std::string_view text, const model::HoldingCheck& holding);
 
 /// Drops the balls into the object, which is held in place, and then turns gravity around. Reports
 /// balls that the object loses or keeps, and fills in result.holds. The model is made from a text

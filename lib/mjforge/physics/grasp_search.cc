@@ -63,12 +63,12 @@ struct GraspSearch::FaceLine {
   int body = 0;      // body with the first face
 };
 
-double OpeningFor(const GraspCandidate& candidate, const model::Grasping& grasping) {
+double OpeningFor(const GraspCandidate& candidate, const model::GraspingCheck& grasping) {
   return std::min(candidate.width + 2 * kMargin, grasping.width);
 }
 
 GraspSearch::GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper,
-                         std::span<const mjtNum> start, const model::Grasping& grasping)
+                         std::span<const mjtNum> start, const model::GraspingCheck& grasping)
     : m_(m), d_(d), gripper_(gripper), start_(start), grasping_(grasping) {
   for (int geom = 0; geom < m.ngeom; ++geom) {
     const bool is_solid = compiled::GeomTypeOf(m.geom_type[geom]).has_value();

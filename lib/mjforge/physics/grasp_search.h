@@ -20,14 +20,14 @@ struct GraspCandidate {
 };
 
 /// Returns the opening of the gripper before it closes, m.
-double OpeningFor(const GraspCandidate& candidate, const model::Grasping& grasping);
+double OpeningFor(const GraspCandidate& candidate, const model::GraspingCheck& grasping);
 
 /// Finds grasps on an object whose joints are at `start`. Rays from both sides find the faces. `m`
 /// is a model of a text of WithGripper().
 class GraspSearch {
  public:
   GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper, std::span<const mjtNum> start,
-              const model::Grasping& grasping);
+              const model::GraspingCheck& grasping);
 
   /// Returns grasps at a site, along lines through it or beside it, in directions of its frame.
   /// Both faces belong to `body` or to bodies welded to it; if it is a root, to any body of its
@@ -50,7 +50,7 @@ class GraspSearch {
   mjData& d_;
   const Gripper& gripper_;
   std::span<const mjtNum> start_;
-  const model::Grasping& grasping_;
+  const model::GraspingCheck& grasping_;
   std::vector<int> geoms_;  // colliding geoms of the object
 };
 

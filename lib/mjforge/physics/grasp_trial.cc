@@ -87,8 +87,8 @@ bool HasFreeJoint(const mjModel& m, int root) {
 /// ways; without one the object is lifted and shaken.
 class GraspSimulation {
  public:
-  GraspSimulation(mjModel& m, mjData& d, const Gripper& gripper, const model::Grasping& grasping,
-                  std::optional<int> joint)
+  GraspSimulation(mjModel& m, mjData& d, const Gripper& gripper,
+                  const model::GraspingCheck& grasping, std::optional<int> joint)
       : m_(m), d_(d), gripper_(gripper), grasping_(grasping), joint_(joint), stepper_(m, d) {}
 
   GraspOutcome Run(const GraspCandidate& candidate, std::span<const mjtNum> start) {
@@ -178,7 +178,7 @@ class GraspSimulation {
   mjModel& m_;
   mjData& d_;
   const Gripper& gripper_;
-  const model::Grasping& grasping_;
+  const model::GraspingCheck& grasping_;
   std::optional<int> joint_;
   int body_ = 0;
   double apart_ = 0;                  // s, since both jaws last touched the object
@@ -195,7 +195,7 @@ class GraspTests {
     m_.opt.cone = mjCONE_ELLIPTIC;
     m_.opt.impratio = kImpratio;
     engine::EnableMultipleContacts(m_.opt);
-    engine::SolveClosely(m_.opt);
+    engine::TightenTolerance(m_.opt);
     // The object hangs in the air, so that planes do not collide.
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       if (m_.geom_type[geom] == mjGEOM_PLANE) m_.geom_contype[geom] = m_.geom_conaffinity[geom] = 0;
@@ -317,7 +317,7 @@ class GraspTests {
 
   const ProbeTest& test_;
   mjModel& m_;
-  const model::Grasping& grasping_;
+  const model::GraspingCheck& grasping_;
   Gripper gripper_;
 };
 

@@ -29,7 +29,7 @@ constexpr std::string_view kRubber = R"(condim="4" friction="1 0.01 0.0001")";
 
 std::string PartName(std::string_view part) { return fmt::format("{}{}", kProbePrefix, part); }
 
-std::string Finger(int side, const model::Grasping& grasping) {
+std::string Finger(int side, const model::GraspingCheck& grasping) {
   const int sign = side == 0 ? 1 : -1;
   const std::string box =
       fmt::format(R"(type="box" size="{} {} {}" pos="0 {} {}")", kFinger.x(), kFinger.y(),
@@ -45,7 +45,7 @@ std::string Finger(int side, const model::Grasping& grasping) {
 
 }  // namespace
 
-std::string WithGripper(std::string_view text, const model::Grasping& grasping) {
+std::string WithGripper(std::string_view text, const model::GraspingCheck& grasping) {
   const std::string palm = fmt::format(R"(type="box" size="{} {} {}" pos="0 0 {}")", kFinger.x(),
                                        grasping.width / 2 + 2 * kFinger.y(), kPalm,
                                        kTip - 2 * kFinger.z() - kPalm - kClearance);

@@ -13,7 +13,7 @@
 namespace mjforge::physics {
 
 /// Returns an MJCF text with a gripper, whose palm is a mocap body.
-std::string WithGripper(std::string_view text, const model::Grasping& grasping);
+std::string WithGripper(std::string_view text, const model::GraspingCheck& grasping);
 
 /// The gripper in a model of a text of WithGripper().
 class Gripper {

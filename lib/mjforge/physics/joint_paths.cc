@@ -96,8 +96,7 @@ std::vector<std::vector<int>> IndependentGroups(const mjModel& m, const mjData& 
     if (!box.isEmpty()) box = Box(box.min().array() - kNear, box.max().array() + kNear);
     const auto fits = [&](const Group& group) {
       if (alone || !group.open) return false;
-      for (int body = 0; body < m.nbody; ++body) {
-        const auto i = compiled::Index(body);
+      for (std::size_t i = 0; i < moved.size(); ++i) {
         if (moved[i] && group.moved[i]) return false;
       }
       return std::ranges::none_of(group.boxes, [&](const Box& other) {

@@ -39,7 +39,7 @@ std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kProbe
 
 Vector3d ZAxis(const model::Pose& X) { return Eigen::Quaterniond(X.q) * Vector3d::UnitZ(); }
 
-double LengthOf(const model::Fitting& fitting) { return kLengthPerDepth * fitting.depth; }
+double LengthOf(const model::FittingCheck& fitting) { return kLengthPerDepth * fitting.depth; }
 
 /// Body that must go into a hole, and the pose of its tip in the body's frame.
 struct Peg {
@@ -194,11 +194,12 @@ class PegTests {
   }
 
  private:
-  std::optional<int> Find(const model::Fitting& fitting, mjtObj kind, const std::string& name) {
+  std::optional<int> Find(const model::FittingCheck& fitting, mjtObj kind,
+                          const std::string& name) {
     return FindNamed(test_, kind, name, {"fits", fitting.mark});
   }
 
-  std::optional<Peg> PegOf(const model::Fitting& fitting, std::size_t index) {
+  std::optional<Peg> PegOf(const model::FittingCheck& fitting, std::size_t index) {
     const mjModel& m = test_.m;
     if (fitting.body.empty()) {
       const double half = LengthOf(fitting) / 2;
@@ -226,7 +227,7 @@ class PegTests {
   }
 
   /// Returns true if the peg fits; otherwise reports why not.
-  bool Fits(const model::Fitting& fitting, const Peg& peg, int hole) {
+  bool Fits(const model::FittingCheck& fitting, const Peg& peg, int hole) {
     const engine::Model copy(mj_copyModel(nullptr, &test_.m));
     RemoveOtherPegs(*copy, peg.body);
     std::string touched;
@@ -249,7 +250,7 @@ class PegTests {
     }
   }
 
-  void Report(const model::Fitting& fitting, const std::optional<Insertion>& insertion,
+  void Report(const model::FittingCheck& fitting, const std::optional<Insertion>& insertion,
               const std::string& touched) {
     const std::string peg = fitting.body.empty() ? "a peg" : fmt::format("'{}'", fitting.body);
     const double wanted = 1000 * fitting.depth;
@@ -274,7 +275,7 @@ class PegTests {
   }
 
   const ProbeTest& test_;
-  const std::vector<model::Fitting>& fits_;
+  const std::vector<model::FittingCheck>& fits_;
   int first_ = 0;  // body of the first peg that was added
   int count_ = 0;  // number of added pegs
 };
@@ -284,7 +285,7 @@ class PegTests {
 std::string WithPegs(std::string_view text, const model::Checks& checks) {
   std::string pegs;
   for (std::size_t i = 0; i < checks.fits.size(); ++i) {
-    const model::Fitting& fitting = checks.fits[i];
+    const model::FittingCheck& fitting = checks.fits[i];
     if (!fitting.body.empty()) continue;
     const double x = fitting.peg[0] / 2;
     const double y = fitting.peg[1] / 2;

@@ -23,8 +23,8 @@
 #include "mjforge/physics/gripper.h"
 #include "mjforge/physics/peg_in_hole.h"
 #include "mjforge/physics/simulation.h"
-#include "mjforge/xml/xml.h"
 #include "mjforge/static_checks/static_checks.h"
+#include "mjforge/xml/xml.h"
 
 namespace mjforge::physics {
 namespace {
@@ -46,7 +46,7 @@ std::string FloorElement(std::string_view name) {
 /// that line numbers stay the same; so does WithSurroundings().
 std::string WithFreeRoot(const mjcf::MjcfDocument& document) {
   std::string text = document.text;
-  if (document.world_position == std::string::npos || !document.host_frees) return text;
+  if (document.world_position == std::string::npos || !document.host_adds_free_joint) return text;
   return text.insert(text.find('\n', document.world_position) + 1, kFree);
 }
 
@@ -175,7 +175,7 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
   }
   // A fixed object may have free bodies, so that its floor must be below all of them, too.
   const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
-  if (floor >= 0 && !document.host_frees && loaded.model->body_dofnum[1] == 0)
+  if (floor >= 0 && !document.host_adds_free_joint && loaded.model->body_dofnum[1] == 0)
     LevelFloor(*loaded.model, floor);
   return impl_->Examine(*loaded.model, object, mark, object.checks, findings,
                         WithFreeRoot(document),

@@ -33,7 +33,8 @@ bool MakeRoom(mjModel& m, const mjData& d) {
   if (!crowded || room.contacts >= kMostContacts) return false;
   room.contacts = std::min(4 * std::max(room.contacts, 100), kMostContacts);
   room.rows = std::max(room.rows, 500) + 4 * room.contacts;  // pyramids of condim 3
-  // Stack size, in numbers: linear in the contacts for few degrees of freedom, as in mjcf/size.cc.
+  // Stack size, in numbers: linear in the contacts for few degrees of freedom, as in
+  // mjcf/size_element.cc.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
   engine::SetBufferSizes(m, room);
   return true;

@@ -1,3 +1,5 @@
+// Apportionment by largest remainders, safe against rounding errors of the shares.
+
 #include "mjforge/sample/apportion.h"
 
 #include <algorithm>
@@ -8,15 +10,15 @@
 namespace mjforge::sample {
 namespace {
 
-// Shares are computed with rounding errors: remainders that differ by less are equal,
-// and a share of 2.9999999 is a 3.
+// Remainders are rounded to multiples of this step, because shares have rounding errors: equal
+// remainders must compare equal, and a share of 2.9999999 counts as 3.
 constexpr double kRemainderStep = 0x1p-20;
 
 }  // namespace
 
 std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std::uint64_t total) {
   const double largest = *std::ranges::max_element(weights);
-  double sum = 0;  // of weights over the largest, so that it stays finite
+  double sum = 0;  // sum of weights / largest, which is finite
   for (const double weight : weights) sum += weight / largest;
   std::vector<std::uint64_t> counts;
   std::vector<double> remainders;
@@ -34,7 +36,7 @@ std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std
   std::erase_if(order, [&](std::size_t i) { return weights[i] == 0; });
   std::ranges::stable_sort(
       order, [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
-  // Once round is enough, but for the rounding errors of huge totals.
+  // A single round is enough, except for the rounding errors of huge totals.
   for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++counts[order[i]];
   return counts;
 }

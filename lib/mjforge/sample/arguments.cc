@@ -1,3 +1,5 @@
+// Checks of the arguments and limits of a draw.
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,7 +15,7 @@ using expr::NumberText;
 using spec::Distribution;
 using Message = std::optional<std::string>;
 
-// Far more than anything that is counted; keeps the search for the quantile short.
+// Larger than any useful count. The bound limits the time of the search for the quantile.
 constexpr double kMaxPoissonMean = 1e6;
 
 Message CheckNotNegative(std::string_view what, double value) {

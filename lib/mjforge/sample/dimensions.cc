@@ -1,3 +1,5 @@
+// Collects the streams of a spec's parameters by walking through their values.
+
 #include "mjforge/sample/dimensions.h"
 
 #include <algorithm>
@@ -8,10 +10,10 @@ namespace {
 
 using spec::Distribution;
 
-// Above it, whole numbers have no neighbours to count.
+// Above this limit not every whole number is a double, so that levels cannot be counted.
 constexpr double kMostLevels = 0x1p53;
 
-class Walk {
+class StreamCollector {
  public:
   void Value(const spec::Value& value, StreamId path) {
     if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
@@ -40,7 +42,7 @@ class Walk {
  private:
   void Add(const DrawnStream& stream) { streams_.push_back(stream); }
 
-  // What the length of a list is, if all variants have the same.
+  // Returns the length of a list if it is the same in all variants, else 0.
   static std::size_t LengthOf(const spec::Value& count) {
     const double number = spec::ConstantOf(count).value_or(0);
     return spec::IsListLength(number) ? static_cast<std::size_t>(number) : 0;
@@ -63,7 +65,7 @@ class Walk {
     if (draw.rows != nullptr) return;
     const spec::DistributionInfo& info =
         spec::Distributions()[static_cast<std::size_t>(draw.distribution)];
-    if (draw.distribution != Distribution::kCycle && !draw.exact) Add(Own(draw, path));
+    if (draw.distribution != Distribution::kCycle && !draw.exact) Add(OwnStream(draw, path));
     if (info.arguments < 0) {
       Items(draw.weights, Child(path, info.option));
       const StreamId options = Child(path, info.key);
@@ -76,15 +78,15 @@ class Walk {
     }
   }
 
-  // Items that are draws have streams of their own; what else there is in such a
-  // list draws nothing.
+  // Items that are draws have streams of their own. Other items of such a list draw nothing.
   void Items(std::span<const spec::Value> items, StreamId path) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (std::holds_alternative<spec::Draw>(items[i].form)) Value(items[i], Child(path, i));
     }
   }
 
-  static DrawnStream Own(const spec::Draw& draw, StreamId path) {
+  // Returns the stream of the draw itself, without its arguments.
+  static DrawnStream OwnStream(const spec::Draw& draw, StreamId path) {
     DrawnStream stream = {.stream = path, .split = {}};
     if (draw.distribution == Distribution::kChoice && draw.weights.empty()) {
       stream.levels = draw.arguments.size();
@@ -111,15 +113,15 @@ class Walk {
 }  // namespace
 
 std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec) {
-  Walk walk;
-  const auto add = [&walk](const spec::ObjectSpec& of, StreamId root) {
+  StreamCollector collector;
+  const auto add = [&collector](const spec::ObjectSpec& of, StreamId root) {
     const StreamId parameters = Child(root, "params");
     for (const spec::Parameter& parameter : of.parameters)
-      walk.Value(parameter.value, Child(parameters, parameter.name));
+      collector.Value(parameter.value, Child(parameters, parameter.name));
   };
   for (const auto& shared : spec.shared) add(*shared, SharedStream(*shared));
   add(spec, RootStream(spec));
-  return walk.Take();
+  return collector.Take();
 }
 
 }  // namespace mjforge::sample

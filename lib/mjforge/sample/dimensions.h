@@ -1,3 +1,5 @@
+// Streams that the parameters of a spec draw from, as dimensions of a sampling method.
+
 #pragma once
 
 #include <cstdint>
@@ -9,28 +11,29 @@
 
 namespace mjforge::sample {
 
-/// What the parameters of a spec draw from one stream.
+/// The draws of a spec's parameters from one stream.
 struct DrawnStream {
   StreamId stream = 0;
-  int numbers = 1;           // uniforms taken: the dimensions it spans
-  std::uint64_t levels = 0;  // different values of a discrete draw; 0: any number
-  bool is_order = false;     // one of the numbers that put a list in order
-  /// With two levels: the first one's share of (0, 1), if it is not one half.
+  int numbers = 1;           // uniforms drawn; each is a dimension
+  std::uint64_t levels = 0;  // number of values of a discrete draw; 0: continuous or unknown
+  bool is_order = false;     // sort key of a list's item
+  /// With two levels: the share of (0, 1) of the first level; without, both have one half.
   std::optional<double> split;
 };
 
-/// Where the paths of an outermost spec begin: at its name, so that two families with the same seed
-/// draw different numbers.
+/// Returns the root of the paths of an outermost spec. The root depends on the spec's name, so that
+/// two families with the same seed draw different numbers.
 inline StreamId RootStream(const spec::ObjectSpec& spec) { return Child(kRootStream, spec.name); }
 
-/// Of the parameters of an imported file: at the file's name, whichever spec imports it.
+/// Returns the root of the paths of an imported file. The root depends on the file's name only, so
+/// that all specs that import the file draw the same values.
 inline StreamId SharedStream(const spec::ObjectSpec& shared) {
   return Child(Child(kRootStream, "import"), shared.name);
 }
 
-/// Those of imported files first, then parameters in file order; within one, a draw before the
-/// draws in its arguments, limits and options. Follows the streams of Evaluator. A choice with
-/// `exact: true` takes no uniform and is left out.
+/// Returns the streams of the parameters of imported files, then of the spec's own parameters in
+/// file order. A draw comes before the draws in its arguments, limits and options. The streams are
+/// those that Evaluator uses. A choice with `exact: true` draws no uniform and is left out.
 std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::sample

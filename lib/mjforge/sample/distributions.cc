@@ -1,3 +1,5 @@
+// Quantiles and supports of all distributions.
+
 #include "mjforge/sample/distributions.h"
 
 #include <algorithm>
@@ -40,7 +42,7 @@ double LogNormal(double mu, double sigma, Interval limits, double u) {
   return std::clamp(std::exp(NormalValue(mu, sigma, logs, u)), limits.lo, limits.hi);
 }
 
-// Without memory: above lo the distribution is the same again.
+// The exponential distribution has no memory: above lo it is the same distribution, shifted.
 double Exponential(double rate, Interval limits, double u) {
   const double lo = std::max(0.0, limits.lo);
   const double value = lo - std::log1p(u * std::expm1(-rate * (limits.hi - lo))) / rate;
@@ -118,7 +120,7 @@ Interval Support(Distribution distribution, std::span<const double> arguments,
 std::size_t WeightedIndex(std::span<const double> weights, double u) {
   const double target = u * std::accumulate(weights.begin(), weights.end(), 0.0);
   double below = 0;
-  std::size_t last = 0;  // with a positive weight; the sum may round below the target
+  std::size_t last = 0;  // last index with a positive weight, in case `below` rounds down
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (weights[i] == 0) continue;
     last = i;

@@ -1,8 +1,8 @@
-// The part of Evaluator that draws: numbers, options, rotations, points, colours.
+// Evaluator: draws numbers, options, rotations, points on a sphere and colours.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -23,26 +23,14 @@ const spec::DistributionInfo& Info(Distribution distribution) {
   return spec::Distributions()[static_cast<std::size_t>(distribution)];
 }
 
-// Counted or logical values are whole as they are.
+// Returns false for distributions of whole numbers and of true and false.
 bool IsRounded(Distribution distribution) {
   return distribution != Distribution::kInteger && distribution != Distribution::kPoisson &&
          distribution != Distribution::kBernoulli;
 }
 
-bool HasNan(std::span<const double> numbers) {
-  return std::ranges::any_of(numbers, [](double number) { return std::isnan(number); });
-}
-
-// The most arguments of a draw: three of a triangular one, and two limits.
+// The most arguments of a draw: three of a triangular draw, and two limits.
 constexpr std::size_t kMostArguments = 5;
-
-std::string_view WhatIsWrong(std::span<const double> weights) {
-  if (weights.empty()) return {};
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  if (!(std::ranges::min(weights) >= 0)) return "a weight of the choice is negative";
-  if (std::isinf(sum)) return "the sum of the choice's weights is infinite";
-  return sum > 0 ? "" : "all weights of the choice are 0; one must be positive";
-}
 
 template <std::size_t n>
 void Append(const std::array<double, n>& numbers, Numbers& out) {
@@ -63,7 +51,7 @@ double Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId p
   for (std::size_t i = 0; i < draw.limits.size(); ++i) {
     all[count + i] = Number(draw.limits[i], Child(limits_path, i));
   }
-  if (HasNan(all)) return std::numeric_limits<double>::quiet_NaN();
+  if (HasFailedNumber(all)) return kFailedNumber;
   const std::span<const double> arguments = all.first(count);
   std::optional<Interval> limits;
   if (!draw.limits.empty()) limits = {all[count], all[count + 1]};
@@ -77,46 +65,56 @@ double Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId p
   double value = Quantile(draw.distribution, arguments, limits, Uniforms(path)[0]);
   if (IsRounded(draw.distribution)) {
     const Interval support = Support(draw.distribution, arguments, limits);
-    value = Rounding(support.lo, support.hi)(value);
+    value = RoundWithin(support.lo, support.hi, value);
   }
   if (std::isfinite(value)) return value;
   return Fail(Code::kSampleBadArgument, mark,
               fmt::format("'{}' drew a value that is not finite", Info(draw.distribution).key));
 }
 
-const spec::Value& Evaluator::OfRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {
+const spec::Draw* Evaluator::ChoiceOf(const spec::Value& value) {
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  const bool is_choice = draw != nullptr && (draw->distribution == Distribution::kChoice ||
+                                             draw->distribution == Distribution::kCycle);
+  return is_choice ? draw : nullptr;
+}
+
+const spec::Value* Evaluator::ChooseRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {
   const spec::RecordRows& rows = *draw.rows;
   const double key = Variable(draw.key_slot);
   const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
   if (row == rows.numbers.end()) {
+    // All columns of the record have the same key: report it once.
     if (!failed_) Fail(Code::kSampleBadArgument, mark, "no row has the key of this record");
-    return draw.arguments.front();
+    return nullptr;
   }
   path = Child(path, rows.names[row->second]);
-  return draw.arguments[row->second];
+  return &draw.arguments[row->second];
 }
 
-const spec::Value& Evaluator::Chosen(const spec::Draw& draw, SourceMark mark, StreamId& path) {
-  if (draw.rows != nullptr) return OfRow(draw, mark, path);
-  const std::optional<Numbers> weights = Weights(draw, mark, path);
-  const std::size_t option = weights ? Option(draw, {weights->data(), weights->size()}, path) : 0;
-  path = Child(Child(path, Info(draw.distribution).key), option);
-  return draw.arguments[option];
+const spec::Value* Evaluator::Choose(const spec::Draw& draw, SourceMark mark, StreamId& path) {
+  if (draw.rows != nullptr) return ChooseRow(draw, mark, path);
+  const std::optional<std::size_t> option = DrawOption(draw, mark, path);
+  if (!option) return nullptr;
+  path = Child(Child(path, Info(draw.distribution).key), *option);
+  return &draw.arguments[*option];
 }
 
-std::size_t Evaluator::Option(const spec::Draw& draw, std::span<const double> weights,
-                              StreamId path) const {
+std::optional<std::size_t> Evaluator::DrawOption(const spec::Draw& draw, SourceMark mark,
+                                                 StreamId path) {
   const std::size_t count = draw.arguments.size();
   if (draw.distribution == Distribution::kCycle) {
     return static_cast<std::size_t>(key_.index % count);
   }
-  if (IsExact(draw)) {
-    const std::vector<double> same(weights.empty() ? count : 0, 1);
-    return sampler_->ExactOption(weights.empty() ? same : weights, key_, path);
+  std::optional<Numbers> weights = Weights(draw, mark, path);
+  if (!weights) return std::nullopt;
+  if (draw.exact && sampler_ != nullptr && sampler_->batch() > 0) {
+    if (weights->empty()) weights->assign(count, 1);
+    return sampler_->ExactOption({weights->data(), weights->size()}, key_, path);
   }
   const double u = Uniforms(path)[0];
-  return weights.empty() ? static_cast<std::size_t>(u * static_cast<double>(count))
-                         : WeightedIndex(weights, u);
+  if (weights->empty()) return static_cast<std::size_t>(u * static_cast<double>(count));
+  return WeightedIndex({weights->data(), weights->size()}, u);
 }
 
 std::optional<Numbers> Evaluator::Weights(const spec::Draw& draw, SourceMark mark, StreamId path) {
@@ -124,18 +122,21 @@ std::optional<Numbers> Evaluator::Weights(const spec::Draw& draw, SourceMark mar
   if (draw.weights.empty()) return weights;
   const StreamId weights_path = Child(path, "weights");
   for (std::size_t i = 0; i < draw.weights.size(); ++i) {
-    weights.push_back(Number(draw.weights[i], ItemStream(draw.weights[i], weights_path, i)));
-    if (!(weights.back() < 0)) continue;
+    const double weight = Number(draw.weights[i], ItemStream(draw.weights[i], weights_path, i));
+    weights.push_back(weight);
+    if (!(weight < 0)) continue;
     Fail(Code::kSampleBadArgument, draw.weights[i].mark,
          fmt::format("weight {} of the choice is {}; it must not be negative", i + 1,
-                     NumberText(weights.back())));
+                     NumberText(weight)));
     return std::nullopt;
   }
-  if (HasNan({weights.data(), weights.size()}))
-    return std::nullopt;  // reported where it was computed
-  const std::string_view wrong = WhatIsWrong({weights.data(), weights.size()});
-  if (wrong.empty()) return weights;
-  Fail(Code::kSampleBadArgument, mark, std::string(wrong));
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  if (sum > 0 && std::isfinite(sum)) return weights;
+  if (!std::isnan(sum)) {
+    Fail(Code::kSampleBadArgument, mark,
+         sum > 0 ? "the sum of the choice's weights is infinite"
+                 : "all weights of the choice are 0; one must be positive");
+  }
   return std::nullopt;
 }
 
@@ -144,13 +145,14 @@ void Evaluator::AppendRotation(StreamId path, Numbers& out) {
   Append(UniformRotation(u[0], u[1], u[2]), out);
 }
 
-void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, StreamId path,
-                            Numbers& out) {
+void Evaluator::AppendRotationAbout(const spec::RotationAbout& about, SourceMark mark,
+                                    StreamId path, Numbers& out) {
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
-  const double length = std::hypot(std::hypot(axis[0], axis[1]), axis[2]);
+  double length = std::hypot(std::hypot(axis[0], axis[1]), axis[2]);
   if (length == 0) {
-    Fail(Code::kSampleBadArgument, mark, "the axis to turn about is 0 0 0; it needs a direction");
+    length = Fail(Code::kSampleBadArgument, mark,
+                  "the axis to turn about is 0 0 0; it needs a direction");
   }
   // From -pi/2 to pi/2, so that w is not negative.
   const double half_angle = std::numbers::pi * (Uniforms(path)[0] - 0.5);
@@ -158,11 +160,11 @@ void Evaluator::AppendAbout(const spec::RotationAbout& about, SourceMark mark, S
   for (const double component : axis) out.push_back(std::sin(half_angle) * (component / length));
 }
 
-void Evaluator::AppendOnSphere(const spec::PointOnSphere& point, SourceMark mark, StreamId path,
-                               Numbers& out) {
-  const double radius = Number(*point.radius, Child(path, "on_sphere"));
+void Evaluator::AppendPointOnSphere(const spec::PointOnSphere& point, SourceMark mark,
+                                    StreamId path, Numbers& out) {
+  double radius = Number(*point.radius, Child(path, "on_sphere"));
   if (radius < 0) {
-    Fail(
+    radius = Fail(
         Code::kSampleBadArgument, mark,
         fmt::format("the radius of the sphere is {}; it must not be negative", NumberText(radius)));
   }
@@ -173,14 +175,17 @@ void Evaluator::AppendOnSphere(const spec::PointOnSphere& point, SourceMark mark
 void Evaluator::AppendColor(const spec::HsvColor& color, SourceMark mark, StreamId path,
                             Numbers& out) {
   static constexpr std::array<std::string_view, 4> kNames = {"hue", "saturation", "value", "alpha"};
-  Numbers items = {0.0, 0.0, 0.0, 1.0};  // opaque unless said
+  std::array<double, 4> items = {0, 0, 0, 1};  // opaque by default
   for (std::size_t i = 0; i < color.items.size(); ++i) {
     items[i] = Number(color.items[i], ItemStream(color.items[i], path, i));
-    if (items[i] < 0 || items[i] > 1) {
-      Fail(Code::kSampleBadArgument, color.items[i].mark ? color.items[i].mark : mark,
-           fmt::format("{} is {}; it must be between 0 and 1", kNames[i], NumberText(items[i])));
-    }
-    if (!(items[i] >= 0 && items[i] <= 1)) items[i] = 0.0;
+    if (!(items[i] < 0 || items[i] > 1)) continue;
+    items[i] =
+        Fail(Code::kSampleBadArgument, color.items[i].mark ? color.items[i].mark : mark,
+             fmt::format("{} is {}; it must be between 0 and 1", kNames[i], NumberText(items[i])));
+  }
+  if (HasFailedNumber(items)) {
+    out.insert(out.end(), items.size(), kFailedNumber);
+    return;
   }
   Append(HsvToRgb(items[0], items[1], items[2]), out);
   out.push_back(items[3]);

@@ -1,10 +1,10 @@
+// Evaluator: evaluates expressions, numbers, texts and vectors.
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
-#include "mjforge/sample/distributions.h"
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::sample {
@@ -13,15 +13,9 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view kLeftOutHint = "its body was left out by 'if'";
 
-// Picks one of several values of any kind rather than a number.
-bool IsPick(const spec::Draw& draw) {
-  return draw.distribution == spec::Distribution::kChoice ||
-         draw.distribution == spec::Distribution::kCycle;
-}
-
-// "[0.01, 0.02, 0.03, ...]"
+// Returns "[0.01, 0.02, 0.03, ...]".
 std::string ListText(const std::vector<double>& numbers) {
   constexpr std::size_t kShown = 8;
   std::string text = "[";
@@ -32,8 +26,10 @@ std::string ListText(const std::vector<double>& numbers) {
   return text + (numbers.size() > kShown ? ", ...]" : "]");
 }
 
-// False for a failed number.
-bool Truth(double number) { return std::abs(number) > 0; }
+std::optional<bool> ToBoolean(double number) {
+  if (std::isnan(number)) return std::nullopt;
+  return number != 0;
+}
 
 }  // namespace
 
@@ -42,7 +38,7 @@ double Evaluator::Fail(Code code, SourceMark mark, std::string message, std::str
   finding.seed = key_.seed;
   finding.index = key_.index;
   failed_ = true;
-  return kNoNumber;
+  return kFailedNumber;
 }
 
 std::string Evaluator::InputsText(const expr::Expression& expression) const {
@@ -50,7 +46,7 @@ std::string Evaluator::InputsText(const expr::Expression& expression) const {
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (input.type == expr::Type::kText) continue;
     if (!text.empty()) text += ", ";
-    const double value = variables_[static_cast<std::size_t>(input.slot)];
+    const double value = Variable(input.slot);
     text += input.name + " = ";
     if (input.list >= 0) {
       text += ListText(lists_[static_cast<std::size_t>(input.list)].numbers());
@@ -67,14 +63,14 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
   const double result = expression.Evaluate(variables_, lists_);
   if (std::isfinite(result)) return result;
   for (const expr::Expression::Input& input : expression.inputs()) {
-    if (!std::isnan(variables_[static_cast<std::size_t>(input.slot)])) continue;
-    // The failure of the input is the cause; it has its finding already, unless
-    // it never got a value: a property of a body that `if` left out.
-    if (failed_) return kNoNumber;
+    if (!std::isnan(Variable(input.slot))) continue;
+    // The cause of a failed input was reported, unless the input is a property of a body that was
+    // left out: such a property was never set.
+    if (failed_) return kFailedNumber;
     return Fail(Code::kExprNotFinite, mark,
                 fmt::format("expression '{}' uses '{}', which has no value in this variant",
                             expression.text(), input.name),
-                "its body was left out by 'if'");
+                std::string(kLeftOutHint));
   }
   const std::string inputs = InputsText(expression);
   if (std::string missing = expression.DescribeMissingItem(variables_, lists_); !missing.empty())
@@ -86,24 +82,16 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
                           inputs.empty() ? "" : ": ", inputs));
 }
 
-double Evaluator::Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }
-
-void Evaluator::SetVariable(int slot, double value) {
-  variables_[static_cast<std::size_t>(slot)] = value;
+std::optional<bool> Evaluator::Condition(const expr::Expression& expression, SourceMark mark) {
+  return ToBoolean(EvaluateExpression(expression, mark));
 }
 
-void Evaluator::SetVariable(int slot, std::string_view text) {
-  texts_[static_cast<std::size_t>(slot)] = text;
-  SetVariable(slot, expr::TextKey(text));
-}
-
-void Evaluator::SetVariable(int slot, const Evaluator& other, std::size_t i) {
-  const spec::Parameter& parameter = other.spec_.parameters[i];
-  const auto first = static_cast<std::size_t>(slot);
-  texts_[first] = other.texts_[static_cast<std::size_t>(parameter.slot)];
-  for (int k = 0; k < std::max(parameter.value.components, 1); ++k) {
-    SetVariable(slot + k, other.Variable(parameter.slot + k));
-  }
+double Evaluator::Component(const spec::VariableReference& variable, int i, SourceMark mark) {
+  const double component = Variable(variable.slot + i);
+  if (!std::isnan(component) || failed_) return component;
+  return Fail(Code::kExprNotFinite, mark,
+              fmt::format("'{}' has no value in this variant", variable.name),
+              std::string(kLeftOutHint));
 }
 
 StreamId Evaluator::ItemStream(const spec::Value& item, StreamId path, std::size_t i) {
@@ -116,73 +104,81 @@ double Evaluator::Number(const spec::Value& value, StreamId path) {
     return EvaluateExpression(*expression, value.mark);
   }
   if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
-    return Variable(variable->slot);
+    return Component(*variable, 0, value.mark);
   }
   if (const auto* boolean = std::get_if<bool>(&value.form)) return *boolean ? 1 : 0;
+  if (const spec::Draw* choice = ChoiceOf(value)) {
+    const spec::Value* chosen = Choose(*choice, value.mark, path);
+    return chosen != nullptr ? Number(*chosen, path) : kFailedNumber;
+  }
   if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
-    if (!IsPick(*draw)) return DrawNumber(*draw, value.mark, path);
-    const spec::Value& chosen = Chosen(*draw, value.mark, path);
-    return Number(chosen, path);
+    return DrawNumber(*draw, value.mark, path);
   }
   return Fail(Code::kSampleBadArgument, value.mark, "this value is not a number");
 }
 
-bool Evaluator::Boolean(const spec::Value& value, StreamId path) {
-  return Truth(Number(value, path));
+std::optional<bool> Evaluator::Boolean(const spec::Value& value, StreamId path) {
+  return ToBoolean(Number(value, path));
 }
 
-bool Evaluator::Condition(const expr::Expression& expression, SourceMark mark) {
-  return Truth(EvaluateExpression(expression, mark));
-}
-
-void Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::string& out) {
+bool Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::string& out) {
   out += piece.literal;
-  if (piece.text_slot >= 0) out += texts_[static_cast<std::size_t>(piece.text_slot)];
-  if (!piece.expression) return;
+  if (piece.text_slot >= 0) {
+    out += texts_[static_cast<std::size_t>(piece.text_slot)];
+    return !std::isnan(Variable(piece.text_slot));
+  }
+  if (!piece.expression) return true;
   const double result = EvaluateExpression(*piece.expression, mark);
+  if (std::isnan(result)) return false;
   if (piece.expression->type() == expr::Type::kText) {
     out += TextOf(*piece.expression, result);
   } else if (piece.expression->type() == expr::Type::kBoolean) {
     out += result != 0 ? "true" : "false";
-  } else if (std::isfinite(result)) {
+  } else {
     expr::AppendNumber(out, result);
   }
+  return true;
 }
 
 const std::string& Evaluator::TextOf(const expr::Expression& expression, double key) const {
   for (const std::string& text : expression.texts()) {
     if (expr::TextKey(text) == key) return text;
   }
-  static const std::string kNone;
   for (const expr::Expression::Input& input : expression.inputs()) {
-    const auto slot = static_cast<std::size_t>(input.slot);
     if (input.type != expr::Type::kText) continue;
-    if (input.list < 0 && variables_[slot] == key) return texts_[slot];
-    if (input.list < 0) continue;
+    if (input.list < 0) {
+      if (Variable(input.slot) == key) return texts_[static_cast<std::size_t>(input.slot)];
+      continue;
+    }
     const auto& texts = list_texts_[static_cast<std::size_t>(input.list)];
     const auto same = std::ranges::find(texts, key, expr::TextKey);
     if (same != texts.end()) return *same;
   }
-  return kNone;  // of a body that is not there; reported
+  static const std::string kNone;
+  return kNone;
 }
 
-std::string Evaluator::Text(const spec::Value& value, StreamId path) {
+std::optional<std::string> Evaluator::Text(const spec::Value& value, StreamId path) {
   if (const auto* text = std::get_if<spec::Text>(&value.form)) {
-    std::string out;
-    for (const spec::TextPiece& piece : text->pieces) AppendPiece(piece, value.mark, out);
+    std::optional<std::string> out(std::in_place);
+    bool is_good = true;
+    for (const spec::TextPiece& piece : text->pieces)
+      is_good &= AppendPiece(piece, value.mark, *out);
+    if (!is_good) out.reset();
     return out;
   }
-  if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
-    const spec::Value& chosen = Chosen(*draw, value.mark, path);
-    return Text(chosen, path);
+  if (const spec::Draw* choice = ChoiceOf(value)) {
+    const spec::Value* chosen = Choose(*choice, value.mark, path);
+    return chosen != nullptr ? Text(*chosen, path) : std::nullopt;
   }
+  const double number = Number(value, path);
+  if (std::isnan(number)) return std::nullopt;
   if (const auto* variable = std::get_if<spec::VariableReference>(&value.form);
       variable && value.type == expr::Type::kText) {
     return texts_[static_cast<std::size_t>(variable->slot)];
   }
-  const double number = Number(value, path);
   if (value.type == expr::Type::kBoolean) return number != 0 ? "true" : "false";
-  return std::isfinite(number) ? expr::NumberText(number) : std::string();
+  return expr::NumberText(number);
 }
 
 void Evaluator::Vector(const spec::Value& value, StreamId path, Numbers& out) {
@@ -196,16 +192,17 @@ void Evaluator::AppendVector(const spec::Value& value, StreamId path, Numbers& o
       out.push_back(Number(list->items[i], ItemStream(list->items[i], path, i)));
     }
   } else if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
-    for (int i = 0; i < value.components; ++i) out.push_back(Variable(variable->slot + i));
-  } else if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
-    const spec::Value& chosen = Chosen(*draw, value.mark, path);
-    AppendVector(chosen, path, out);
+    for (int i = 0; i < value.components; ++i) out.push_back(Component(*variable, i, value.mark));
+  } else if (const spec::Draw* choice = ChoiceOf(value)) {
+    const spec::Value* chosen = Choose(*choice, value.mark, path);
+    if (chosen != nullptr) return AppendVector(*chosen, path, out);
+    out.insert(out.end(), static_cast<std::size_t>(value.components), kFailedNumber);
   } else if (std::holds_alternative<spec::RandomRotation>(value.form)) {
     AppendRotation(path, out);
   } else if (const auto* about = std::get_if<spec::RotationAbout>(&value.form)) {
-    AppendAbout(*about, value.mark, path, out);
+    AppendRotationAbout(*about, value.mark, path, out);
   } else if (const auto* point = std::get_if<spec::PointOnSphere>(&value.form)) {
-    AppendOnSphere(*point, value.mark, path, out);
+    AppendPointOnSphere(*point, value.mark, path, out);
   } else if (const auto* color = std::get_if<spec::HsvColor>(&value.form)) {
     AppendColor(*color, value.mark, path, out);
   } else {

@@ -1,3 +1,5 @@
+// Grid sampling: sharing out the levels, and the coordinates of a point.
+
 #include "mjforge/sample/grid.h"
 
 #include <algorithm>
@@ -10,18 +12,19 @@ namespace {
 
 constexpr std::uint64_t kMany = std::numeric_limits<std::uint64_t>::max();
 
-// a * b, at most kMany.
+// Returns a * b, at most kMany.
 std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
   return a != 0 && b > kMany / a ? kMany : a * b;
 }
 
-// low^(count - more) * (low + 1)^more
+// Returns low^(count - more) * (low + 1)^more, at most kMany.
 std::uint64_t PointsOf(std::uint64_t low, std::size_t count, std::size_t more) {
   std::uint64_t points = 1;
   for (std::size_t i = 0; i < count; ++i) points = Product(points, i < more ? low + 1 : low);
   return points;
 }
 
+// Returns the centre of a cell of (0, 1).
 double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double> split) {
   if (split) return level == 0 ? *split / 2 : (1 + *split) / 2;
   return (static_cast<double>(level) + 0.5) / static_cast<double>(levels);
@@ -31,7 +34,7 @@ double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double>
 
 Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
   for (const DrawnStream& stream : streams) {
-    if (stream.is_order) continue;  // levels of these numbers are not levels of the order
+    if (stream.is_order) continue;  // levels of sort keys are not levels of the order
     const auto count = static_cast<std::size_t>(stream.numbers);
     axes_of_.emplace(stream.stream, Axes{axes_.size(), count});
     axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});
@@ -56,7 +59,7 @@ void Grid::ShareLevels(std::uint64_t size) {
   if (open.empty()) return;
   const std::uint64_t wanted = std::max<std::uint64_t>(1, size / discrete);
   std::uint64_t low = 1;
-  std::uint64_t high = wanted;  // the most levels that fit are within
+  std::uint64_t high = wanted;  // binary search for the most levels that fit
   while (low < high) {
     const std::uint64_t middle = high - (high - low) / 2;
     if (PointsOf(middle, open.size(), 0) <= wanted) {

@@ -1,3 +1,5 @@
+// Grid sampling: a full factorial design over the parameters.
+
 #pragma once
 
 #include <array>
@@ -12,28 +14,29 @@
 
 namespace mjforge::sample {
 
-/// A full factorial: every combination of the levels of all dimensions, the first dimension varying
-/// slowest. Discrete dimensions have as many levels as values; the others share what remains of
-/// `size` as equally as possible; the first ones may get one level more.
+/// A full factorial design: every combination of the levels of all dimensions; the first dimension
+/// varies slowest. A discrete dimension has one level per value. The other dimensions get equal
+/// numbers of levels, so that the grid has at most `size` points if possible; the first of them get
+/// one more level if that fits.
 class Grid {
  public:
   Grid(std::span<const DrawnStream> streams, std::uint64_t size);
 
-  /// Puts the stream's numbers of the point at `position` into `uniforms`: centres of their cells.
-  /// Positions past the last point start over. For a stream outside the grid, `uniforms` stay
-  /// unchanged.
+  /// Replaces the uniforms of a stream by its coordinates of the point at `position`, the centres
+  /// of cells. Positions past the last point start over. The uniforms of a stream outside the grid
+  /// stay unchanged.
   void Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const;
 
-  /// The number of points, at most 2^64 - 1.
+  /// Returns the number of points, at most 2^64 - 1.
   std::uint64_t points() const { return points_; }
-  /// "4 x 5 x 5 = 100 points".
+  /// Returns "4 x 5 x 5 = 100 points".
   std::string Text() const;
 
  private:
   struct Axis {
     std::uint64_t levels;         // at least 1
-    std::uint64_t stride;         // points from one level to the next
-    std::optional<double> split;  // as DrawnStream::split
+    std::uint64_t stride;         // difference of position from one level to the next
+    std::optional<double> split;  // DrawnStream::split
   };
   struct Axes {
     std::size_t first;

@@ -1,3 +1,5 @@
+// Latin hypercube sampling by pseudorandom permutations.
+
 #include "mjforge/sample/latin.h"
 
 #include <algorithm>

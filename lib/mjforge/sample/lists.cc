@@ -1,6 +1,7 @@
-// The part of Evaluator that makes lists.
+// Evaluator: evaluates lists (literal, repeated, shuffled, sampled).
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -12,66 +13,74 @@ namespace mjforge::sample {
 
 using expr::Type;
 
-Items Evaluator::List(const spec::Value& value, StreamId path) {
-  Items items;
-  if (const auto* list = std::get_if<spec::List>(&value.form)) {
-    for (std::size_t i = 0; i < list->items.size(); ++i)
-      AppendItem(list->items[i], value.type, ItemStream(list->items[i], path, i), items);
-  } else if (const auto* variable = std::get_if<spec::VariableReference>(&value.form)) {
-    items = Whole(*variable, value.components);
-  } else if (const auto* each = std::get_if<spec::Each>(&value.form)) {
-    items = Repeated(*each, path);
-  } else if (const auto* arrangement = std::get_if<spec::Arrangement>(&value.form)) {
-    items = Arranged(*arrangement, path);
-  } else if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
-    const spec::Value& chosen = Chosen(*draw, value.mark, path);
-    items = List(chosen, path);
+std::optional<Items> Evaluator::List(const spec::Value& value, StreamId path) {
+  if (const auto* variable = std::get_if<spec::VariableReference>(&value.form))
+    return CopyList(*variable, value);
+  if (const auto* each = std::get_if<spec::Each>(&value.form)) return Repeat(*each, path);
+  if (const auto* arrangement = std::get_if<spec::Arrangement>(&value.form))
+    return Arrange(*arrangement, path);
+  if (const spec::Draw* choice = ChoiceOf(value)) {
+    const spec::Value* chosen = Choose(*choice, value.mark, path);
+    return chosen != nullptr ? List(*chosen, path) : std::nullopt;
   }
+  std::optional<Items> items(std::in_place);
+  const auto* list = std::get_if<spec::List>(&value.form);
+  bool is_good = true;
+  for (std::size_t i = 0; list != nullptr && i < list->items.size(); ++i) {
+    const spec::Value& item = list->items[i];
+    is_good &= AppendItem(item, value.type, ItemStream(item, path, i), *items);
+  }
+  if (!is_good) items.reset();
   return items;
 }
 
-void Evaluator::AppendItem(const spec::Value& item, Type type, StreamId path, Items& out) {
-  if (type == Type::kText) {
-    out.texts.push_back(Text(item, path));
-    out.numbers.push_back(expr::TextKey(out.texts.back()));
-  } else {
+bool Evaluator::AppendItem(const spec::Value& item, Type type, StreamId path, Items& out) {
+  if (type != Type::kText) {
     out.numbers.push_back(Number(item, path));
+    return !std::isnan(out.numbers.back());
   }
+  std::optional<std::string> text = Text(item, path);
+  if (!text) return false;
+  out.numbers.push_back(expr::TextKey(*text));
+  out.texts.push_back(*std::move(text));
+  return true;
 }
 
-Items Evaluator::Whole(const spec::VariableReference& variable, int components) {
+// A list, or a vector whose components are the items.
+std::optional<Items> Evaluator::CopyList(const spec::VariableReference& variable,
+                                         const spec::Value& value) {
   Items items;
-  if (variable.list < 0) {
-    for (int i = 0; i < components; ++i) items.numbers.push_back(Variable(variable.slot + i));
-    return items;
-  }
+  const int components = variable.list < 0 ? value.components : 1;
+  for (int i = 0; i < components; ++i) items.numbers.push_back(Component(variable, i, value.mark));
+  if (HasFailedNumber(items.numbers)) return std::nullopt;
+  if (variable.list < 0) return items;
   const auto list = static_cast<std::size_t>(variable.list);
-  const std::vector<double>& numbers = lists_[list].numbers();
-  items.numbers.assign(numbers.begin(), numbers.end());
-  items.texts = list_texts_[list];
-  return items;
+  return Items{lists_[list].numbers(), list_texts_[list]};
 }
 
 std::optional<std::size_t> Evaluator::Length(const spec::Value& count, StreamId path) {
   const double number = Number(count, Child(path, "count"));
   if (spec::IsListLength(number)) return static_cast<std::size_t>(number);
-  if (!failed_) {
+  if (!std::isnan(number)) {
     Fail(diag::Code::kSampleBadArgument, count.mark,
          fmt::format("count is {}; it {}", expr::NumberText(number), spec::kListLengthRule));
   }
   return std::nullopt;
 }
 
-Items Evaluator::Repeated(const spec::Each& each, StreamId path) {
+std::optional<Items> Evaluator::Repeat(const spec::Each& each, StreamId path) {
+  const std::optional<std::size_t> count = Length(*each.count, path);
+  if (!count) return std::nullopt;
   Items items;
-  const std::size_t count = Length(*each.count, path).value_or(0);
-  for (std::size_t i = 0; i < count && !failed_; ++i)
-    AppendItem(*each.value, each.value->type, Child(path, i), items);
+  for (std::size_t i = 0; i < *count; ++i) {
+    if (!AppendItem(*each.value, each.value->type, Child(path, i), items)) return std::nullopt;
+  }
   return items;
 }
 
-// By a number drawn for each: one item more leaves the order of the others as it is.
-std::vector<std::size_t> Evaluator::Order(std::size_t count, StreamId path) const {
+// Sorts by a number drawn for each item, so that another item at the end does not change the order
+// of the first ones.
+std::vector<std::size_t> Evaluator::RandomOrder(std::size_t count, StreamId path) const {
   std::vector<double> keys(count);
   for (std::size_t i = 0; i < count; ++i) keys[i] = Uniforms(Child(path, i))[0];
   std::vector<std::size_t> order(count);
@@ -80,23 +89,22 @@ std::vector<std::size_t> Evaluator::Order(std::size_t count, StreamId path) cons
   return order;
 }
 
-Items Evaluator::Arranged(const spec::Arrangement& arrangement, StreamId path) {
-  const Items all = List(*arrangement.list, Child(path, "items"));
-  std::size_t count = all.numbers.size();
-  if (arrangement.count != nullptr) {
-    const std::size_t wanted = Length(*arrangement.count, path).value_or(0);
-    if (wanted > count) {
-      Fail(diag::Code::kSampleBadArgument, arrangement.count->mark,
-           fmt::format("{} different items are asked of a list that has {}", wanted, count));
-      return {};
-    }
-    count = wanted;
+std::optional<Items> Evaluator::Arrange(const spec::Arrangement& arrangement, StreamId path) {
+  const std::optional<Items> all = List(*arrangement.list, Child(path, "items"));
+  std::optional<std::size_t> count = all ? all->numbers.size() : 0;
+  if (arrangement.count != nullptr) count = Length(*arrangement.count, path);
+  if (!all || !count) return std::nullopt;
+  if (*count > all->numbers.size()) {
+    Fail(diag::Code::kSampleBadArgument, arrangement.count->mark,
+         fmt::format("{} different items are asked of a list that has {}", *count,
+                     all->numbers.size()));
+    return std::nullopt;
   }
-  const std::vector<std::size_t> order = Order(all.numbers.size(), path);
+  const std::vector<std::size_t> order = RandomOrder(all->numbers.size(), path);
   Items items;
-  for (std::size_t i = 0; i < count; ++i) {
-    items.numbers.push_back(all.numbers[order[i]]);
-    if (!all.texts.empty()) items.texts.push_back(all.texts[order[i]]);
+  for (std::size_t i = 0; i < *count; ++i) {
+    items.numbers.push_back(all->numbers[order[i]]);
+    if (!all->texts.empty()) items.texts.push_back(all->texts[order[i]]);
   }
   return items;
 }

@@ -1,8 +1,7 @@
-// The part of Evaluator that gives the parameters their values.
+// Evaluator: sets and returns the values of parameters and local values.
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -12,15 +11,10 @@
 namespace mjforge::sample {
 namespace {
 
-using diag::Code;
 using expr::Type;
 
 bool IsVector(const spec::Value& value) {
   return !value.is_list && (value.components > 1 || std::holds_alternative<spec::List>(value.form));
-}
-
-std::size_t Slot(const spec::Parameter& parameter) {
-  return static_cast<std::size_t>(parameter.slot);
 }
 
 std::string KindText(const ParameterValue& value) {
@@ -38,6 +32,21 @@ std::vector<double> KeysOf(const std::vector<std::string>& texts) {
   return keys;
 }
 
+// Returns true if the value is of the parameter's kind.
+bool Accepts(const spec::Value& parameter, const ParameterValue& value) {
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  if (std::holds_alternative<std::vector<std::string>>(value))
+    return parameter.is_list && parameter.type == Type::kText;
+  if (numbers != nullptr && parameter.is_list)
+    return parameter.type == Type::kNumber || numbers->empty();
+  if (std::holds_alternative<bool>(value)) return parameter.type == Type::kBoolean;
+  if (std::holds_alternative<std::string>(value))
+    return parameter.type == Type::kText && !parameter.is_list;
+  const std::size_t count = numbers != nullptr ? numbers->size() : 1;
+  return parameter.type == Type::kNumber && !parameter.is_list &&
+         count == static_cast<std::size_t>(parameter.components);
+}
+
 }  // namespace
 
 Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
@@ -52,161 +61,109 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
       lists_(static_cast<std::size_t>(spec.names.list_count())),
       list_texts_(lists_.size()) {
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
-  const StreamId parameters = Child(root_, "params");
-  streams_.reserve(spec.parameters.size());
-  for (const spec::Parameter& parameter : spec.parameters) {
-    streams_.push_back(Child(parameters, parameter.name));
-  }
   // Imported parameters always begin with attempt 0, so that a retry in one spec does not change
-  // what another one sees.
+  // the values that another spec imports.
   const DrawKey shared_key = {key.seed, key.index, 0};
   for (const auto& shared : spec.shared)
     shared_.emplace_back(*shared, shared_key, SharedStream(*shared), findings, sampler);
 }
 
-void Evaluator::SetComponents(const spec::Parameter& parameter,
-                              std::span<const double> components) {
-  const auto wanted = static_cast<std::size_t>(parameter.value.components);
-  if (components.size() == wanted) {
-    std::ranges::copy(components, variables_.begin() + parameter.slot);
-    return;
-  }
-  const double none = Fail(Code::kSampleBadArgument, parameter.mark,
-                           fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
-                                       spec::KindText(parameter.value),
-                                       spec::KindText(Type::kNumber, components.size())));
-  std::fill_n(variables_.begin() + parameter.slot, wanted, none);
+void Evaluator::SetVariable(int slot, double value) {
+  variables_[static_cast<std::size_t>(slot)] = value;
 }
 
-void Evaluator::SetList(const spec::Parameter& parameter, std::vector<double> numbers,
-                        std::vector<std::string> texts) {
-  const auto list = static_cast<std::size_t>(parameter.list);
-  variables_[Slot(parameter)] = static_cast<double>(numbers.size());
-  lists_[list] = expr::Sequence(std::move(numbers));
-  list_texts_[list] = std::move(texts);
+void Evaluator::SetVariable(int slot, std::string_view text) {
+  texts_[static_cast<std::size_t>(slot)] = text;
+  SetVariable(slot, expr::TextKey(text));
 }
 
-void Evaluator::DrawParameter(std::size_t i) {
-  const spec::Parameter& parameter = spec_.parameters[i];
-  const spec::Value& value = parameter.value;
-  if (const auto* shared = std::get_if<spec::SharedParameter>(&value.form)) {
-    SetParameter(parameter, shared_[shared->file].Parameter(shared->position));
-  } else if (value.is_list) {
-    Items items = List(value, streams_[i]);
-    SetList(parameter, {items.numbers.begin(), items.numbers.end()}, std::move(items.texts));
-  } else if (value.type == Type::kText) {
-    texts_[Slot(parameter)] = Text(value, streams_[i]);
-    variables_[Slot(parameter)] = expr::TextKey(texts_[Slot(parameter)]);
-  } else if (IsVector(value)) {
-    Numbers components;
-    AppendVector(value, streams_[i], components);
-    SetComponents(parameter, {components.data(), components.size()});
+void Evaluator::Assign(int slot, const ParameterValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    SetVariable(slot, *text);
+  } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    std::ranges::copy(*numbers, variables_.begin() + slot);
+  } else if (const auto* boolean = std::get_if<bool>(&value)) {
+    SetVariable(slot, *boolean ? 1.0 : 0.0);
   } else {
-    variables_[Slot(parameter)] = Number(value, streams_[i]);
+    SetVariable(slot, std::get<double>(value));
   }
+}
+
+void Evaluator::SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i) {
+  if (!range.items) {
+    SetVariable(loop.slot, static_cast<double>(i));
+  } else if (loop.range.type == Type::kText) {
+    SetVariable(loop.slot, range.items->texts[i]);
+  } else {
+    SetVariable(loop.slot, range.items->numbers[i]);
+  }
+}
+
+void Evaluator::ClearVariables(int slot, int list, const spec::Value& value) {
+  const int count = value.is_list ? 1 : std::max(value.components, 1);
+  for (int k = 0; k < count; ++k) SetVariable(slot + k, kFailedNumber);
+  if (list >= 0) lists_[static_cast<std::size_t>(list)] = expr::Sequence({kFailedNumber});
+}
+
+bool Evaluator::SetLocal(const spec::Local& local, StreamId path) {
+  const std::optional<ParameterValue> value = Any(local.value, path);
+  if (value) {
+    Assign(local.slot, *value);
+  } else {
+    ClearVariables(local.slot, -1, local.value);
+  }
+  return value.has_value();
 }
 
 void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterValue& value) {
-  const Type type = parameter.value.type;
-  const bool is_list = parameter.value.is_list;
-  const auto* numbers = std::get_if<std::vector<double>>(&value);
-  if (const auto* text = std::get_if<std::string>(&value);
-      text && type == Type::kText && !is_list) {
-    texts_[Slot(parameter)] = *text;
-    variables_[Slot(parameter)] = expr::TextKey(*text);
-  } else if (const auto* boolean = std::get_if<bool>(&value); boolean && type == Type::kBoolean) {
-    variables_[Slot(parameter)] = *boolean ? 1 : 0;
-  } else if (const auto* number = std::get_if<double>(&value);
-             number && type == Type::kNumber && !is_list) {
-    SetComponents(parameter, {number, 1});
-  } else if (numbers != nullptr && type == Type::kNumber && !is_list) {
-    SetComponents(parameter, *numbers);
-  } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value);
-             texts && type == Type::kText && is_list) {
-    SetList(parameter, KeysOf(*texts), *texts);
-  } else if (numbers != nullptr && is_list && (type == Type::kNumber || numbers->empty())) {
-    SetList(parameter, *numbers, {});
+  if (!Accepts(parameter.value, value)) {
+    ClearVariables(parameter.slot, parameter.list, parameter.value);
+    Fail(diag::Code::kSampleBadArgument, parameter.mark,
+         fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
+                     spec::KindText(parameter.value), KindText(value)));
+    return;
+  }
+  if (!parameter.value.is_list) return Assign(parameter.slot, value);
+  const auto list = static_cast<std::size_t>(parameter.list);
+  const auto* texts = std::get_if<std::vector<std::string>>(&value);
+  list_texts_[list] = texts != nullptr ? *texts : std::vector<std::string>();
+  lists_[list] = expr::Sequence(texts ? KeysOf(*texts) : std::get<std::vector<double>>(value));
+  SetVariable(parameter.slot, static_cast<double>(lists_[list].numbers().size()));
+}
+
+void Evaluator::DrawParameter(const spec::Parameter& parameter) {
+  std::optional<ParameterValue> value;
+  if (const auto* shared = std::get_if<spec::SharedParameter>(&parameter.value.form)) {
+    value = shared_[shared->file].Parameter(shared->position);
   } else {
-    const auto count = static_cast<std::size_t>(parameter.value.components);
-    const double none =
-        Fail(Code::kSampleBadArgument, parameter.mark,
-             fmt::format("parameter '{}' is {}, but its value is {}", parameter.name,
-                         spec::KindText(parameter.value), KindText(value)));
-    std::fill_n(variables_.begin() + parameter.slot, count, none);
+    value = Any(parameter.value, Child(Child(root_, "params"), parameter.name));
   }
-}
-
-bool Evaluator::SampleShared(Overrides overrides) {
-  return std::ranges::all_of(shared_, [&](Evaluator& shared) {
-    failed_ |= !shared.Sample(overrides);
-    return !failed_;
-  });
-}
-
-// One without a value, such as sqrt(-1) > 0, does not: another draw may have one.
-bool Evaluator::Holds(const spec::Requirement& requirement) {
-  const expr::Expression& expression = requirement.expression;
-  const double value = expression.Evaluate(variables_, lists_);
-  if (std::isfinite(value)) return value != 0;
-  const bool lacks_items = !expression.DescribeMissingItem(variables_, lists_).empty();
-  return (lacks_items || std::isinf(value)) && Condition(expression, requirement.mark);
-}
-
-bool Evaluator::SampleParameters(Overrides overrides) {
-  rejected_by_ = -1;
-  for (const int position : spec_.evaluation_order) {
-    const auto i = static_cast<std::size_t>(position);
-    const spec::Parameter& parameter = spec_.parameters[i];
-    const auto given = std::ranges::find(overrides, parameter.name,
-                                         &std::pair<std::string, ParameterValue>::first);
-    if (given != overrides.end()) {
-      SetParameter(parameter, given->second);
-    } else {
-      DrawParameter(i);
-    }
-  }
-  if (failed_) return false;
-  for (std::size_t i = 0; i < spec_.requirements.size(); ++i) {
-    const spec::Requirement& requirement = spec_.requirements[i];
-    if (Holds(requirement)) continue;
-    if (!failed_) rejected_by_ = static_cast<int>(i);
-    return false;
-  }
-  return true;
-}
-
-void Evaluator::SetLocal(const spec::Local& local, StreamId path) {
-  const spec::Value& value = local.value;
-  if (value.type == Type::kText) {
-    SetVariable(local.slot, Text(value, path));
-  } else if (!IsVector(value)) {
-    SetVariable(local.slot, Number(value, path));
+  if (value) {
+    SetParameter(parameter, *value);
   } else {
-    Numbers components;
-    AppendVector(value, path, components);
-    components.resize(static_cast<std::size_t>(value.components));  // as the spec was checked
-    for (int k = 0; k < value.components; ++k)
-      SetVariable(local.slot + k, components[static_cast<std::size_t>(k)]);
+    ClearVariables(parameter.slot, parameter.list, parameter.value);
   }
 }
 
-ParameterValue Evaluator::Any(const spec::Value& value, StreamId path) {
+std::optional<ParameterValue> Evaluator::Any(const spec::Value& value, StreamId path) {
   if (value.is_list) {
-    Items items = List(value, path);
-    if (value.type == Type::kText) return std::move(items.texts);
-    return std::vector<double>(items.numbers.begin(), items.numbers.end());
+    std::optional<Items> items = List(value, path);
+    if (!items) return std::nullopt;
+    if (value.type == Type::kText) return std::move(items->texts);
+    return std::move(items->numbers);
   }
   if (value.type == Type::kText) return Text(value, path);
   if (value.type == Type::kBoolean) return Boolean(value, path);
-  if (!IsVector(value)) return Number(value, path);
   Numbers numbers;
   AppendVector(value, path, numbers);
+  if (HasFailedNumber(numbers)) return std::nullopt;
+  if (!IsVector(value)) return numbers.front();
   return std::vector<double>(numbers.begin(), numbers.end());
 }
 
 ParameterValue Evaluator::Parameter(std::size_t i) const {
   const spec::Parameter& parameter = spec_.parameters[i];
-  const std::size_t slot = Slot(parameter);
+  const auto slot = static_cast<std::size_t>(parameter.slot);
   const bool is_text = parameter.value.type == Type::kText;
   if (parameter.value.is_list) {
     const auto list = static_cast<std::size_t>(parameter.list);

@@ -1,3 +1,5 @@
+// Feistel network with cycle walking.
+
 #include "mjforge/sample/permutation.h"
 
 #include <cmath>
@@ -7,8 +9,8 @@
 namespace mjforge::sample {
 namespace {
 
-// Four make a strong pseudorandom permutation of large domains; small ones need more
-// of them to come close to all permutations.
+// Four rounds make a strong pseudorandom permutation of a large domain. Small domains need more
+// rounds, so that all permutations are about equally likely.
 constexpr std::uint64_t kRounds = 8;
 
 std::uint64_t RootRoundedUp(std::uint64_t size) {
@@ -18,7 +20,7 @@ std::uint64_t RootRoundedUp(std::uint64_t size) {
   return root;
 }
 
-// A hash scaled to 0 .. bound - 1, bound <= 2^32.
+// Scales a hash to 0 .. bound - 1; bound <= 2^32.
 std::uint64_t Below(std::uint64_t bound, std::uint64_t hash) {
   return ((hash >> 32) * bound) >> 32;
 }
@@ -32,7 +34,8 @@ std::uint64_t Permuted(std::uint64_t position, std::uint64_t size, std::uint64_t
     std::uint64_t left = position / side;
     std::uint64_t right = position % side;
     for (std::uint64_t round = 0; round < kRounds; ++round) {
-      // Round and number together stay below 2^35: no two pairs share a hash's input.
+      // right * kRounds + round is below 2^35 and differs for each pair (right, round), so that no
+      // two pairs have the same hash input.
       const std::uint64_t input = key + (right * kRounds + round + 1) * kGoldenGamma;
       std::uint64_t next = left + Below(side, Mix(input));
       if (next >= side) next -= side;

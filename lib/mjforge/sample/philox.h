@@ -1,6 +1,6 @@
-#pragma once
+// Philox, the counter-based random generator behind all random numbers, and a 64-bit hash.
 
-// The one generator behind all random numbers.
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -11,10 +11,11 @@
 
 namespace mjforge::sample {
 
-/// The last word of the counter: numbers for different purposes are independent.
+/// Last word of the counter, so that numbers for different purposes are independent.
 enum class Purpose : std::uint64_t { kDraw, kLatin, kScramble, kExact };
 
-/// Philox4x64-10 with key (seed, 0) and counter (position, stream, attempt, purpose).
+/// Returns a block of Philox4x64-10 with key (seed, 0) and counter (position, stream, attempt,
+/// purpose).
 inline std::array<std::uint64_t, 4> PhiloxWords(std::uint64_t seed, std::uint64_t position,
                                                 StreamId stream, std::uint64_t attempt,
                                                 Purpose purpose) {
@@ -26,20 +27,21 @@ inline std::array<std::uint64_t, 4> PhiloxWords(std::uint64_t seed, std::uint64_
   return {words[0], words[1], words[2], words[3]};
 }
 
-/// The top 52 bits as a number of (0, 1), centred in their cell.
+/// Returns the top 52 bits of a word as a number in (0, 1), the centre of its cell.
 inline double UniformOf(std::uint64_t word) {
   return (static_cast<double>(word >> 12) + 0.5) * 0x1p-52;
 }
 
-/// A bijection of 64 bits that leaves no trace of regular input. Source: Steele, Lea,
-/// Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014 (mix64variant13).
+/// A bijective hash of 64 bits. Source: Steele, Lea, Flood, "Fast splittable pseudorandom number
+/// generators", OOPSLA 2014 (mix64variant13).
 inline std::uint64_t Mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
   x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
   return x ^ (x >> 31);
 }
 
-/// 2^64 over the golden ratio, odd: spreads small numbers before Mix.
+/// 2^64 divided by the golden ratio, rounded to an odd number. Small numbers are multiplied by it
+/// before Mix().
 inline constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15;
 
 }  // namespace mjforge::sample

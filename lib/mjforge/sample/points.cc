@@ -1,5 +1,6 @@
-// Lists of points.
+// Evaluator: evaluates lists of points with loops and arcs, outlines, and the ranges of loops.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,77 +11,86 @@
 namespace mjforge::sample {
 namespace {
 
-constexpr std::size_t kMost = 1000;  // points of a shape; see solid::kMostPoints
+constexpr std::size_t kMost = 1000;  // points of a shape; equals solid::kMostPoints
 
+// Calls `read` with the stream of each combination of the loops' values, until it returns false.
+// Returns false if it did, or if a range failed.
+template <typename Function>
+bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, StreamId path,
+                        const Function& read) {
+  if (loops.empty()) return read(path);
+  const std::optional<LoopRange> range = values.RangeOf(loops.front());
+  if (!range) return false;
+  for (std::size_t i = 0; i < range->count; ++i) {
+    values.SetVariable(loops.front(), *range, i);
+    if (!ForEachCombination(values, loops.subspan(1), Child(path, i), read)) return false;
+  }
+  return true;
+}
+
+// The points of one list. Its functions return false after a finding, or if the list is full.
 class PointReader {
  public:
   explicit PointReader(Evaluator& values) : values_(values) {}
 
-  void Read(const spec::Value& item, StreamId path) {
+  bool Read(const spec::Value& item, StreamId path) {
+    bool is_good = true;
     if (const auto* loop = std::get_if<spec::PointLoop>(&item.form)) {
-      const auto read = [&](StreamId own) { ReadPoint(*loop->at, own); };
-      Repeat(
-          values_, *loop, 0, path, [&] { return IsFull(); }, read);
+      const auto read = [&](StreamId own) { return ReadPoint(*loop->at, own); };
+      is_good = ForEachCombination(values_, *loop->loops, path, read);
     } else if (const auto* arc = std::get_if<spec::Arc>(&item.form)) {
-      ReadArc(*arc, path);
+      is_good = ReadArc(*arc, path);
     } else {
-      ReadPoint(item, path);
+      is_good = ReadPoint(item, path);
     }
     points_.marks.resize(count_, item.mark);
-    if (!IsFull() || values_.failed()) return;
+    if (count_ <= kMost) return is_good;
     values_.Fail(diag::Code::kSampleBadArgument, item.mark,
                  fmt::format("the list has more than {} points", kMost));
-  }
-
-  /// Calls `read` with the path of each combination of the loops' values.
-  template <typename IsDone, typename Function>
-  static void Repeat(Evaluator& values, const spec::PointLoop& points, std::size_t depth,
-                     StreamId path, const IsDone& is_done, const Function& read) {
-    if (depth == points.loops->size()) return read(path);
-    const spec::Loop& loop = (*points.loops)[depth];
-    const std::optional<LoopRange> range = values.RangeOf(loop);
-    for (std::size_t i = 0; range && i < range->count; ++i) {
-      if (values.failed() || is_done()) return;
-      values.SetVariable(loop, *range, i);
-      Repeat(values, points, depth + 1, Child(path, i), is_done, read);
-    }
+    return false;
   }
 
   PointList Take() { return std::move(points_); }
 
  private:
-  bool IsFull() const { return count_ > kMost; }
-
-  void ReadPoint(const spec::Value& point, StreamId path) {
+  bool ReadPoint(const spec::Value& point, StreamId path) {
     Numbers numbers;
     values_.Vector(point, path, numbers);
-    if (values_.failed()) return;
+    if (HasFailedNumber(numbers)) return false;
     if (count_ == 0) points_.per_point = numbers.size();
     if (points_.per_point != numbers.size()) {
       values_.Fail(diag::Code::kSampleBadArgument, point.mark,
                    fmt::format("this point has {} numbers, those before it have {}", numbers.size(),
                                points_.per_point));
-      return;
+      return false;
     }
-    ++count_;
     points_.numbers.insert(points_.numbers.end(), numbers.begin(), numbers.end());
+    return ++count_ <= kMost;
   }
 
-  void ReadArc(const spec::Arc& arc, StreamId path) {
+  bool ReadArc(const spec::Arc& arc, StreamId path) {
     Numbers center;
     values_.Vector(*arc.center, Child(path, "center"), center);
     std::array<double, 3> measures;
     for (std::size_t i = 0; i < measures.size(); ++i)
       measures[i] = values_.Number(arc.measures[i], Child(path, i));
     const double steps = values_.Number(*arc.steps, Child(path, "steps"));
-    if (values_.failed() || !(steps >= 1 && steps <= 2 * kMost)) return;
+    if (HasFailedNumber(center) || HasFailedNumber(measures) || std::isnan(steps)) return false;
+    if (!(steps >= 1 && steps <= 2 * kMost)) return true;
     const auto& [radius, from, to] = measures;
     for (double i = 0; i <= steps; ++i) {
       const double angle = from + i / steps * (to - from);
-      points_.numbers.push_back(center[0] + radius * std::cos(angle));
-      points_.numbers.push_back(center[1] + radius * std::sin(angle));
+      const double x = center[0] + radius * std::cos(angle);
+      const double y = center[1] + radius * std::sin(angle);
+      if (!std::isfinite(x) || !std::isfinite(y)) {
+        values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
+                     "the arc has a point that is not finite");
+        return false;
+      }
+      points_.numbers.insert(points_.numbers.end(), {x, y});
       ++count_;
     }
+    return true;
   }
 
   Evaluator& values_;
@@ -90,35 +100,41 @@ class PointReader {
 
 }  // namespace
 
-PointList Evaluator::Points(const spec::Value& value, StreamId path) {
-  if (const auto* draw = std::get_if<spec::Draw>(&value.form); draw && IsPick(*draw)) {
-    const spec::Value& chosen = Chosen(*draw, value.mark, path);
-    return Points(chosen, path);
+std::optional<PointList> Evaluator::Points(const spec::Value& value, StreamId path) {
+  if (const spec::Draw* choice = ChoiceOf(value)) {
+    const spec::Value* chosen = Choose(*choice, value.mark, path);
+    return chosen != nullptr ? Points(*chosen, path) : std::nullopt;
   }
   const auto* list = std::get_if<spec::List>(&value.form);
   if (list == nullptr) {
     Fail(diag::Code::kSampleBadArgument, value.mark, "this value is not a list of points");
-    return {};
+    return std::nullopt;
   }
   PointReader reader(*this);
-  for (std::size_t i = 0; i < list->items.size() && !failed_; ++i)
-    reader.Read(list->items[i], Child(path, i));
+  for (std::size_t i = 0; i < list->items.size(); ++i) {
+    if (!reader.Read(list->items[i], Child(path, i))) return std::nullopt;
+  }
   return reader.Take();
 }
 
-std::vector<PointList> Evaluator::Outlines(const spec::Value& value, StreamId path) {
+std::optional<std::vector<PointList>> Evaluator::Outlines(const spec::Value& value, StreamId path) {
   std::vector<PointList> outlines;
+  const auto read = [&](const spec::Value& points, StreamId own) {
+    std::optional<PointList> outline = Points(points, own);
+    if (outline) outlines.push_back(*std::move(outline));
+    return outline && outlines.size() <= kMost;
+  };
   const auto* list = std::get_if<spec::List>(&value.form);
-  for (std::size_t i = 0; list != nullptr && i < list->items.size() && !failed_; ++i) {
+  for (std::size_t i = 0; list != nullptr && i < list->items.size(); ++i) {
     const spec::Value& item = list->items[i];
     const auto* loop = std::get_if<spec::PointLoop>(&item.form);
-    if (loop == nullptr) {
-      outlines.push_back(Points(item, Child(path, i)));
-      continue;
-    }
-    const auto read = [&](StreamId own) { outlines.push_back(Points(*loop->at, own)); };
-    const auto is_full = [&] { return outlines.size() > kMost; };
-    PointReader::Repeat(*this, *loop, 0, Child(path, i), is_full, read);
+    const auto read_one = [&](StreamId own) {
+      return read(loop != nullptr ? *loop->at : item, own);
+    };
+    const std::span<const spec::Loop> loops =
+        loop != nullptr ? std::span<const spec::Loop>(*loop->loops) : std::span<const spec::Loop>();
+    if (ForEachCombination(*this, loops, Child(path, i), read_one)) continue;
+    if (outlines.size() <= kMost) return std::nullopt;
   }
   return outlines;
 }
@@ -126,12 +142,13 @@ std::vector<PointList> Evaluator::Outlines(const spec::Value& value, StreamId pa
 std::optional<LoopRange> Evaluator::RangeOf(const spec::Loop& loop) {
   const StreamId path = Child(root(), std::string_view(loop.variable));
   if (loop.over_values()) {
-    LoopRange range{.count = 0, .items = List(loop.range, path)};
-    range.count = range.items->numbers.size();
-    return range;
+    std::optional<Items> items = List(loop.range, path);
+    if (!items) return std::nullopt;
+    const std::size_t count = items->numbers.size();
+    return LoopRange{.count = count, .items = std::move(items)};
   }
   const double count = Number(loop.range, path);
-  if (!std::isfinite(count)) return std::nullopt;  // reported where it was computed
+  if (std::isnan(count)) return std::nullopt;
   if (count < 0 || count != std::floor(count)) {
     Fail(diag::Code::kModelBadCount, loop.range.mark,
          fmt::format("count of loop '{}' is {}; it must be a whole number, 0 or more",
@@ -139,16 +156,6 @@ std::optional<LoopRange> Evaluator::RangeOf(const spec::Loop& loop) {
     return std::nullopt;
   }
   return LoopRange{.count = static_cast<std::size_t>(std::min(count, 1e15)), .items = {}};
-}
-
-void Evaluator::SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i) {
-  if (!range.items) {
-    SetVariable(loop.slot, static_cast<double>(i));
-  } else if (loop.range.type == expr::Type::kText) {
-    SetVariable(loop.slot, range.items->texts[i]);
-  } else {
-    SetVariable(loop.slot, range.items->numbers[i]);
-  }
 }
 
 }  // namespace mjforge::sample

@@ -1,3 +1,5 @@
+// Rounding of drawn numbers to few decimal digits.
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -14,26 +16,27 @@ constexpr int kMaxExactPower = 22;  // 10^22 is the largest power of ten that a 
 constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-// Bounds such as 0.03 - 0.02 are a hair off a power of ten; that is no reason for one more digit.
+// Tolerance for ranges such as 0.03 - 0.02, which miss a power of ten by a rounding error and must
+// not get one more digit.
 constexpr double kLogTolerance = 1e-9;
 
-// Decimal places that a millionth of a range has; infinitely few if it has no width.
+// Returns the decimal places of a millionth of a range; minus infinity if the width is infinite.
 double PlacesFor(double width) {
   if (!std::isfinite(width)) return -std::numeric_limits<double>::infinity();
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
 }
 
-// Whole multiples of 10^-places. Both operands of the last step are exact, so
-// the result is the double nearest to the decimal.
+// Rounds to a multiple of 10^-places. The operands of the last step are exact, so that the result is
+// the double nearest to the decimal.
 double RoundByScaling(double value, int places) {
   const double power = kPowersOfTen[std::abs(places)];
   const double scaled = places < 0 ? value / power : value * power;
-  if (std::abs(scaled) >= kMaxWhole) return value;  // the double itself is coarser
+  if (std::abs(scaled) >= kMaxWhole) return value;  // doubles of this size are coarser
   const double whole = std::round(scaled);
   return places < 0 ? whole * power : whole / power;
 }
 
-// For powers of ten that a double does not hold.
+// Rounds where the power of ten is not exactly a double.
 double RoundByText(double value, int digits) {
   if (digits >= 16) return value;
   char text[40];
@@ -46,19 +49,18 @@ double RoundByText(double value, int digits) {
 
 }  // namespace
 
-Rounding::Rounding(double lo, double hi) : lo_(lo), hi_(hi), places_(PlacesFor(hi - lo)) {}
-
-double Rounding::operator()(double value) const {
+double RoundWithin(double lo, double hi, double value) {
   if (!std::isfinite(value)) return value;
-  if (value <= lo_) return lo_;
-  if (value >= hi_) return hi_;
+  if (value <= lo) return lo;
+  if (value >= hi) return hi;
   if (value == 0) return 0;
   const double exponent = std::floor(std::log10(std::abs(value)));
-  const int places = static_cast<int>(std::max(kSignificantDigits - 1 - exponent, places_));
+  const int places =
+      static_cast<int>(std::max(kSignificantDigits - 1 - exponent, PlacesFor(hi - lo)));
   const double rounded = std::abs(places) <= kMaxExactPower
                              ? RoundByScaling(value, places)
                              : RoundByText(value, places + static_cast<int>(exponent));
-  return std::clamp(rounded, lo_, hi_) + 0.0;  // + 0.0: no negative zero
+  return std::clamp(rounded, lo, hi) + 0.0;  // + 0.0: no negative zero
 }
 
 }  // namespace mjforge::sample

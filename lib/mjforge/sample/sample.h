@@ -1,11 +1,6 @@
-#pragma once
+// Evaluator: draws the parameters of a spec for one variant and evaluates its values.
 
-// ObjectSpec + (seed, index) -> values. Every draw is a pure function of the
-// seed, the variant's index, the attempt and the path of the value in the spec
-// (and of the batch's size, where a Sampler is told it).
-//
-// An Evaluator first draws the parameters and tests the requirements. Then it gives the model the
-// values of the spec one by one, in the order in which the model asks.
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -25,9 +20,16 @@
 
 namespace mjforge::sample {
 
-/// Evaluates the values of one spec for one variant, in the scope of that spec's names. Errors are
-/// added to the findings and make the result useless; then `failed()` is true. Without a sampler
-/// everything is drawn at random; a sampler must outlive the evaluator.
+/// Evaluates the values of one spec for one variant. Sample() draws the parameters and tests the
+/// requirements; then the model asks for the values of the spec's fields in any order. Every draw
+/// is a pure function of the key (seed, index, attempt) and of the value's path in the spec, and of
+/// the batch's size if the sampler depends on it.
+///
+/// A function that fails adds a finding and returns nothing, or NaN if it returns numbers. Nothing
+/// is reported again for values that depend on a failed one. After the first failure the variant is
+/// useless, and failed() is true.
+///
+/// Without a sampler all draws are random. A sampler must outlive the evaluator.
 class Evaluator {
  public:
   using Overrides = std::span<const std::pair<std::string, ParameterValue>>;
@@ -35,117 +37,125 @@ class Evaluator {
   Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root, diag::Findings& findings,
             const Sampler* sampler = nullptr);
 
-  /// Draws all parameters and tests the requirements. False: some requirement
-  /// does not hold (`rejected_by()`), or there was an error (`failed()`).
-  /// Overrides replace the parameters' own values.
-  bool SampleParameters(Overrides overrides = {});
-  /// Draws the parameters until they meet the requirements; `key().attempt` counts up until they
-  /// do. Returns false, and adds a finding, if that takes more than kMaxAttempts or a draw fails.
+  /// Draws the parameters until they meet all requirements; each redraw increases key().attempt.
+  /// Overrides replace the parameters' own values. Returns false after a finding: a draw failed, or
+  /// kMaxAttempts were rejected.
   bool Sample(Overrides overrides);
+  /// Draws the parameters once. Returns the position of the first requirement that does not hold,
+  /// or the number of requirements if all hold.
+  std::optional<std::size_t> SampleParameters(Overrides overrides = {});
 
   double Number(const spec::Value& value, StreamId path);
-  bool Boolean(const spec::Value& value, StreamId path);
-  std::string Text(const spec::Value& value, StreamId path);
-  /// Replaces the content of `out` with the vector's components, of a number the one.
+  std::optional<bool> Boolean(const spec::Value& value, StreamId path);
+  std::optional<std::string> Text(const spec::Value& value, StreamId path);
+  /// Replaces the content of `out` by the vector's components, or by the one value of a number.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
-  /// The value as its type says; a vector is a list or has several components.
-  ParameterValue Any(const spec::Value& value, StreamId path);
-  /// The values of a list or a vector.
-  Items List(const spec::Value& value, StreamId path);
-  PointList Points(const spec::Value& value, StreamId path);
-  std::vector<PointList> Outlines(const spec::Value& value, StreamId path);
-  /// The values that a loop's variable takes; nothing after a finding.
+  /// Evaluates a value of any kind. A vector of one component is a vector if written as a list.
+  std::optional<ParameterValue> Any(const spec::Value& value, StreamId path);
+  std::optional<PointList> Points(const spec::Value& value, StreamId path);
+  std::optional<std::vector<PointList>> Outlines(const spec::Value& value, StreamId path);
   std::optional<LoopRange> RangeOf(const spec::Loop& loop);
-  bool Condition(const expr::Expression& expression, diag::SourceMark mark);
-  /// "a = 1, b = true": what an expression is computed from, texts excluded.
+  std::optional<bool> Condition(const expr::Expression& expression, diag::SourceMark mark);
+  /// Returns "a = 1, b = true": the values of an expression's names, without texts.
   std::string InputsText(const expr::Expression& expression) const;
 
   void SetVariable(int slot, double value);
   void SetVariable(int slot, std::string_view text);
   void SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i);
-  /// Sets the value of a name that the assembly defines, by its first slot, to the value of
-  /// other.spec().parameters[i].
-  void SetVariable(int slot, const Evaluator& other, std::size_t i);
-  /// Gives a local value its value, drawn under `path`.
-  void SetLocal(const spec::Local& local, StreamId path);
+  /// Sets the variable of a number, boolean or text, or the variables of a vector from `slot` on.
+  void Assign(int slot, const ParameterValue& value);
+  /// Evaluates a local value and sets its variables. The draws belong to the stream `path`. Returns
+  /// false after a finding.
+  bool SetLocal(const spec::Local& local, StreamId path);
+
+  /// Returns the current value of spec().parameters[i].
+  ParameterValue Parameter(std::size_t i) const;
   StreamId root() const { return root_; }
   const DrawKey& key() const { return key_; }
   const Sampler* sampler() const { return sampler_; }
   const spec::ObjectSpec& spec() const { return spec_; }
   bool failed() const { return failed_; }
-  /// Adds a finding of this variant and returns NaN, the value of a failed number.
+  /// Adds a finding of this variant and returns NaN.
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
-  int rejected_by() const { return rejected_by_; }
-  /// The value of spec().parameters[i].
-  ParameterValue Parameter(std::size_t i) const;
 
  private:
   std::array<double, 4> Uniforms(StreamId path) const {
     return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
   }
-  /// Draws the parameters of imported files. False after a finding.
+
+  // rejection.cc
   bool SampleShared(Overrides overrides);
   bool Holds(const spec::Requirement& requirement);
-  void DrawParameter(std::size_t i);
+  void ReportConstant(const spec::Requirement& requirement);
+  void ReportRejections(std::span<const std::uint64_t> rejections);
+
+  // parameters.cc
+  void DrawParameter(const spec::Parameter& parameter);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
-  void SetComponents(const spec::Parameter& parameter, std::span<const double> components);
-  void SetList(const spec::Parameter& parameter, std::vector<double> numbers,
-               std::vector<std::string> texts);
-  /// All of a list, or of a vector, that a name stands for.
-  Items Whole(const spec::VariableReference& variable, int components);
-  Items Repeated(const spec::Each& each, StreamId path);
-  Items Arranged(const spec::Arrangement& arrangement, StreamId path);
-  /// How long a list is to be; nothing after a finding.
-  std::optional<std::size_t> Length(const spec::Value& count, StreamId path);
-  void AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
-  /// The numbers 0 to count - 1 in random order.
-  std::vector<std::size_t> Order(std::size_t count, StreamId path) const;
-  double Variable(int slot) const;
+  /// Marks the variables of a value as failed.
+  void ClearVariables(int slot, int list, const spec::Value& value);
+
+  // evaluator.cc
+  double Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }
+  /// Returns component i of the vector that a name refers to.
+  double Component(const spec::VariableReference& variable, int i, diag::SourceMark mark);
   double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
-  double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  const spec::Value& Chosen(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
-  /// The value of a record's column in the row of its key.
-  const spec::Value& OfRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
-  /// Whether the draw is planned over the batch rather than made for each item.
-  bool IsExact(const spec::Draw& draw) const {
-    return draw.exact && sampler_ != nullptr && sampler_->batch() > 0;
-  }
-  std::optional<Numbers> Weights(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  std::size_t Option(const spec::Draw& draw, std::span<const double> weights, StreamId path) const;
-  void AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
-  /// The text that an expression's result stands for.
+  /// Appends a piece of a text. Returns false if it failed.
+  bool AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
+  /// Returns the text whose TextKey() is the result of an expression.
   const std::string& TextOf(const expr::Expression& expression, double key) const;
-  void AppendRotation(StreamId path, Numbers& out);
-  void AppendAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
-                   Numbers& out);
-  void AppendOnSphere(const spec::PointOnSphere& point, diag::SourceMark mark, StreamId path,
-                      Numbers& out);
-  void AppendColor(const spec::HsvColor& color, diag::SourceMark mark, StreamId path, Numbers& out);
-  /// The stream of item i below path; path itself for items that draw nothing.
-  static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
-  /// Appends the components of a value that is a vector or a number.
+  /// Appends the components of a vector, or a number.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
-  friend class Attempts;
+  /// Returns the stream of item i below path. Items that draw nothing need no stream of their own.
+  static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
+
+  // lists.cc
+  std::optional<Items> List(const spec::Value& value, StreamId path);
+  std::optional<Items> CopyList(const spec::VariableReference& variable, const spec::Value& value);
+  std::optional<Items> Repeat(const spec::Each& each, StreamId path);
+  std::optional<Items> Arrange(const spec::Arrangement& arrangement, StreamId path);
+  std::optional<std::size_t> Length(const spec::Value& count, StreamId path);
+  /// Appends an item to a list of this type. Returns false if it failed.
+  bool AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
+  /// Returns the numbers 0 to count - 1 in random order.
+  std::vector<std::size_t> RandomOrder(std::size_t count, StreamId path) const;
+
+  // draws.cc
+  double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  /// Returns the draw of a value that is a choice, a cycle or a record's column, else null.
+  static const spec::Draw* ChoiceOf(const spec::Value& value);
+  /// Chooses an option and replaces `path` by its stream. Returns null after a finding.
+  const spec::Value* Choose(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
+  /// Chooses the option of a record's column that belongs to the record's key.
+  const spec::Value* ChooseRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
+  std::optional<std::size_t> DrawOption(const spec::Draw& draw, diag::SourceMark mark,
+                                        StreamId path);
+  /// Returns the weights of a choice; none if all options have the same.
+  std::optional<Numbers> Weights(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
+  void AppendRotation(StreamId path, Numbers& out);
+  void AppendRotationAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
+                           Numbers& out);
+  void AppendPointOnSphere(const spec::PointOnSphere& point, diag::SourceMark mark, StreamId path,
+                           Numbers& out);
+  void AppendColor(const spec::HsvColor& color, diag::SourceMark mark, StreamId path, Numbers& out);
 
   const spec::ObjectSpec& spec_;
   DrawKey key_;
   StreamId root_;
   diag::Findings* findings_;
   const Sampler* sampler_;
-  std::vector<double> variables_;   // by slot
-  std::vector<std::string> texts_;  // by slot
-  std::vector<expr::Sequence> lists_;
-  std::vector<std::vector<std::string>> list_texts_;  // of the lists of texts
-  std::vector<StreamId> streams_;                     // by parameter
-  std::vector<Evaluator> shared_;                     // of the specs of spec_.shared
+  std::vector<double> variables_;                     // by slot; NaN: failed, or not set
+  std::vector<std::string> texts_;                    // by slot
+  std::vector<expr::Sequence> lists_;                 // by list
+  std::vector<std::vector<std::string>> list_texts_;  // by list; empty for lists of numbers
+  std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported specs
   bool failed_ = false;
-  int rejected_by_ = -1;
 };
 
-/// The most redraws before a variant counts as impossible.
+/// Number of redraws after which a variant counts as impossible.
 inline constexpr std::uint64_t kMaxAttempts = 1000;
 
-/// An Evaluator after its Sample(); nothing, and a finding, when that fails.
+/// Returns an Evaluator after its Sample().
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 Evaluator::Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler = nullptr);

@@ -1,3 +1,5 @@
+// Selection of the sampling method, and exact choices.
+
 #include "mjforge/sample/sampler.h"
 
 #include <algorithm>

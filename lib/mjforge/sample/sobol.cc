@@ -1,3 +1,5 @@
+// Sobol's sequence: direction numbers from Boost, hash-based Owen scrambling.
+
 #include "mjforge/sample/sobol.h"
 
 #include <bit>
@@ -9,14 +11,14 @@
 namespace mjforge::sample {
 namespace {
 
-constexpr int kBits = 52;  // of a uniform number
+constexpr int kBits = 52;  // random bits of a uniform number
 
-// Bit i from the top is flipped or not by a hash of the i bits above it.
+// Flips bit i from the top if the top bit of a hash of the i bits above it is set.
 std::uint64_t Scrambled(std::uint64_t x, std::uint64_t key) {
   std::uint64_t flips = 0;
   for (int i = 0; i < kBits; ++i) {
     const std::uint64_t above = (x >> 1) >> (63 - i);
-    const std::uint64_t node = (std::uint64_t{1} << i) | above;  // of a binary tree
+    const std::uint64_t node = (std::uint64_t{1} << i) | above;  // node of a binary tree
     flips |= (Mix(key + node * kGoldenGamma) >> 63) << (63 - i);
   }
   return x ^ flips;
@@ -35,8 +37,8 @@ Sobol::Sobol(std::span<const DrawnStream> streams, std::uint64_t seed) {
     }
   }
   if (dimensions_.empty()) return;
-  // Boost's engine makes points in the order of the Gray code, where point 2^(j+1) - 1
-  // is the direction numbers of bit j; seed(n) is followed by point n + 1.
+  // Boost's engine returns points in the order of the Gray code. In that order, point 2^(j+1) - 1
+  // consists of the direction numbers of bit j. After seed(n) the engine returns point n + 1.
   boost::random::sobol engine(dimensions_.size());
   for (int bit = 0; bit < 64; ++bit) {
     engine.seed((~std::uint64_t{0} >> (63 - bit)) - 1);

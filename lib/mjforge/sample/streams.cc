@@ -1,3 +1,5 @@
+// Hashes of paths, and the uniform numbers of a stream.
+
 #include <charconv>
 
 #include <xxhash.h>

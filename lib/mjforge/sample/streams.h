@@ -1,7 +1,6 @@
-#pragma once
+// Streams of random numbers, identified by the hash of a path.
 
-// Random numbers by counter: what is drawn where depends on names, never on
-// what was drawn before.
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -10,23 +9,25 @@
 
 namespace mjforge::sample {
 
-/// Identifies one stream of random numbers: the hash of a value's path.
-/// Child(Child(kRootStream, "params"), "radius") is the stream of params/radius.
+/// A stream of random numbers, identified by the hash of a value's path, so that a draw never
+/// depends on earlier draws. Child(Child(kRootStream, "params"), "radius") is the stream of
+/// params/radius.
 using StreamId = std::uint64_t;
 inline constexpr StreamId kRootStream = 0;
 StreamId Child(StreamId parent, std::string_view name);
 StreamId Child(StreamId parent, std::size_t position);
 
+/// The variant and the attempt that a draw belongs to.
 struct DrawKey {
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
   std::uint64_t attempt = 0;
 };
 
-/// Four independent numbers of the open interval (0, 1): Philox4x64-10 with key
-/// (seed, 0) and counter (index, stream, attempt, 0), the top 52 bits of each
-/// word, centred (with 53 the last one would round to 1). Source: Salmon et al., "Parallel random
-/// numbers: as easy as 1, 2, 3", SC 2011.
+/// Returns four independent numbers in (0, 1): Philox4x64-10 with key (seed, 0) and counter (index,
+/// stream, attempt, 0). A number is the centre of the cell given by the top 52 bits of a word; with
+/// 53 bits the largest number would round to 1. Source: Salmon et al., "Parallel random numbers: as
+/// easy as 1, 2, 3", SC 2011.
 std::array<double, 4> Uniforms(const DrawKey& key, StreamId stream);
 
 }  // namespace mjforge::sample

@@ -1,3 +1,5 @@
+// Truncated distributions by Boost.Math.
+
 #include "mjforge/sample/truncation.h"
 
 #include <algorithm>
@@ -13,8 +15,8 @@ namespace {
 
 namespace policies = boost::math::policies;
 
-// No exceptions: a failure is NaN or infinity, which the evaluator reports.
-// No promotion to long double: faster, and the same on every machine.
+// Errors give NaN or infinity, which the evaluator reports, instead of exceptions. Numbers are not
+// promoted to long double, for speed and for equal results on every machine.
 using Quiet = policies::policy<
     policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
     policies::overflow_error<policies::ignore_error>,
@@ -30,12 +32,12 @@ using Normal = boost::math::normal_distribution<Real, Quiet>;
 using Poisson = boost::math::poisson_distribution<double, Quiet>;
 using Beta = boost::math::beta_distribution<double, Quiet>;
 
-// The probability below (p) and above (q) each end of an interval.
+// The probabilities below (p) and above (q) each end of an interval.
 template <typename Real>
 struct Slice {
   Real p_lo, p_hi, q_lo, q_hi;
 
-  // The larger end's distance from the nearer tail: 0 when the tail underflows.
+  // Returns an upper bound of the interval's probability, 0 if the tail underflows.
   Real Reach() const { return std::min(p_hi, q_lo); }
 };
 
@@ -56,10 +58,10 @@ Slice<Real> NormalSlice(Interval z) {
           cdf(complement(normal, hi))};
 }
 
-// Below this, doubles begin to lose digits to underflow.
+// Below this probability doubles lose digits by underflow, and long double is used.
 constexpr double kSafeReach = 1e-280;
 
-// The whole numbers of an interval that are not negative.
+// Returns the smallest interval that contains the same whole numbers >= 0.
 Interval WholePart(Interval limits) {
   return {std::max(0.0, std::ceil(limits.lo)), std::floor(limits.hi)};
 }

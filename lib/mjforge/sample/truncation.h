@@ -1,23 +1,23 @@
-#pragma once
+// Quantiles of truncated normal and Poisson distributions, and of the beta distribution.
 
-// Normal and Poisson values within an interval: u is mapped into the interval's
-// share of probability, measured from the nearer tail.
+#pragma once
 
 #include "mjforge/sample/distributions.h"
 
 namespace mjforge::sample {
 
-/// Whether a floating-point number can hold the probability of the standard
-/// normal's interval z (some 150 standard deviations out it is gone).
+/// Returns true if the standard normal distribution has a representable probability in z. At about
+/// 150 standard deviations the probability underflows to 0.
 bool NormalReaches(Interval z);
-/// Standard normal truncated to z.
+/// Returns the value at u of the standard normal distribution truncated to z. The probability of z
+/// is measured from the nearer tail.
 double TruncatedNormal(Interval z, double u);
 
-/// As above; mean > 0, any real bounds.
+/// Poisson counterparts of the two functions above. Require mean > 0; limits are any real numbers.
 bool PoissonReaches(double mean, Interval limits);
 double TruncatedPoisson(double mean, Interval limits, double u);
 
-/// Beta on 0 .. 1.
+/// Returns the value at u of the beta distribution on [0, 1].
 double BetaQuantile(double a, double b, double u);
 
 }  // namespace mjforge::sample

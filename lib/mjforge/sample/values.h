@@ -1,8 +1,12 @@
+// Values of a spec for one variant: parameter values, lists, points, loop ranges; rounding of
+// draws.
+
 #pragma once
 
-// What values of a spec become when they are drawn.
-
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -16,41 +20,41 @@ namespace mjforge::sample {
 
 using Numbers = boost::container::small_vector<double, 6>;
 
+/// A number that could not be computed. Its finding has been added.
+inline constexpr double kFailedNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns true if any of the numbers failed.
+template <typename Range>
+bool HasFailedNumber(const Range& numbers) {
+  return std::ranges::any_of(numbers, [](double number) { return std::isnan(number); });
+}
+
 /// A parameter's value: a number, a boolean, a text, a vector or a list of numbers, a list of
 /// texts.
 using ParameterValue =
     std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// Rounds what is drawn from [lo, hi]: to 6 significant digits, never coarser than a millionth of
-/// hi - lo, never outside. Infinite bounds mean "no bound".
-class Rounding {
- public:
-  Rounding(double lo, double hi);
-  double operator()(double value) const;
-
- private:
-  double lo_;
-  double hi_;
-  double places_;  // decimal ones that a millionth of the range has
-};
+/// Rounds a number drawn from [lo, hi] to 6 significant digits, or to a millionth of hi - lo if
+/// that is finer. The result is never outside [lo, hi]. Infinite bounds mean "no bound".
+double RoundWithin(double lo, double hi, double value);
 
 /// The values of a list.
 struct Items {
-  Numbers numbers;                 // of texts, their TextKey()s
-  std::vector<std::string> texts;  // none if it is of numbers
+  std::vector<double> numbers;     // TextKey()s if the items are texts
+  std::vector<std::string> texts;  // empty for a list of numbers
 };
 
-/// Points, and where in the spec each comes from.
+/// A list of points, and the place in the spec that each point comes from.
 struct PointList {
-  std::size_t per_point = 2;  // numbers
+  std::size_t per_point = 2;  // coordinates of each point
   Numbers numbers;
   std::vector<diag::SourceMark> marks;
 };
 
-/// What a loop's variable runs over.
+/// The values that a loop's variable takes.
 struct LoopRange {
   std::size_t count = 0;
-  std::optional<Items> items;  // nothing: 0, 1, 2, ...
+  std::optional<Items> items;  // without: 0, 1, 2, ...
 };
 
 }  // namespace mjforge::sample

@@ -1,3 +1,5 @@
+// Uniform rotations and directions; colours from hue, saturation and value.
+
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +24,7 @@ std::array<double, 4> UniformRotation(double u0, double u1, double u2) {
 
 std::array<double, 3> UniformDirection(double u0, double u1) {
   const double z = 2 * u0 - 1;
-  const double radius = 2 * std::sqrt(u0 * (1 - u0));  // of the circle at height z
+  const double radius = 2 * std::sqrt(u0 * (1 - u0));  // radius of the circle at height z
   const double angle = 2 * pi * u1;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }

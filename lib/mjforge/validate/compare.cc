@@ -91,7 +91,7 @@ void Comparison::Run(double lift) {
   next_camera_ = CountOfWorld(m_.cam_bodyid, m_.ncam);
   next_light_ = CountOfWorld(m_.light_bodyid, m_.nlight);
   int id = 0;  // id of the world
-  for (const int i : mjcf::DepthFirst(object_)) {
+  for (const int i : mjcf::DepthFirstOrder(object_)) {
     CompareBody(++id, object_.bodies[static_cast<std::size_t>(i)], lift);
   }
   CompareSections(m_, object_, findings_);

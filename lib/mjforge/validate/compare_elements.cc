@@ -25,7 +25,7 @@ void Comparison::ComparePart(int& geom, const model::Part& part) {
     CompareGeom(geom++, part, {"geom", part.name, {}, part.mark}, collides);
   }
   if (part.role != model::Role::kCollision && !part.as_is) {
-    CompareGeom(geom++, part, {"geom", part.name, mjcf::kVisualSuffix, part.mark}, false);
+    CompareGeom(geom++, part, {"geom", part.name, model::kVisualSuffix, part.mark}, false);
   }
 }
 

@@ -24,7 +24,7 @@ constexpr double kRounding = 1e-12;  // m, rounding error of a distance
 class SelfCollisions {
  public:
   SelfCollisions(mjModel& m, const model::Object& object, diag::Findings& findings)
-      : m_(m), object_(object), findings_(findings), order_(mjcf::DepthFirst(object)) {}
+      : m_(m), object_(object), findings_(findings), order_(mjcf::DepthFirstOrder(object)) {}
 
   bool Check() {
     ContactFinder finder(m_);

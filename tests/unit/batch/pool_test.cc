@@ -122,7 +122,7 @@ TEST_CASE("a mailbox holds a message for each task until they are removed") {
   const std::string_view second = mailbox->Take();
   CHECK(first == "first");
   CHECK(second == "second");
-  mailbox->Remove(first);
+  mailbox->Release(first);
   CHECK_FALSE(leave(std::string(std::size_t{3} << 20, 'x')));
   CHECK(leave("fifth"));
   CHECK_FALSE(leave("sixth"));

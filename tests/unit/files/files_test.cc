@@ -60,7 +60,7 @@ TEST_CASE("files are named after what they are of and what is in them") {
   CHECK(mesh.name == "assets/lid_" + bytes::ChecksumOf(*mesh.made).substr(0, 16) + ".obj");
   CHECK(document.text.find("<mesh name=\"jar_Lid\" file=\"" + mesh.name + "\"/>") !=
         std::string::npos);
-  CHECK(document.made_files.empty());
+  CHECK(document.generated_files.empty());
 }
 
 TEST_CASE("equal contents have equal names, others have others") {

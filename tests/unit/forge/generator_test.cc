@@ -93,7 +93,7 @@ TEST_CASE("a name template renames the object, its file and its prefix") {
   CHECK(variant.document.text.find("\"box3_body\"") != std::string::npos);
 }
 
-// The first index whose variant fails with the seed.
+// Returns the first index whose variant fails with this seed.
 std::uint64_t FirstFailing(LoadedRecipe& loaded, std::uint64_t seed) {
   for (std::uint64_t index = 0;; ++index) {
     if (!MakeOne(loaded, Seeded(seed), index).ok()) return index;
@@ -113,7 +113,7 @@ TEST_CASE("a variant that fails says why, with seed and index, and has no file")
   CHECK(variant.findings[0].seed == 1u);
   CHECK(variant.findings[0].index == index);
   REQUIRE(variant.record.findings.size() == 1);
-  // Records say nothing of the folder the spec was in.
+  // Records do not depend on the folder of the spec.
   CHECK(variant.record.findings[0].find("\"file\":\"crate.yaml\"") != std::string::npos);
 }
 

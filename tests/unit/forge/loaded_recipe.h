@@ -1,3 +1,4 @@
+// Recipes for tests of the generator.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace mjforge::forge {
 
-/// A box whose half size along z is drawn.
+/// Spec of a box whose half size along z is drawn.
 inline constexpr const char* kBoxSpec =
     "mjforge: 1\n"
     "name: crate\n"
@@ -19,7 +20,7 @@ inline constexpr const char* kBoxSpec =
     "parts:\n"
     "  - {name: body, if: kind != 'other', type: box, size: [0.1, 0.1, height], density: 500}\n";
 
-/// A box that about half of the variants give a size below zero.
+/// Spec of a box whose size is negative in about half of the variants.
 inline constexpr const char* kUnluckySpec =
     "mjforge: 1\n"
     "name: crate\n"
@@ -28,7 +29,7 @@ inline constexpr const char* kUnluckySpec =
     "parts:\n"
     "  - {name: body, type: box, size: [0.1, 0.1, height], density: 500}\n";
 
-/// A box whose material is planned over the batch.
+/// Spec of a box whose material is an exact choice over the batch.
 inline constexpr const char* kExactSpec =
     "mjforge: 1\n"
     "name: crate\n"
@@ -38,8 +39,8 @@ inline constexpr const char* kExactSpec =
     "parts:\n"
     "  - {name: body, type: box, size: [0.1 .. 0.2, 0.1, height], density: density}\n";
 
-/// A spec in a file of a fresh folder, other files (name, text) beside it, loaded
-/// without findings.
+/// A recipe loaded without findings from a file in a temporary folder, with other files (name,
+/// text) beside it.
 struct LoadedRecipe {
   explicit LoadedRecipe(const std::string& text, spec::LoadOptions options = {},
                         const std::vector<std::pair<std::string, std::string>>& beside = {});
@@ -49,7 +50,7 @@ struct LoadedRecipe {
   Recipe recipe;
 };
 
-/// Variants that MuJoCo does not look at.
+/// Returns options for variants that are not loaded in MuJoCo.
 Options Seeded(std::uint64_t seed);
 
 }  // namespace mjforge::forge

@@ -7,7 +7,7 @@
 namespace mjforge::forge {
 namespace {
 
-// A batch of three in crate/, beside its spec, as generate's default puts it.
+// A batch of three variants in crate/, beside its spec: the default output folder of `generate`.
 struct ReplayTest {
   explicit ReplayTest(const char* text, const Options& options = {}, std::uint64_t count = 3,
                       spec::LoadOptions load = {})
@@ -70,7 +70,7 @@ TEST_CASE("variants of a planned batch are made again") {
       CHECK(test.Replay("crate/manifest.jsonl:" + std::to_string(index)));
       CHECK(test.Replay("crate/crate_00000" + std::to_string(index) + ".xml"));
     }
-    // Another size is another batch.
+    // Variants of this sampler depend on the size of the batch.
     for (std::size_t at = 0; (at = manifest.find("\"batch\":5,", at)) != std::string::npos; ++at) {
       manifest.replace(at, 10, "\"batch\":4,");
     }

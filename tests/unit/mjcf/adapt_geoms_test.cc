@@ -18,7 +18,8 @@ TEST_CASE("hosts tell geoms by their group, whatever the spec says of it") {
     parts.push_back(parts[0]);
     parts.back().name = "look";
     parts.back().role = Role::kVisual;
-    parts.back().attributes = {Numbers("group", Applies::kBoth, {1})};  // as the host has it
+    parts.back().attributes = {
+        Numbers("group", Applies::kBoth, {1})};  // equals the group of the host
     parts[0].attributes = {Numbers("group", Applies::kBoth, {2})};
     object.bodies[1].parts[0].attributes = {Numbers("group", Applies::kVisual, {4})};
     CHECK(Adapted(object, target) ==

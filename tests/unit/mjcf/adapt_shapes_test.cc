@@ -16,7 +16,7 @@ std::string Names(const std::vector<model::Part>& parts) {
   return names;
 }
 
-/// A cylinder, another of the same size, an ellipsoid and a capsule.
+/// Returns two cylinders of equal size, an ellipsoid and a capsule.
 model::Object Rounds() {
   model::Object object = hand_made::Empty("rounds");
   std::vector<model::Part>& parts = object.bodies[0].parts;
@@ -42,7 +42,7 @@ TEST_CASE("for MJX cylinders and ellipsoids collide as convex meshes") {
              "collide as 16-sided prisms, 1 ellipsoid collides as a 42-cornered mesh"});
   const std::vector<model::Part>& parts = object.bodies[0].parts;
   CHECK(Names(parts) == "can can tin_can egg egg pill ");
-  REQUIRE(object.meshes.size() == 2);  // cans share one
+  REQUIRE(object.meshes.size() == 2);  // the cans share a mesh
   CHECK(object.meshes[0]->name == "can_convex");
   CHECK(object.meshes[1]->name == "egg_convex");
   for (const model::Part& part : parts) {
@@ -70,10 +70,10 @@ TEST_CASE("the meshes for MJX reach the true shape's bounds and are solid inside
   Adapted(object, "mjx");
   const model::Shape shapes[] = {{GeomType::kCylinder, {0.03, 0.05, 0}, nullptr},
                                  {GeomType::kEllipsoid, {0.02, 0.03, 0.04}, nullptr}};
-  const double shares[] = {0.97, 0.87};  // of the volume
+  const double shares[] = {0.97, 0.87};  // of the volume of the true shape
   for (std::size_t i = 0; i < 2; ++i) {
     const model::TriangleMesh& mesh = object.meshes[i]->mesh;
-    CHECK_FALSE(model::WhyNotSolid(mesh));
+    CHECK_FALSE(model::FindSurfaceDefect(mesh));
     const model::Shape hull{GeomType::kMesh, Eigen::Vector3d::Zero(), &mesh};
     const model::Box3 box = model::BoundsOf(hull, {});
     const model::Box3 meant = model::BoundsOf(shapes[i], {});

@@ -1,6 +1,5 @@
+// An object adapted to a target, with its findings and its MJCF.
 #pragma once
-
-// An object to fit to targets, and what comes of it.
 
 #include <catch2/catch.hpp>
 #include <pugixml.hpp>
@@ -23,7 +22,7 @@ using spec::Applies;
 
 constexpr const char* kHosts[] = {"robosuite", "robocasa"};
 
-/// A box with a lid on a hinge, as the assembler makes it without a prefix.
+/// Returns a box with a lid on a hinge, with names without prefix.
 inline model::Object Chest() {
   model::Object object;
   object.name = "chest";
@@ -61,7 +60,7 @@ inline std::vector<std::string> Messages(const diag::Findings& findings) {
   return messages;
 }
 
-/// What adapting the object says.
+/// Returns the findings of adapting the object.
 inline std::vector<std::string> Adapted(model::Object& object, std::string_view target) {
   diag::Findings findings;
   Adapt(object, *FindTarget(target), findings);

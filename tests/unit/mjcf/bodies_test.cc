@@ -12,7 +12,7 @@ using model::GeomType;
 using model::Role;
 using spec::Applies;
 
-/// The line of the element with this name, without indent and line end.
+/// Returns the line of the element with this name, without indentation and newline.
 std::string LineOf(const model::Object& object, const std::string& tag, const std::string& name) {
   MjcfDocument document;
   WriteMjcf(object, Target::kMujoco, {}, document);
@@ -106,7 +106,7 @@ TEST_CASE("bodies nest depth first, children in their order") {
     object.bodies.emplace_back().name = name;
     object.bodies.back().parent = parent;
   }
-  CHECK(DepthFirst(object) == std::vector<int>{0, 1, 3, 5, 2, 4});
+  CHECK(DepthFirstOrder(object) == std::vector<int>{0, 1, 3, 5, 2, 4});
   MjcfDocument document;
   WriteMjcf(object, Target::kMujoco, {}, document);
   pugi::xml_document parsed;

@@ -1,6 +1,5 @@
+// Objects built without the assembler, for tests of rooms that take objects.
 #pragma once
-
-// Objects put together by hand, for the rooms that come after the model.
 
 #include <array>
 #include <memory>
@@ -22,7 +21,7 @@ inline model::Attribute Word(std::string_view name, spec::Applies applies, std::
   return {name, applies, {}, std::move(text)};
 }
 
-/// A part of one material, 500 kg/m^3.
+/// Returns a part with a density of 500 kg/m^3.
 inline model::Part Solid(std::string name, model::GeomType type, const Eigen::Vector3d& size,
                          const model::Pose& X_BG, std::uint32_t line) {
   model::Part part;
@@ -35,7 +34,7 @@ inline model::Part Solid(std::string name, model::GeomType type, const Eigen::Ve
   return part;
 }
 
-/// Adds up what is derived from the parts.
+/// Computes mass properties and bounds from the parts.
 inline void Weigh(model::Object& object) {
   object.bounds.aabb = {};
   for (model::Body& body : object.bodies) {
@@ -53,7 +52,7 @@ inline void Weigh(model::Object& object) {
   object.mass_properties = object.bodies.front().mass_properties;
 }
 
-/// An object with one body, as yet without parts, on a free joint.
+/// Returns an object with one body on a free joint, without parts.
 inline model::Object Empty(std::string name) {
   model::Object object;
   object.name = name;
@@ -66,7 +65,7 @@ inline model::Object Empty(std::string name) {
   return object;
 }
 
-/// A cylinder handle with a turned box head, and a site at its foot.
+/// Returns a cylinder handle with a rotated box as its head, and a site at its foot.
 inline model::Object Mallet() {
   model::Object object = Empty("mallet");
   model::Body& body = object.bodies.front();
@@ -83,7 +82,7 @@ inline model::Object Mallet() {
   return object;
 }
 
-/// A wedge: one prism, whose inertia the file must state.
+/// Returns a wedge, a single prism, which needs an inertial element.
 inline model::Object Wedge() {
   model::Object object = Empty("wedge");
   const std::vector<Eigen::Vector2d> polygon = {{0, 0}, {0.03, 0}, {0, 0.05}};

@@ -54,7 +54,7 @@ TEST_CASE("the opening comment names a sampler and a batch's size where the file
   CHECK_FALSE(ReadProvenance("<!-- mjforge 1 seed=1 index=2 batch=many --><mujoco/>"));
 }
 
-using namespace std::string_literals;  // the zero byte counts
+using namespace std::string_literals;  // keeps zero bytes
 
 TEST_CASE("any provenance reads back from a valid comment as it was") {
   std::mt19937 random(20);

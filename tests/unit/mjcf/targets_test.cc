@@ -37,9 +37,10 @@ TEST_CASE("geoms are in the groups their reader tells them by") {
   REQUIRE(std::size(rows) == Targets().size());
   for (const Row& row : rows) {
     CAPTURE(RulesOf(row.target).name);
-    CHECK(GroupsOf(row.target).collision == row.collision);
-    CHECK(GroupsOf(row.target).visual == row.visual);
-    CHECK(GroupsOf(row.target).sphere_sizes == row.sphere_sizes);
+    const TargetRules& rules = RulesOf(row.target);
+    CHECK(GroupAttribute(rules.collision_group) == row.collision);
+    CHECK(GroupAttribute(rules.visual_group) == row.visual);
+    CHECK(rules.sphere_sizes == row.sphere_sizes);
   }
 }
 
@@ -47,11 +48,11 @@ TEST_CASE("a host that adds the prefix names the root body and its free joint") 
   for (const TargetRules& rules : Targets()) {
     CAPTURE(rules.name);
     const bool is_hosted = rules.target == Target::kRobosuite || rules.target == Target::kRobocasa;
-    CHECK(rules.prefix == !is_hosted);
+    CHECK(rules.has_prefix == !is_hosted);
     CHECK(rules.root == (is_hosted ? "object" : ""));
-    CHECK(rules.free_joint == !is_hosted);
-    CHECK(rules.outer_body == is_hosted);
-    CHECK(rules.sections == !is_hosted);
+    CHECK(rules.has_free_joint == !is_hosted);
+    CHECK(rules.has_outer_body == is_hosted);
+    CHECK(rules.supports_sections == !is_hosted);
   }
 }
 

@@ -1,3 +1,5 @@
+// Assembly of specs in tests, and temporary folders.
+
 #include "assembling.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace mjforge::model {
 
 Assembling::Assembling(const std::string& body, std::uint64_t seed, std::uint64_t index,
-                       const std::filesystem::path& folder, const Assembler::Options& options) {
+                       const std::filesystem::path& folder, const Assembler::NameOptions& options) {
   spec_ = spec::LoadSpecText("thing.yaml", "mjforge: 1\nname: thing\n" + body, folder, {}, sources_,
                              findings_);
   if (spec_ == nullptr) return;
@@ -64,11 +66,6 @@ TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(path_); }
 void TemporaryFolder::Write(const std::string& name, const std::string& content) const {
   std::filesystem::create_directories((path_ / name).parent_path());
   std::ofstream(path_ / name, std::ios::binary) << content;
-}
-
-const Attribute* Find(const std::vector<Attribute>& attributes, std::string_view name) {
-  const auto found = std::ranges::find(attributes, name, &Attribute::name);
-  return found == attributes.end() ? nullptr : &*found;
 }
 
 }  // namespace mjforge::model

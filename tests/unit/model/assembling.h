@@ -1,3 +1,5 @@
+// Fixtures: objects assembled from YAML texts, their findings, temporary folders.
+
 #pragma once
 
 #include <filesystem>
@@ -10,20 +12,20 @@
 
 namespace mjforge::model {
 
-/// A YAML text on its way to an object. The header (`mjforge: 1`, `name: thing`)
-/// is put before `body`, so that the body's first line is line 3.
+/// Assembles a spec. The header (`mjforge: 1`, `name: thing`) is put before the text `body`, so
+/// that the body's first line is line 3.
 class Assembling {
  public:
   explicit Assembling(const std::string& body, std::uint64_t seed = 1, std::uint64_t index = 0,
                       const std::filesystem::path& folder = {},
-                      const Assembler::Options& options = {});
+                      const Assembler::NameOptions& options = {});
 
-  /// The object; the test fails, with the findings, if there is none.
+  /// Returns the object. The test fails with the findings if there is none.
   const Object& object() const;
   const Body& body() const { return object().bodies.front(); }
   const Part& part(const std::string& name) const;
   bool failed() const { return !object_; }
-  /// Each as "line:column message", with " (hint)" where there is one.
+  /// Returns each finding as "line:column message", with " (hint)" if there is a hint.
   std::vector<std::string> findings() const;
   const diag::Findings& raw_findings() const { return findings_; }
 
@@ -34,10 +36,10 @@ class Assembling {
   std::optional<Object> object_;
 };
 
-/// The one finding's line, or all of them when there is not exactly one.
+/// Returns the line of the only finding, or all lines if there are several findings.
 std::string OnlyFinding(const std::string& body);
 
-/// A folder that is removed again.
+/// A folder that is removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -48,7 +50,5 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
-
-const Attribute* Find(const std::vector<Attribute>& attributes, std::string_view name);
 
 }  // namespace mjforge::model

@@ -1,3 +1,5 @@
+// Tests of names, frames, welded specs and their order.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -47,13 +49,15 @@ TEST_CASE("children of one element draw from streams of their own") {
       "      children: [{joint: {joint: x, coef: 1 .. 2}}, {joint: {joint: y, coef: 1 .. 2}}]\n");
   const std::vector<Element>& joints = thing.object().sections.at(0).elements.at(0).children;
   REQUIRE(joints.size() == 2);
-  CHECK(Find(joints[0].attributes, "coef")->numbers != Find(joints[1].attributes, "coef")->numbers);
+  CHECK(FindAttribute(joints[0].attributes, "coef")->numbers !=
+        FindAttribute(joints[1].attributes, "coef")->numbers);
   sample::StreamId path = sample::kRootStream;
   for (const char* step : {"thing", "mjcf", "tendon", "t", "joint", "1", "coef"}) {
     path = sample::Child(path, step);
   }
   const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
-  CHECK(Find(joints[1].attributes, "coef")->numbers.at(0) == sample::Rounding(1, 2)(1 + u));
+  CHECK(FindAttribute(joints[1].attributes, "coef")->numbers.at(0) ==
+        sample::RoundWithin(1, 2, 1 + u));
 }
 
 TEST_CASE("frames of one name in two bodies draw poses of their own") {
@@ -75,8 +79,8 @@ TEST_CASE("frames compose with the poses of their parts, rotations included") {
       "  parts:\n"
       "  - frame: {pos: [0, 2, 0], euler: [90deg, 0, 0]}\n"
       "    parts: [{name: a, type: sphere, size: [1], pos: [0, 0, 3]}]\n");
-  // (0 0 3) turned about x by 90 degrees is (0 -3 0), moved (0 -1 0), turned
-  // about z by 90 degrees (1 0 0), moved (2 0 0).
+  // (0 0 3) turned by 90 degrees about x is (0 -3 0), then moved (0 -1 0), then turned by 90
+  // degrees about z (1 0 0), then moved (2 0 0).
   CHECK((thing.part("thing_a").X_BG.p - Vector3d(2, 0, 0)).norm() < 1e-14);
   CHECK((thing.part("thing_a").X_BG.q * Vector3d::UnitX() - Vector3d(0, 1, 0)).norm() < 1e-14);
 }

@@ -1,3 +1,5 @@
+// Tests of `bodies:`: parents, poses, properties, nested specs, free bodies.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -79,7 +81,7 @@ TEST_CASE("rotated poses compose") {
       "   parts: [{name: g, type: box, size: [1, 2, 3]}]}\n");
   const Pose X = BodyPoses(thing.object())[2];
   CHECK((X.p - Eigen::Vector3d(1, 1, 0)).norm() < 1e-15);
-  // Its z axis is along -y of a, which is along x of the root.
+  // The z axis of the body is along -y of a, which is along x of the root.
   CHECK((X.q * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm() < 1e-15);
   const Box3& box = thing.object().bounds.aabb;
   CHECK((box.max - Eigen::Vector3d(1 + 3, 1 + 1, 2)).norm() < 1e-12);
@@ -138,13 +140,13 @@ TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deep
   CHECK(bodies[3].parent == 2);
   const auto excludes = ElementsOf(thing.object(), "contact");
   REQUIRE(excludes.size() == 2);
-  CHECK(Find(excludes[0].attributes, "body1")->text == "thing_left");
-  CHECK(Find(excludes[1].attributes, "body2")->text == "thing_right_hand");
+  CHECK(FindAttribute(excludes[0].attributes, "body1")->text == "thing_left");
+  CHECK(FindAttribute(excludes[1].attributes, "body2")->text == "thing_right_hand");
   const auto sensors = ElementsOf(thing.object(), "sensor");
   REQUIRE(sensors.size() == 2);
   CHECK(sensors[0].name == "thing_left_angle");
-  CHECK(Find(sensors[0].attributes, "joint")->text == "thing_left_wrist");
-  // The other two are left out with a word.
+  CHECK(FindAttribute(sensors[0].attributes, "joint")->text == "thing_left_wrist");
+  // The other two are left out, with a warning.
   REQUIRE(thing.raw_findings().size() == 2);
   CHECK(thing.raw_findings()[0].severity == diag::Severity::kWarning);
   CHECK(thing.findings()[0] ==
@@ -176,8 +178,8 @@ TEST_CASE("a range in a section holds unless it says otherwise") {
       "  - {motor: {name: m, joint: j, ctrlrange: [-1, 1]}}\n"
       "  - {motor: {name: n, joint: j, ctrlrange: [-1, 1], ctrllimited: false}}\n");
   const auto motors = ElementsOf(thing.object(), "actuator");
-  CHECK(Find(motors[0].attributes, "ctrllimited")->text == "true");
-  CHECK(Find(motors[1].attributes, "ctrllimited")->text == "false");
+  CHECK(FindAttribute(motors[0].attributes, "ctrllimited")->text == "true");
+  CHECK(FindAttribute(motors[1].attributes, "ctrllimited")->text == "false");
 }
 
 TEST_CASE("names must differ in the whole object") {
@@ -196,7 +198,7 @@ TEST_CASE("a body's mass is scaled with all it brings") {
       "- {name: a, mass: 4, parts: [{name: g, type: sphere, size: 1}, {name: h, type: box, size: "
       "[1, 1, 1]}]}\n"
       "- {name: b, parent: a, mass: a.mass, parts: [{name: k, type: sphere, size: 1}]}\n");
-  CHECK(BodyOf(thing, "thing_a").mass_properties.mass == Approx(3));  // the root has as much
+  CHECK(BodyOf(thing, "thing_a").mass_properties.mass == Approx(3));  // the root has the same mass
   CHECK(BodyOf(thing, "thing_b").mass_properties.mass == Approx(6));
   CHECK(thing.object().mass_properties.mass == Approx(12));
 }
@@ -231,7 +233,7 @@ TEST_CASE("a free body is one of the world, where its parent has it") {
   CHECK(on_ball.parent == -1);
   CHECK((on_ball.X_PB.p - Eigen::Vector3d(0, 3, 3)).norm() < 1e-12);
   CHECK(on_ball.joints[0].name == "thing_own");
-  // Bounds and mass are those of all.
+  // Bounds and mass include all bodies.
   CHECK(thing.object().bounds.aabb.max.y() == Approx(3.5));
   CHECK(thing.object().mass_properties.mass == Approx(8));
   CHECK(model::BodyPoses(thing.object())[3].p.z() == Approx(3));

@@ -1,3 +1,5 @@
+// Tests of the reader of `checks:`.
+
 #include "mjforge/model/checks.h"
 
 #include <catch2/catch.hpp>
@@ -10,7 +12,7 @@ namespace {
 const std::string kBall = "parts: [{name: a, type: sphere, size: 1}]\n";
 
 TEST_CASE("an object without checks has those of the field table") {
-  // Each default of the table, said in a spec, changes nothing.
+  // A spec that states each default of the field table gives the same checks.
   std::string said = "checks:\n";
   for (const spec::FieldInfo& field : spec::kChecksElement.fields) {
     std::string text(field.default_text);

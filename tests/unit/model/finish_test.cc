@@ -1,3 +1,5 @@
+// Tests of bounds, mass and checks of the whole object.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"

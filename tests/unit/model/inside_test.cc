@@ -1,3 +1,5 @@
+// Tests of the point test of shapes and objects.
+
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -12,7 +14,7 @@ using Eigen::Vector3d;
 TEST_CASE("points of the surface are inside, points off it are not") {
   struct Row {
     GeomType type;
-    Vector3d surface;  // a point on the surface, the centre being at 0
+    Vector3d surface;  // a point on the surface, relative to the centre
   };
   const Vector3d size(1, 2, 3);
   const Pose X_AG = {.p = {0.3, -0.7, 11}, .q = FromEuler({0.1, 0.7, -2})};
@@ -60,7 +62,7 @@ Part Ball(const Vector3d& p, Role role) {
 TEST_CASE("an object contains the points of its collision parts in the root frame") {
   Object object;
   object.bodies.resize(2);
-  object.bodies[0].X_PB.p = {100, 0, 0};  // where the root stands does not matter
+  object.bodies[0].X_PB.p = {100, 0, 0};  // the root's pose does not matter
   object.bodies[0].parts = {Ball({2, 0, 0}, Role::kBoth), Ball({-2, 0, 0}, Role::kVisual)};
   object.bodies[1].parent = 0;
   object.bodies[1].X_PB.p = {0, 5, 0};

@@ -1,3 +1,5 @@
+// Tests of joints, their defaults and ranges.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -27,7 +29,7 @@ TEST_CASE("joints are hinges about z unless they say otherwise") {
   CHECK(joints[0].type == "hinge");
   CHECK(joints[0].axis == Eigen::Vector3d::UnitZ());
   CHECK_FALSE(joints[0].range);
-  CHECK(Find(joints[0].attributes, "damping")->numbers == sample::Numbers{0.1});
+  CHECK(FindAttribute(joints[0].attributes, "damping")->numbers == sample::Numbers{0.1});
   CHECK(joints[1].axis.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
   CHECK(joints[1].range == Eigen::Vector2d(-1, 2));
   CHECK(joints[1].pos == Eigen::Vector3d(1, 2, 3));

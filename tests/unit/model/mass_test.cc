@@ -1,3 +1,5 @@
+// Tests of mass properties of shapes and meshes.
+
 #include <catch2/catch.hpp>
 
 #include "mjforge/model/shapes.h"
@@ -28,7 +30,7 @@ TEST_CASE("a capsule without straight part is a sphere") {
   CHECK(capsule.I_Cm_F.isApprox(sphere.I_Cm_F, 1e-14));
 }
 
-// A box of corners (0, 0, -h/2) to (a, b, h/2), far from the origin of its frame.
+// A box with corners (0, 0, -h/2) to (a, b, h/2), far from the origin of its frame.
 TEST_CASE("a mesh has the mass properties of the solid it bounds") {
   const double x = 100;
   const std::vector<Eigen::Vector2d> corners = {{x, 0}, {x + 2, 0}, {x + 2, 4}, {x, 4}};
@@ -41,7 +43,7 @@ TEST_CASE("a mesh has the mass properties of the solid it bounds") {
   CHECK(prism.I_Cm_F.isApprox(box.I_Cm_F, 1e-13));
 }
 
-// An L of three unit cubes, by hand: a concave solid, where hulls go wrong.
+// An L of three unit cubes: a concave solid, for which the convex hull would be wrong.
 TEST_CASE("a concave mesh has the mass properties of its cubes") {
   const std::vector<Eigen::Vector2d> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   TriangleMesh mesh;
@@ -58,7 +60,7 @@ TEST_CASE("a concave mesh has the mass properties of its cubes") {
     mesh.triangles.push_back({i, next, next + 6});
     mesh.triangles.push_back({i, next + 6, i + 6});
   }
-  REQUIRE(WhyNotSolid(mesh) == std::nullopt);
+  REQUIRE(FindSurfaceDefect(mesh) == std::nullopt);
   MassProperties cubes;
   const Shape cube = {.type = GeomType::kBox, .size = {0.5, 0.5, 0.5}};
   for (const Eigen::Vector3d& p :

@@ -1,3 +1,5 @@
+// Tests of materials: use, draws, sharing.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -17,7 +19,7 @@ TEST_CASE("only materials in use that have a look are kept") {
       "- {name: c, type: sphere, size: [1], material: red}\n");
   REQUIRE(thing.object().materials.size() == 1);
   CHECK(thing.object().materials[0].name == "thing_red");
-  CHECK(Find(thing.object().materials[0].attributes, "rgba")->numbers ==
+  CHECK(FindAttribute(thing.object().materials[0].attributes, "rgba")->numbers ==
         sample::Numbers{1, 0, 0, 1});
   CHECK(thing.part("thing_a").material == -1);
   CHECK(thing.part("thing_b").material == 0);
@@ -33,12 +35,13 @@ TEST_CASE("what is drawn in a material is the same for all its parts") {
   const Part& a = thing.part("thing_a");
   const Part& b = thing.part("thing_b");
   CHECK(a.density == b.density);
-  CHECK(Find(a.attributes, "friction")->numbers == Find(b.attributes, "friction")->numbers);
+  CHECK(FindAttribute(a.attributes, "friction")->numbers ==
+        FindAttribute(b.attributes, "friction")->numbers);
   sample::StreamId path = sample::kRootStream;
   for (const char* step : {"thing", "materials", "wood", "density"})
     path = sample::Child(path, step);
   const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
-  CHECK(a.density == sample::Rounding(400, 900)(400 + u * 500));
+  CHECK(a.density == sample::RoundWithin(400, 900, 400 + u * 500));
 }
 
 TEST_CASE("a material chosen by a parameter must exist") {

@@ -1,3 +1,5 @@
+// Tests of inline meshes, mesh files and their sharing.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"

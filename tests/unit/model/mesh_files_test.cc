@@ -1,3 +1,5 @@
+// Tests of the readers of OBJ and STL, with damaged and random files.
+
 #include "mjforge/model/mesh_files.h"
 
 #include <array>
@@ -56,7 +58,7 @@ void CheckTetrahedron(const std::optional<MeshFile>& file, const std::string& wh
   REQUIRE(file);
   CHECK(file->mesh.vertices.size() == 4);
   CHECK(file->mesh.triangles.size() == 4);
-  CHECK(WhyNotSolid(file->mesh) == std::nullopt);
+  CHECK(FindSurfaceDefect(file->mesh) == std::nullopt);
   CHECK(Volume({.type = GeomType::kMesh, .mesh = &file->mesh}) == Approx(1 / 6.0));
 }
 
@@ -136,7 +138,7 @@ TEST_CASE("OBJ faces of many corners are cut into triangles, which MuJoCo cannot
   const std::optional<MeshFile> file = ParseObj(prism, why_not);
   INFO(why_not);
   REQUIRE(file);
-  CHECK(WhyNotSolid(file->mesh) == std::nullopt);
+  CHECK(FindSurfaceDefect(file->mesh) == std::nullopt);
   CHECK(Volume({.type = GeomType::kMesh, .mesh = &file->mesh}) == Approx(5));
   CHECK_FALSE(file->fit_for_mujoco);
 }
@@ -148,23 +150,26 @@ TEST_CASE("an OBJ file of several shapes is one mesh") {
       "o a\nf 1 3 2\nf 1 2 4\no b\nf 2 3 4\nf 1 4 3\n";
   const std::optional<MeshFile> file = ParseObj(text, why_not);
   CheckTetrahedron(file, why_not);
-  CHECK_FALSE(file->fit_for_mujoco);  // MuJoCo takes the first shape only
+  CHECK_FALSE(file->fit_for_mujoco);  // MuJoCo reads the first shape only
 }
 
 TEST_CASE("a mirroring scale leaves the triangles facing outwards") {
   const TemporaryFile file("tetra.OBJ", kTetrahedronObj);
   std::string why_not;
-  const std::optional<TriangleMesh> mesh = ReadMesh(file.path(), {-1, 2, 3}, why_not);
+  bool unreadable = false;
+  const std::optional<MeshFile> read = ReadMeshFile(file.path(), why_not, unreadable);
   INFO(why_not);
-  REQUIRE(mesh);
-  CHECK(WhyNotSolid(*mesh) == std::nullopt);
-  CHECK(Volume({.type = GeomType::kMesh, .mesh = &*mesh}) == Approx(1));
+  REQUIRE(read);
+  const TriangleMesh mesh = Scaled(read->mesh, {-1, 2, 3});
+  CHECK(FindSurfaceDefect(mesh) == std::nullopt);
+  CHECK(Volume({.type = GeomType::kMesh, .mesh = &mesh}) == Approx(1));
 }
 
 TEST_CASE("files that cannot be meshes are refused with a reason") {
-  std::string why_not;
-  const auto reason = [&why_not](const std::filesystem::path& path) {
-    CHECK_FALSE(ReadMesh(path, Eigen::Vector3d::Ones(), why_not));
+  const auto reason = [](const std::filesystem::path& path) {
+    std::string why_not;
+    bool unreadable = false;
+    CHECK_FALSE(ReadMeshFile(path, why_not, unreadable));
     return why_not;
   };
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
@@ -175,9 +180,6 @@ TEST_CASE("files that cannot be meshes are refused with a reason") {
   CHECK(reason(TemporaryFile("binary.obj", BinaryStl()).path()) == "not a text file");
   CHECK(reason(TemporaryFile("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").path()) ==
         "a face uses vertex 9 of 3");
-  const TemporaryFile good("good.obj", kTetrahedronObj);
-  CHECK_FALSE(ReadMesh(good.path(), {1, 0, 1}, why_not));
-  CHECK(why_not == "a scale is zero or not finite");
 }
 
 TEST_CASE("a folder is not a mesh") {
@@ -186,7 +188,9 @@ TEST_CASE("a folder is not a mesh") {
       ("mjforge_folder_" + std::to_string(std::random_device()()) + ".obj");
   std::filesystem::create_directory(folder);
   std::string why_not;
-  CHECK_FALSE(ReadMesh(folder, Eigen::Vector3d::Ones(), why_not));
+  bool unreadable = false;
+  CHECK_FALSE(ReadMeshFile(folder, why_not, unreadable));
+  CHECK(unreadable);
   CHECK(why_not == "it is a folder");
   std::filesystem::remove(folder);
 }

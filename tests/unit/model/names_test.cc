@@ -1,3 +1,5 @@
+// Tests of valid names, quoted texts and duplicate names.
+
 #include "mjforge/model/names.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,5 @@
+// Tests of parts: sizes, poses, roles, mass, attributes.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -31,7 +33,7 @@ TEST_CASE("fromto sets the pose, and the half length beside the sizes across") {
   const Part& a = thing.part("thing_a");
   CHECK(a.shape.size == Vector3d(0.1, 2, 0));
   CHECK(a.X_BG.p == Vector3d(0, 0, 3));
-  // As in MuJoCo z points from the second end to the first.
+  // In MuJoCo z points from the second end to the first.
   CHECK((a.X_BG.q * Vector3d::UnitZ() - Vector3d(0, 0, -1)).norm() < 1e-14);
   CHECK(thing.part("thing_b").shape.size == Vector3d(0.1, 0.2, 1));
 }
@@ -151,10 +153,10 @@ TEST_CASE("attributes come from the part, its material and the defaults, in this
       "parts: [{name: a, type: sphere, size: [1], friction: [1, 0.1], material: wood}]\n");
   const std::vector<Attribute>& attributes = thing.part("thing_a").attributes;
   REQUIRE(attributes.size() == 3);
-  CHECK(Find(attributes, "friction")->numbers == sample::Numbers{1, 0.1});
-  CHECK(Find(attributes, "friction")->applies == spec::Applies::kCollision);
-  CHECK(Find(attributes, "solref")->numbers == sample::Numbers{0.1, 1});
-  CHECK(Find(attributes, "margin")->numbers == sample::Numbers{0.001});
+  CHECK(FindAttribute(attributes, "friction")->numbers == sample::Numbers{1, 0.1});
+  CHECK(FindAttribute(attributes, "friction")->applies == spec::Applies::kCollision);
+  CHECK(FindAttribute(attributes, "solref")->numbers == sample::Numbers{0.1, 1});
+  CHECK(FindAttribute(attributes, "margin")->numbers == sample::Numbers{0.001});
 }
 
 TEST_CASE("a draw in a part is keyed by the part's name, not by its place") {
@@ -172,7 +174,8 @@ TEST_CASE("a drawn size has the stream of spec, parts, name and key") {
   sample::StreamId path = sample::kRootStream;
   for (const char* step : {"thing", "parts", "a", "size", "0"}) path = sample::Child(path, step);
   const double u = sample::Uniforms({.seed = 7, .index = 3}, path)[0];
-  CHECK(thing.part("thing_a").shape.size.x() == sample::Rounding(0.1, 0.2)(0.1 + u * (0.2 - 0.1)));
+  CHECK(thing.part("thing_a").shape.size.x() ==
+        sample::RoundWithin(0.1, 0.2, 0.1 + u * (0.2 - 0.1)));
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Tests of poses and MJCF's orientations.
+
 #include "mjforge/model/poses.h"
 
 #include <cmath>

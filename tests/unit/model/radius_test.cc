@@ -1,3 +1,5 @@
+// Tests of the horizontal radius of shapes.
+
 #include <random>
 
 #include <catch2/catch.hpp>
@@ -21,7 +23,7 @@ TEST_CASE("a lying cylinder's farthest points are on its rims") {
   CHECK(radius == Approx(5).epsilon(1e-14));
 }
 
-// The minor axis alone decides as long as the curvature allows it.
+// The farthest point is on the minor axis if the curvature is small enough.
 TEST_CASE("an ellipsoid off the axis along its short half axis is farthest off to both sides") {
   const Shape ellipsoid = {.type = GeomType::kEllipsoid, .size = {2, 1, 1}};
   // x = 2 cos t, y = 0.5 + sin t: 4 - 3 s^2 + s + 0.25 is largest at s = 1/6.
@@ -32,9 +34,9 @@ TEST_CASE("an ellipsoid off the axis along its short half axis is farthest off t
   CHECK(HorizontalRadius(ellipsoid, {.p = {1e-12, 0.5, 0}}) == Approx(radius).epsilon(1e-11));
 }
 
-// The largest of the support in 20,000 horizontal directions: the farthest point
-// from a line is the largest support in any direction across it, and the error of
-// the nearest direction is at most 1 - cos(pi / 20000).
+// Returns the largest support in 20,000 horizontal directions. The largest distance from a line is
+// the largest support in any direction across the line, and the relative error of the nearest
+// direction is at most 1 - cos(pi / 20000).
 double RadiusBySupport(const Shape& shape, const Pose& X_AG) {
   double largest = 0;
   const Eigen::Matrix3d R_GA = X_AG.q.toRotationMatrix().transpose();

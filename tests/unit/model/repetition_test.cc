@@ -1,3 +1,5 @@
+// Tests of `for`, `if` and `let`.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -85,7 +87,7 @@ TEST_CASE("only the first failing instance is reported") {
         "3:59 size of part 'a2' is 0; it must be greater than 0 (it is the value of '2 - i')");
 }
 
-// The radii of the parts.
+// Returns the radii of the parts.
 std::vector<double> Radii(const std::string& parts) {
   const Assembling thing("params: {n: 2}\nparts:\n" + parts);
   std::vector<double> radii;

@@ -1,3 +1,5 @@
+// Tests of support functions and bounding boxes.
+
 #include "mjforge/model/shapes.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,5 @@
+// Tests of sites.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -19,7 +21,7 @@ TEST_CASE("sites have MuJoCo's defaults for what is left out") {
   CHECK(sites[1].type == GeomType::kBox);
   CHECK(sites[1].size == Eigen::Vector3d(0.1, 0.2, 0.005));
   CHECK(sites[1].X_BS.p == Eigen::Vector3d(1, 2, 3));
-  CHECK(Find(sites[1].attributes, "rgba")->numbers == sample::Numbers{1, 0, 0, 1});
+  CHECK(FindAttribute(sites[1].attributes, "rgba")->numbers == sample::Numbers{1, 0, 0, 1});
   CHECK(sites[2].name == "thing_r1");
 }
 
@@ -28,8 +30,8 @@ TEST_CASE("a site's default attributes fill gaps") {
       "defaults: {site: {group: 3, size: 0.01}}\n"
       "parts: [{name: a, type: sphere, size: [1]}]\n"
       "sites: [{name: p, group: 1}, {name: q}]\n");
-  CHECK(Find(thing.body().sites.at(0).attributes, "group")->numbers == sample::Numbers{1});
-  CHECK(Find(thing.body().sites.at(1).attributes, "group")->numbers == sample::Numbers{3});
+  CHECK(FindAttribute(thing.body().sites.at(0).attributes, "group")->numbers == sample::Numbers{1});
+  CHECK(FindAttribute(thing.body().sites.at(1).attributes, "group")->numbers == sample::Numbers{3});
   CHECK(thing.body().sites.at(1).size.x() == 0.01);
 }
 

@@ -1,3 +1,5 @@
+// Tests of generated textures and pictures.
+
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
@@ -13,9 +15,9 @@ TEST_CASE("a generated texture gets the pixels that MuJoCo asks for") {
   REQUIRE(thing.object().textures.size() == 1);
   const Texture& texture = thing.object().textures[0];
   CHECK(texture.name == "thing_m");
-  CHECK(Find(texture.attributes, "builtin")->text == "checker");
-  CHECK(Find(texture.attributes, "width")->numbers == sample::Numbers{32});
-  CHECK(Find(texture.attributes, "height")->numbers == sample::Numbers{32});
+  CHECK(FindAttribute(texture.attributes, "builtin")->text == "checker");
+  CHECK(FindAttribute(texture.attributes, "width")->numbers == sample::Numbers{32});
+  CHECK(FindAttribute(texture.attributes, "height")->numbers == sample::Numbers{32});
   CHECK(thing.object().materials.at(0).texture == 0);
 }
 

@@ -25,7 +25,7 @@ constexpr const char* kLid =
 
 model::Checks Holds(double smallest, double largest, bool empties = true) {
   model::Checks checks;
-  model::Holding& holds = checks.holds.emplace();
+  model::HoldingCheck& holds = checks.holds.emplace();
   holds.ball = {smallest, largest};
   holds.empties = empties;
   checks.silenced = {{"physics/overlap", "the boards meet in the corners"},

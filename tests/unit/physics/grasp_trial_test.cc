@@ -10,7 +10,7 @@ using Strings = std::vector<std::string>;
 
 model::Checks Grasped(double force = 30, double width = 0.08) {
   model::Checks checks;
-  checks.grasps = model::Grasping{.width = width, .force = force};
+  checks.grasps = model::GraspingCheck{.width = width, .force = force};
   return checks;
 }
 

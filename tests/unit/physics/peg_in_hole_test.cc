@@ -17,7 +17,7 @@ constexpr const char* kInto = R"(<site name="mouth" zaxis="0 0 -1"/>)";
 
 model::Checks Fits(double width, double depth) {
   model::Checks checks;
-  model::Fitting& fits = checks.fits.emplace_back();
+  model::FittingCheck& fits = checks.fits.emplace_back();
   fits.hole = "mouth";
   fits.peg = {width, width};
   fits.depth = depth;

@@ -1,3 +1,5 @@
+// Apportionment by largest remainders: ties, weights of 0, rounding errors, totals.
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,3 +1,5 @@
+// Messages about invalid arguments and limits of each distribution.
+
 #include <catch2/catch.hpp>
 #include <vector>
 

@@ -1,3 +1,5 @@
+// Streams and levels of the draws of parameters.
+
 #include "mjforge/sample/dimensions.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace mjforge::sample {
 namespace {
 
 struct Expected {
-  std::vector<std::string> path;  // below params
+  std::vector<std::string> path;  // names below params
   int numbers = 1;
   std::uint64_t levels = 0;
 };
@@ -64,8 +66,8 @@ TEST_CASE("discrete draws have levels where their ends are constants") {
                {{{"a"}, 1, 2}, {{"b"}, 1, 1}, {{"c"}, 1, 2}});
 }
 
-// The walk must follow the Evaluator: each of its streams changes what is drawn, and
-// moving them all leaves no other randomness.
+// The grid replaces the uniforms of all streams that DrawnStreams() lists. If Evaluator drew from
+// any other stream, the values would depend on seed and index.
 TEST_CASE("the streams are all that the parameters draw from") {
   Family family = Load(
       "{a: 0 .. 1, b: {normal: [a, 1 .. 2], clip: [0 .. 0.1, 4 .. 5]}, "
@@ -78,7 +80,7 @@ TEST_CASE("the streams are all that the parameters draw from") {
   for (std::size_t i = 0; i < family.spec->parameters.size(); ++i) {
     INFO(family.spec->parameters[i].name);
     const std::string& name = family.spec->parameters[i].name;
-    if (name == "h") continue;  // cycles with the index
+    if (name == "h") continue;  // a cycle depends on the index
     const ParameterValue middle = family.Parameter(name, {.seed = 1, .index = 0}, &grid);
     for (std::uint64_t index = 1; index < 20; ++index) {
       CHECK(family.Parameter(name, {.seed = 1, .index = index}, &grid) == middle);

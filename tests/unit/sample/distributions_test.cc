@@ -1,3 +1,5 @@
+// Quantiles, supports and weighted choices at known points.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

@@ -1,3 +1,5 @@
+// Draws of a spec: pinned values, choices, cycles, errors, rotations, spheres and colours.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -83,7 +85,7 @@ TEST_CASE("the ends of a draw may be draws of their own") {
   const DrawKey key = {.seed = 3, .index = 8};
   const StreamId stream = Child(Child(Child(kRootStream, "t"), "params"), "p");
   const auto draw = [&](StreamId path, double lo, double hi) {
-    return Rounding(lo, hi)(std::lerp(lo, hi, Uniforms(key, path)[0]));
+    return RoundWithin(lo, hi, std::lerp(lo, hi, Uniforms(key, path)[0]));
   };
   const double lo = draw(Child(stream, "0"), 1, 2);
   const double hi = draw(Child(stream, "1"), 3, 4);
@@ -99,9 +101,9 @@ TEST_CASE("an option's own draws have a stream below the option") {
   const double lo = option == 0 ? 1 : 3;
   const StreamId chosen = Child(Child(Child(params, "p"), "choice"), option);
   CHECK(family.Number("p", key) ==
-        Rounding(lo, lo + 1)(std::lerp(lo, lo + 1, Uniforms(key, chosen)[0])));
+        RoundWithin(lo, lo + 1, std::lerp(lo, lo + 1, Uniforms(key, chosen)[0])));
   const StreamId cycled = Child(Child(Child(params, "q"), "cycle"), std::size_t{1});
-  CHECK(family.Number("q", key) == Rounding(3, 4)(std::lerp(3, 4, Uniforms(key, cycled)[0])));
+  CHECK(family.Number("q", key) == RoundWithin(3, 4, std::lerp(3, 4, Uniforms(key, cycled)[0])));
 }
 
 TEST_CASE("a cycle goes through its values by the variant's index") {
@@ -186,7 +188,7 @@ TEST_CASE("a point on a sphere has the sphere's radius") {
   Numbers p;
   evaluator.Vector(family.PartValue("pos"), 77, p);
   REQUIRE(p.size() == 3);
-  const double radius = Rounding(2, 3)(2 + Uniforms(key, Child(77, "on_sphere"))[0]);
+  const double radius = RoundWithin(2, 3, 2 + Uniforms(key, Child(77, "on_sphere"))[0]);
   CHECK_THAT(std::hypot(p[0], p[1], p[2]), WithinAbs(radius, 1e-15));
 }
 

@@ -1,3 +1,5 @@
+// Evaluation of numbers, texts, vectors and points, and the reports of failures.
+
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -64,8 +66,8 @@ TEST_CASE("the items of a vector draw from streams of their own") {
   const DrawKey key = {.seed = 2, .index = 6};
   const StreamId stream = Child(Child(Child(kRootStream, "t"), "params"), "v");
   const auto v = std::get<Vector>(family.Parameter("v", key));
-  CHECK(v == Vector{Rounding(0, 1)(Uniforms(key, Child(stream, "0"))[0]), 5,
-                    Rounding(0, 1)(Uniforms(key, Child(stream, "2"))[0])});
+  CHECK(v == Vector{RoundWithin(0, 1, Uniforms(key, Child(stream, "0"))[0]), 5,
+                    RoundWithin(0, 1, Uniforms(key, Child(stream, "2"))[0])});
 }
 
 TEST_CASE("points are given one after the other, each with its own streams") {
@@ -74,10 +76,10 @@ TEST_CASE("points are given one after the other, each with its own streams") {
                        "polygon: [[0, 1], p, [0 .. 1, 3]]}]");
   const DrawKey key = {.seed = 2};
   Evaluator evaluator = family.Evaluator(key);
-  const PointList made = evaluator.Points(family.PartValue("polygon"), 50);
+  const PointList made = evaluator.Points(family.PartValue("polygon"), 50).value();
   const Vector points(made.numbers.begin(), made.numbers.end());
   const double drawn =
-      Rounding(0, 1)(Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0]);
+      RoundWithin(0, 1, Uniforms(key, Child(Child(50, std::size_t{2}), std::size_t{0}))[0]);
   CHECK(points == Vector{0, 1, 4, 5, drawn, 3});
 }
 
@@ -88,7 +90,7 @@ TEST_CASE("points are repeated, and lie on arcs, each with its place in the spec
                       "{arc: [[n, 0], 1, 0, 90deg], steps: n}]}]");
   const DrawKey key = {.seed = 2};
   Evaluator evaluator = drawn.Evaluator(key);
-  const PointList made = evaluator.Points(drawn.PartValue("profile"), 50);
+  const PointList made = evaluator.Points(drawn.PartValue("profile"), 50).value();
   REQUIRE(made.numbers.size() == 2 * (1 + 4 + 3));
   REQUIRE(made.marks.size() == 8);
   std::set<double> seen;
@@ -138,6 +140,37 @@ TEST_CASE("what follows from a failed value is not found again") {
       Strings{"3:19 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
 }
 
+TEST_CASE("a text, a truth or a list of a failed value has no value") {
+  Family family = Load(
+      "{a: 0, p: 1 / a, t: \"n_${p}\", u: t, b: p > 1, c: b, w: {choice: [x, y], weights: [p, 1]}, "
+      "l: {each: p, count: 5}, s: {shuffle: l}, n: sum(s)}");
+  Evaluator evaluator = family.Evaluator({.seed = 7, .index = 3});
+  for (const spec::Parameter& parameter : family.spec->parameters) {
+    INFO(parameter.name);
+    CHECK(evaluator.Any(parameter.value, 1).has_value() == (parameter.name == "a"));
+  }
+  family.findings.Unique();
+  CHECK(family.Report() ==
+        Strings{"3:19 expr/not-finite: expression '1 / a' is infinite: a = 0 7/3"});
+}
+
+TEST_CASE("values that do not depend on a failed one are still computed") {
+  Family family = Load("{a: 0, p: 1 / a, l: {each: 2, count: 3}, n: sum(l), t: \"n_${n}\"}");
+  Evaluator evaluator = family.Evaluator();
+  CHECK(evaluator.Any(family.spec->parameters[4].value, 1) == ParameterValue(std::string("n_6")));
+  CHECK(family.findings.size() == 1);
+}
+
+TEST_CASE("a vector that was never set is found where it is used") {
+  Family family = Load("{v: [1, 2], u: v}");
+  Evaluator evaluator = family.Evaluator({.seed = 7, .index = 3});
+  evaluator.SetVariable(family.spec->parameters[0].slot, kFailedNumber);
+  CHECK_FALSE(evaluator.Any(family.spec->parameters[1].value, 1));
+  CHECK(family.Report() ==
+        Strings{"3:24 expr/not-finite: 'v' has no value in this variant (its body was left out by "
+                "'if') 7/3"});
+}
+
 TEST_CASE("independent failures are all found") {
   Family family = Load("{a: 0, p: 1 / a, q: 2 / a}");
   CHECK(Sample(*family.spec, {}, kRootStream, {}, family.findings) == std::nullopt);
@@ -146,7 +179,7 @@ TEST_CASE("independent failures are all found") {
                 "3:29 expr/not-finite: expression '2 / a' is infinite: a = 0 0/0"});
 }
 
-TEST_CASE("Any gives a value as its type says") {
+TEST_CASE("Any returns a value of the type of the spec's value") {
   Family family = Load("{a: 2, b: 1 < 2, c: box, d: [1, 2], e: d}");
   Evaluator evaluator = family.Evaluator();
   const auto any = [&](std::size_t i) {
@@ -162,8 +195,8 @@ TEST_CASE("Any gives a value as its type says") {
 TEST_CASE("a value of another kind than asked for is found, not guessed") {
   Family family = Load("{}", "parts: [{name: b, type: box, size: [1, 1, 1], quat: random}]");
   Evaluator evaluator = family.Evaluator();
-  evaluator.Number(family.PartValue("quat"), 1);
-  evaluator.Points(family.PartValue("quat"), 1);
+  CHECK(std::isnan(evaluator.Number(family.PartValue("quat"), 1)));
+  CHECK_FALSE(evaluator.Points(family.PartValue("quat"), 1));
   CHECK(evaluator.failed());
   CHECK(family.Report() == Strings{"4:53 sample/bad-argument: this value is not a number 0/0",
                                    "4:53 sample/bad-argument: this value is not a list of points "

@@ -1,4 +1,4 @@
-// Choices with `exact: true`: over a batch, the counts of the options are planned.
+// Choices with `exact: true`, whose options have planned counts over a batch.
 
 #include <catch2/catch.hpp>
 #include <map>

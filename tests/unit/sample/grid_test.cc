@@ -1,3 +1,5 @@
+// Sizes and points of grids.
+
 #include "mjforge/sample/grid.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,5 @@
+// Lists, shuffles, samples and records.
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>

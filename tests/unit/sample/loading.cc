@@ -1,3 +1,5 @@
+// Specs loaded from text for the tests of this folder.
+
 #include "loading.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ Family Load(const std::string& params, const std::string& more) {
     for (const std::string& line : family.Report()) message += " " + line;
     throw std::logic_error(message);
   }
-  family.findings.clear();  // warnings: most parameters here are only drawn
+  family.findings.clear();  // drop warnings about unused parameters
   return family;
 }
 

@@ -1,3 +1,5 @@
+// Pseudorandom permutations: bijective, uniform, without correlation of neighbours.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>

@@ -1,3 +1,5 @@
+// Rounding of draws: digits, narrow ranges, ends of ranges.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double Round(double value) { return Rounding(-kInfinity, kInfinity)(value); }
+double Round(double value) { return RoundWithin(-kInfinity, kInfinity, value); }
 
 // Decimal digits of the shortest text, without the exponent and outer zeros.
 std::size_t Digits(double value) {
@@ -50,18 +52,18 @@ TEST_CASE("a rounded draw is the double nearest to its decimal") {
 }
 
 TEST_CASE("a draw from a narrow range keeps a millionth of the range") {
-  CHECK(Rounding(100, 100.001)(100.0001234567) == 100.000123457);
-  CHECK(Rounding(0.02, 0.03)(0.0234567891) == 0.02345679);
-  CHECK(Rounding(1000000, 1000001)(1000000.123456) == 1000000.123456);
+  CHECK(RoundWithin(100, 100.001, 100.0001234567) == 100.000123457);
+  CHECK(RoundWithin(0.02, 0.03, 0.0234567891) == 0.02345679);
+  CHECK(RoundWithin(1000000, 1000001, 1000000.123456) == 1000000.123456);
 }
 
 TEST_CASE("a range of a power of ten takes no more digits for its rounding error") {
   // 0.03 - 0.02 is 0.0099999999999999985.
-  CHECK(Rounding(0.02, 0.03)(0.02000000123) == 0.02);
+  CHECK(RoundWithin(0.02, 0.03, 0.02000000123) == 0.02);
 }
 
 TEST_CASE("a small draw from a wide range keeps its six digits") {
-  CHECK(Rounding(-1, 1)(1.2345678e-9) == 1.23457e-9);
+  CHECK(RoundWithin(-1, 1, 1.2345678e-9) == 1.23457e-9);
 }
 
 TEST_CASE("a rounded draw is never outside its range nor coarser than a millionth of it") {
@@ -70,7 +72,7 @@ TEST_CASE("a rounded draw is never outside its range nor coarser than a milliont
     const double lo = 1e3 * (u[0] - 0.5);
     const double hi = lo + std::pow(10.0, -8 * u[1]) * u[2];
     const double value = std::lerp(lo, hi, u[3]);
-    const double rounded = Rounding(lo, hi)(value);
+    const double rounded = RoundWithin(lo, hi, value);
     REQUIRE(lo <= rounded);
     REQUIRE(rounded <= hi);
     REQUIRE(std::abs(rounded - value) <= 0.5000001e-6 * (hi - lo) + 1e-13);
@@ -78,22 +80,24 @@ TEST_CASE("a rounded draw is never outside its range nor coarser than a milliont
 }
 
 TEST_CASE("rounding that would leave the range stops at its end") {
-  CHECK(Rounding(0, 0.3333333)(0.33333332) == 0.3333333);
-  CHECK(Rounding(1, 2)(5) == 2);
-  CHECK(Rounding(1, 2)(-5) == 1);
+  CHECK(RoundWithin(0, 0.3333333, 0.33333332) == 0.3333333);
+  CHECK(RoundWithin(1, 2, 5) == 2);
+  CHECK(RoundWithin(1, 2, -5) == 1);
 }
 
 TEST_CASE("a range of one number gives that number to the last digit") {
-  CHECK(Rounding(0.1234567890123, 0.1234567890123)(0.1234567890123) == 0.1234567890123);
+  CHECK(RoundWithin(0.1234567890123, 0.1234567890123, 0.1234567890123) == 0.1234567890123);
 }
 
 TEST_CASE("a range as narrow as doubles allow gives a double of it") {
   const double hi = std::nextafter(1.5, 2.0);
-  const double value = Rounding(1.5, hi)(1.5);
+  const double value = RoundWithin(1.5, hi, 1.5);
   CHECK(value == 1.5);
 }
 
-TEST_CASE("rounding gives no negative zero") { CHECK_FALSE(std::signbit(Rounding(-1, 1)(-0.0))); }
+TEST_CASE("rounding gives no negative zero") {
+  CHECK_FALSE(std::signbit(RoundWithin(-1, 1, -0.0)));
+}
 
 }  // namespace
 }  // namespace mjforge::sample

@@ -1,3 +1,5 @@
+// Sampling methods: dependence on the key and the batch, redraws, Latin hypercube strata.
+
 #include "mjforge/sample/sampler.h"
 
 #include <catch2/catch.hpp>

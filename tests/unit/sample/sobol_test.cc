@@ -1,3 +1,5 @@
+// Sobol points: equidistribution, agreement with Boost, scrambling.
+
 #include "mjforge/sample/sobol.h"
 
 #include <boost/random/sobol.hpp>
@@ -43,7 +45,7 @@ TEST_CASE("2^m points have one in each 2^m-th, in every dimension and block") {
   }
 }
 
-// The first two dimensions are a (0, 2)-sequence, and scrambling keeps them one.
+// The first two dimensions are a (0, 2)-sequence, also after scrambling.
 TEST_CASE("the first two dimensions have one point in each box of 1 / 2^m") {
   const Sobol sobol(Streams(2), 7);
   for (int bits = 0; bits <= 8; ++bits) {
@@ -56,12 +58,12 @@ TEST_CASE("the first two dimensions have one point in each box of 1 / 2^m") {
   }
 }
 
-// Nested scrambling keeps how many leading digits two points have in common.
+// Nested scrambling preserves the number of leading digits that two points have in common.
 TEST_CASE("the points are Boost's before scrambling") {
   constexpr std::size_t kDimensions = 60;
   constexpr std::uint64_t kPoints = 64;
   boost::random::sobol engine(kDimensions);
-  std::vector<std::vector<std::uint64_t>> original(kDimensions, {0});  // the point 0 it skips
+  std::vector<std::vector<std::uint64_t>> original(kDimensions, {0});  // point 0, which Boost skips
   for (std::uint64_t i = 1; i < kPoints; ++i) {
     for (auto& coordinates : original) coordinates.push_back(engine());
   }

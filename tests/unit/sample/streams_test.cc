@@ -1,3 +1,5 @@
+// Streams of random numbers: known answers of Philox and XXH64, pinned uniforms.
+
 #include <Random123/philox.h>
 
 #include <catch2/catch.hpp>
@@ -8,7 +10,7 @@
 namespace mjforge::sample {
 namespace {
 
-// The centre of the word's 2^-52 wide cell.
+// Returns the centre of the word's cell of width 2^-52.
 double Centre(std::uint64_t word) { return (static_cast<double>(word >> 12) + 0.5) / 0x1p52; }
 
 TEST_CASE("the generator gives the known answers of Random123 for Philox4x64-10") {

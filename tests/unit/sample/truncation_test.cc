@@ -1,3 +1,5 @@
+// Quantiles of truncated distributions, far tails included.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -29,7 +31,8 @@ TEST_CASE("a normal clipped far out is exact within its clip") {
       const double value = Quantile(Distribution::kNormal, standard, z, u);
       REQUIRE(z.lo <= value);
       REQUIRE(value <= z.hi);
-      // A value near 39 is known to 1e-15 of itself, which is 40 times as much of u.
+      // A relative error of 1e-15 in a value near 39 is 39^2 times as large in its tail
+      // probability.
       CHECK_THAT(FractionBelow(value, z), WithinAbs(u, 1e-11));
       const double mirrored =
           Quantile(Distribution::kNormal, standard, Interval{-z.hi, -z.lo}, 1 - u);

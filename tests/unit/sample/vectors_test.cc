@@ -1,3 +1,5 @@
+// Colours, rotations and directions at known points.
+
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Room for large objects, where MuJoCo 2.2's own sizes do not do. (3.x needs none
-// and reads it all the same.)
+// The <size> element of large objects, for which the default sizes of MuJoCo 2.2 are too small.
+// (MuJoCo 3 allocates dynamically, but accepts the element.)
 
 #include <algorithm>
 
@@ -8,15 +8,15 @@
 namespace mjforge::mjcf {
 namespace {
 
-/// MuJoCo's defaults take 100 contacts; a geom flat on the floor makes up to four.
+// The default nconmax is 100 contacts; a geom flat on the floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
-/// They take 500 constraints, some of them contacts.
+// The default njmax is 500 constraints, including contacts.
 constexpr std::size_t kRowsThatFit = 300;
-/// Pairs of bodies that might touch are listed on a stack that grows with the
-/// square of the constraints, not of the bodies: 1,600 fit, 1,700 do not.
+// MuJoCo lists pairs of bodies that might touch on a stack whose default size grows with the square
+// of the constraints, not of the bodies: 1,600 bodies fit, 1,700 do not.
 constexpr std::size_t kBodiesThatFit = 1'000;
 
-std::size_t CollidingGeoms(const model::Object& object) {
+std::size_t CountCollidingGeoms(const model::Object& object) {
   std::size_t geoms = 0;
   for (const model::Body& body : object.bodies) {
     for (const model::Part& part : body.parts) geoms += part.role != model::Role::kVisual;
@@ -24,33 +24,32 @@ std::size_t CollidingGeoms(const model::Object& object) {
   return geoms;
 }
 
-/// The most constraints at a time, contacts aside.
-std::size_t Rows(const model::Object& object) {
+// Returns the maximum number of constraints without contacts.
+std::size_t CountConstraints(const model::Object& object) {
   std::size_t rows = 0;
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
       if (joint.range) rows += 2;
-      const bool dry = std::ranges::find(joint.attributes, "frictionloss",
-                                         &model::Attribute::name) != joint.attributes.end();
-      if (dry) rows += joint.type == "free" ? 6 : 3;
+      if (model::FindAttribute(joint.attributes, "frictionloss") != nullptr)
+        rows += joint.type == "free" ? 6 : 3;
     }
   }
   return rows + 6 * model::ElementsOf(object, "equality").size() +
          3 * model::ElementsOf(object, "tendon").size();
 }
 
-std::size_t Joints(const model::Object& object) {
+std::size_t CountJoints(const model::Object& object) {
   std::size_t joints = 0;
   for (const model::Body& body : object.bodies) joints += body.joints.size();
   return joints;
 }
 
 void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& writer) {
-  writer.Open("size");
-  writer.Number("njmax", njmax);
-  if (nconmax > 0) writer.Number("nconmax", nconmax);
-  if (nstack > 0) writer.Number("nstack", nstack);
-  writer.Close();
+  writer.OpenElement("size");
+  writer.WriteNumber("njmax", njmax);
+  if (nconmax > 0) writer.WriteNumber("nconmax", nconmax);
+  if (nstack > 0) writer.WriteNumber("nstack", nstack);
+  writer.CloseEmpty();
 }
 
 }  // namespace
@@ -58,20 +57,20 @@ void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& write
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) {
   if (!model::ElementsOf(object, "size").empty()) return;
   const std::size_t bodies = object.bodies.size();
-  // What is seldom large is counted only where it may be.
-  const std::size_t rows = bodies > 100 ? Rows(object) : 0;
-  const std::size_t geoms = scene ? CollidingGeoms(object) : 0;
+  // Skip counting for small objects, which have few constraints.
+  const std::size_t rows = bodies > 100 ? CountConstraints(object) : 0;
+  const std::size_t geoms = scene ? CountCollidingGeoms(object) : 0;
   if (geoms <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
-  // Four contacts a geom, four pyramid edges a contact (condim 3).
+  // Each geom has four contacts, each contact four pyramid edges (condim 3).
   const auto contacts = static_cast<double>(std::max<std::size_t>(4 * geoms, scene ? 100 : 0));
   const double njmax = 4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500);
-  double nstack = 0;  // MuJoCo's own
+  double nstack = 0;  // 0: MuJoCo's default
   if (bodies > kBodiesThatFit) {
-    // MuJoCo's rule, and the pairs.
-    const double size = njmax + static_cast<double>(Joints(object));
+    // MuJoCo's default, plus the pairs of bodies.
+    const double size = njmax + static_cast<double>(CountJoints(object));
     nstack = 5 * size * size + static_cast<double>(bodies * bodies);
   } else if (bodies == 1) {
-    // In numbers, linear in the contacts for the six degrees of freedom of one body.
+    // The unit is numbers; linear in the contacts, because one body has six degrees of freedom.
     nstack = 400 * contacts + 1e6;
   }
   WriteSize(njmax, contacts, nstack, writer);

@@ -1,10 +1,12 @@
+// Thresholds of checks for files that have no spec.
+
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
 
 std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,
                                         diag::Sources& sources, diag::Findings& findings) {
-  // The least spec there is: thresholds are read as in any other.
+  // Minimal spec, so that thresholds are read by the same code as in any other spec.
   constexpr const char* kSpec =
       "mjforge: 1\n"
       "name: checks\n"

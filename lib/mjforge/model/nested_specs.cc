@@ -1,30 +1,31 @@
-// The values of a spec that another one brings.
-
-#include <algorithm>
+// Specs nested in other specs: their parameters and the materials that replace theirs.
 
 #include "mjforge/model/assembly.h"
 
 namespace mjforge::model {
+
 std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec::Entry& entry,
                                                         sample::StreamId path) {
-  const std::size_t before = findings_.size();
   const sample::StreamId params = sample::Child(path, "params");
   std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
+  bool is_good = true;
   for (const auto& [parameter, value] : entry.overrides) {
-    overrides.emplace_back(parameter, scope.values.Any(value, sample::Child(params, parameter)));
+    auto given = scope.values.Any(value, sample::Child(params, parameter));
+    is_good &= given.has_value();
+    if (given) overrides.emplace_back(parameter, *std::move(given));
   }
-  if (findings_.size() != before) return std::nullopt;
-  // The requirements of the nested spec are retried on their own, from this attempt on.
+  if (!is_good) return std::nullopt;
+  // The nested spec is redrawn on its own, from this attempt on, until its requirements hold.
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }
 
-void HandIn(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
+void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
   const sample::StreamId materials = sample::Child(path, "materials");
   inner.outer = &scope;
   for (const auto& [name, value] : entry.substitutes) {
     const sample::StreamId stream = sample::Child(materials, std::string_view(name));
-    inner.substitutes.emplace_back(name, scope.values.Text(value, stream));
+    inner.substitutes.emplace_back(name, scope.values.Text(value, stream).value_or(""));
   }
 }
 

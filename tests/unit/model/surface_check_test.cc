@@ -1,6 +1,8 @@
+// Tests of the closed-surface test of meshes.
+
 #include <catch2/catch.hpp>
 
-#include "mjforge/model/meshes.h"
+#include "mjforge/model/shapes.h"
 
 namespace mjforge::model {
 namespace {
@@ -11,13 +13,13 @@ TriangleMesh Tetrahedron() {
 }
 
 TEST_CASE("a closed mesh that faces outwards is solid") {
-  CHECK(WhyNotSolid(Tetrahedron()) == std::nullopt);
+  CHECK(FindSurfaceDefect(Tetrahedron()) == std::nullopt);
 }
 
 TEST_CASE("a mesh with a hole is not solid") {
   TriangleMesh mesh = Tetrahedron();
   mesh.triangles.pop_back();
-  CHECK(WhyNotSolid(mesh) == "edge shared by 1 triangle");
+  CHECK(FindSurfaceDefect(mesh) == "edge shared by 1 triangle");
 }
 
 TEST_CASE("a mesh with a fin is not solid") {
@@ -26,28 +28,30 @@ TEST_CASE("a mesh with a fin is not solid") {
   mesh.triangles.push_back({0, 1, 4});
   mesh.triangles.push_back({1, 2, 4});
   mesh.triangles.push_back({2, 0, 4});
-  CHECK(WhyNotSolid(mesh) == "edge shared by 3 triangles");
+  CHECK(FindSurfaceDefect(mesh) == "edge shared by 3 triangles");
 }
 
 TEST_CASE("a mesh with one triangle turned over is not solid") {
   TriangleMesh mesh = Tetrahedron();
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
-  CHECK(WhyNotSolid(mesh) == "neighbouring triangles face opposite ways");
+  CHECK(FindSurfaceDefect(mesh) == "neighbouring triangles face opposite ways");
 }
 
 TEST_CASE("a mesh that faces inwards is inside out") {
   TriangleMesh mesh = Tetrahedron();
   for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
-  CHECK(WhyNotSolid(mesh) == "inside out");
+  CHECK(FindSurfaceDefect(mesh) == "inside out");
 }
 
 TEST_CASE("a flat mesh has no volume") {
   const TriangleMesh mesh = {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                              .triangles = {{0, 1, 2}, {0, 2, 1}}};
-  CHECK(WhyNotSolid(mesh) == "no volume");
+  CHECK(FindSurfaceDefect(mesh) == "no volume");
 }
 
-TEST_CASE("a mesh without triangles is not solid") { CHECK(WhyNotSolid({}) == "no triangles"); }
+TEST_CASE("a mesh without triangles is not solid") {
+  CHECK(FindSurfaceDefect({}) == "no triangles");
+}
 
 }  // namespace
 }  // namespace mjforge::model

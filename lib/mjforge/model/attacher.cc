@@ -1,4 +1,6 @@
-#include "mjforge/model/attached.h"
+// Copies of attached bodies: names, references, materials and meshes as the object has them.
+
+#include "mjforge/model/attacher.h"
 
 #include <utility>
 
@@ -9,13 +11,13 @@ namespace mjforge::model {
 using diag::Code;
 using spec::Key;
 
-// Gives the copy of an attachment's elements their place in the object.
+// Renames the copies of an attachment's elements, and replaces their indices and references.
 class Renamer {
  public:
   Renamer(const Attachment& attachment, std::string prefix, std::string root)
       : attachment_(attachment), prefix_(std::move(prefix)), root_(std::move(root)) {}
 
-  /// Material and mesh indices in the object, by those in the attachment.
+  /// Indices of materials and meshes in the object, by their index in the attachment.
   std::vector<int> materials;
   std::vector<int> meshes;
 
@@ -52,7 +54,7 @@ class Renamer {
 
   const Attachment& attachment_;
   std::string prefix_;
-  std::string root_;  // the bodies move while the copy is made
+  std::string root_;  // copied, because Object::bodies grows meanwhile
 };
 
 std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -64,7 +66,7 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   if (!file || !body_name) return 0;
   const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
-  // Findings come once an object, however often the file is in it.
+  // The source is asked once per object and body, because it adds its findings every time.
   const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
   if (is_new && source_ == nullptr) {
     reader.Report(Code::kAttachNoBody, field,
@@ -78,7 +80,7 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   CopyAssets(attachment, renamer);
   const std::size_t parts = CopyBodies(attachment, renamer, index);
   for (const std::string& joint : attachment.root_joints) {
-    references_.TakeAway(renamer.Name(joint), fmt::format("'{}'", *file));
+    references_.MarkRemoved(renamer.Name(joint), fmt::format("'{}'", *file));
   }
   CopySections(attachment, renamer);
   return parts;
@@ -134,9 +136,9 @@ std::size_t Attacher::CopyBodies(const Attachment& attachment, const Renamer& re
 
 void Attacher::CopySections(const Attachment& attachment, const Renamer& renamer) {
   for (const Section& section : attachment.sections) {
-    std::vector<Element>& elements = sections_.Of(*section.info);
+    std::vector<Element>& elements = sections_.ElementsOf(*section.info);
     for (const Element& own : section.elements) {
-      const References::Place place = {section.info, elements.size()};
+      const References::ElementPlace place = {section.info, elements.size()};
       Element& element = elements.emplace_back(own);
       if (own.name.empty() && section.info->name != "contact") {
         element.name = fmt::format("{}{}", own.tag, place.position);
@@ -147,7 +149,8 @@ void Attacher::CopySections(const Attachment& attachment, const Renamer& renamer
   }
 }
 
-void Attacher::AddReferences(References::Place place, const Element& own, const Element& element) {
+void Attacher::AddReferences(References::ElementPlace place, const Element& own,
+                             const Element& element) {
   for (std::size_t i = 0; i < own.attributes.size(); ++i) {
     const Attribute& attribute = own.attributes[i];
     if (attribute.refers.empty()) continue;

@@ -1,4 +1,4 @@
-// What a record says of how its variant was made.
+// Recipe and options with which a recorded variant was made.
 
 #include <fmt/format.h>
 
@@ -7,8 +7,10 @@
 namespace mjforge::forge {
 namespace {
 
-// The comment in a file names a spec without its folder, so it is looked for here, beside
-// the record and one folder up, where generate's default puts the record's.
+// Returns the file of the record's spec, or its reference if no file is found. The comment in a
+// generated file has the name of the spec without its folder, so the spec is looked up in the
+// working directory, beside the record and one folder up, where the default output folder of
+// `generate` is.
 std::string FindSpec(const manifest::Record& record, const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::filesystem::path& file :
@@ -38,10 +40,10 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
   diag::Findings found;
   std::optional<Recipe> recipe = LoadRecipe(reference, options, sources, found);
   for (const diag::Finding& finding : found) {
-    diag::Finding& told = findings.Add(finding);
-    const bool is_gone = spec.empty() && !finding.mark;
-    if (is_gone && finding.code == diag::Code::kYamlCannotRead)
-      told.hint = "pass its file with --spec";
+    diag::Finding& added = findings.Add(finding);
+    const bool is_missing = spec.empty() && !finding.mark;
+    if (is_missing && finding.code == diag::Code::kYamlCannotRead)
+      added.hint = "pass its file with --spec";
   }
   if (!recipe) return std::nullopt;
   if (recipe->spec->sha256 != record.spec_sha256) {

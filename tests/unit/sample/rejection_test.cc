@@ -1,3 +1,5 @@
+// Redraws until the requirements hold, and reports if they cannot hold.
+
 #include <catch2/catch.hpp>
 
 #include "loading.h"

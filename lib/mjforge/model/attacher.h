@@ -1,3 +1,5 @@
+// Attaching: copies a body of an MJCF file, with everything below it, into the object.
+
 #pragma once
 
 #include <map>
@@ -10,14 +12,14 @@
 
 namespace mjforge::model {
 
-class Renamer;  // private to attached.cc
+class Renamer;  // private to attacher.cc
 
-/// Makes a body of an MJCF file one of the object: names get the prefix, assets are shared.
+/// Copies bodies of MJCF files into an object. Names get a prefix, and equal assets are shared.
 class Attacher {
  public:
-  /// What it adds to. `source` may be null: then no file can be read. `bodies` are those of the
-  /// object by full name.
-  struct Places {
+  /// The object and its builders. If `source` is null, no file can be read. `bodies` maps full
+  /// names to indices in Object::bodies.
+  struct Context {
     AttachmentSource* source;
     Object& object;
     Assets& assets;
@@ -26,18 +28,18 @@ class Attacher {
     References& references;
     std::unordered_map<std::string, int>& bodies;
   };
-  Attacher(const Places& places, diag::Findings& findings)
-      : source_(places.source),
-        object_(places.object),
-        assets_(places.assets),
-        materials_(places.materials),
-        sections_(places.sections),
-        references_(places.references),
-        bodies_(places.bodies),
+  Attacher(const Context& context, diag::Findings& findings)
+      : source_(context.source),
+        object_(context.object),
+        assets_(context.assets),
+        materials_(context.materials),
+        sections_(context.sections),
+        references_(context.references),
+        bodies_(context.bodies),
         findings_(findings) {}
 
-  /// The file's body becomes the body `index`, `name` in its spec, which is there already. Returns
-  /// the number of parts that came with it.
+  /// Copies the body that the entry names into the existing body `index`, which is called `name` in
+  /// its spec. Returns the number of parts added.
   std::size_t Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                   const std::string& name, std::size_t index);
 
@@ -45,7 +47,7 @@ class Attacher {
   void CopyAssets(const Attachment& attachment, Renamer& renamer);
   std::size_t CopyBodies(const Attachment& attachment, const Renamer& renamer, std::size_t index);
   void CopySections(const Attachment& attachment, const Renamer& renamer);
-  void AddReferences(References::Place place, const Element& own, const Element& element);
+  void AddReferences(References::ElementPlace place, const Element& own, const Element& element);
 
   AttachmentSource* source_;
   Object& object_;

@@ -1,11 +1,13 @@
-#include "mjforge/model/sums.h"
+// Sums over parts and bodies: bounds, mass properties, poses and counts.
+
+#include "mjforge/model/mass_and_bounds.h"
 
 #include <algorithm>
 
 namespace mjforge::model {
 namespace {
 
-/// `for_each` calls what it is given with every part and its pose X_FG.
+// Returns the bounds of the parts that `for_each` passes, with their pose X_FG, to its argument.
 template <typename ForEach>
 Bounds BoundsOfAll(const ForEach& for_each) {
   bool some_collide = false;
@@ -25,7 +27,7 @@ Bounds BoundsOfAll(const ForEach& for_each) {
 
 }  // namespace
 
-std::vector<Pose> PosesFrom(const std::vector<Body>& bodies, std::size_t first) {
+std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first) {
   std::vector<Pose> X_FB(bodies.size() - first);
   for (std::size_t i = first + 1; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
@@ -53,7 +55,7 @@ Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first) {
 }
 
 void SumMass(Body& body, Assets& assets) {
-  if (body.explicit_inertial) return;  // an attached file's
+  if (body.explicit_inertial) return;  // given by an attached file
   MassProperties sum;
   for (const Part& part : body.parts) {
     if (!(part.mass > 0)) continue;
@@ -69,10 +71,10 @@ void SumMass(Body& body, Assets& assets) {
 
 void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,
                std::size_t first_body) {
-  const auto scale = [&factor](std::vector<Part>& parts, std::size_t first) {
+  const auto scale = [factor](std::vector<Part>& parts, std::size_t first) {
     for (std::size_t i = first; i < parts.size(); ++i) {
-      parts[i].mass = parts[i].mass * factor;
-      parts[i].density = 0.0;  // no longer the number that says it
+      parts[i].mass *= factor;
+      parts[i].density = 0;  // the mass no longer follows from it
     }
   };
   scale(bodies[body].parts, first_part);
@@ -82,9 +84,9 @@ void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::
   }
 }
 
-Bounds BoundsFrom(const std::vector<Body>& bodies, std::size_t first) {
+Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first) {
   if (first + 1 == bodies.size()) return BoundsOf(bodies[first].parts);
-  const std::vector<Pose> X_FB = PosesFrom(bodies, first);
+  const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
   return BoundsOfAll([&](const auto& visit) {
     for (std::size_t i = first; i < bodies.size(); ++i) {
       for (const Part& part : bodies[i].parts) visit(part, X_FB[i - first] * part.X_BG);
@@ -92,20 +94,20 @@ Bounds BoundsFrom(const std::vector<Body>& bodies, std::size_t first) {
   });
 }
 
-MassProperties MassFrom(const std::vector<Body>& bodies, std::size_t first) {
+MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first) {
   MassProperties sum = bodies[first].mass_properties;
   if (first + 1 == bodies.size()) return sum;
-  const std::vector<Pose> X_FB = PosesFrom(bodies, first);
+  const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
   for (std::size_t i = first + 1; i < bodies.size(); ++i) {
     sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
   }
   return sum;
 }
 
-// MuJoCo moves a body by the mass of what is fixed to it. Other simulators have a joint there, and
-// want some mass on both of its sides.
+// For MuJoCo a body with joints may get its mass from bodies that are fixed to it. Other simulators
+// treat a fixed body as a body with a fixed joint, and require mass on both sides of each joint.
 void ShareMass(std::vector<Body>& bodies) {
-  std::vector<std::size_t> movers(bodies.size());  // M, the body that each moves with
+  std::vector<std::size_t> movers(bodies.size());  // M, the body with joints that each moves with
   std::vector<Pose> X_MB(bodies.size());
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     movers[i] = i;
@@ -122,9 +124,7 @@ void ShareMass(std::vector<Body>& bodies) {
   }
 }
 
-Eigen::Vector3d Bounds::half_size() const { return (aabb.max - aabb.min) / 2; }
-
-std::vector<Pose> BodyPoses(const Object& object) { return PosesFrom(object.bodies, 0); }
+std::vector<Pose> BodyPoses(const Object& object) { return SubtreePoses(object.bodies, 0); }
 
 std::size_t GeomCount(const Body& body) {
   std::size_t count = 0;
