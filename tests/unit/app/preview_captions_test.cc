@@ -24,7 +24,7 @@ struct Family {
   }
   std::vector<Lines> Captions() {
     records[1].index = 1;
-    return app::Captions(records, spec);
+    return app::MakeCaptions(records, spec);
   }
 
   spec::ObjectSpec spec;
