@@ -125,8 +125,8 @@ class LineReader {
   bool torn_ = false;
 };
 
-/// Incremental 128-bit XXH3 checksum, as printed by `xxh128sum`. It detects the damage that a disk
-/// or a power cut causes, at the speed of memory; it does not protect against forged data.
+/// Incremental 128-bit XXH3 checksum, as printed by `xxh128sum`. Detects the damage that a disk or
+/// a power cut causes, at the speed of memory; does not protect against forged data.
 class Checksum {
  public:
   Checksum();

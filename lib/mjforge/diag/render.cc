@@ -12,8 +12,8 @@ namespace mjforge::diag {
 namespace {
 
 constexpr int kLineColumns = 120;
-// Bytes on either side of the caret that are looked at. They fill a line; a line of 100 MB is not
-// decoded as a whole.
+// Number of bytes on either side of the caret that are decoded: enough to fill a line, so that a
+// line of 100 MB is not decoded as a whole.
 constexpr std::size_t kWindowBytes = 1024;
 constexpr std::string_view kDots = "...";
 

@@ -24,7 +24,7 @@ class MemoryFiles {
   /// Removes all files except the text.
   void Clear();
   enum class Added { kYes, kTooMany, kNameTaken };
-  /// Adds a file. `name` has no folder and no capital letters. The same bytes may be added twice.
+  /// Adds a file. `name` has no folder and no capital letters. Equal bytes may be added twice.
   Added Add(const std::string& name, const std::string& bytes);
 
  private:
@@ -36,7 +36,7 @@ class MemoryFiles {
   struct Delete {
     void operator()(mjVFS* vfs) const;
   };
-  /// Files that MuJoCo has copied. They stay in its memory if the next text refers to them, too.
+  /// Files that MuJoCo has copied and keeps in memory if the next text refers to them, too.
   std::map<std::string, Entry> files_;
 #else
   // Written without MuJoCo's functions: they copy files, touch all of the 2 MB structure, and

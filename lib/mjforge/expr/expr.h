@@ -24,8 +24,8 @@ void AppendNumber(std::string& out, double value);
 std::string NumberText(double value);
 /// Size in bytes of a buffer for WriteNumber and WriteExactNumber: sign, 16 digits, point, zeros.
 inline constexpr std::size_t kLongestNumber = 40;
-/// Writes the text of AppendNumber to `out` and returns its end. The rest of the buffer
-/// (kLongestNumber bytes) may be overwritten.
+/// Writes the text of AppendNumber to `out` and returns its end. `out` must have kLongestNumber
+/// bytes, all of which may be overwritten.
 char* WriteNumber(char* out, double value);
 
 /// Appends the shortest text that reads back as `value` (finite), for records that must reproduce a

@@ -15,8 +15,8 @@ std::string SpeedText(double speed);
 /// Formats a joint's distance: a slide's (m) in mm, a hinge's or ball's (rad) in deg.
 std::string DistanceText(bool is_slide, double distance);
 
-/// Texts of a number beyond a limit, and of the limit. Both have the fewest digits, at least three,
-/// that show on which side of the limit the number is.
+/// Texts of a number beyond a limit, and of the limit, with the fewest digits, at least three, that
+/// show on which side of the limit the number is.
 struct ExceededLimit {
   ExceededLimit(double number, double bound);
 

@@ -30,8 +30,8 @@ class GraspSearch {
               const model::GraspingCheck& grasping);
 
   /// Returns grasps at a site, along lines through it or beside it, in directions of its frame.
-  /// Both faces belong to `body` or to bodies welded to it; if it is a root, to any body of its
-  /// tree. At most grasping.tries, the best first.
+  /// The two faces of a grasp belong to `body` or to bodies welded to it; if `body` is a root, to
+  /// any body of its tree. At most grasping.tries, the best first.
   std::vector<GraspCandidate> AtSite(const model::Pose& X_WS, int body) const;
 
   /// Returns grasps anywhere in the box of a root body; those near its centre of mass are first.

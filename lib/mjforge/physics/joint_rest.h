@@ -25,7 +25,7 @@ struct JointOffRange {
 bool HasRestRanges(const model::Checks& checks);
 
 /// Compares the joint positions in `d` with their ranges and with `rests` of checks.joints. Joints
-/// may exceed their range by checks.joint_overshoot (or an entry's) and by 1 mm or 0.02 rad. They
+/// may exceed their range by checks.joint_overshoot (or an entry's) and by 1 mm or 0.02 rad, and
 /// must stay within `rests` for 10 s at their present speed. `object` is the object's name.
 std::vector<JointOffRange> FindJointsOffRange(const mjModel& m, const mjData& d,
                                               std::string_view object, const model::Checks& checks);

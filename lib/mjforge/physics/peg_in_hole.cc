@@ -101,8 +101,8 @@ class PegDrop {
   }
 
   /// Returns true if geoms behind the mouth of the hole stop the peg in both directions of the
-  /// hole's x axis, or of its y axis, within the width of the peg. So a slot counts as a hole, but
-  /// walls in front of the mouth do not.
+  /// hole's x axis, or of its y axis, within the width of the peg. Therefore a slot counts as a
+  /// hole, but walls in front of the mouth do not.
   bool IsHeld(const Peg& peg, const model::Pose& X_WH) {
     const std::vector<mjtNum> qpos(d_.qpos, d_.qpos + m_.nq);
     const Vector3d sides = SidesOf(peg, X_WH);

@@ -33,9 +33,9 @@ std::string WithBodies(std::string_view text, std::string_view bodies,
 
 constexpr std::string_view kUsualContact = R"(condim="3" friction="1 0.005 0.0001")";
 
-/// Returns a geom for a probe body. It collides with everything that collides, and states all
-/// attributes that a file's defaults could change. `shape` is its type and size, `mass` in kg,
-/// `contact` its condim and friction.
+/// Returns a geom for a probe body: a geom that collides with everything that collides, and states
+/// all attributes that a file's defaults could change. `shape` is the geom's type and size, `mass`
+/// in kg, `contact` the geom's condim and friction.
 std::string ProbeGeom(std::string_view shape, double mass,
                       std::string_view contact = kUsualContact);
 

@@ -148,7 +148,7 @@ class Renderer {
 
   /// Draws a subject, on a floor unless the model has geoms fixed to the world. If nothing is
   /// visible, shows geoms of other groups or else sites, and adds a warning. Returns nothing, and
-  /// adds a finding, if there is nothing to show. The same subject and options give the same bytes.
+  /// adds a finding, if there is nothing to show. Equal subjects and options give equal bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
   /// Draws the subject in each pose, with one camera that frames all of them.

@@ -1,8 +1,8 @@
 // HTML report about a batch, made from its manifest.
 //
 // The page shows the expected and the drawn values of the parameters, the findings, and pictures of
-// some of the objects. It needs no network, no other file and no script. The same input gives the
-// same bytes.
+// some of the objects. The page needs no network, no other file and no script. Equal input gives
+// equal bytes.
 
 #pragma once
 

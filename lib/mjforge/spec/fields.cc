@@ -114,7 +114,7 @@ constexpr FieldInfo kObjectFields[] = {
     Row("require", FieldKind::kConditions,
         "Conditions on the parameters; all parameters are redrawn until every condition holds."),
     Row({"materials", Key::kMaterials}, FieldKind::kMaterials,
-        "KeyName materials: how parts look and what they are made of."),
+        "Named materials: how parts look and what they are made of."),
     Row("defaults", FieldKind::kDefaults,
         "Values for the keys that parts, sites and joints leave out."),
     Row({"parts", Key::kParts}, FieldKind::kParts, "The solid parts of the root body."),
@@ -170,7 +170,7 @@ constexpr FieldInfo kSubstitutes =
     Row({"materials", Key::kMaterials}, FieldKind::kSubstitutes,
         "Materials of that spec, by name: the name of the one of this spec to use in its place.");
 constexpr FieldInfo kPos =
-    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "JointPosition.");
+    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
 constexpr FieldInfo kQuat = Numbers(
     {"quat", Key::kQuat}, {4, 4}, "", kAnyNumber, "1 0 0 0",
     "Orientation as a quaternion w x y z (normalised for you), `random`, or `{about: axis}`.");
@@ -416,7 +416,7 @@ constexpr FieldInfo kJointFields[] = {
     kFor,
     kLet,
     Word({"type", Key::kType}, "free ball slide hinge", "hinge", "The motion it allows."),
-    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "JointPosition in the body."),
+    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position in the body."),
     Numbers({"axis", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 1",
             "Axis of a hinge or slide in the body (normalised for you)."),
     Numbers({"range", Key::kRange}, {2, 2}, "rad or m", kAnyNumber, "",
@@ -433,8 +433,7 @@ constexpr FieldInfo kJointFields[] = {
     Number("armature", "kg m^2 or kg", AtLeast(0), "0", "Added inertia."),
     Number("ref", "rad or m", kAnyNumber, "0",
            "Value of the joint in the pose that the spec gives."),
-    Number("springref", "rad or m", kAnyNumber, "0",
-           "JointPosition at which the spring is at rest."),
+    Number("springref", "rad or m", kAnyNumber, "0", "Position at which the spring is at rest."),
     Number("margin", "rad or m", AtLeast(0), "0",
            "Distance from a limit at which the limit begins to act."),
     Numbers("solreflimit", {1, 2}, "s, 1", kAnyNumber, "0.02 1",

@@ -247,7 +247,7 @@ class SpecLoader : public NestedLoader {
     return known = spec;
   }
 
-  // Reads materials and defaults of an imported file. They cannot use parameters of the importer.
+  // Reads materials and defaults of an imported file, which cannot use parameters of the importer.
   void ReadImported(const ImportedFile& from, Context& context) {
     expr::SymbolTable names;
     DeclareIndex(names);

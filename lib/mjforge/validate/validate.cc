@@ -46,7 +46,7 @@ int CountConstraints(const model::Body& body) {
 }
 
 /// Returns a size element with small buffers, because clearing buffers of default size takes most
-/// of the time of a load, and the size of MuJoCo's stack depends on njmax. One body alone has no
+/// of the time of a load, and the size of MuJoCo's stack depends on njmax. A single body has no
 /// contacts, and several bodies seldom have more than a few; if they have, MuJoCo warns. Contains
 /// no line end, so that line numbers stay the same. Empty if the object has a size element.
 std::string SizeHint(const model::Object& object) {
@@ -249,7 +249,7 @@ std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
 }
 
 engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::Sources& sources,
-                                      diag::SourceMark& start, diag::Findings& findings) {
+                                     diag::SourceMark& start, diag::Findings& findings) {
   const std::optional<backport::ModelFile> xml = backport::ReadModelFile(file, sources, findings);
   if (!xml) return nullptr;
   start = {xml->source, 1, 1};
