@@ -55,8 +55,9 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
+  /// Returns the stream of the field, or, without hashing, of the element if nothing is drawn.
   sample::StreamId PathOf(const spec::Field& field) const {
-    return sample::Child(path_, field.info->key);
+    return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }
   /// Reports the rule that one of the `count` numbers of a field breaks.
   void ReportNumber(const spec::Field& field, double number, std::size_t position,

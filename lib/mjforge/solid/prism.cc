@@ -28,8 +28,7 @@ Mass MassOf(const BasePolygon& base, double height, double bevel) {
   // In each layer all integrands are polynomials in z of degree 6 at most.
   using Rule = boost::math::quadrature::gauss<double, 7>;
   Moments moments;
-  const auto add_slice = [&](double z, double inset, double thickness) {
-    const AreaMoments slice = MomentsOf(base.BoundaryAt(inset));
+  const auto add_slice = [&](double z, const AreaMoments& slice, double thickness) {
     moments.volume += thickness * slice.area;
     const Eigen::Vector3d first(slice.first.x(), slice.first.y(), z * slice.area);
     moments.first += thickness * first;
@@ -38,12 +37,19 @@ Mass MassOf(const BasePolygon& base, double height, double bevel) {
     moments.second.row(2).head<2>() += thickness * z * slice.first;
   };
   const auto add_layer = [&](double below, double above, double inset, double grows) {
+    // All slices of a layer with vertical walls are equal.
+    const AreaMoments equal = grows == 0 ? MomentsOf(base.BoundaryAt(inset)) : AreaMoments();
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
       for (const double side : {-1, 1}) {
         const double x = side * Rule::abscissa()[i];
         if (x == 0 && side > 0) continue;
         const double z = (below + above) / 2 + x * (above - below) / 2;
-        add_slice(z, inset + grows * (z - below), Rule::weights()[i] * (above - below) / 2);
+        const double thickness = Rule::weights()[i] * (above - below) / 2;
+        if (grows == 0) {
+          add_slice(z, equal, thickness);
+        } else {
+          add_slice(z, MomentsOf(base.BoundaryAt(inset + grows * (z - below))), thickness);
+        }
       }
     }
   };
