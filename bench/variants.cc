@@ -2,8 +2,8 @@
 //
 //   mjforge_variants COUNT [SPEC...]
 //
-// Makes the variants 0 to COUNT - 1 of each bundled spec, or of those named, without loading them in MuJoCo, and prints the
-// microseconds and the bytes of MJCF for one.
+// Makes the variants 0 to COUNT - 1 of each bundled spec, or of those named, without loading them
+// in MuJoCo, and prints the microseconds and the bytes of MJCF for one.
 
 #include <cstdlib>
 #include <ctime>

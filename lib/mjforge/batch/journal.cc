@@ -133,7 +133,8 @@ void Journal::ReadJournal() {
   closed_.clear();
   seal_.assets.clear();
   std::string why_not;
-  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(journal_file_->temporary(), why_not);
+  std::optional<bytes::LineReader> lines =
+      bytes::LineReader::Open(journal_file_->temporary(), why_not);
   std::string line;
   std::uint64_t read = 0;
   while (lines && lines->Next(line, why_not) && !lines->torn()) {

@@ -26,8 +26,8 @@ double PlacesFor(double width) {
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
 }
 
-// Rounds to a multiple of 10^-places. The operands of the last step are exact, so that the result is
-// the double nearest to the decimal.
+// Rounds to a multiple of 10^-places. The operands of the last step are exact, so that the result
+// is the double nearest to the decimal.
 double RoundByScaling(double value, int places) {
   const double power = kPowersOfTen[std::abs(places)];
   const double scaled = places < 0 ? value / power : value * power;
