@@ -5,9 +5,11 @@
 // A finding tells the user what is wrong, where to fix it, and what was probably meant. Stages add
 // findings to a list and continue; nothing here prints or exits.
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -138,8 +140,8 @@ std::string DidYouMean(std::string_view word, std::span<const std::string_view> 
 /// Takes any list of candidates; `name` is the member that contains a candidate's name.
 template <typename List, typename Name = std::identity>
 std::string DidYouMean(std::string_view word, const List& list, Name name = {}) {
-  std::vector<std::string_view> candidates;
-  for (const auto& candidate : list) candidates.push_back(std::invoke(name, candidate));
+  std::vector<std::string_view> candidates(std::size(list));
+  std::ranges::transform(list, candidates.begin(), name);
   return DidYouMean(word, std::span<const std::string_view>(candidates));
 }
 

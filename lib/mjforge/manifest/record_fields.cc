@@ -139,7 +139,9 @@ ExpectedKind GetResult(const Value& value, Result& result) {
                   return GetAll(item, part.emplace_back(), members);
                 });
     } else {
-      is_good = GetAll(member, part.emplace(), members);
+      std::remove_cvref_t<decltype(*part)> read;
+      is_good = GetAll(member, read, members);
+      part = read;
     }
   });
   return is_good ? ExpectedKind() : "what was measured";

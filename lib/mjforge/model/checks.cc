@@ -73,7 +73,7 @@ void SetMember(const Table& table, Read read, FieldReader& reader, const spec::F
 }
 
 std::optional<Eigen::Vector2d> ReadLimits(FieldReader& reader, const spec::Field& field) {
-  const auto range = reader.Vector<2>(field);
+  auto range = reader.Vector<2>(field);
   if (range && range->x() > range->y())
     reader.Report(diag::Code::kModelBadValue, field, "has its higher end first");
   return range;

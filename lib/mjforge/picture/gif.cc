@@ -4,6 +4,7 @@
 #include <gif_lib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <unordered_map>
@@ -41,7 +42,7 @@ struct ColorBox {
         sum += color.count * color.rgb[c];
         squares += color.count * color.rgb[c] * color.rgb[c];
       }
-      mean[c] = static_cast<std::uint8_t>(sum / count + 0.5);
+      mean[c] = static_cast<std::uint8_t>(std::lround(sum / count));
       const double error_of_channel = squares - sum * sum / count;
       if (error_of_channel <= error) continue;
       channel = c;
@@ -60,11 +61,13 @@ std::vector<ColorBox> SplitColors(std::vector<CountedColor>& colors) {
   while (boxes.size() < kMaxColors) {
     ColorBox& worst = *std::ranges::max_element(boxes, {}, &ColorBox::error);
     if (worst.error < kRounding) break;
-    const auto upper = std::ranges::partition(worst.colors, [&](const CountedColor& color) {
+    const std::span<CountedColor> all = worst.colors;
+    const auto middle = std::partition(all.begin(), all.end(), [&](const CountedColor& color) {
       return color.rgb[worst.channel] <= worst.middle;
     });
-    worst = ColorBox(worst.colors.first(worst.colors.size() - upper.size()));
-    boxes.emplace_back(upper);
+    const auto lower = static_cast<std::size_t>(middle - all.begin());
+    worst = ColorBox(all.first(lower));
+    boxes.emplace_back(all.subspan(lower));
   }
   return boxes;
 }

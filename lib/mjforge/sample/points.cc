@@ -121,8 +121,9 @@ std::optional<std::vector<PointList>> Evaluator::Outlines(const spec::Value& val
   std::vector<PointList> outlines;
   const auto read = [&](const spec::Value& points, StreamId own) {
     std::optional<PointList> outline = Points(points, own);
-    if (outline) outlines.push_back(*std::move(outline));
-    return outline && outlines.size() <= kMost;
+    if (!outline) return false;
+    outlines.push_back(*std::move(outline));
+    return outlines.size() <= kMost;
   };
   const auto* list = std::get_if<spec::List>(&value.form);
   for (std::size_t i = 0; list != nullptr && i < list->items.size(); ++i) {

@@ -11,8 +11,7 @@ namespace mjforge::solid {
 namespace {
 
 void RemoveRepeatedCorners(std::vector<Point2>& corners) {
-  const auto repeats = std::ranges::unique(corners);
-  corners.erase(repeats.begin(), repeats.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
 }
 

@@ -96,7 +96,7 @@ struct Lathe {
   bool operator==(const Lathe&) const = default;
 };
 /// Like all functions Make: returns nothing and sets `fault` if the shape is not a solid.
-std::optional<Solid> Make(const Lathe& lathe, Fault& fault);
+std::optional<Solid> Make(const Lathe& input, Fault& fault);
 
 /// An outline in x, y with holes, extruded along z, centred on z = 0.
 struct Prism {

@@ -79,6 +79,7 @@ diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
 void BreakCircles(Context& context) {
   expr::SymbolTable& names = context.spec.names;
   std::vector<const Formula*> all;
+  all.reserve(names.formulas().size());
   for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
   const Dependencies uses = UsesOf(all);
   std::set<std::size_t> broken;
@@ -102,7 +103,7 @@ void BreakCircles(Context& context) {
   for (const std::size_t at : broken) {
     Formula harmless = *all[at];
     harmless.body = "1";
-    names.Define(std::move(harmless));
+    names.Define(harmless);
   }
 }
 

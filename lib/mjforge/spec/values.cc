@@ -58,11 +58,11 @@ void DeclareIndex(expr::SymbolTable& names) {
   names.Declare("index", expr::Type::kNumber, 1, {expr::Dimension::Count()});
 }
 
-const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, std::string name,
+const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, const std::string& name,
                                            const Value& value) {
-  return value.is_list ? names.DeclareList(std::move(name), value.type, value.dimensions)
-                       : names.Declare(std::move(name), value.type,
-                                       std::clamp(value.components, 1, 4), value.dimensions);
+  return value.is_list ? names.DeclareList(name, value.type, value.dimensions)
+                       : names.Declare(name, value.type, std::clamp(value.components, 1, 4),
+                                       value.dimensions);
 }
 
 std::optional<double> ConstantOf(const Value& value) {

@@ -149,7 +149,7 @@ std::optional<expr::Dimensions> DimensionsOf(std::string_view units);
 /// Declares the variable `index`, the number of a variant.
 void DeclareIndex(expr::SymbolTable& names);
 /// Declares a variable with the type of `value`.
-const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, std::string name,
+const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, const std::string& name,
                                            const Value& value);
 
 /// Returns true if any part of the value is drawn.
