@@ -1,9 +1,14 @@
 # Precompiled headers: the headers of other libraries take three quarters of the compile time. They
-# are compiled once for the rooms, once for the program and once for the tests. clang-tidy cannot
+# are compiled once for the rooms and the program, and once for the tests. clang-tidy cannot
 # read GCC's precompiled headers, so `./dev lint` has a configuration without them. Missing includes
 # are only found by the debug preset, which compiles each file by itself.
 option(MJFORGE_PRECOMPILED "Precompile the largest headers" ${PROJECT_IS_TOP_LEVEL})
 option(MJFORGE_UNITY "Compile a room's files several at a time" ${PROJECT_IS_TOP_LEVEL})
+# Files that are compiled together share the instances of templates: groups of 16 take 0.6 to 0.8 of
+# the time of CMake's groups of 8, and about 1 GB of memory.
+if(MJFORGE_UNITY AND NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+endif()
 
 set(mjforge_precompiled_headers
   <algorithm> <array> <charconv> <cmath> <cstdint> <filesystem> <functional> <limits> <map>

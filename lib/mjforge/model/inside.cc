@@ -11,7 +11,7 @@ namespace {
 
 // Relative tolerance: a point computed to be on the surface, which counts as inside, may be off by
 // a few units in the last place of the numbers it was computed from.
-constexpr double kRounding = 1e-14;
+constexpr double kDoubleRounding = 1e-14;
 
 double SegmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                        const Eigen::Vector3d& b) {
@@ -70,7 +70,7 @@ bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) 
   constexpr double kFar = 1e100;
   if (p_A.cwiseAbs().maxCoeff() > kFar) return false;
   const Eigen::Vector3d p = X_AG.q.conjugate() * (p_A - X_AG.p);
-  const double guard = kRounding * (LargestSize(shape) + X_AG.p.norm() + p_A.norm());
+  const double guard = kDoubleRounding * (LargestSize(shape) + X_AG.p.norm() + p_A.norm());
   const Eigen::Vector3d& s = shape.size;
   switch (shape.type) {
     case GeomType::kSphere:

@@ -26,28 +26,32 @@ struct Simplex {
 
 // Returns the point of the corners' affine hull that is nearest to the origin, if that point is
 // inside the simplex; otherwise a smaller simplex contains the nearest point.
-template <int kEdges>
+//
+// Its barycentric coordinates are ratios of lengths, areas or volumes: Ericson, "Real-Time
+// Collision Detection", 2004, 3.4. Eigen's decompositions take longer to compile than the whole
+// room.
 std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d& first = simplex.corners[0];
-  Eigen::Matrix<double, 3, kEdges> edges;
-  for (int i = 0; i < kEdges; ++i)
-    edges.col(i) = simplex.corners[static_cast<std::size_t>(i) + 1] - first;
-  const Eigen::Matrix<double, kEdges, 1> weights = edges.colPivHouseholderQr().solve(-first);
+  Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
+  for (int i = 1; i < simplex.count; ++i)
+    edges.col(i - 1) = simplex.corners[static_cast<std::size_t>(i)] - first;
+  const Vector3d a = edges.col(0);
+  const Vector3d b = edges.col(1);
+  const Vector3d c = edges.col(2);
+  Vector3d weights = Vector3d::Zero();  // of the edges
+  if (simplex.count == 2) {
+    weights.x() = -first.dot(a) / a.squaredNorm();
+  } else if (simplex.count == 3) {
+    const Vector3d normal = a.cross(b);
+    weights.x() = normal.dot(b.cross(first)) / normal.squaredNorm();
+    weights.y() = normal.dot(first.cross(a)) / normal.squaredNorm();
+  } else if (simplex.count == 4) {
+    const Vector3d normal = b.cross(c);
+    weights =
+        Vector3d(normal.dot(first), first.cross(c).dot(a), b.cross(first).dot(a)) / -normal.dot(a);
+  }
   if (!weights.allFinite() || weights.minCoeff() < 0 || weights.sum() > 1) return std::nullopt;
   return first + edges * weights;
-}
-
-std::optional<Vector3d> NearestInside(const Simplex& simplex) {
-  switch (simplex.count) {
-    case 1:
-      return simplex.corners[0];
-    case 2:
-      return NearestInside<1>(simplex);
-    case 3:
-      return NearestInside<2>(simplex);
-    default:
-      return NearestInside<3>(simplex);
-  }
 }
 
 // Reduces a simplex to the corners whose hull contains the point nearest to the origin, and returns
