@@ -140,11 +140,10 @@ class ExpectationReader {
 
 void ReadExpectations(const YamlNode& list, Context& context) {
   ObjectSpec& spec = context.spec;
-  const auto declare = [&](std::string name, Key key, int components) {
+  const auto declare = [&](const std::string& name, Key key, int components) {
     if (spec.names.Find(name) != nullptr) return -1;
     auto unit = DimensionsOf(kObjectElement.Find(key)->unit);
-    return spec.names.Declare(std::move(name), expr::Type::kNumber, components, *std::move(unit))
-        .slot;
+    return spec.names.Declare(name, expr::Type::kNumber, components, *std::move(unit)).slot;
   };
   spec.mass_slot = declare("mass", Key::kMass, 1);
   spec.bounds_slot = declare("bounds", Key::kTotalSize, 3);
