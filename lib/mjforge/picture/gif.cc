@@ -95,6 +95,7 @@ struct Palette {
       }
     }
     std::vector<CountedColor> all;
+    all.reserve(counted.size());
     for (const auto& [key, color] : counted) all.push_back(color);
     if (all.empty()) return;
     GifPixelType index = 0;

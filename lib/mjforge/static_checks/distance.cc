@@ -27,9 +27,9 @@ struct Simplex {
 // Returns the point of the corners' affine hull that is nearest to the origin, if that point is
 // inside the simplex; otherwise a smaller simplex contains the nearest point.
 //
-// The barycentric coordinates of a point are ratios of lengths, areas or volumes: Ericson, "Real-Time
-// Collision Detection", 2004, 3.4. (Eigen's decompositions take longer to compile than the whole
-// room.)
+// The barycentric coordinates of a point are ratios of lengths, areas or volumes: Ericson,
+// "Real-Time Collision Detection", 2004, 3.4. (Eigen's decompositions take longer to compile than
+// the whole room.)
 std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d& first = simplex.corners[0];
   Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
@@ -38,7 +38,7 @@ std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d a = edges.col(0);
   const Vector3d b = edges.col(1);
   const Vector3d c = edges.col(2);
-  Vector3d weights = Vector3d::Zero();  // one per edge
+  Vector3d weights = Vector3d::Zero();  // weight of each edge
   if (simplex.count == 2) {
     weights.x() = -first.dot(a) / a.squaredNorm();
   } else if (simplex.count == 3) {
