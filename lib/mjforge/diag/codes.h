@@ -8,8 +8,8 @@
 namespace mjforge::diag {
 
 /// Every kind of finding, grouped by the stage that reports it, which is also the first part of the
-/// code's name. Tests check that docs/errors.md has a chapter and tests/golden a case for each
-/// code.
+/// code's name. Tests check that docs/errors.md has a chapter with an example for each code, and
+/// run the examples.
 enum class Code {
 #define MJFORGE_CODE(code, name, meaning) code,
 #include "mjforge/diag/codes.inc"
