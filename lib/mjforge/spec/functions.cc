@@ -85,6 +85,7 @@ void BreakCircles(Context& context) {
   std::set<std::size_t> broken;
   const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {
     std::vector<std::string_view> circle;
+    circle.reserve(path.size());
     for (const std::size_t i : path) circle.push_back(all[i]->name);
     broken.insert(path.begin(), path.end());
     context.findings.Add(Code::kSpecCycle, MarkOf(*all[path[0]], context),
