@@ -117,7 +117,7 @@ TEST_CASE("the schema accepts every good golden spec", "[schema]") {
 }
 
 TEST_CASE("the schema rejects structurally bad specs") {
-  // What is wrong with these is in an expression, in another file or in a setting.
+  // Specs whose fault is in an expression, in another file or in a setting.
   const std::set<std::string> accepted = {"spec/missing-key",
                                           "spec/wrong-length",
                                           "spec/bad-value: condim",
