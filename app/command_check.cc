@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "load_limit.h"
+#include "load_time_limit.h"
 #include "options.h"
 
 namespace mjforge::app {
@@ -17,7 +17,7 @@ struct CheckOptions : BatchOptions {
 
 ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Console& console) {
   const std::optional<forge::Recipe> recipe = [&] {
-    const LoadLimit limit(spec, options.request.time_limit, console);
+    const LoadTimeLimit limit(spec, options.request.time_limit, console);
     return LoadRecipe(spec, options.spec, console);
   }();
   const ExitStatus status = console.Report();

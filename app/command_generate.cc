@@ -12,7 +12,7 @@
 
 #include "commands.h"
 #include "completion.h"
-#include "load_limit.h"
+#include "load_time_limit.h"
 #include "make_options.h"
 #include "options.h"
 #include "progress_bar.h"
@@ -239,7 +239,7 @@ class Generation {
     }
     std::set<std::string> names;
     for (const std::string& spec : options_.specs) {
-      const LoadLimit limit(spec, request_.time_limit, console_);
+      const LoadTimeLimit limit(spec, request_.time_limit, console_);
       std::optional<forge::Recipe> recipe = LoadRecipe(spec, options_.spec, console_);
       if (!recipe) continue;
       const std::string& name = recipe->spec->name;

@@ -21,8 +21,8 @@ using sample::ParameterValue;
 
 constexpr std::size_t kMaxParameters = 3;
 
-// Returns the SI unit of a parameter's numbers. If the spec declares no unit, it is inferred from
-// the text of the value ("22cm .. 30cm").
+// Returns the SI unit of a parameter's numbers, or an empty text. If the spec declares no unit, the
+// unit is inferred from the text of the value: "m" from "22cm .. 30cm".
 std::string_view UnitOf(const spec::Parameter* parameter) {
   if (parameter == nullptr) return "";
   if (parameter->unit == "1") return "";

@@ -83,10 +83,11 @@ class WorkerMailbox {
 /// A function that performs a task in a worker.
 using TaskHandler = std::function<ChunkResult(const Task&, WorkerMailbox&)>;
 
-/// Worker processes. A worker is replaced if a signal ends it, if it exceeds the time limit for one
-/// variant (CPU time, or WallLimit of wall time), or if it makes no progress between two variants
-/// for WallLimit. Its tasks go to other workers, and the variant that it was making is quarantined.
-/// Workers end when this process ends, for whatever reason.
+/// Runs tasks in worker processes. A worker is replaced if a signal ends it, if one variant takes
+/// more CPU time than the time limit or more wall time than WallLimit(), or if the worker reports
+/// nothing for WallLimit() between two variants. The variant that it was making is quarantined: its
+/// record says that it failed. Other workers take over the rest of its tasks. All workers end when
+/// this process ends, for whatever reason.
 class Pool {
  public:
   /// Each worker calls `make_handler` when it starts. A worker has up to `tasks_per_worker` tasks

@@ -133,7 +133,7 @@ std::optional<int> RowOf(const mjModel& m, const ArrayField& field, int id) {
 
 double Number(double value) { return value; }
 double Number(int value) { return value; }
-/// Returns the shortest decimal number that reads as `value` in single precision.
+/// Returns the value of the shortest decimal that reads back as `value`: 0.1 for 0.1f.
 double Number(float value) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;

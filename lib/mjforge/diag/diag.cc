@@ -44,8 +44,8 @@ void Findings::Append(Findings other) {
                std::make_move_iterator(other.list_.end()));
 }
 
-bool Findings::HasErrors() const {
-  return std::any_of(list_.begin(), list_.end(),
+bool Findings::HasErrors(std::size_t first) const {
+  return std::any_of(list_.begin() + static_cast<std::ptrdiff_t>(first), list_.end(),
                      [](const Finding& finding) { return finding.severity == Severity::kError; });
 }
 

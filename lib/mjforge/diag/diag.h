@@ -83,7 +83,8 @@ class Findings {
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
   void Append(Findings other);
 
-  bool HasErrors() const;
+  /// Returns true if a finding from position `first` on is an error.
+  bool HasErrors(std::size_t first = 0) const;
   bool empty() const { return list_.empty(); }
   std::size_t size() const { return list_.size(); }
   auto begin() { return list_.begin(); }

@@ -3,6 +3,8 @@
 #include "mjforge/diag/json.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace mjforge::diag {
 
@@ -26,31 +28,31 @@ bool IsNestedTooDeep(std::string_view json) {
 
 namespace {
 
-constexpr bool NeedsEscape(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\';
-}
+// Table by byte, because every character of every text is looked up.
+constexpr auto kNeedsEscape = [] {
+  std::array<bool, 256> needs{};
+  for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
+  needs['"'] = needs['\\'] = true;
+  return needs;
+}();
 
-bool NeedsEscape(std::string_view text) {
-  return std::ranges::any_of(text, [](char c) { return NeedsEscape(c); });
-}
+bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 
 }  // namespace
 
 void Json::Value(std::string_view text) {
   Separate();
-  text_ += '"';
-  if (NeedsEscape(text)) {
-    Escaped(text);
-  } else {
-    text_ += text;
-  }
-  text_ += '"';
+  if (std::ranges::any_of(text, NeedsEscape)) return Escaped(text);
+  const std::size_t start = text_.size();
+  text_.resize(start + text.size() + 2, '"');
+  text.copy(&text_[start + 1], text.size());
 }
 
 void Json::Escaped(std::string_view text) {
   constexpr std::string_view kEscaped = "\"\\\b\f\n\r\t";
   constexpr std::string_view kLetters = "\"\\bfnrt";
   constexpr std::string_view kDigits = "0123456789ABCDEF";
+  text_ += '"';
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (!NeedsEscape(c)) {
@@ -61,6 +63,7 @@ void Json::Escaped(std::string_view text) {
       text_ += {'\\', 'u', '0', '0', kDigits[byte >> 4], kDigits[byte & 15]};
     }
   }
+  text_ += '"';
 }
 
 }  // namespace mjforge::diag

@@ -92,9 +92,9 @@ std::vector<double> StartPositions(const model::Object& object, double lift);
 /// Returns the indices of Object::bodies in depth-first order, which the text and MuJoCo use.
 std::vector<int> DepthFirstOrder(const model::Object& object);
 
-/// Adapts the object to its target (TargetRules). Drops elements that the target does not support,
-/// with a warning, and reports elements that would break the target as errors. Call this function
-/// before WriteMjcf, so that the object can still be compared with the compiled model.
+/// Adapts the object to the program that will load it (TargetRules). Drops elements that this
+/// program ignores, with a warning, and reports elements that it cannot load as errors. Not a part
+/// of WriteMjcf, because the adapted object is compared with the compiled model.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
 /// Returns the size of all <mesh> elements of the text, bytes.

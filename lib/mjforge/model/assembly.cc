@@ -47,15 +47,9 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values,
   AddSpec(scope);
   AddRootJoints(scope);
   ReadChecks(scope);
-  if (!HasErrorsSince(findings_, before)) Finish(scope);
-  if (HasErrorsSince(findings_, before) || values.failed()) return std::nullopt;
+  if (!findings_.HasErrors(before)) Finish(scope);
+  if (findings_.HasErrors(before) || values.failed()) return std::nullopt;
   return std::move(object_);
-}
-
-bool HasErrorsSince(const diag::Findings& findings, std::size_t first) {
-  return std::any_of(
-      findings.begin() + static_cast<std::ptrdiff_t>(first), findings.end(),
-      [](const diag::Finding& finding) { return finding.severity == diag::Severity::kError; });
 }
 
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,

@@ -27,10 +27,7 @@ void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
     const int slot = entry.parameter_slots[i];
     if (slot < 0) continue;
     const spec::Value& value = entry.head.nested->parameters[i].value;
-    if (value.type == expr::Type::kText) values.SetVariable(slot, "");
-    for (int k = 0; value.type != expr::Type::kText && k < std::max(value.components, 1); ++k) {
-      values.SetVariable(slot + k, kNoValue);
-    }
+    for (int k = 0; k < std::max(value.components, 1); ++k) values.SetVariable(slot + k, kNoValue);
   }
 }
 

@@ -20,7 +20,8 @@
 
 namespace mjforge::model {
 
-/// Builds objects. Variants share the files that were read and the solids that were computed.
+/// Builds the objects of variants. Keeps the mesh and texture files that it has read and the solids
+/// that it has computed, because most variants use them again.
 class Assembler {
  public:
   struct NameOptions {

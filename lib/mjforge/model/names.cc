@@ -24,16 +24,20 @@ void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMar
   if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 
-// An element with a name. The hash is compared first, because numbers are faster than texts.
+// An element with a name.
 struct NamedElement {
   std::size_t hash;
   std::string_view kind;
   std::string_view name;
-  std::size_t position;
+  std::size_t position = 0;
   diag::SourceMark mark;
-  const Part* part;
+  const Part* part = nullptr;
 
-  auto Key() const { return std::tuple(hash, kind, name, position); }
+  /// Compares the hash first, because numbers are faster than texts.
+  bool operator<(const NamedElement& other) const {
+    if (hash != other.hash) return hash < other.hash;
+    return std::tie(kind, name, position) < std::tie(other.kind, other.name, other.position);
+  }
 };
 
 // The named elements of an object, found by kind and name.
@@ -52,7 +56,7 @@ class NameTable {
   /// Sorts the table and reports repeated names, in the order in which they were added. Repetitions
   /// at the same place in the spec are reported once.
   void ReportDuplicates(diag::Findings& findings) {
-    std::ranges::sort(elements_, {}, &NamedElement::Key);
+    std::sort(elements_.begin(), elements_.end());
     const NamedElement* first = nullptr;
     std::map<std::size_t, std::pair<const NamedElement*, const NamedElement*>> duplicates;
     for (const NamedElement& element : elements_) {
@@ -75,8 +79,8 @@ class NameTable {
 
   /// Returns the first element of that kind and name, or null. The table must be sorted.
   const NamedElement* Find(std::string_view kind, std::string_view name) const {
-    const auto found = std::ranges::lower_bound(
-        elements_, std::tuple(HashOf(name), kind, name, std::size_t{0}), {}, &NamedElement::Key);
+    const NamedElement wanted = {.hash = HashOf(name), .kind = kind, .name = name};
+    const auto found = std::lower_bound(elements_.begin(), elements_.end(), wanted);
     const bool exists = found != elements_.end() && found->kind == kind && found->name == name;
     return exists ? &*found : nullptr;
   }

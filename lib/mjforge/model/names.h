@@ -17,7 +17,8 @@ inline constexpr std::string_view kNameRule =
 /// Returns the text in quotes, on one line: control characters as \n or \x07, long texts cut off.
 std::string Quoted(std::string_view text);
 
-/// Reports names that two elements of one kind have, including names of visual geoms (NAME_vis).
+/// Reports each name that two elements of the same kind share. The names that visual geoms get
+/// (NAME_vis) count as names of parts.
 void CheckUniqueNames(const Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::model

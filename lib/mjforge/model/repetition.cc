@@ -80,7 +80,7 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
     // The local values of an instance that does not exist may be impossible to compute.
     if (exists && !locals_first) exists = SetLocals(entry, values, list);
     if (exists) visit();
-    return !HasErrorsSince(findings_, before);
+    return !findings_.HasErrors(before);
   }
   const spec::Loop& loop = entry.loops[depth];
   const std::optional<sample::LoopRange> range = values.RangeOf(loop);

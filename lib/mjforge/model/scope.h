@@ -64,6 +64,4 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry, std::vector<A
 Eigen::Vector3d FromCorner(const Eigen::Vector3d& p, const Eigen::Vector3d& total_size,
                            const Eigen::Vector3d& lower);
 
-bool HasErrorsSince(const diag::Findings& findings, std::size_t first);
-
 }  // namespace mjforge::model

@@ -18,23 +18,11 @@ class SolidReader {
       : reader_(reader), entry_(entry), mark_(mark) {}
 
   /// Returns the value of an optional field, or `without`.
-  double Number(Key key, double without) {
-    const spec::Field* field = entry_.Find(key);
-    if (field == nullptr) return without;
-    const std::optional<double> number = reader_.Number(*field);
-    is_good_ &= number.has_value();
-    return number.value_or(without);
-  }
+  double Number(Key key, double without) { return Read(key, &FieldReader::Number, without); }
 
   int Integer(Key key, int without) { return static_cast<int>(Number(key, without)); }
 
-  bool Flag(Key key, bool without) {
-    const spec::Field* field = entry_.Find(key);
-    if (field == nullptr) return without;
-    const std::optional<bool> flag = reader_.Boolean(*field);
-    is_good_ &= flag.has_value();
-    return flag.value_or(without);
-  }
+  bool Flag(Key key, bool without) { return Read(key, &FieldReader::Boolean, without); }
 
   std::optional<double> Wall() {
     if (entry_.Find(Key::kWall) == nullptr) return std::nullopt;
@@ -100,6 +88,15 @@ class SolidReader {
   }
 
  private:
+  template <typename T>
+  T Read(Key key, std::optional<T> (FieldReader::*read)(const spec::Field&), T without) {
+    const spec::Field* field = entry_.Find(key);
+    if (field == nullptr) return without;
+    const std::optional<T> value = (reader_.*read)(*field);
+    is_good_ &= value.has_value();
+    return value.value_or(without);
+  }
+
   FieldReader& reader_;
   const spec::Entry& entry_;
   diag::SourceMark mark_;

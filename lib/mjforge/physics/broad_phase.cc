@@ -60,7 +60,8 @@ void BroadPhase::ListBodies() {
   }
 }
 
-/// Applies the rules of mj_contactFilter and of <exclude>.
+/// Returns false for bodies that MuJoCo never lets collide: those fixed to each other, a parent and
+/// its child, and the bodies of an <exclude> element.
 bool BroadPhase::MayCollide(int body1, int body2) const {
   const int weld1 = m_.body_weldid[body1];
   const int weld2 = m_.body_weldid[body2];

@@ -29,8 +29,9 @@ class GlContext {
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 
-/// Exempts allocations from the leak checker while it exists, because drivers never free a few
-/// hundred bytes. Has no effect without a leak checker.
+/// Hides allocations from AddressSanitizer's leak checker during the lifetime of this object,
+/// because graphics drivers never free a few hundred bytes. Does nothing in builds without a leak
+/// checker.
 class LeakCheckPause {
  public:
   LeakCheckPause();

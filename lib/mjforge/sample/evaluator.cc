@@ -123,9 +123,9 @@ std::optional<bool> Evaluator::Boolean(const spec::Value& value, StreamId path) 
 
 bool Evaluator::AppendPiece(const spec::TextPiece& piece, SourceMark mark, std::string& out) {
   out += piece.literal;
-  if (piece.text_slot >= 0) {
-    out += texts_[static_cast<std::size_t>(piece.text_slot)];
-    return !std::isnan(Variable(piece.text_slot));
+  if (piece.variable) {
+    out += texts_[static_cast<std::size_t>(piece.variable->slot)];
+    return !std::isnan(Component(*piece.variable, 0, mark));
   }
   if (!piece.expression) return true;
   const double result = EvaluateExpression(*piece.expression, mark);

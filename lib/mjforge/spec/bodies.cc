@@ -181,7 +181,7 @@ class ParentChecker {
                           diag::DidYouMean(parent, names));
   }
 
-  // Reports a parent that comes after its child, or a circle of parents.
+  // Reports that a parent comes after its child, or that bodies are parents of each other.
   void ReportForward(std::size_t i, std::size_t parent, diag::SourceMark mark) {
     const std::string name(LiteralText(bodies_[i].head.name).value_or("?"));
     std::string circle = name;

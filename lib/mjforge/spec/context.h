@@ -101,7 +101,7 @@ void ReadJoints(const YamlNode& joints, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
-/// Reads `pose:` of an object or `at:` of an expectation or a check.
+/// Reads positions of joints: `pose:` of an object, or `at:` of an entry of `expect:` or `checks:`.
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
 /// Reads `expect:` of an object.
 void ReadExpectations(const YamlNode& list, Context& context);

@@ -104,7 +104,10 @@ Value ValueReader::ReadText(const YamlNode& node) {
     const expr::SymbolTable::Variable* variable = names_.Find(Trim(inner));
     if (variable != nullptr && variable->type == Type::kText && !variable->is_list()) {
       uses_.AddName(variable->name);
-      text.pieces.push_back({.literal = {}, .expression = {}, .text_slot = variable->slot});
+      text.pieces.push_back(
+          {.literal = {},
+           .expression = {},
+           .variable = VariableReference{.name = variable->name, .slot = variable->slot}});
     } else if (auto expression =
                    Compile(node, open + 2, close - open - 2, expr::Expression::Result::kAny)) {
       text.pieces.push_back({.literal = {}, .expression = std::move(expression)});

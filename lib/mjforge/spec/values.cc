@@ -77,7 +77,7 @@ std::optional<std::string_view> LiteralText(const Value& value) {
   if (text == nullptr) return std::nullopt;
   if (text->pieces.empty()) return std::string_view();
   const TextPiece& piece = text->pieces.front();
-  if (text->pieces.size() > 1 || piece.expression || piece.text_slot >= 0) return std::nullopt;
+  if (text->pieces.size() > 1 || piece.expression || piece.variable) return std::nullopt;
   return piece.literal;
 }
 

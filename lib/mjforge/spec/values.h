@@ -21,22 +21,22 @@ namespace mjforge::spec {
 struct Value;
 struct Loop;
 
-/// A piece of a text: a literal, an interpolated expression, or a text variable.
-struct TextPiece {
-  std::string literal;
-  std::optional<expr::Expression> expression;
-  int text_slot = -1;
-};
-/// Text with interpolated expressions.
-struct Text {
-  std::vector<TextPiece> pieces;
-};
-
 /// A reference to a whole parameter of any type: `size: half_size`.
 struct VariableReference {
   std::string name;
   int slot = 0;
   int list = -1;  // see expr::SymbolTable::Variable::list
+};
+
+/// A piece of a text: a literal, an interpolated expression, or a text variable.
+struct TextPiece {
+  std::string literal;
+  std::optional<expr::Expression> expression;
+  std::optional<VariableReference> variable;
+};
+/// Text with interpolated expressions.
+struct Text {
+  std::vector<TextPiece> pieces;
 };
 
 /// A list of numbers, texts, points or outlines.

@@ -131,13 +131,15 @@ class ExpectationChecker {
     if (kind == Kind::kTouch) most = kTolerance;
     if (min) least = *min - kRounding;
     if (max) most = *max + kRounding;
+    // The depth of an overlap takes most of the time, and matters only for a limit below zero.
+    const auto& distance_of = least > -kInfinity || most < 0 ? SignedDistance : Distance;
     double gap = kInfinity;
     PartPair nearest;
     for (PairQueue pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {
       const PartPair pair = pairs.top();
       // The remaining pairs are not nearer, or cannot change the verdict.
       if (pair.least >= gap || (pair.least >= least && gap <= most)) break;
-      const double distance = SignedDistance(*pair.a, *pair.b);
+      const double distance = distance_of(*pair.a, *pair.b);
       if (distance >= gap) continue;
       gap = distance;
       nearest = pair;

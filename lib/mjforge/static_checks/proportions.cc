@@ -163,7 +163,8 @@ class Proportions {
     }
   }
 
-  /// Returns the limit of the entry of checks.parts that names the part, or else the usual limit.
+  /// Returns the limit `own` of the first entry of `checks.parts` that names the part and sets this
+  /// limit; `usual` if there is none.
   template <typename T>
   T Limit(const model::Part& part, std::optional<T> model::PartCheck::*own, const T& usual) const {
     for (const model::PartCheck& check : reporter_.checks().parts) {

@@ -16,7 +16,8 @@ void ShareMasses(const model::Body& body, std::vector<model::Part>& parts) {
     if (!part.piece_of.empty()) volumes[part.piece_of] += model::Volume(part.shape);
   }
   if (volumes.empty()) return;
-  // The mass of a shape is in its visual part or in one of its pieces.
+  // Exactly one part of a shape carries the shape's mass: its visual part or, without one, one of
+  // the convex pieces for collisions.
   std::map<std::string_view, double> masses;
   for (const model::Part& part : body.parts)
     masses[part.piece_of.empty() ? part.name : part.piece_of] += part.mass;

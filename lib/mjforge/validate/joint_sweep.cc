@@ -199,8 +199,8 @@ class Sweeper {
     }
   }
 
-  /// Adds the contacts to the result. Contacts due to several joints are left out if one joint
-  /// alone brings the same bodies together.
+  /// Adds the deepest contact of each pair of bodies and joint to the sweep's result. A contact
+  /// found while all joints move is left out if one joint alone makes the same bodies touch.
   void Collect() {
     std::set<std::pair<int, int>> reported;
     for (const auto& [key, deepest] : deepest_) {

@@ -19,8 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// Elements nested deeper than this are an error; MuJoCo 2.2's XML reader stops at 100.
-constexpr int kMostDepth = 1000;
+/// Deepest nesting of elements, a limit that keeps recursive functions from exhausting the stack.
+/// (MuJoCo 2.2's own limit is 100; later releases read deeper files.)
+constexpr int kMaxDepth = 1000;
 
 /// Offsets of the lines of a text, to find the places of elements.
 class Lines {
@@ -87,9 +88,9 @@ class TreeReader {
   bool Convert(const pugi::xml_node& node, const Lines& lines, int depth, XmlElement& out) {
     out.tag = node.name();
     out.mark = lines.MarkOf(node);
-    if (depth > kMostDepth) {
+    if (depth > kMaxDepth) {
       AddError(findings_, Code::kMujocoNotMjcf, out.mark,
-               fmt::format("'{}' nests elements more than {} deep", main_.string(), kMostDepth));
+               fmt::format("'{}' nests elements more than {} deep", main_.string(), kMaxDepth));
       return false;
     }
     for (const pugi::xml_attribute& attribute : node.attributes()) {

@@ -10,12 +10,12 @@ namespace mjforge::app {
 /// Ends the program with a finding if loading the spec `what` takes more CPU time than `limit`
 /// during the lifetime of this object. Nothing must have been written yet. Only one instance at a
 /// time.
-class LoadLimit {
+class LoadTimeLimit {
  public:
-  LoadLimit(const std::string& what, Seconds limit, const Console& console);
-  LoadLimit(const LoadLimit&) = delete;
-  LoadLimit& operator=(const LoadLimit&) = delete;
-  ~LoadLimit();
+  LoadTimeLimit(const std::string& what, Seconds limit, const Console& console);
+  LoadTimeLimit(const LoadTimeLimit&) = delete;
+  LoadTimeLimit& operator=(const LoadTimeLimit&) = delete;
+  ~LoadTimeLimit();
 };
 
 }  // namespace mjforge::app

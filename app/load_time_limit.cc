@@ -1,5 +1,5 @@
 // Limit of the CPU time for loading a spec.
-#include "load_limit.h"
+#include "load_time_limit.h"
 
 #include <fmt/format.h>
 #include <sys/time.h>
@@ -32,7 +32,7 @@ void SetTimer(double seconds) {
 
 }  // namespace
 
-LoadLimit::LoadLimit(const std::string& what, Seconds limit, const Console& console) {
+LoadTimeLimit::LoadTimeLimit(const std::string& what, Seconds limit, const Console& console) {
   diag::Findings findings;
   findings.Add(diag::Code::kBatchTooSlow, {},
                fmt::format("loading '{}' took more than {:g} s of CPU time", what, limit.count()),
@@ -42,7 +42,7 @@ LoadLimit::LoadLimit(const std::string& what, Seconds limit, const Console& cons
   SetTimer(limit.count());
 }
 
-LoadLimit::~LoadLimit() {
+LoadTimeLimit::~LoadTimeLimit() {
   SetTimer(0);
   std::signal(SIGPROF, SIG_DFL);
 }
