@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"

@@ -30,7 +30,7 @@ struct NamedElement {
   std::string_view kind;
   std::string_view name;
   std::size_t position = 0;
-  diag::SourceMark mark;
+  diag::SourceMark mark = {};
   const Part* part = nullptr;
 
   /// Compares the hash first, because numbers are faster than texts.

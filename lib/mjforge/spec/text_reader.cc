@@ -92,8 +92,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
   std::size_t at = 0;
   while (at < node.text.size()) {
     const std::size_t open = std::min(node.text.find("${", at), node.text.size());
-    if (open > at)
-      text.pieces.push_back({.literal = node.text.substr(at, open - at), .expression = {}});
+    if (open > at) text.pieces.push_back({.literal = node.text.substr(at, open - at)});
     if (open == node.text.size()) break;
     const std::size_t close = node.text.find('}', open);
     if (close == std::string::npos) {
@@ -105,12 +104,10 @@ Value ValueReader::ReadText(const YamlNode& node) {
     if (variable != nullptr && variable->type == Type::kText && !variable->is_list()) {
       uses_.AddName(variable->name);
       text.pieces.push_back(
-          {.literal = {},
-           .expression = {},
-           .variable = VariableReference{.name = variable->name, .slot = variable->slot}});
+          {.variable = VariableReference{.name = variable->name, .slot = variable->slot}});
     } else if (auto expression =
                    Compile(node, open + 2, close - open - 2, expr::Expression::Result::kAny)) {
-      text.pieces.push_back({.literal = {}, .expression = std::move(expression)});
+      text.pieces.push_back({.expression = std::move(expression)});
     }
     at = close + 1;
   }

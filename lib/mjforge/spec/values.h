@@ -30,9 +30,9 @@ struct VariableReference {
 
 /// A piece of a text: a literal, an interpolated expression, or a text variable.
 struct TextPiece {
-  std::string literal;
-  std::optional<expr::Expression> expression;
-  std::optional<VariableReference> variable;
+  std::string literal = {};
+  std::optional<expr::Expression> expression = {};
+  std::optional<VariableReference> variable = {};
 };
 /// Text with interpolated expressions.
 struct Text {
