@@ -108,6 +108,24 @@ TEST_CASE("a property of a body that is left out has no value") {
                                  "variant (its body was left out by 'if')"});
 }
 
+TEST_CASE("a text parameter of a body that is left out has no value") {
+  const TemporaryFolder folder;
+  folder.Write("arm.yaml",
+               "mjforge: 1\nname: arm\nparams: {kind: [long, short]}\n"
+               "parts: [{name: base, type: sphere, size: 0.1}]\n");
+  const auto findings_of = [&](const std::string& use) {
+    const std::string body = "bodies:\n- {name: a, if: 1 > 2, spec: arm.yaml}\n- {name: b, " + use +
+                             "parts: [{name: h, type: sphere, size: 1}]}\n";
+    return Assembling(body, 1, 0, folder.path()).findings();
+  };
+  CHECK(findings_of("locals: {t: \"is_${a.kind}\"}, ") ==
+        std::vector<std::string>{
+            "5:24 'a.kind' has no value in this variant (its body was left out by 'if')"});
+  CHECK(findings_of("if: \"a.kind == 'long'\", ") ==
+        std::vector<std::string>{"5:3 expression 'a.kind == 'long'' uses 'a.kind', which has no "
+                                 "value in this variant (its body was left out by 'if')"});
+}
+
 TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deeper ones") {
   const TemporaryFolder folder;
   folder.Write("arm.yaml",

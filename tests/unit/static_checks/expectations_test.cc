@@ -71,6 +71,9 @@ TEST_CASE("what is not as expected is told with the numbers found and asked") {
         "'crate') (Or it rubs.)\n");
   CHECK(OfBox("- {gap: [plate, crate], max: 1.5mm}\n") ==
         "10 'plate' and 'crate' must be at most 1.5 mm apart, but are 2 mm apart\n");
+  CHECK(OfBox("- {gap: [ball, crate], max: -15mm, at: {slide: 14cm}}\n") ==
+        "10 'ball' and 'crate' must be at most -15 mm apart, but are 10 mm in each other, at slide "
+        "= 0.14\n");
   CHECK(OfBox("- {touch: [lid, thing]}\n") ==
         "10 'lid' and 'thing' must touch, but are 2 mm apart (parts 'plate' and 'crate')\n");
   CHECK(OfBox("- {apart: [ball, crate], at: {slide: 14cm}}\n") ==
