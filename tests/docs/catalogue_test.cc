@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const fs::path kRoot = harness::SourceFolder();
 const fs::path kPictures = kRoot / "docs/pictures";
 const fs::path kHero = kPictures / "hero.yaml";
 constexpr const char* kRemedy = "`./dev pictures` makes them again";

@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = harness::SourceFolder();
-
 std::vector<fs::path> Pages() {
   std::vector<fs::path> pages = {kRoot / "README.md"};
   for (const auto& entry : fs::directory_iterator(kRoot / "docs")) {

@@ -5,7 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "harness/source_folder.h"
+
 namespace mjforge::docs {
+
+/// The project's folder.
+inline const std::filesystem::path kRoot = harness::SourceFolder();
 
 /// A file or a command on a page, in the page's order.
 struct Step {

@@ -70,12 +70,6 @@ std::string Chapter(const std::string& heading) {
   return text.substr(begin, text.find("\n## ", begin + 1) - begin);
 }
 
-std::vector<ProjectFile> LibraryAndProgram() {
-  std::vector<ProjectFile> files = CppFiles("lib/");
-  std::ranges::copy(CppFiles("app/"), std::back_inserter(files));
-  return files;
-}
-
 // Returns the words that `pattern` finds in the one file that has `place`.
 Names WordsAt(const std::string& place, const std::string& pattern) {
   for (const ProjectFile& file : LibraryAndProgram()) {

@@ -58,4 +58,15 @@ std::vector<std::string_view> Lines(std::string_view text) {
   return lines;
 }
 
+std::vector<ProjectFile> LibraryAndProgram() {
+  std::vector<ProjectFile> files;
+  for (const ProjectFile& file : ProjectFiles()) {
+    if ((file.name.starts_with("lib/") || file.name.starts_with("app/")) &&
+        (file.name.ends_with(".h") || file.name.ends_with(".cc") || file.name.ends_with(".inc"))) {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
 }  // namespace mjforge::house

@@ -17,6 +17,9 @@ const std::vector<ProjectFile>& ProjectFiles();
 /// Those in `folder` ("lib/"), of C++ only.
 std::vector<ProjectFile> CppFiles(std::string_view folder);
 
+/// C++ files of the library and the program.
+std::vector<ProjectFile> LibraryAndProgram();
+
 std::vector<std::string_view> Lines(std::string_view text);
 
 }  // namespace mjforge::house

@@ -50,17 +50,6 @@ bool OpensWithSentence(const ProjectFile& file) {
          sentence.find(' ') != std::string::npos && sentence.ends_with('.');
 }
 
-std::vector<ProjectFile> LibraryAndProgram() {
-  std::vector<ProjectFile> files;
-  for (const ProjectFile& file : ProjectFiles()) {
-    if ((file.name.starts_with("lib/") || file.name.starts_with("app/")) &&
-        (file.name.ends_with(".h") || file.name.ends_with(".cc") || file.name.ends_with(".inc"))) {
-      files.push_back(file);
-    }
-  }
-  return files;
-}
-
 }  // namespace
 
 TEST_CASE("each file begins with a sentence that says what it contains") {

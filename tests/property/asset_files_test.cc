@@ -162,14 +162,6 @@ int CompareForms(Loaded& loaded, Options options, std::uint64_t count) {
   return files;
 }
 
-std::vector<std::filesystem::path> BundledSpecs() {
-  const std::filesystem::path folder = harness::SourceFolder() / "specs";
-  std::vector<std::filesystem::path> specs;
-  for (const std::string& name : spec::ListSpecs(folder))
-    specs.push_back(folder / (name + ".yaml"));
-  return specs;
-}
-
 TEST_CASE("every bundled spec compiles to the same with its meshes and textures in files") {
   int files = 0;
   for (const auto& spec : BundledSpecs()) {

@@ -91,4 +91,13 @@ SpecFolder::SpecFolder() {
                 "     pos: [0, 0, {uniform: [h, 2 * h]}]}\n");
 }
 
+std::vector<std::filesystem::path> BundledSpecs() {
+  const std::filesystem::path folder = harness::SourceFolder() / "specs";
+  std::vector<std::filesystem::path> specs;
+  for (const std::string& name : spec::ListSpecs(folder))
+    specs.push_back(folder / (name + ".yaml"));
+  REQUIRE(specs.size() > 15);
+  return specs;
+}
+
 }  // namespace mjforge::forge

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "harness/temporary_folder.h"
 #include "mjforge/forge/forge.h"
@@ -18,6 +19,9 @@ struct Loaded {
   diag::Sources sources;
   Recipe recipe;
 };
+
+/// Returns the files of all bundled specs.
+std::vector<std::filesystem::path> BundledSpecs();
 
 /// Returns options for variants that are not loaded in MuJoCo.
 Options Seeded(std::uint64_t seed);

@@ -34,15 +34,6 @@ std::vector<std::filesystem::path> SpecsBelow(const std::string& folder) {
   return specs;
 }
 
-std::vector<std::filesystem::path> BundledSpecs() {
-  const std::filesystem::path folder = harness::SourceFolder() / "specs";
-  std::vector<std::filesystem::path> specs;
-  for (const std::string& name : spec::ListSpecs(folder))
-    specs.push_back(folder / (name + ".yaml"));
-  REQUIRE(specs.size() > 15);
-  return specs;
-}
-
 TEST_CASE("every bundled spec is pure for every target") {
   for (const auto& spec : BundledSpecs()) {
     Loaded loaded(spec);

@@ -15,7 +15,7 @@ constexpr Dimension kLength = {1, 0, 0};
 constexpr Dimension kMass = {0, 1, 0};
 constexpr Dimension kAngle = {0, 0, 0, 1};
 
-SymbolTable World() {
+SymbolTable Quantities() {
   SymbolTable names;
   names.Declare("w", Type::kNumber, 1, {kLength});
   names.Declare("h", Type::kNumber, 1, {kLength});
@@ -35,7 +35,7 @@ SymbolTable World() {
 // "unknown" where nothing is known.
 std::string UnitOf(const std::string& text) {
   Error error;
-  const auto expression = Expression::Compile(text, World(), error);
+  const auto expression = Expression::Compile(text, Quantities(), error);
   if (!expression) return error.message;
   const Dimension& dimension = expression->dimension();
   return dimension.is_known() ? dimension.Text() : "unknown";
@@ -167,7 +167,7 @@ TEST_CASE("units that do not fit are told with both sides, at the sign") {
   for (const Case& each : cases) {
     CAPTURE(each.text);
     Error error;
-    CHECK_FALSE(Expression::Compile(each.text, World(), error).has_value());
+    CHECK_FALSE(Expression::Compile(each.text, Quantities(), error).has_value());
     CHECK(CodeName(error.code) == CodeName(Code::kExprUnits));
     CHECK(error.offset == each.offset);
     CHECK(error.message == each.message);

@@ -17,7 +17,7 @@ struct Case {
   std::string hint;
 };
 
-SymbolTable World() {
+SymbolTable KnownNames() {
   SymbolTable names;
   names.Declare("r", Type::kNumber);
   names.Declare("handle_radius", Type::kNumber);
@@ -34,7 +34,7 @@ void CheckErrors(Code code, const std::vector<Case>& cases) {
   for (const Case& each : cases) {
     CAPTURE(each.text);
     Error error;
-    CHECK_FALSE(Expression::Compile(each.text, World(), error).has_value());
+    CHECK_FALSE(Expression::Compile(each.text, KnownNames(), error).has_value());
     CHECK(CodeName(error.code) == CodeName(code));
     CHECK(error.offset == each.offset);
     CHECK(error.message == each.message);
@@ -258,7 +258,7 @@ TEST_CASE("an expression of absurd size is refused") {
   for (int i = 0; i < 1000; ++i) nots += "not ";
   for (const std::string& text : {towers, choices, nots + "r"}) {
     Error error;
-    CHECK_FALSE(Expression::Compile(text, World(), error).has_value());
+    CHECK_FALSE(Expression::Compile(text, KnownNames(), error).has_value());
     CHECK(error.message == "the expression is nested deeper than 200 levels");
   }
 }
@@ -267,7 +267,7 @@ TEST_CASE("bytes of any kind never crash the compiler") {
   const std::string alphabet = "rv.x()+-*/^%<>=!&|?:,'\" 0123456789emnot andmax\xc3\xb6\n${}[]\\#@";
   unsigned state = 12345;
   const auto next = [&state] { return (state = state * 1664525u + 1013904223u) >> 16; };
-  const SymbolTable names = World();
+  const SymbolTable names = KnownNames();
   int compiled = 0;
   for (int i = 0; i < 50'000; ++i) {
     std::string text;

@@ -10,12 +10,12 @@ namespace mjforge::expr {
 namespace {
 
 // i, size = (1, 2, 4), widths = (3, 5, 7), woods = (oak, pine), none = ()
-struct World {
+struct ListWorld {
   SymbolTable names;
   std::vector<double> variables;
   std::vector<Sequence> lists;
 
-  World() {
+  ListWorld() {
     names.Declare("i", Type::kNumber);
     names.Declare("size", Type::kNumber, 3);
     variables = {0, 1, 2, 4};
@@ -53,7 +53,7 @@ struct World {
 };
 
 TEST_CASE("a list has items, sums, a length, a least and a largest value") {
-  World world;
+  ListWorld world;
   CHECK(world.Value("widths[0]") == 3);
   CHECK(world.Value("widths[i + 2] * 2") == 14);
   CHECK(world.Value("widths[widths[0] - 1]") == 7);
@@ -72,7 +72,7 @@ TEST_CASE("a list has items, sums, a length, a least and a largest value") {
 }
 
 TEST_CASE("a vector is a list, too") {
-  World world;
+  ListWorld world;
   CHECK(world.Value("size[0] + size[2]") == 5);
   CHECK(world.Value("size[i + 1]") == 2);
   CHECK(world.Value("sum(size) + sum(size, 2)") == 10);
@@ -82,7 +82,7 @@ TEST_CASE("a vector is a list, too") {
 }
 
 TEST_CASE("an item that is not there is told with both numbers") {
-  World world;
+  ListWorld world;
   CHECK(world.Missing("1 + widths[i + 3]") ==
         "there is no widths[3]: 'widths' has 3 values, counted from 0");
   CHECK(world.Missing("widths[0.5]") ==
@@ -98,14 +98,14 @@ TEST_CASE("an item that is not there is told with both numbers") {
 }
 
 TEST_CASE("what is not chosen need not be there") {
-  World world;
+  ListWorld world;
   CHECK(world.Value("i > 0 ? widths[i - 1] : 0") == 0);
   CHECK(world.Value("i > 0 and widths[i - 1] > 1") == 0);
   CHECK(world.Value("i == 0 or widths[i - 1] > 1") == 1);
 }
 
 TEST_CASE("what is computed from what is not a number is not one") {
-  World world;
+  ListWorld world;
   for (const std::string text :
        {"0 / 0 > 1", "not (0 / 0)", "0 / 0 == 0 / 0", "0 / 0 != 1", "1 and 0 / 0", "0 or 0 / 0",
         "0 / 0 ? 1 : 2", "0 / 0 and 1", "clamp(1, 0 / 0, 2)", "clamp(1, 0, 0 / 0)"}) {
@@ -115,7 +115,7 @@ TEST_CASE("what is computed from what is not a number is not one") {
 }
 
 TEST_CASE("misuse of lists is told at its place") {
-  World world;
+  ListWorld world;
   CHECK(world.Complaint("1 + widths") ==
         "4: 'widths' is a list; an expression needs a single value (write widths[i], sum(widths), "
         "len(widths), min(widths) or max(widths))");
@@ -137,7 +137,7 @@ TEST_CASE("misuse of lists is told at its place") {
 }
 
 TEST_CASE("equal steps over lists are made once") {
-  World world;
+  ListWorld world;
   CHECK(world.Value("widths[i] * widths[i] + sum(widths, i + 1) + sum(widths, i + 1)") == 15);
 }
 

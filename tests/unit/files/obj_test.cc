@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "attributes.h"
+
 namespace mjforge::files {
 namespace {
 
@@ -10,10 +12,6 @@ model::MeshAsset Triangle() {
   asset.mesh.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.25, 1e-7}};
   asset.mesh.triangles = {{0, 1, 2}};
   return asset;
-}
-
-model::Attribute Numbers(std::string_view name, std::vector<double> numbers) {
-  return {.name = name, .numbers = {numbers.begin(), numbers.end()}, .text = {}};
 }
 
 std::string TextOf(const model::MeshAsset& asset) {

@@ -2,17 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "attributes.h"
 #include "mjforge/mjcf/mjcf.h"
 
 namespace mjforge::files {
 namespace {
-
-model::Attribute Word(std::string_view name, std::string text) {
-  return {.name = name, .numbers = {}, .text = std::move(text)};
-}
-model::Attribute Numbers(std::string_view name, std::vector<double> numbers) {
-  return {.name = name, .numbers = {numbers.begin(), numbers.end()}, .text = {}};
-}
 
 model::Texture Generated(const std::string& type, const std::string& builtin,
                          const std::string& mark) {

@@ -7,18 +7,18 @@
 namespace mjforge::model {
 namespace {
 
-const std::string kPart = "parts: [{name: a, type: sphere, size: [1]}]\n";
+const std::string kBall = "parts: [{name: a, type: sphere, size: [1]}]\n";
 
 TEST_CASE("an object is free to move unless it says otherwise") {
-  const Assembling free(kPart);
+  const Assembling free(kBall);
   REQUIRE(free.body().joints.size() == 1);
   CHECK(free.body().joints[0].type == "free");
-  CHECK(Assembling(kPart + "joints: none\n").body().joints.empty());
+  CHECK(Assembling(kBall + "joints: none\n").body().joints.empty());
 }
 
 TEST_CASE("joints are hinges about z unless they say otherwise") {
   const Assembling thing(
-      kPart +
+      kBall +
       "joints:\n"
       "- {name: h, damping: 0.1}\n"
       "- {name: s, type: slide, axis: [0, 3, 4], pos: [1, 2, 3], range: [-1, 2]}\n"
@@ -38,7 +38,7 @@ TEST_CASE("joints are hinges about z unless they say otherwise") {
 
 TEST_CASE("limits that MuJoCo would refuse are refused with their numbers") {
   const auto finding = [](const std::string& fields) {
-    return OnlyFinding(kPart + "joints: [{name: j, " + fields + "}]\n");
+    return OnlyFinding(kBall + "joints: [{name: j, " + fields + "}]\n");
   };
   CHECK(finding("range: [2, 1]") ==
         "4:27 range of joint 'j' is 2 .. 1; it must go from a smaller to a larger number");
@@ -50,7 +50,7 @@ TEST_CASE("limits that MuJoCo would refuse are refused with their numbers") {
 }
 
 TEST_CASE("a free joint stands alone") {
-  CHECK(OnlyFinding(kPart + "joints: [{name: h}, {name: f, type: free}]\n") ==
+  CHECK(OnlyFinding(kBall + "joints: [{name: h}, {name: f, type: free}]\n") ==
         "4:21 free joint 'thing_f' is not the only joint of its body (a free joint already allows "
         "every motion)");
 }

@@ -7,11 +7,11 @@
 namespace mjforge::model {
 namespace {
 
-const std::string kPart = "parts: [{name: a, type: sphere, size: [1], material: m}]\n";
+const std::string kPaintedBall = "parts: [{name: a, type: sphere, size: [1], material: m}]\n";
 
 TEST_CASE("a generated texture gets the pixels that MuJoCo asks for") {
   const Assembling thing(
-      "materials: {m: {texture: {builtin: checker, rgb1: [1, 0, 0], width: 32}}}\n" + kPart);
+      "materials: {m: {texture: {builtin: checker, rgb1: [1, 0, 0], width: 32}}}\n" + kPaintedBall);
   REQUIRE(thing.object().textures.size() == 1);
   const Texture& texture = thing.object().textures[0];
   CHECK(texture.name == "thing_m");
@@ -26,7 +26,7 @@ TEST_CASE("a picture is a PNG file that exists") {
   folder.Write("wood.png", "\x89PNG\r\n\x1a\n and so on");
   folder.Write("wood.jpg", "JPEG");
   const auto with = [&folder](const std::string& file) {
-    return Assembling("materials: {m: {texture: {file: " + file + "}}}\n" + kPart, 1, 0,
+    return Assembling("materials: {m: {texture: {file: " + file + "}}}\n" + kPaintedBall, 1, 0,
                       folder.path());
   };
   const Assembling good = with("wood.png");

@@ -13,9 +13,6 @@ std::size_t Count(const std::string& text, std::string_view words) {
   return count;
 }
 
-// A picture of nothing, of so many bytes.
-Thumbnail Picture(std::size_t bytes) { return {std::string(bytes, 'x'), 320, 240}; }
-
 struct CardsTest {
   explicit CardsTest(std::uint64_t count = 20, std::uint64_t bad = 0)
       : batch{ManifestSummary(count), {}, {}, {}, {}} {

@@ -10,7 +10,7 @@
 namespace mjforge::report {
 namespace {
 
-Histogram Of(const std::vector<double>& values) {
+Histogram HistogramOf(const std::vector<double>& values) {
   Histogram histogram;
   for (const double value : values) histogram.Add(value);
   return histogram;
@@ -30,7 +30,7 @@ TEST_CASE("a histogram without numbers has none in any bin") {
 }
 
 TEST_CASE("minimum, maximum, mean and deviation are exact") {
-  const Histogram histogram = Of({3, -1, 4, 2});
+  const Histogram histogram = HistogramOf({3, -1, 4, 2});
   CHECK(histogram.count() == 4);
   CHECK(histogram.min() == -1);
   CHECK(histogram.max() == 4);
@@ -39,12 +39,12 @@ TEST_CASE("minimum, maximum, mean and deviation are exact") {
 }
 
 TEST_CASE("bins count what is in them, the last one its upper end, too") {
-  CHECK(Of({0, 0.1, 0.4, 0.6, 0.9, 1}).Bins(0, 1, 2) == std::vector<std::uint64_t>{3, 3});
-  CHECK(Of({-3, -1, 0, 5}).Bins(-4, 0, 4) == std::vector<std::uint64_t>{0, 1, 0, 2});
+  CHECK(HistogramOf({0, 0.1, 0.4, 0.6, 0.9, 1}).Bins(0, 1, 2) == std::vector<std::uint64_t>{3, 3});
+  CHECK(HistogramOf({-3, -1, 0, 5}).Bins(-4, 0, 4) == std::vector<std::uint64_t>{0, 1, 0, 2});
 }
 
 TEST_CASE("bins of evenly spread numbers are as high as each other") {
-  const std::vector<std::uint64_t> bins = Of(Scattered()).Bins(0, 1, 10);
+  const std::vector<std::uint64_t> bins = HistogramOf(Scattered()).Bins(0, 1, 10);
   for (const std::uint64_t count : bins) CHECK(std::abs(static_cast<double>(count) - 100) <= 2);
   CHECK(std::accumulate(bins.begin(), bins.end(), std::uint64_t{0}) == 1000);
 }
@@ -53,22 +53,22 @@ TEST_CASE("the order of the numbers does not matter") {
   std::vector<double> values = Scattered();
   values.push_back(-1e6);
   values.push_back(3e5);
-  const std::vector<std::uint64_t> forwards = Of(values).Bins(-1e6, 3e5, 32);
+  const std::vector<std::uint64_t> forwards = HistogramOf(values).Bins(-1e6, 3e5, 32);
   std::reverse(values.begin(), values.end());
-  CHECK(Of(values).Bins(-1e6, 3e5, 32) == forwards);
+  CHECK(HistogramOf(values).Bins(-1e6, 3e5, 32) == forwards);
   std::sort(values.begin(), values.end());
-  CHECK(Of(values).Bins(-1e6, 3e5, 32) == forwards);
+  CHECK(HistogramOf(values).Bins(-1e6, 3e5, 32) == forwards);
 }
 
 TEST_CASE("quantiles are as exact as a cell is wide") {
-  const Histogram histogram = Of(Scattered());
+  const Histogram histogram = HistogramOf(Scattered());
   for (const double q : {0.0, 0.1, 0.5, 0.99})
     CHECK(histogram.Quantile(q) == Approx(q).margin(2e-3));
   CHECK(histogram.Quantile(1) == histogram.max());
 }
 
 TEST_CASE("numbers of all sizes fit, and what is not finite is passed over") {
-  Histogram histogram = Of({0, 5e-324, -5e-324, 1e-300, 1});
+  Histogram histogram = HistogramOf({0, 5e-324, -5e-324, 1e-300, 1});
   CHECK(histogram.count() == 5);
   histogram.Add(std::numeric_limits<double>::infinity());
   histogram.Add(std::numeric_limits<double>::quiet_NaN());
@@ -79,7 +79,7 @@ TEST_CASE("numbers of all sizes fit, and what is not finite is passed over") {
 }
 
 TEST_CASE("numbers that hardly differ are told apart") {
-  const Histogram histogram = Of({1e9, 1e9 + 1, 1e9 + 2, 1e9 + 2});
+  const Histogram histogram = HistogramOf({1e9, 1e9 + 1, 1e9 + 2, 1e9 + 2});
   CHECK(histogram.Bins(1e9 - 0.5, 1e9 + 2.5, 3) == std::vector<std::uint64_t>{1, 1, 2});
 }
 

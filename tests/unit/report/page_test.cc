@@ -8,8 +8,6 @@
 namespace mjforge::report {
 namespace {
 
-Thumbnail Picture(std::size_t bytes) { return {std::string(bytes, 'x'), 320, 240}; }
-
 struct PageTest {
   std::optional<Page> Make(
       const std::string& text, std::size_t shown = 200,

@@ -41,4 +41,6 @@ std::string ManifestOf(std::uint64_t count, std::uint64_t bad) {
   return text;
 }
 
+Thumbnail Picture(std::size_t bytes) { return {std::string(bytes, 'x'), 320, 240}; }
+
 }  // namespace mjforge::report

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
 #include "mjforge/manifest/manifest.h"
+#include "mjforge/report/report.h"
 
 namespace mjforge::report {
 
@@ -16,5 +18,8 @@ std::string FindingOf(const std::string& code, const std::string& message,
 
 /// The text of a manifest with `count` of them, every `bad`-th failed (0: none).
 std::string ManifestOf(std::uint64_t count, std::uint64_t bad = 0);
+
+/// Returns a thumbnail of this size in bytes, which is no real image.
+Thumbnail Picture(std::size_t bytes);
 
 }  // namespace mjforge::report

@@ -6,7 +6,7 @@
 namespace mjforge::report {
 namespace {
 
-std::vector<int> Of(int seen, std::size_t least, std::size_t count) {
+std::vector<int> SampleOf(int seen, std::size_t least, std::size_t count) {
   SystematicSample<int> sample(least);
   for (int i = 0; i < seen; ++i) sample.Add(i);
   CHECK(sample.seen() == static_cast<std::uint64_t>(seen));
@@ -14,15 +14,15 @@ std::vector<int> Of(int seen, std::size_t least, std::size_t count) {
 }
 
 TEST_CASE("all of few are kept, in their order") {
-  CHECK(Of(0, 4, 4).empty());
-  CHECK(Of(3, 4, 10) == std::vector<int>{0, 1, 2});
-  CHECK(Of(8, 4, 8) == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(SampleOf(0, 4, 4).empty());
+  CHECK(SampleOf(3, 4, 10) == std::vector<int>{0, 1, 2});
+  CHECK(SampleOf(8, 4, 8) == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7});
 }
 
 TEST_CASE("of many there are as many as were asked for, evenly spread") {
   for (const int seen : {9, 16, 17, 100, 1000, 12345}) {
     CAPTURE(seen);
-    const std::vector<int> taken = Of(seen, 8, 8);
+    const std::vector<int> taken = SampleOf(seen, 8, 8);
     REQUIRE(taken.size() == 8);
     CHECK(taken.front() == 0);
     CHECK(taken.back() >= seen / 2);
@@ -40,7 +40,7 @@ TEST_CASE("what is kept stays whole") {
   for (const std::string& text : sample.Take(4)) CHECK(text.size() > 40);
 }
 
-TEST_CASE("a sample of none keeps none") { CHECK(Of(100, 0, 10).empty()); }
+TEST_CASE("a sample of none keeps none") { CHECK(SampleOf(100, 0, 10).empty()); }
 
 }  // namespace
 }  // namespace mjforge::report

@@ -6,7 +6,7 @@
 namespace mjforge::report {
 namespace {
 
-ParameterTally Of(const std::vector<sample::ParameterValue>& values) {
+ParameterTally TallyOf(const std::vector<sample::ParameterValue>& values) {
   ParameterTally tally;
   for (const sample::ParameterValue& value : values) tally.Add(value, false);
   return tally;
@@ -20,20 +20,20 @@ std::string ValuesText(const ParameterTally& tally) {
 }
 
 TEST_CASE("texts and booleans have a bar each, in the order of their names") {
-  CHECK(ValuesText(Of({std::string("b"), std::string("a"), std::string("b")})) == "a 1 b 2 ");
-  CHECK(ValuesText(Of({true, false, true})) == "false 1 true 2 ");
+  CHECK(ValuesText(TallyOf({std::string("b"), std::string("a"), std::string("b")})) == "a 1 b 2 ");
+  CHECK(ValuesText(TallyOf({true, false, true})) == "false 1 true 2 ");
 }
 
 TEST_CASE("whole numbers have a bar each while they are few") {
-  CHECK(ValuesText(Of({10.0, 2.0, 10.0})) == "2 1 10 2 ");
+  CHECK(ValuesText(TallyOf({10.0, 2.0, 10.0})) == "2 1 10 2 ");
   std::vector<sample::ParameterValue> many;
   for (std::size_t i = 0; i <= ParameterTally::kMaxWhole; ++i) many.emplace_back(double(i));
-  CHECK(Of(many).Values().empty());
-  CHECK(Of({1.0, 2.5}).Values().empty());
+  CHECK(TallyOf(many).Values().empty());
+  CHECK(TallyOf({1.0, 2.5}).Values().empty());
 }
 
 TEST_CASE("a vector has a tally for each component") {
-  const ParameterTally tally = Of({std::vector<double>{1, 10}, std::vector<double>{3, 20}});
+  const ParameterTally tally = TallyOf({std::vector<double>{1, 10}, std::vector<double>{3, 20}});
   REQUIRE(tally.numbers.size() == 2);
   CHECK(tally.numbers[0].all.mean() == Approx(2));
   CHECK(tally.numbers[1].all.max() == 20);

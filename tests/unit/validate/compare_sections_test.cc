@@ -119,9 +119,9 @@ model::Object Machine() {
 }
 
 /// Returns the findings if the object is changed after its document was written.
-std::vector<std::string> After(const std::function<void(model::Object&)>& change,
-                               model::Object object = Machine(),
-                               mjcf::Target target = mjcf::Target::kMujoco) {
+std::vector<std::string> SectionsAfter(const std::function<void(model::Object&)>& change,
+                                       model::Object object = Machine(),
+                                       mjcf::Target target = mjcf::Target::kMujoco) {
   static Loader loader;
   mjcf::MjcfDocument document;
   mjcf::WriteMjcf(object, target, {}, document);
@@ -146,40 +146,41 @@ std::vector<model::Element>& Of(model::Object& object, std::string_view section)
 }
 
 TEST_CASE("an object with an element of every kind is as meant, in a scene, too") {
-  CHECK(After([](model::Object&) {}) == Messages{});
-  CHECK(After([](model::Object&) {}, Machine(), mjcf::Target::kScene) == Messages{});
+  CHECK(SectionsAfter([](model::Object&) {}) == Messages{});
+  CHECK(SectionsAfter([](model::Object&) {}, Machine(), mjcf::Target::kScene) == Messages{});
 }
 
 TEST_CASE("another number of sensors, actuators, tendons or equalities is found") {
-  CHECK(After([](auto& o) { Of(o, "sensor").pop_back(); }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "sensor").pop_back(); }) ==
         Messages{"140: MuJoCo compiled 6 elements of sensor, not 5"});
-  CHECK(After([](auto& o) { Of(o, "actuator").clear(); }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "actuator").clear(); }) ==
         Messages{"1: MuJoCo compiled 5 elements of actuator, not 0"});
-  CHECK(After([](auto& o) { Of(o, "tendon").pop_back(); }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "tendon").pop_back(); }) ==
         Messages{"120: MuJoCo compiled 2 elements of tendon, not 1"});
-  CHECK(After([](auto& o) { o.sections.erase(o.sections.begin() + 1); }) ==
+  CHECK(SectionsAfter([](auto& o) { o.sections.erase(o.sections.begin() + 1); }) ==
         Messages{"1: MuJoCo compiled 4 elements of equality, not 0"});
 }
 
 TEST_CASE("another name of an element is found") {
-  CHECK(After([](auto& o) { Of(o, "sensor")[0].name = "x"; }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "sensor")[0].name = "x"; }) ==
         Messages{"140: MuJoCo compiled sensor 'm_angle' where 'x' was meant"});
-  CHECK(After([](auto& o) { o.bodies[1].elements[0].name = "x"; }) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].elements[0].name = "x"; }) ==
         Messages{"50: MuJoCo compiled camera 'a_eye' where 'x' was meant"});
-  CHECK(After([](auto& o) { o.bodies[2].elements[0].name = "x"; }) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[2].elements[0].name = "x"; }) ==
         Messages{"51: MuJoCo compiled light '' where 'x' was meant"});
 }
 
 TEST_CASE("another number of cameras or lights is found") {
-  CHECK(After([](auto& o) { o.bodies[1].elements.clear(); }) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].elements.clear(); }) ==
         Messages{"1: MuJoCo compiled 2 cameras, not 1"});
-  CHECK(After([](auto& o) { o.bodies[2].elements.erase(o.bodies[2].elements.begin()); }) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[2].elements.erase(o.bodies[2].elements.begin()); }) ==
         Messages{"1: MuJoCo compiled 1 lights, not 0"});
 }
 
 TEST_CASE("a sensor or actuator of something else is found") {
   const auto renamed = [](std::string_view section, std::size_t element, std::size_t attribute) {
-    return After([=](auto& o) { Of(o, section)[element].attributes[attribute].text = "x"; });
+    return SectionsAfter(
+        [=](auto& o) { Of(o, section)[element].attributes[attribute].text = "x"; });
   };
   CHECK(renamed("sensor", 0, 0) ==
         Messages{"140: MuJoCo compiled joint of jointpos 'm_angle' as 'b_joint', not 'x'"});
@@ -205,7 +206,7 @@ TEST_CASE("a sensor or actuator of something else is found") {
 
 TEST_CASE("another path of a tendon is found") {
   const auto changed = [](std::size_t tendon, std::size_t child, std::size_t attribute) {
-    return After(
+    return SectionsAfter(
         [=](auto& o) { Of(o, "tendon")[tendon].children[child].attributes[attribute].text = "x"; });
   };
   CHECK(changed(0, 0, 0) ==
@@ -216,13 +217,14 @@ TEST_CASE("another path of a tendon is found") {
         Messages{"120: MuJoCo compiled sidesite of spatial 'm_rope' as 's2', not 'x'"});
   CHECK(changed(1, 1, 0) ==
         Messages{"121: MuJoCo compiled joint of fixed 'm_sum' as 'b_joint', not 'x'"});
-  CHECK(After([](auto& o) { Of(o, "tendon")[1].children.pop_back(); }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "tendon")[1].children.pop_back(); }) ==
         Messages{"121: MuJoCo compiled 2 elements of the path of tendon 'm_sum', not 1"});
 }
 
 TEST_CASE("an equality of something else is found") {
   const auto renamed = [](std::size_t element, std::size_t attribute) {
-    return After([=](auto& o) { Of(o, "equality")[element].attributes[attribute].text = "x"; });
+    return SectionsAfter(
+        [=](auto& o) { Of(o, "equality")[element].attributes[attribute].text = "x"; });
   };
   CHECK(renamed(0, 1) ==
         Messages{"110: MuJoCo compiled joint2 of joint 'm_gear' as 'b_joint', not 'x'"});
@@ -233,13 +235,14 @@ TEST_CASE("an equality of something else is found") {
 }
 
 TEST_CASE("another pair or exclude is found, whatever their order") {
-  CHECK(After([](auto& o) { Of(o, "contact")[0].attributes[0].text = "x"; }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "contact")[0].attributes[0].text = "x"; }) ==
         Messages{"100: MuJoCo compiled no pair for 'x' and 'block_core'"});
-  CHECK(After([](auto& o) { Of(o, "contact")[1].attributes[1].text = "x"; }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "contact")[1].attributes[1].text = "x"; }) ==
         Messages{"101: MuJoCo compiled no exclude for 'b' and 'x'"});
-  CHECK(After([](auto& o) { Of(o, "contact").pop_back(); }) ==
+  CHECK(SectionsAfter([](auto& o) { Of(o, "contact").pop_back(); }) ==
         Messages{"1: MuJoCo compiled 2 elements of exclude in contact, not 1"});
-  CHECK(After([](auto& o) { std::swap(Of(o, "contact")[0], Of(o, "contact")[3]); }) == Messages{});
+  CHECK(SectionsAfter([](auto& o) { std::swap(Of(o, "contact")[0], Of(o, "contact")[3]); }) ==
+        Messages{});
 }
 
 /// A body of an attached file: geoms under their own names.
@@ -265,22 +268,24 @@ model::Object Attached() {
 }
 
 TEST_CASE("an attached geom is one geom, with the attributes it has") {
-  CHECK(After([](model::Object&) {}, Attached()) == Messages{});
-  CHECK(After([](auto& o) { o.bodies[1].parts[0].as_is = false; }, Attached()) ==
+  CHECK(SectionsAfter([](model::Object&) {}, Attached()) == Messages{});
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[0].as_is = false; }, Attached()) ==
         Messages{"1: MuJoCo compiled 4 geoms, not 5"});
-  CHECK(After([](auto& o) { o.bodies[1].parts[0].attributes[0].numbers[0] = 3; }, Attached()) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[0].attributes[0].numbers[0] = 3; },
+                      Attached()) ==
         Messages{"21: MuJoCo compiled group of geom 'block_lid_ball' as 2, not 3"});
-  CHECK(After([](auto& o) { o.bodies[1].parts[1].name = "x"; }, Attached()) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[1].name = "x"; }, Attached()) ==
         Messages{"25: MuJoCo compiled geom 'block_lid_look' where 'x' was meant"});
-  CHECK(After([](auto& o) { o.bodies[1].parts[0].role = model::Role::kVisual; }, Attached()) ==
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[0].role = model::Role::kVisual; },
+                      Attached()) ==
         Messages{"21: MuJoCo compiled contype of geom 'block_lid_ball' as 1, not 0",
                  "21: MuJoCo compiled conaffinity of geom 'block_lid_ball' as 1, not 0"});
 }
 
 TEST_CASE("another attribute of an attached joint is found") {
   const auto changed = [](std::size_t attribute) {
-    return After([=](auto& o) { o.bodies[1].joints[0].attributes[attribute].numbers[0] = 0.5; },
-                 Attached());
+    return SectionsAfter(
+        [=](auto& o) { o.bodies[1].joints[0].attributes[attribute].numbers[0] = 0.5; }, Attached());
   };
   CHECK(changed(0) ==
         Messages{"22: MuJoCo compiled ref of joint 'block_lid_joint' as 0.3, not 0.5"});
