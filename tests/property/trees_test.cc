@@ -9,6 +9,7 @@
 #include <mujoco/mujoco.h>
 
 #include "harness/random.h"
+#include "harness/effort.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
@@ -144,7 +145,7 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
   mjcf::MjcfDocument document;
   ObjectMaker objects(harness::SourceFolder() / "tests/property");
   std::size_t bodies = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < harness::Effort(300); ++i) {
     const std::string text = SpecText(random, "tree", "nested_tree.yaml");
     INFO(text);
     const std::optional<Object> object = objects.Make(text);
@@ -167,7 +168,7 @@ TEST_CASE("mass, centre, inertia and bounds of random trees are MuJoCo's") {
     CHECK((object->bounds.aabb.min - theirs.box.min).norm() <= 2e-9);
     CHECK((object->bounds.aabb.max - theirs.box.max).norm() <= 2e-9);
   }
-  CHECK(bodies > 1200);
+  CHECK(bodies > static_cast<std::size_t>(harness::Effort(1200, 60)));
 }
 
 TEST_CASE("bodies move with their joints as MuJoCo's do") {
@@ -176,7 +177,7 @@ TEST_CASE("bodies move with their joints as MuJoCo's do") {
   mjcf::MjcfDocument document;
   ObjectMaker objects(harness::SourceFolder() / "tests/property");
   std::size_t moved = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < harness::Effort(100); ++i) {
     std::string text = SpecText(random, "tree", "nested_tree.yaml");
     text +=
         "- {name: last, parent: b0, parts: [{name: l, type: sphere, size: 1}], joints: [{name: "
@@ -214,7 +215,7 @@ TEST_CASE("bodies move with their joints as MuJoCo's do") {
       CHECK(poses[b].q.angularDistance(Eigen::Quaterniond(q[0], q[1], q[2], q[3])) < 1e-8);
     }
   }
-  CHECK(moved > 200);
+  CHECK(moved > static_cast<std::size_t>(harness::Effort(200, 10)));
 }
 
 }  // namespace mjforge::model
