@@ -18,8 +18,7 @@ namespace mjforge::golden {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kRoot = harness::SourceFolder();
+using docs::kRoot;
 
 // Codes that no command can provoke, and the unit test that does instead.
 struct Unreachable {

@@ -16,9 +16,9 @@ namespace mjforge::golden {
 namespace {
 
 namespace fs = std::filesystem;
+using docs::kRoot;
 using docs::Step;
 
-const fs::path kRoot = harness::SourceFolder();
 const fs::path kWithAnother = kRoot / "tests/golden/with-mujoco-4.md";
 
 bool IsUpdate() { return std::getenv("MJFORGE_UPDATE") != nullptr; }

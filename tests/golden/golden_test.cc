@@ -8,14 +8,14 @@ namespace mjforge::golden {
 namespace {
 
 // The fuzzers read such specs, too.
-std::size_t Step() { return static_cast<std::size_t>(harness::Effort(1, 3)); }
+std::size_t Stride() { return static_cast<std::size_t>(harness::Effort(1, 3)); }
 
 TEST_CASE("every example of the error catalogue gives the output that is shown") {
-  CheckPage(ErrorCatalogue(), Step());
+  CheckPage(ErrorCatalogue(), Stride());
 }
 
 TEST_CASE("every other case of an error gives the output that is shown") {
-  for (const std::filesystem::path& page : CasePages()) CheckPage(page, Step());
+  for (const std::filesystem::path& page : CasePages()) CheckPage(page, Stride());
 }
 
 TEST_CASE("every good spec gives the bytes that are written beside it") {

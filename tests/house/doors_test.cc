@@ -14,11 +14,11 @@ namespace mjforge::house {
 
 namespace {
 
-using Words = std::set<std::string_view>;
+using WordSet = std::set<std::string_view>;
 
 struct Room {
   std::string_view name;
-  Words may_include;
+  WordSet may_include;
 };
 
 const std::array kRooms = {
@@ -60,7 +60,7 @@ const std::array kRooms = {
 
 struct Library {
   std::string_view prefix;  // of its includes
-  Words rooms;
+  WordSet rooms;
   bool in_headers = false;
 };
 
@@ -101,10 +101,10 @@ const std::array kLibraries = {
     Library{"yaml-cpp/", {"spec"}},
 };
 
-const Words kSystem = {"dlfcn.h",        "malloc.h",      "fcntl.h",      "poll.h",
-                       "sys/file.h",     "sys/ioctl.h",   "sys/mman.h",   "sys/prctl.h",
-                       "sys/resource.h", "sys/syscall.h", "sys/socket.h", "sys/stat.h",
-                       "sys/time.h",     "sys/types.h",   "sys/wait.h",   "unistd.h"};
+const WordSet kSystem = {"dlfcn.h",        "malloc.h",      "fcntl.h",      "poll.h",
+                         "sys/file.h",     "sys/ioctl.h",   "sys/mman.h",   "sys/prctl.h",
+                         "sys/resource.h", "sys/syscall.h", "sys/socket.h", "sys/stat.h",
+                         "sys/time.h",     "sys/types.h",   "sys/wait.h",   "unistd.h"};
 
 const Room& RoomOf(std::string_view file) {
   const std::string_view top = "lib/mjforge/";

@@ -13,12 +13,12 @@ namespace mjforge::house {
 
 namespace {
 
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 // Returns what the first group of `pattern` matches, all over `text`.
-Names FindAll(const std::string& text, const std::string& pattern) {
+NameSet FindAll(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
-  Names found;
+  NameSet found;
   for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match) {
     found.insert((*match)[1]);
   }
@@ -41,11 +41,11 @@ bool Exists(const std::string& name) {
 }
 
 // Returns the names for which a name with words in braces stands: a/{b,c}.h is a/b.h and a/c.h.
-Names Expanded(const std::string& name) {
+NameSet Expanded(const std::string& name) {
   const std::size_t open = name.find('{');
   if (open == std::string::npos) return {name};
   const std::size_t close = name.find('}', open);
-  Names names;
+  NameSet names;
   for (const std::string& word : FindAll(name.substr(open + 1, close - open - 1), "([^,]+)")) {
     names.insert(name.substr(0, open) + word + name.substr(close + 1));
   }
@@ -53,8 +53,8 @@ Names Expanded(const std::string& name) {
 }
 
 // Returns the files and folders that a text names in backquotes.
-Names FilesIn(const std::string& text) {
-  Names files;
+NameSet FilesIn(const std::string& text) {
+  NameSet files;
   for (const std::string& name : FindAll(
            text,
            "`((?:tests|specs|docs|schemas|app)/[^`<>]*|[^` <>]+[.](?:h|cc|inc|md|json|cmake))`")) {
@@ -71,7 +71,7 @@ std::string Chapter(const std::string& heading) {
 }
 
 // Returns the words that `pattern` finds in the one file that has `place`.
-Names WordsAt(const std::string& place, const std::string& pattern) {
+NameSet WordsAt(const std::string& place, const std::string& pattern) {
   for (const ProjectFile& file : LibraryAndProgram()) {
     const std::size_t begin = file.text.find(place);
     if (begin == std::string::npos) continue;
@@ -81,12 +81,12 @@ Names WordsAt(const std::string& place, const std::string& pattern) {
   return {};
 }
 
-Names Enumerators(const std::string& enumeration) {
+NameSet Enumerators(const std::string& enumeration) {
   return WordsAt("enum class " + enumeration + " {", "\\b(k[A-Z]\\w*)");
 }
 
 // Returns true if the text has a table: at least half of all words between `before` and `after`.
-bool HasHalf(const std::string& text, const Names& words, const std::string& before,
+bool HasHalf(const std::string& text, const NameSet& words, const std::string& before,
              const std::string& after = "") {
   const auto has = [&](const std::string& word) {
     return text.find(before + word + after) != std::string::npos;
@@ -103,7 +103,7 @@ bool HasEnumeration(const std::string& text, const std::string& enumeration) {
 
 template <typename Predicate>
 void CheckList(const std::string& heading, Predicate must_be_named) {
-  const Names named = FilesIn(Chapter(heading));
+  const NameSet named = FilesIn(Chapter(heading));
   std::size_t count = 0;
   for (const ProjectFile& file : LibraryAndProgram()) {
     if (!must_be_named(file.text)) continue;
@@ -118,7 +118,7 @@ void CheckList(const std::string& heading, Predicate must_be_named) {
 }  // namespace
 
 TEST_CASE("each file that CONTRIBUTING.md names exists") {
-  const Names files = FilesIn(TextOf("CONTRIBUTING.md"));
+  const NameSet files = FilesIn(TextOf("CONTRIBUTING.md"));
   CHECK(files.size() > 30);
   for (const std::string& file : files) {
     INFO(file);
@@ -127,9 +127,9 @@ TEST_CASE("each file that CONTRIBUTING.md names exists") {
 }
 
 TEST_CASE("the list for part types names each file with a switch or a table of them") {
-  const Names types = WordsAt("ShapeInfo{\"", "ShapeInfo[{]\"(\\w+)\"");
+  const NameSet types = WordsAt("ShapeInfo{\"", "ShapeInfo[{]\"(\\w+)\"");
   REQUIRE(types.size() >= 10);
-  const Names solids = WordsAt("using SolidShape = std::variant<", "\\b([A-Z]\\w+)[,>]");
+  const NameSet solids = WordsAt("using SolidShape = std::variant<", "\\b([A-Z]\\w+)[,>]");
   REQUIRE(solids.size() >= 6);
   CheckList("Adding a part type", [&](const std::string& text) {
     return HasEnumeration(text, "GeomType") || HasHalf(text, types, "\"", "\"") ||
@@ -166,7 +166,7 @@ TEST_CASE("a switch is one with any case, a table has half of the enumerators") 
 
 TEST_CASE("files are those in backquotes, with braces expanded") {
   CHECK(FilesIn("in `a/b.h`, c.cc and `tests/{d,e}_test.cc`; `specs/new/` and `stage/code`") ==
-        Names{"a/b.h", "specs/new/", "tests/d_test.cc", "tests/e_test.cc"});
+        NameSet{"a/b.h", "specs/new/", "tests/d_test.cc", "tests/e_test.cc"});
 }
 
 }  // namespace mjforge::house

@@ -13,11 +13,11 @@ namespace mjforge::sample {
 namespace {
 
 using std::numbers::pi;
-constexpr std::uint64_t kDraws = 20000;
+constexpr std::uint64_t kVectors = 20000;
 
 std::vector<std::array<double, 4>> Rotations() {
   std::vector<std::array<double, 4>> rotations;
-  for (std::uint64_t i = 0; i < kDraws; ++i) {
+  for (std::uint64_t i = 0; i < kVectors; ++i) {
     const auto u = Uniforms({.seed = 2, .index = i}, 6);
     rotations.push_back(UniformRotation(u[0], u[1], u[2]));
   }
@@ -26,7 +26,7 @@ std::vector<std::array<double, 4>> Rotations() {
 
 std::vector<std::array<double, 3>> Directions() {
   std::vector<std::array<double, 3>> directions;
-  for (std::uint64_t i = 0; i < kDraws; ++i) {
+  for (std::uint64_t i = 0; i < kVectors; ++i) {
     const auto u = Uniforms({.seed = 2, .index = i}, 6);
     directions.push_back(UniformDirection(u[0], u[1]));
   }
@@ -71,7 +71,7 @@ TEST_CASE("each component of a uniform direction is uniform (Archimedes)") {
     std::vector<double> components;
     for (const auto& direction : Directions()) components.push_back(direction[axis]);
     CHECK(KolmogorovSmirnov(components, UniformBelow) > kLevel);
-    CHECK(std::abs(MomentsOf(components).mean) < 5 / std::sqrt(3.0 * kDraws));
+    CHECK(std::abs(MomentsOf(components).mean) < 5 / std::sqrt(3.0 * kVectors));
   }
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("uniform directions fall into each octant alike") {
   for (const auto& [x, y, z] : Directions()) {
     counts[(x > 0 ? 4u : 0u) + (y > 0 ? 2u : 0u) + (z > 0 ? 1u : 0u)] += 1;
   }
-  CHECK(ChiSquare(counts, std::vector<double>(8, kDraws / 8.0)) > kLevel);
+  CHECK(ChiSquare(counts, std::vector<double>(8, kVectors / 8.0)) > kLevel);
 }
 
 }  // namespace

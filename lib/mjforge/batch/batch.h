@@ -105,7 +105,7 @@ IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
 std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
                                    diag::Sources& sources, diag::Findings& findings);
 
-/// How many variants and files were verified.
+/// Counts of verified variants and files.
 struct VerifyResult {
   std::uint64_t variants = 0;
   std::uint64_t files = 0;  // manifests, archives, objects

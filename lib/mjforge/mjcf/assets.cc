@@ -112,7 +112,7 @@ class AssetWriter {
     const std::size_t hash = name.size();
     name.append(kHashDigits, '0').append(extension);
     writer_.WriteText("file", name);
-    file.hash_position = writer_.size() - 1 - name.size() + hash;  // 1: closing quote
+    file.hash_position = document_.text.size() - 1 - name.size() + hash;  // 1: closing quote
     document_.generated_files.push_back(file);
   }
 

@@ -46,20 +46,18 @@ ElementWriter::ElementWriter(MjcfDocument& document)
 
 void ElementWriter::WriteLine(std::string_view text) {
   Indent();
-  Append(text);
+  text_ += text;
   FinishLine("\n");
 }
 
 void ElementWriter::OpenElement(std::string_view tag, diag::SourceMark mark) {
   if (mark) origins_.push_back({line_, mark});
   Indent();
-  pending_.push_back('<');
-  Append(tag);
+  text_ += '<';
+  text_ += tag;
 }
 
-void ElementWriter::Indent() {
-  for (std::size_t i = 0; i < std::min(depth_, kDeepest); ++i) Append("  ");
-}
+void ElementWriter::Indent() { text_.append(2 * std::min(depth_, kDeepest), ' '); }
 
 void ElementWriter::BeginContent() {
   FinishLine(">\n");
@@ -69,56 +67,50 @@ void ElementWriter::BeginContent() {
 void ElementWriter::EndElement(std::string_view tag) {
   --depth_;
   Indent();
-  Append("</");
-  Append(tag);
+  text_ += "</";
+  text_ += tag;
   FinishLine(">\n");
 }
 
 void ElementWriter::FinishLine(std::string_view end) {
-  Append(end);
-  Flush();
+  text_ += end;
   ++line_;
 }
 
-void ElementWriter::Flush() {
-  text_.append(pending_.data(), pending_.size());
-  pending_.clear();
-}
-
-void ElementWriter::RepeatText(std::size_t begin, std::size_t end) {
-  Flush();
-  text_.append(text_, begin, end - begin);
-}
-
+// Appends single characters, because `+=` of a string is a function call.
 void ElementWriter::BeginAttribute(std::string_view name) {
-  pending_.push_back(' ');
-  Append(name);
-  Append("=\"");
+  text_ += ' ';
+  text_ += name;
+  text_ += '=';
+  text_ += '"';
 }
 
 void ElementWriter::WriteText(std::string_view name, std::string_view value,
                               std::string_view suffix) {
   BeginAttribute(name);
   AppendEscaped(value);
-  Append(suffix);
-  pending_.push_back('"');
+  text_ += suffix;
+  text_ += '"';
 }
 
 void ElementWriter::AppendEscaped(std::string_view value) {
-  if (std::ranges::none_of(value, NeedsEscape)) return Append(value);
+  if (std::ranges::none_of(value, NeedsEscape)) {
+    text_ += value;
+    return;
+  }
   for (const char c : value) {
     if (!NeedsEscape(c)) {
-      pending_.push_back(c);
+      text_ += c;
     } else if (c == '&') {
-      Append("&amp;");
+      text_ += "&amp;";
     } else if (c == '<') {
-      Append("&lt;");
+      text_ += "&lt;";
     } else if (c == '>') {
-      Append("&gt;");
+      text_ += "&gt;";
     } else if (c == '"') {
-      Append("&quot;");
+      text_ += "&quot;";
     } else {
-      fmt::format_to(fmt::appender(pending_), "&#{};", static_cast<int>(c));
+      text_ += fmt::format("&#{};", static_cast<int>(c));
     }
   }
 }
@@ -135,20 +127,24 @@ void ElementWriter::WriteIntegers(std::string_view name, std::span<const int> va
   WriteList(name, values, WriteInteger<int>);
 }
 
+// Uses a buffer, because appending each number to the string takes a third of the time of a mesh.
 template <typename T, typename Write>
 void ElementWriter::WriteList(std::string_view name, std::span<const T> values,
                               const Write& write) {
-  constexpr std::size_t kMostPending = 4096;  // bytes; the list of a mesh has millions
+  std::array<char, 64 * (expr::kLongestNumber + 1)> buffer;
+  const char* const full = buffer.end() - expr::kLongestNumber - 2;  // 2: separator and quote
   BeginAttribute(name);
+  char* out = buffer.data();
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (pending_.size() > kMostPending) Flush();
-    if (i > 0) pending_.push_back(' ');
-    const std::size_t size = pending_.size();
-    pending_.resize(size + expr::kLongestNumber);
-    const char* const end = write(pending_.data() + size, values[i]);
-    pending_.resize(static_cast<std::size_t>(end - pending_.data()));
+    if (out > full) {
+      text_.append(buffer.data(), out);
+      out = buffer.data();
+    }
+    if (i > 0) *out++ = ' ';
+    out = write(out, values[i]);
   }
-  pending_.push_back('"');
+  *out++ = '"';
+  text_.append(buffer.data(), out);
 }
 
 void ElementWriter::WritePose(const model::Pose& pose) {

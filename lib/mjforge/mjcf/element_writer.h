@@ -4,13 +4,11 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include "mjforge/diag/diag.h"
@@ -27,7 +25,7 @@ class ElementWriter {
   enum class NumberFormat { kExact, kFlushed, kMicrometres };
 
   /// Appends to the document's text and origins. The text must not contain a newline yet, because
-  /// lines are counted from 1. The text is complete at the end of each line.
+  /// lines are counted from 1.
   explicit ElementWriter(MjcfDocument& document);
 
   /// Writes a line without escaping.
@@ -44,7 +42,7 @@ class ElementWriter {
   /// Writes `value` followed by `suffix`, which needs no escaping.
   void WriteText(std::string_view name, std::string_view value, std::string_view suffix);
   /// Writes attributes without escaping: ` group="3"`.
-  void WriteRaw(std::string_view attributes) { Append(attributes); }
+  void WriteRaw(std::string_view attributes) { text_ += attributes; }
   void WriteNumber(std::string_view name, double value) { WriteNumbers(name, {&value, 1}); }
   void WriteNumbers(std::string_view name, std::span<const double> values,
                     NumberFormat format = NumberFormat::kExact);
@@ -63,18 +61,14 @@ class ElementWriter {
   void WriteAttribute(const model::Attribute& attribute);
 
   /// Appends a copy of the bytes from `begin` to `end` of the text.
-  void RepeatText(std::size_t begin, std::size_t end);
-  /// Returns the size in bytes of all that has been written.
-  std::size_t size() const { return text_.size() + pending_.size(); }
+  void RepeatText(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
+  std::size_t size() const { return text_.size(); }
 
  private:
-  void Append(std::string_view text) { pending_.append(text.data(), text.data() + text.size()); }
   void Indent();
   /// Writes ` name="`.
   void BeginAttribute(std::string_view name);
   void FinishLine(std::string_view end);
-  /// Moves the pending text to the document.
-  void Flush();
   void AppendEscaped(std::string_view value);
   /// Writes an attribute of numbers, separated by spaces; `write` writes one and returns its end.
   template <typename T, typename Write>
@@ -82,8 +76,6 @@ class ElementWriter {
 
   std::string& text_;
   std::vector<LineOrigin>& origins_;
-  // The end of the text, in a buffer, because appending a character to a std::string is a call.
-  fmt::memory_buffer pending_;
   int line_ = 1;  // current line, 1-based
   std::size_t depth_ = 0;
 };

@@ -41,7 +41,7 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
-  /// How many elements the current body has, and how many bodies the object has.
+  /// Counts of the elements of the current body, and of all bodies.
   struct ElementCounts {
     std::size_t parts = 0;
     std::size_t sites = 0;

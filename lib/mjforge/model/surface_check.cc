@@ -10,7 +10,7 @@
 namespace mjforge::model {
 namespace {
 
-// How many triangles use an edge from its smaller to its larger vertex, and the other way.
+// Counts of triangles that use an edge from its smaller to its larger vertex, and the other way.
 struct EdgeUses {
   int up = 0;
   int down = 0;

@@ -92,7 +92,7 @@ TEST_CASE("a number is appended to what is there") {
 TEST_CASE("numbers of all magnitudes are rounded as to_chars rounds them") {
   std::mt19937_64 random(20240607);
   int differences = 0;
-  for (int i = 0; i < harness::Effort(1'000'000); ++i) {
+  for (int i = 0; i < mjforge::harness::Effort(1'000'000); ++i) {
     const std::uint64_t bits = random();
     const double any = std::bit_cast<double>(bits);
     if (std::isfinite(any)) differences += Differences(any);
@@ -109,7 +109,7 @@ TEST_CASE("numbers of all magnitudes are rounded as to_chars rounds them") {
 TEST_CASE("numbers next to a half of the last digit are rounded as to_chars rounds them") {
   std::mt19937_64 random(7);
   int differences = 0;
-  for (int i = 0; i < harness::Effort(200'000) && differences <= 10; ++i) {
+  for (int i = 0; i < mjforge::harness::Effort(200'000) && differences <= 10; ++i) {
     const auto digits = static_cast<double>(1'000'000'000 + random() % 9'000'000'000);
     const double value = (digits + 0.5) * std::pow(10.0, static_cast<int>(random() % 20) - 15);
     differences += Differences(value);

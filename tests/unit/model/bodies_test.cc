@@ -111,17 +111,16 @@ TEST_CASE("a property of a body that is left out has no value") {
 TEST_CASE("a text parameter of a body that is left out has no value") {
   const TemporaryFolder folder;
   folder.Write("arm.yaml",
-               "mjforge: 1\nname: arm\nparams: {kind: [long, short]}\n"
+               "mjforge: 1\nname: arm\nparams: {kind: {choice: [long, short]}}\n"
                "parts: [{name: base, type: sphere, size: 0.1}]\n");
-  const auto findings_of = [&](const std::string& use) {
-    const std::string body = "bodies:\n- {name: a, if: 1 > 2, spec: arm.yaml}\n- {name: b, " + use +
-                             "parts: [{name: h, type: sphere, size: 1}]}\n";
-    return Assembling(body, 1, 0, folder.path()).findings();
+  const auto findings_of = [&](const std::string& body) {
+    const std::string spec = "bodies:\n- {name: a, if: 1 > 2, spec: arm.yaml}\n- " + body + "\n";
+    return Assembling(spec, 1, 0, folder.path()).findings();
   };
-  CHECK(findings_of("locals: {t: \"is_${a.kind}\"}, ") ==
+  CHECK(findings_of("{name: b, parts: [{name: \"h_${a.kind}\", type: sphere, size: 1}]}") ==
         std::vector<std::string>{
-            "5:24 'a.kind' has no value in this variant (its body was left out by 'if')"});
-  CHECK(findings_of("if: \"a.kind == 'long'\", ") ==
+            "5:28 'a.kind' has no value in this variant (its body was left out by 'if')"});
+  CHECK(findings_of("{name: b, if: a.kind == 'long', parts: [{name: h, type: sphere, size: 1}]}") ==
         std::vector<std::string>{"5:3 expression 'a.kind == 'long'' uses 'a.kind', which has no "
                                  "value in this variant (its body was left out by 'if')"});
 }

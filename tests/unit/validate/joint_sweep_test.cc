@@ -49,7 +49,7 @@ const std::string kBase = "<freejoint name=\"free\"/><geom name=\"core\" size=\"
 const std::string kStop = Body("stop", "1 0 0", "<joint/>" + Ball("stop_ball", "0 0 0"));
 
 /// "joint at value: geom1 geom2 depth", to 1e-6.
-std::vector<std::string> Texts(const Sweep& sweep) {
+std::vector<std::string> ContactTexts(const Sweep& sweep) {
   std::vector<std::string> texts;
   for (const Sweep::Contact& c : sweep.contacts) {
     const auto text = [](double x) { return std::to_string(x); };
@@ -82,7 +82,7 @@ TEST_CASE("the deepest contact of two bodies is told with the joint's value ther
       Joint("rail", "type=\"slide\" axis=\"1 0 0\"" + Range("0 2")) + Ball("cart_ball", "0 0 0"));
   const Sweep sweep = SweepOf(Body("base", "0 0 -1", kBase + Body("top", "0 0 1", cart)) +
                               Body("wall", "1 0 0", "<freejoint/>" + Ball("wall_ball", "0 0 0")));
-  CHECK(Texts(sweep) == Strings{"rail at 1.000000: cart/cart_ball wall/wall_ball 0.200000"});
+  CHECK(ContactTexts(sweep) == Strings{"rail at 1.000000: cart/cart_ball wall/wall_ball 0.200000"});
 }
 
 TEST_CASE("a hinge without limits makes a full turn") {
@@ -148,8 +148,8 @@ TEST_CASE("only what a joint changes is told of it") {
                         Ball("right_ball", "0 0 0")) +
                Body("tail", "0 0 -1",
                     Joint("wag", "axis=\"0 0 1\"" + Range("-1 1")) + Ball("tail_ball", "0 0 0"))));
-  CHECK(Texts(sweep) == Strings{"open at 0.000000: left/left_ball right/right_ball 0.100000",
-                                "r at -1.000000: left/left_ball right/right_ball 0.100000"});
+  CHECK(ContactTexts(sweep) == Strings{"open at 0.000000: left/left_ball right/right_ball 0.100000",
+                                       "r at -1.000000: left/left_ball right/right_ball 0.100000"});
 }
 
 TEST_CASE("a contact that takes two joints is told without a joint, and one that takes none") {
@@ -160,10 +160,10 @@ TEST_CASE("a contact that takes two joints is told without a joint, and one that
   };
   const Sweep two =
       SweepOf(Body("base", "0 0 0", kBase + cart("a", "-0.5", "1") + cart("b", "0.5", "-1")));
-  CHECK(Texts(two) == Strings{" at 0.000000: a/a_ball b/b_ball 0.200000"});
+  CHECK(ContactTexts(two) == Strings{" at 0.000000: a/a_ball b/b_ball 0.200000"});
   const Sweep none = SweepOf(Body("a", "0 0 0", "<freejoint/>" + Ball("a_ball", "0 0 0")) +
                              Body("b", "0.15 0 0", "<freejoint/>" + Ball("b_ball", "0 0 0")));
-  CHECK(Texts(none) == Strings{" at 0.000000: a/a_ball b/b_ball 0.050000"});
+  CHECK(ContactTexts(none) == Strings{" at 0.000000: a/a_ball b/b_ball 0.050000"});
 }
 
 TEST_CASE("the box holds what several joints reach together, to the corners") {
@@ -187,7 +187,7 @@ TEST_CASE("excluded pairs and the world's geoms are not inside contacts") {
                     Joint("rail", "type=\"slide\" axis=\"1 0 0\"" + Range("0 2")) +
                         Ball("cart_ball", "0 0 0")) +
                kStop);
-  CHECK(Texts(SweepOf(bodies)).size() == 1);
+  CHECK(ContactTexts(SweepOf(bodies)).size() == 1);
   CHECK(SweepOf(bodies, "<contact><exclude body1=\"cart\" body2=\"stop\"/></contact>")
             .contacts.empty());
 }

@@ -33,7 +33,7 @@ Verdict Validated(const model::Object& object, mjcf::Target target = mjcf::Targe
 }
 
 /// Each finding as "line: code: message".
-std::vector<std::string> Texts(const Verdict& verdict) {
+std::vector<std::string> FindingTexts(const Verdict& verdict) {
   std::vector<std::string> texts;
   for (const diag::Finding& f : verdict.findings) {
     texts.push_back(std::to_string(f.mark.line) + ": " + std::string(diag::CodeName(f.code)) +
@@ -53,7 +53,7 @@ model::Object TwoBalls(double distance) {
 
 TEST_CASE("two bodies that touch at the joints' zero are an error at the second") {
   const Verdict verdict = Validated(TwoBalls(0.0188));
-  REQUIRE(Texts(verdict) ==
+  REQUIRE(FindingTexts(verdict) ==
           Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
                   "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
   const diag::Finding& finding = verdict.findings[0];
@@ -65,7 +65,7 @@ TEST_CASE("two bodies that touch at the joints' zero are an error at the second"
 }
 
 TEST_CASE("bodies that do not touch are fine") {
-  CHECK(Texts(Validated(TwoBalls(0.0201))).empty());
+  CHECK(FindingTexts(Validated(TwoBalls(0.0201))).empty());
 }
 
 TEST_CASE("a touch without depth is none, unless the spec wants it") {
@@ -78,19 +78,19 @@ TEST_CASE("a touch without depth is none, unless the spec wants it") {
     for (model::Part& part : body.parts) part.mass = part.density * model::Volume(part.shape);
   }
   hand_made::Weigh(object);
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
   object.checks.self_collision = 0;
-  CHECK(Texts(Validated(object)) ==
+  CHECK(FindingTexts(Validated(object)) ==
         Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
                 "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 0 mm deep"});
 }
 
 TEST_CASE("a depth below a hundredth of a millimetre, or below what the spec says, is none") {
-  CHECK(Texts(Validated(TwoBalls(0.019992))).empty());
-  CHECK(Texts(Validated(TwoBalls(0.019988))).size() == 1);
+  CHECK(FindingTexts(Validated(TwoBalls(0.019992))).empty());
+  CHECK(FindingTexts(Validated(TwoBalls(0.019988))).size() == 1);
   model::Object object = TwoBalls(0.0188);
   object.checks.self_collision = 0.00121;
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
 }
 
 TEST_CASE("what an attached file has itself is a warning") {
@@ -100,7 +100,7 @@ TEST_CASE("what an attached file has itself is a warning") {
   object.bodies[2].attached = 1;
   const Verdict verdict = Validated(object);
   CHECK(verdict.ok);
-  CHECK(Texts(verdict).size() == 1);
+  CHECK(FindingTexts(verdict).size() == 1);
 }
 
 TEST_CASE("a pair of bodies is reported once, by its deepest contact") {
@@ -109,7 +109,7 @@ TEST_CASE("a pair of bodies is reported once, by its deepest contact") {
                                                     {0.01, 0, 0}, {{-0.004, 0, 0}, {1, 0, 0, 0}},
                                                     33));
   hand_made::Weigh(object);
-  CHECK(Texts(Validated(object)) ==
+  CHECK(FindingTexts(Validated(object)) ==
         Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
                 "joints at zero: geoms 'block_left_ball' and 'block_right_bump', 5 mm deep"});
 }
@@ -119,13 +119,13 @@ TEST_CASE("an excluded pair may touch") {
   model::Element& exclude = AddElement(object, "contact", "exclude", "", 40);
   exclude.attributes = {jointed::Refers("body1", "block_left", "body"),
                         jointed::Refers("body2", "block_right", "body")};
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
 }
 
 TEST_CASE("parts without contacts may touch") {
   model::Object object = TwoBalls(0.015);
   object.bodies[2].parts[0].role = model::Role::kVisual;
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
 }
 
 TEST_CASE("parent and child, also through a fixed body, may touch") {
@@ -133,7 +133,7 @@ TEST_CASE("parent and child, also through a fixed body, may touch") {
   AddBall(object, "block_knob", 0, {0, 0, 0.055}, "hinge", 20);
   AddBall(object, "block_fixed", 0, {0, 0.2, 0}, "", 30);
   AddBall(object, "block_arm", 2, {0, -0.15, 0}, "hinge", 40);
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
 }
 
 TEST_CASE("a child that touches its fixed parent is a warning: MuJoCo lets them collide") {
@@ -142,7 +142,7 @@ TEST_CASE("a child that touches its fixed parent is a warning: MuJoCo lets them 
   AddBall(object, "block_knob", 0, {0, 0, 0.055}, "hinge", 20);
   const Verdict verdict = Validated(object);
   CHECK(verdict.ok);
-  REQUIRE(Texts(verdict) ==
+  REQUIRE(FindingTexts(verdict) ==
           Strings{"20: mujoco/self-collision: bodies 'block' and 'block_knob' touch with all "
                   "joints at zero: geoms 'block_core' and 'block_knob_ball', 5 mm deep; MuJoCo "
                   "lets parent and child collide because the parent is fixed"});
@@ -162,11 +162,11 @@ TEST_CASE("under a nameless body, a host's, only what is no parent and child cou
     ++body.parent;
     object.bodies.push_back(body);
   }
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
   object.bodies[1].name = "object";
   AddBall(object, "tip", 2, {0, 0, -0.001}, "hinge", 30);
   const Verdict verdict = Validated(object);
-  REQUIRE(Texts(verdict) ==
+  REQUIRE(FindingTexts(verdict) ==
           Strings{"30: mujoco/self-collision: bodies 'object' and 'tip' touch with all joints at "
                   "zero: geoms 'block_core' and 'tip_ball', 6 mm deep"});
   CHECK(verdict.findings[0].hint ==
@@ -177,7 +177,7 @@ TEST_CASE("the second of two bodies is the later one in the spec, whatever MuJoC
   model::Object object = TwoBalls(0.1);
   // MuJoCo numbers this body before block_right, because it goes depth first.
   AddBall(object, "block_tip", 1, {0.085, 0, 0}, "hinge", 40);
-  CHECK(Texts(Validated(object)) ==
+  CHECK(FindingTexts(Validated(object)) ==
         Strings{"40: mujoco/self-collision: bodies 'block_right' and 'block_tip' touch with all "
                 "joints at zero: geoms 'block_right_ball' and 'block_tip_ball', 5 mm deep"});
 }
@@ -186,26 +186,26 @@ TEST_CASE("the joints' zero is where the file has the bodies, whatever ref says"
   model::Object object = TwoBalls(0.1);
   object.bodies[2].joints[0].type = "slide";
   object.bodies[2].joints[0].attributes = {hand_made::Numbers("ref", spec::Applies::kBoth, {0.09})};
-  CHECK(Texts(Validated(object)).empty());
+  CHECK(FindingTexts(Validated(object)).empty());
 }
 
 TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
   model::Object object = TwoBalls(0.0205);
   object.bodies[1].parts[0].attributes = {
       hand_made::Numbers("margin", spec::Applies::kCollision, {0.001})};
-  CHECK(Texts(Validated(object)) ==
+  CHECK(FindingTexts(Validated(object)) ==
         Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
                 "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 0.5 mm apart, "
                 "within the margin"});
   object.bodies[1].parts[0].attributes.push_back(
       hand_made::Numbers("gap", spec::Applies::kCollision, {0.001}));
   // The gap reduces the distance of contact forces; since MuJoCo 3.9 it is added to the margin.
-  CHECK(Texts(Validated(object)).empty() == (mjVERSION_HEADER < 3009000));
+  CHECK(FindingTexts(Validated(object)).empty() == (mjVERSION_HEADER < 3009000));
 }
 
 TEST_CASE("a scene's floor is no body") {
   model::Object object = TwoBalls(0.1);
-  CHECK(Texts(Validated(object, mjcf::Target::kScene)).empty());
+  CHECK(FindingTexts(Validated(object, mjcf::Target::kScene)).empty());
 }
 
 TEST_CASE("of very many pairs the rest is counted, and room for contacts is no second finding") {
@@ -214,7 +214,7 @@ TEST_CASE("of very many pairs the rest is counted, and room for contacts is no s
     AddBall(object, "block_b" + std::to_string(i), 0, {1e-4 * i, 0, 0.2}, "hinge",
             static_cast<std::uint32_t>(100 + 10 * i));
   }
-  const Strings texts = Texts(Validated(object));
+  const Strings texts = FindingTexts(Validated(object));
   REQUIRE(texts.size() == 51);
   CHECK(texts.front().find("110: mujoco/self-collision: bodies 'block_b0' and 'block_b1' touch") ==
         0);
@@ -238,10 +238,10 @@ TEST_CASE("one pair among a thousand bodies is found") {
   object.bodies[1000].joints.emplace_back().name = "block_joint";
   object.bodies[1000].joints[0].type = "ball";
   hand_made::Weigh(object);
-  CHECK(Texts(Validated(object)).empty());  // fixed to the block: its child and itself
+  CHECK(FindingTexts(Validated(object)).empty());  // fixed to the block: its child and itself
   object.bodies[1].joints.emplace_back().name = "block_joint1";
   object.bodies[1].joints[0].type = "ball";
-  CHECK(Texts(Validated(object)) ==
+  CHECK(FindingTexts(Validated(object)) ==
         Strings{"1099: mujoco/self-collision: bodies 'block_b0' and 'block_b999' touch with all "
                 "joints at zero: geoms 'block_b0_ball' and 'block_b999_ball', 5 mm deep"});
 }
