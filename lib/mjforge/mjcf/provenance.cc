@@ -18,20 +18,22 @@ namespace {
 constexpr std::string_view kOpening = " mjforge ";
 constexpr std::string_view kSetting = "set:";
 
+// Appends text between escaped characters at once, because a call per character took a twentieth of
+// a small variant's time.
 void AppendEncoded(std::string_view value, std::string& out) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
-  for (const char c : value) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = byte > 0x20 && byte < 0x7f && c != '%' && c != '=' && c != '<' && c != '>' &&
-                       !(c == '-' && out.ends_with('-'));
-    if (plain) {
-      out += c;
-    } else {
-      out += '%';
-      out += kDigits[byte >> 4];
-      out += kDigits[byte & 15];
-    }
+  std::size_t copied = 0;  // characters of `value` that have been appended
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(value[i]);
+    const char before = i > copied ? value[i - 1] : out.back();
+    const bool plain = byte > 0x20 && byte < 0x7f && byte != '%' && byte != '=' && byte != '<' &&
+                       byte != '>' && !(byte == '-' && before == '-');
+    if (plain) continue;
+    out += value.substr(copied, i - copied);
+    out += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    copied = i + 1;
   }
+  out += value.substr(copied);
 }
 
 void AppendPair(std::string_view key, std::string_view value, std::string& out) {
