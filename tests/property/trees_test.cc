@@ -8,8 +8,8 @@
 
 #include <mujoco/mujoco.h>
 
-#include "harness/random.h"
 #include "harness/effort.h"
+#include "harness/random.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
