@@ -182,8 +182,7 @@ std::optional<Include> IncludeOf(std::string_view line) {
 }  // namespace
 
 TEST_CASE("every include goes through a door, to the left, or to a library of the room") {
-  std::vector<ProjectFile> files = CppFiles("lib/");
-  for (ProjectFile& file : CppFiles("app/")) files.push_back(std::move(file));
+  const std::vector<ProjectFile> files = LibraryAndProgram();
   REQUIRE(files.size() > kRooms.size());
   for (const ProjectFile& file : files) {
     for (const std::string_view line : Lines(file.text)) {
@@ -197,8 +196,7 @@ TEST_CASE("every include goes through a door, to the left, or to a library of th
 
 TEST_CASE("a room names only rooms that it may include") {
   // The doors it includes show it others: what it needs of those, its neighbour names.
-  std::vector<ProjectFile> files = CppFiles("lib/");
-  for (ProjectFile& file : CppFiles("app/")) files.push_back(std::move(file));
+  const std::vector<ProjectFile> files = LibraryAndProgram();
   for (const ProjectFile& file : files) {
     const Room& own = RoomOf(file.name);
     for (const Room& other : kRooms) {

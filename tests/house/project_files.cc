@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "harness/source_folder.h"
@@ -41,7 +42,7 @@ std::vector<ProjectFile> CppFiles(std::string_view folder) {
   std::vector<ProjectFile> files;
   for (const ProjectFile& file : ProjectFiles()) {
     if (file.name.starts_with(folder) &&
-        (file.name.ends_with(".h") || file.name.ends_with(".cc"))) {
+        (file.name.ends_with(".h") || file.name.ends_with(".cc") || file.name.ends_with(".inc"))) {
       files.push_back(file);
     }
   }
@@ -59,13 +60,8 @@ std::vector<std::string_view> Lines(std::string_view text) {
 }
 
 std::vector<ProjectFile> LibraryAndProgram() {
-  std::vector<ProjectFile> files;
-  for (const ProjectFile& file : ProjectFiles()) {
-    if ((file.name.starts_with("lib/") || file.name.starts_with("app/")) &&
-        (file.name.ends_with(".h") || file.name.ends_with(".cc") || file.name.ends_with(".inc"))) {
-      files.push_back(file);
-    }
-  }
+  std::vector<ProjectFile> files = CppFiles("lib/");
+  std::ranges::move(CppFiles("app/"), std::back_inserter(files));
   return files;
 }
 

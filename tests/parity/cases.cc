@@ -21,7 +21,7 @@ constexpr std::string_view kRed = "[1, 0, 0, 1]";
 constexpr std::string_view kGreen = "[0, 1, 0, 1]";
 constexpr std::string_view kBlue = "[0, 0, 1, 1]";
 constexpr std::string_view kCyan = "[0, 1, 1, 1]";
-constexpr std::string_view kFriction = "[1, 0.005, 0.0001]";
+constexpr std::string_view kFrictionText = "[1, 0.005, 0.0001]";
 
 // Collects settings of a spec from the values of a reference.
 class Pins {
@@ -75,7 +75,7 @@ Settings PrimitivePins(const json& reference) {
   if (pins.Given("friction").is_number()) {
     pins.Set("friction", fmt::format("[{}, 0.005, 0.0001]", pins.Given("friction").dump()));
   } else {
-    pins.SameOr("friction", is_cylinder ? "[1, 0.01, 0.001]" : kFriction);
+    pins.SameOr("friction", is_cylinder ? "[1, 0.01, 0.001]" : kFrictionText);
   }
   pins.SameOr("solref", is_cylinder ? "[0.01, 0.5]" : "[0.02, 1]");
   pins.SameOr("solimp", "[0.9, 0.95, 0.001]");
@@ -113,14 +113,14 @@ Settings BinPins(const json& reference) {
   Pins pins(reference);
   pins.Set("solref", "[0.02, 1]");
   pins.Same({"bin_size", "wall_thickness", "transparent_walls", "density", "use_texture", "rgba"});
-  pins.SameOr("friction", kFriction);
+  pins.SameOr("friction", kFrictionText);
   return pins.Take();
 }
 
 Settings LidPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"lid_size", "handle_size", "transparent", "density", "use_texture", "rgba"});
-  pins.SameOr("friction", kFriction);
+  pins.SameOr("friction", kFrictionText);
   return pins.Take();
 }
 
@@ -147,7 +147,7 @@ Settings HollowCylinderPins(const json& reference) {
   pins.SetNumber("inner_radius",
                  pins.Given("inner_radius").get<double>() *
                      std::cos(std::numbers::pi / pins.Given("ngeoms").get<double>()));
-  pins.SameOr("friction", kFriction);
+  pins.SameOr("friction", kFrictionText);
   pins.SameOr("rgba", "[0.5, 0.5, 0.5, 1]");
   pins.SetFlag("use_texture", pins.Has("material"));
   return pins.Take();
@@ -157,7 +157,7 @@ Settings HookPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"frame_length", "frame_height", "frame_thickness", "density", "solref", "solimp",
              "use_texture", "rgba"});
-  pins.SameOr("friction", kFriction);
+  pins.SameOr("friction", kFrictionText);
   pins.SetFlag("hook", pins.Has("hook_height"));
   if (pins.Has("hook_height")) pins.Same("hook_height");
   pins.SetFlag("grip", pins.Has("grip_size"));
@@ -171,7 +171,7 @@ Settings StandPins(const json& reference) {
   Pins pins(reference);
   pins.Same({"size", "mount_location", "mount_width", "wall_thickness", "base_thickness",
              "add_hole_vis", "density", "solref", "solimp", "use_texture", "rgba"});
-  pins.SameOr("friction", kFriction);
+  pins.SameOr("friction", kFrictionText);
   return pins.Take();
 }
 

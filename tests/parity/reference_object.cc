@@ -99,7 +99,7 @@ Numbers Inertia(const json& body) {
 }
 
 // Returns the body's name without the suffix `_main` or `_root`, which robosuite adds for children.
-std::string BodyName(std::string_view name, std::string_view prefix) {
+std::string ReferenceBodyName(std::string_view name, std::string_view prefix) {
   std::string out = WithoutPrefix(name, prefix);
   for (const std::string_view suffix : {"_main", "_root"}) {
     if (out.ends_with(suffix)) return out.substr(0, out.size() - suffix.size());
@@ -111,7 +111,7 @@ std::string BodyName(std::string_view name, std::string_view prefix) {
 Element Body(const json& body, const json& masses, std::string_view prefix, bool is_only) {
   Element element;
   const auto parent = body.at("parent").get<std::string>();
-  element.words["parent"] = parent == "world" ? parent : BodyName(parent, prefix);
+  element.words["parent"] = parent == "world" ? parent : ReferenceBodyName(parent, prefix);
   element.numbers["pos"] = body.at("pos").get<Numbers>();
   element.numbers["quat"] = Canonical(body.at("quat").get<Numbers>());
   if (is_only) return element;
@@ -165,7 +165,7 @@ Described DescribeReference(const json& reference) {
   };
   Described out;
   const auto add = [&](std::string_view kind, const json& element, Element described) {
-    described.words["body"] = BodyName(element.at("body").get<std::string>(), prefix);
+    described.words["body"] = ReferenceBodyName(element.at("body").get<std::string>(), prefix);
     out[key(kind, element)] = std::move(described);
   };
   for (const json& geom : reference.at("geoms")) add("geom", geom, Geom(geom));
@@ -175,7 +175,7 @@ Described DescribeReference(const json& reference) {
   const json& bodies = reference.at("mujoco").at("bodies");
   const json& masses = reference.at("mujoco_group0_inertia").at("bodies");
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::string name = BodyName(bodies[i].at("name").get<std::string>(), prefix);
+    const std::string name = ReferenceBodyName(bodies[i].at("name").get<std::string>(), prefix);
     out["body/" + name] = Body(bodies[i], masses.at(i), prefix, bodies.size() == 1);
   }
   out["whole"] = Whole(reference);

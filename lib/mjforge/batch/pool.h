@@ -85,9 +85,9 @@ using TaskHandler = std::function<ChunkResult(const Task&, WorkerMailbox&)>;
 
 /// Runs tasks in worker processes. A worker is replaced if a signal ends it, if one variant takes
 /// more CPU time than the time limit or more wall time than WallLimit(), or if the worker reports
-/// nothing for WallLimit() between two variants. The variant that it was making is quarantined: its
-/// record says that it failed. Other workers take over the rest of its tasks. All workers end when
-/// this process ends, for whatever reason.
+/// nothing for WallLimit() between two variants. The variant that it was making is quarantined:
+/// recorded as failed in this run. Other workers take over the rest of its tasks. All workers end
+/// when this process ends, for whatever reason.
 class Pool {
  public:
   /// Each worker calls `make_handler` when it starts. A worker has up to `tasks_per_worker` tasks

@@ -1,6 +1,5 @@
 // `bodies:`: inline bodies, other specs, and bodies of MJCF files.
 
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,18 +15,15 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
 // Properties have no value until their body exists, because `if` may leave the body out.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   const int count =
       entry.first_property < 0 ? 0 : static_cast<int>(spec::BodyPropertyNames().size());
-  for (int i = 0; i < count; ++i) values.SetVariable(entry.first_property + i, kNoValue);
+  for (int i = 0; i < count; ++i)
+    values.SetVariable(entry.first_property + i, sample::kFailedNumber);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
     const int slot = entry.parameter_slots[i];
-    if (slot < 0) continue;
-    const spec::Value& value = entry.head.nested->parameters[i].value;
-    for (int k = 0; k < std::max(value.components, 1); ++k) values.SetVariable(slot + k, kNoValue);
+    if (slot >= 0) values.ClearVariables(slot, -1, entry.head.nested->parameters[i].value);
   }
 }
 

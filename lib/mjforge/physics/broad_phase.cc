@@ -60,8 +60,9 @@ void BroadPhase::ListBodies() {
   }
 }
 
-/// Returns false for bodies that MuJoCo never lets collide: those fixed to each other, a parent and
-/// its child, and the bodies of an <exclude> element.
+/// Returns false for bodies that MuJoCo does not let collide: those fixed to each other, a parent
+/// and its child (unless the model turns `filterparent` off, or the parent is the world), and the
+/// bodies of an <exclude> element.
 bool BroadPhase::MayCollide(int body1, int body2) const {
   const int weld1 = m_.body_weldid[body1];
   const int weld2 = m_.body_weldid[body2];

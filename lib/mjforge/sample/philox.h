@@ -41,7 +41,7 @@ inline std::uint64_t Mix(std::uint64_t x) {
 }
 
 /// 2^64 divided by the golden ratio, rounded to an odd number. Multiply a small number, such as an
-/// index, by this constant before Mix(), so that it changes all 64 bits.
+/// index, by this constant before Mix(), so that the number is spread over all 64 bits.
 inline constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15;
 
 }  // namespace mjforge::sample

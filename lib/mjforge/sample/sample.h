@@ -62,6 +62,8 @@ class Evaluator {
   void SetVariable(int slot, double value);
   void SetVariable(int slot, std::string_view text);
   void SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i);
+  /// Marks the variables of a value as failed. `list` is the value's list of numbers; -1: none.
+  void ClearVariables(int slot, int list, const spec::Value& value);
   /// Sets the variable of a number, boolean or text, or the variables of a vector from `slot` on.
   void Assign(int slot, const ParameterValue& value);
   /// Evaluates a local value and sets its variables. The draws belong to the stream `path`. Returns
@@ -92,8 +94,6 @@ class Evaluator {
   // parameters.cc
   void DrawParameter(const spec::Parameter& parameter);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
-  /// Marks the variables of a value as failed.
-  void ClearVariables(int slot, int list, const spec::Value& value);
 
   // evaluator.cc
   double Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }

@@ -131,8 +131,9 @@ class ExpectationChecker {
     if (kind == Kind::kTouch) most = kTolerance;
     if (min) least = *min - kRounding;
     if (max) most = *max + kRounding;
-    // The depth of an overlap takes most of the time, and matters only for a limit below zero.
-    const auto& distance_of = least > -kInfinity || most < 0 ? SignedDistance : Distance;
+    // The depth of an overlap takes most of the time, and matters only if there is a lower limit,
+    // or an upper limit below zero.
+    auto* const distance_of = least > -kInfinity || most < 0 ? SignedDistance : Distance;
     double gap = kInfinity;
     PartPair nearest;
     for (PairQueue pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using diag::Code;
 
 /// Deepest nesting of elements, a limit that keeps recursive functions from exhausting the stack.
-/// (MuJoCo 2.2's own limit is 100; later releases read deeper files.)
+/// (The XML reader of MuJoCo 2.2 stops at 100.)
 constexpr int kMaxDepth = 1000;
 
 /// Offsets of the lines of a text, to find the places of elements.
