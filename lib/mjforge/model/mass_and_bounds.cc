@@ -64,7 +64,7 @@ void SumMass(Body& body, Assets& assets) {
     MassProperties properties = Scaled(unit, part.mass / unit.mass);
     properties.mass = part.mass;
     sum = Combine(sum, InFrame(part.X_BG, properties));
-    body.explicit_inertial |= part.shape.type == GeomType::kMesh;
+    body.explicit_inertial |= part.solid.has_value() || part.shape.type == GeomType::kMesh;
   }
   body.mass_properties = sum;
 }

@@ -128,8 +128,9 @@ struct Body {
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
   /// MJCF has an <inertial> element instead of leaving the inertia to MuJoCo: for bodies with mesh
-  /// parts, because releases of MuJoCo compute the mass of meshes differently, and for attached
-  /// bodies, which keep the inertia of their file.
+  /// parts, because releases of MuJoCo compute the mass of meshes differently, for bodies whose
+  /// geoms differ from the exact solid, and for attached bodies, which keep the inertia of their
+  /// file.
   bool explicit_inertial = false;
   /// Index of the first body of the same attached file; -1 for other bodies.
   int attached = -1;
