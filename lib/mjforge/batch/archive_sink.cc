@@ -58,7 +58,7 @@ class ArchiveSink : public Sink {
 
   bool Finish(diag::Findings& findings) override {
     if (is_complete_) {
-      Drop();
+      journal_.Drop();
       return true;
     }
     const bool is_open = options_.range.count > 0 && checkpoint_.archive <= ArchiveOf(end() - 1);
@@ -67,6 +67,9 @@ class ArchiveSink : public Sink {
 
   void Drop() override {
     if (archive_) archive_->Drop();
+    std::error_code ignored;
+    for (const manifest::SealedFile& empty : journal_.closed())
+      std::filesystem::remove(destination_.Folder() / empty.file, ignored);
     journal_.Drop();
   }
 

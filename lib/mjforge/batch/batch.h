@@ -84,7 +84,7 @@ struct Observer {
 };
 
 /// Makes the variants and writes them to the request's destination. Forks, so the caller must have
-/// no other threads. Writes nothing if no variant could be made.
+/// no other threads. Writes nothing if no variant could be made, unless the request is for a shard.
 Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
             const Observer& observer);
 

@@ -197,8 +197,9 @@ class BatchRun {
 
   void End(Sink& sink, diag::Findings& output_findings) {
     const bool is_broken = summary_.interrupted || summary_.files_failed;
+    // A shard without a valid variant is finished, because merging needs its manifest.
     const bool has_nothing =
-        is_broken ? summary_.done() == 0 : summary_.ok == 0 && summary_.count > 0;
+        is_broken ? summary_.done() == 0 : summary_.ok == 0 && request_.shard.IsWhole();
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
       sink.Drop();

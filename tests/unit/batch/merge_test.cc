@@ -168,5 +168,25 @@ TEST_CASE("a shard without variants has an empty manifest") {
   CHECK(Merge(test.Of(2, "out").destination, false, sources, findings) == 2u);
 }
 
+TEST_CASE("a shard of which no variant is valid can be merged") {
+  const std::string output = GENERATE("", "/x_%05d.tar");
+  CrateBatch test(
+      "mjforge: 1\nname: crate\nparams: {height: {cycle: [-1, -1, 1, 1, 1, 1]}}\n"
+      "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n");
+  CHECK(test.Make(test.Of(6, "whole" + output, 2)).failed == 2);
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    Request request = test.Of(6, "out" + output, 2);
+    request.shard = {i, 3};
+    CHECK(test.Make(request).failed == (i == 0 ? 2 : 0));
+  }
+  diag::Sources sources;
+  diag::Findings findings;
+  CHECK(Merge(test.Of(6, "out" + output, 2).destination, true, sources, findings) == 6u);
+  auto merged = test.Bytes("out");
+  std::erase_if(merged,
+                [](const auto& file) { return file.first.find("-of-") != std::string::npos; });
+  CHECK(merged == test.Bytes("whole"));
+}
+
 }  // namespace
 }  // namespace mjforge::batch

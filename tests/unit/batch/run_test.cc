@@ -141,7 +141,7 @@ TEST_CASE("a batch without a single good variant writes nothing") {
       "mjforge: 1\nname: crate\nparams: {height: -0.2 .. -0.1}\n"
       "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n");
   for (const char* output : {"out", "new/x.tar", "new/x_%05d.tar.zst"}) {
-    CHECK(test.Make(test.Of(3, output)).failed == 3);
+    CHECK(test.Make(test.Of(3, output, 2)).failed == 3);
     CHECK(test.folder.Files() == Files{"crate.yaml"});
   }
   CHECK_FALSE(std::filesystem::exists(test.folder / "out"));
