@@ -6,8 +6,9 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace mjforge::harness {
 
@@ -58,7 +59,9 @@ std::string ReadFile(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   INFO("reading " << path);
   REQUIRE(stream.good());
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return std::move(text).str();
 }
 
 }  // namespace mjforge::harness

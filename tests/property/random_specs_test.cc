@@ -1,12 +1,14 @@
-// Tests that variants of randomly written specs are pure, over every part type, every role, nested
-// specs, free bodies and conditions.
+// Tests that variants and batches of randomly written specs are pure, over every part type, every
+// role, nested specs, free bodies and conditions.
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <initializer_list>
 #include <random>
 #include <set>
 #include <string>
 
+#include "batches.h"
 #include "harness/effort.h"
 #include "purity.h"
 
@@ -113,7 +115,8 @@ class SpecAuthor {
              Pick({", wall: 0.005", "", ", angle: '1 + 10 * x'"});
     }
     return ", type: tube, path: [[0, 0, 0], [0.3, 0, " + Number() + "], [0.2, " + Number() +
-           ", 0.5]], radius: 0.03" + Pick({"", ", bend: 0.05", ", smooth: true", ", wall: 0.01"});
+           ", 0.5]], radius: 0.03" +
+           Pick({"", ", bend: 0.05", ", smooth: true", ", wall: 0.01", ", closed: true"});
   }
 
   std::string Pointed() {
@@ -180,26 +183,50 @@ class SpecAuthor {
   std::mt19937 random_;
 };
 
-TEST_CASE("variants of random specs are pure") {
+/// Returns the number of random specs: MJFORGE_RANDOM_SPECS, or a number that takes seconds.
+int SpecCount() {
+  const char* text = std::getenv("MJFORGE_RANDOM_SPECS");
+  return text != nullptr ? std::atoi(text) : harness::Effort(200, 60);
+}
+
+/// Returns options that depend on the seed: target, validation, and treatment of invalid variants.
+Options OptionsOf(std::uint32_t seed) {
+  Options options = Seeded(seed);
+  options.target = mjcf::Targets()[seed % mjcf::Targets().size()].target;
+  if (seed % 4 == 0) options.validation = Validation::kLoad;
+  if (seed % 3 == 1) options.on_invalid = OnInvalid::kSkip;
+  // Rare, because an invalid variant is drawn a hundred times.
+  if (seed % 16 == 3) options.on_invalid = OnInvalid::kResample;
+  return options;
+}
+
+TEST_CASE("variants and batches of random specs are pure") {
   const SpecFolder written;
-  const auto variants = static_cast<std::uint64_t>(harness::Effort(20, 4));
+  const auto variants = static_cast<std::uint64_t>(harness::Effort(9, 3));
   std::set<std::string> covered;  // words that occur in specs with valid variants
-  for (int i = 0; i < 160; ++i) {
+  int compared = 0;               // batches
+  int stopped = 0;                // batches that were stopped before their end
+  const int count = SpecCount();
+  for (int i = 0; i < count; ++i) {
     const auto seed = static_cast<std::uint32_t>(i);
     const std::string text = SpecAuthor(seed).Spec();
-    INFO(text);
+    INFO("seed " << seed << "\n" << text);
     Loaded loaded = written.Load(text);
-    Options options = Seeded(seed);
-    options.target = mjcf::Targets()[seed % mjcf::Targets().size()].target;
+    const Options options = OptionsOf(seed);
     if (ComparePure(loaded, options, 0, variants) == 0) continue;
+    ++compared;
+    stopped += batch::CompareBatches(loaded, options, variants, seed % 2 == 1) ? 1 : 0;
     for (const char* word :
          {"type: box", "type: sphere", "type: cylinder", "type: capsule", "type: ellipsoid",
           "type: prism", "type: lathe", "type: tube", "type: hull", "type: mesh", "role: visual",
-          "role: collision", "inner.yaml", "joints: free", "if: ", "for: ", "holes: ", "round: "}) {
+          "role: collision", "inner.yaml", "joints: free",
+          "if: ", "for: ", "holes: ", "round: ", "closed: "}) {
       if (text.find(word) != std::string::npos) covered.insert(word);
     }
   }
-  CHECK(covered.size() == 18);
+  CHECK(covered.size() == 19);
+  CHECK(compared > count / 2);
+  CHECK(stopped > compared / 2);
 }
 
 }  // namespace
