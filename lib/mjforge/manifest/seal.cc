@@ -17,6 +17,10 @@ constexpr int kVersion = 1;
 // The last member of a seal: the checksum of the text before this member.
 constexpr std::string_view kOwn = R"(,"xxh128":")";
 
+std::string WithChecksum(std::string_view body) {
+  return fmt::format("{}{}{}\"}}\n", body, kOwn, bytes::ChecksumOf(body));
+}
+
 constexpr JsonMember<Seal> kMembers[] = {
     {"name", &Seal::name},   {"output", &Seal::output}, {"per_archive", &Seal::per_archive},
     {"spec", &Seal::spec},   {"first", &Seal::first},   {"count", &Seal::count},
@@ -70,9 +74,7 @@ std::string SealText(const Seal& seal) {
   json.StartObject();
   for (const auto& [name, sha256] : seal.assets) json.Member(name, sha256);
   json.EndObject();
-  std::string text = json.Take();
-  text += fmt::format("{}{}\"}}\n", kOwn, bytes::ChecksumOf(text));
-  return text;
+  return WithChecksum(json.Take());
 }
 
 std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
@@ -89,10 +91,8 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
     return std::nullopt;
   }
   Seal seal;
-  const std::string_view body = text.substr(0, text.rfind(kOwn));
-  std::string checksum;
-  if (GetSeal(document, seal) && GetMember(document, "xxh128", checksum) &&
-      checksum == bytes::ChecksumOf(body))
+  // All bytes are compared, because JSON permits other whitespace around the checksum.
+  if (GetSeal(document, seal) && text == WithChecksum(text.substr(0, text.rfind(kOwn))))
     return seal;
   why_not = "it is damaged";
   return std::nullopt;

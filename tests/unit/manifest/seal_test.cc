@@ -36,7 +36,7 @@ TEST_CASE("a seal is read as it was written") {
 TEST_CASE("a seal with a changed bit or a missing end is refused") {
   const std::string text = SealText(SomeSeal());
   std::string why_not;
-  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
     INFO(i);
     CHECK_FALSE(ReadSeal(text.substr(0, i), why_not));
     for (int bit = 0; bit < 8; ++bit) {
@@ -49,6 +49,20 @@ TEST_CASE("a seal with a changed bit or a missing end is refused") {
   CHECK(why_not == "it is not a seal");
   CHECK_FALSE(ReadSeal(R"({"mjforge_seal":2})", why_not));
   CHECK(why_not == "it has version 2, and this mjforge knows 1");
+}
+
+TEST_CASE("a seal with other whitespace is refused") {
+  const std::string text = SealText(SomeSeal());
+  std::string why_not;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    for (const char blank : {' ', '\t', '\n', '\r'}) {
+      std::string changed = text;
+      changed.insert(i, 1, blank);
+      INFO(i);
+      CHECK_FALSE(ReadSeal(changed, why_not));
+    }
+  }
+  CHECK(why_not == "it is damaged");
 }
 
 TEST_CASE("outputs that differ say how") {
