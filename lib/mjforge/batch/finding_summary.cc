@@ -20,11 +20,7 @@ void FindingSummary::Add(Group group) {
   const diag::Finding& finding = group.finding;
   const diag::SourceMark other =
       finding.notes.empty() ? diag::SourceMark() : finding.notes.front().mark;
-  // Deaths of workers are all reported at the first line of the spec, but may have different
-  // causes.
-  const bool by_words = !finding.mark || finding.code == diag::Code::kBatchWorkerDied ||
-                        finding.code == diag::Code::kBatchTooSlow;
-  Key key{finding.code, finding.mark, other, by_words ? finding.message : std::string()};
+  Key key{finding.code, finding.mark, other, finding.mark ? std::string() : finding.message};
   if (const auto known = numbers_.find(key); known != numbers_.end()) {
     Group& present = groups_[known->second];
     // Count a variant once, even if it has several findings of the group.

@@ -68,9 +68,9 @@ class ChunkMaker {
     }
   }
 
+  // The finding has no place in the spec, because the leader does not know the cause of the death.
   diag::Finding FindingOf(const QuarantinedVariant& quarantined) const {
     diag::Finding finding;
-    finding.mark = generator_.recipe().spec->mark;
     finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
     finding.message = fmt::format("variant {}: its worker {}", quarantined.index, quarantined.how);
     const bool resumes =

@@ -134,8 +134,6 @@ class Generator {
   /// Fills `variant` as one that failed with this finding, without generating it.
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
-  const Recipe& recipe() const { return recipe_; }
-
  private:
   enum class Outcome { kOk, kFailed, kHopeless };  // hopeless: further attempts would fail, too
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
