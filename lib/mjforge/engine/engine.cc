@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/engine/captured_stderr.h"
 #include "mjforge/xml/xml.h"
 
 namespace mjforge::engine {
@@ -26,10 +27,23 @@ thread_local std::vector<std::string> thread_warnings;
 [[noreturn]] void ThrowError(const char* message) { throw std::runtime_error(message); }
 void StoreWarning(const char* message) { thread_warnings.emplace_back(message); }
 
+// Adds Qhull's reasons to MuJoCo's "qhull error", or to the warnings if the model was loaded.
+void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) {
+  constexpr std::string_view kError = "qhull error";
+  const std::size_t at = loaded.error.find(kError);
+  if (at != loaded.error.npos && !messages.empty()) {
+    loaded.error.insert(at + kError.size(), ": " + messages.back());
+  } else if (loaded.model) {
+    for (const std::string& message : messages)
+      loaded.warnings.push_back(std::string(kHullWarning) + message);
+  }
+}
+
 Loaded Load(const char* file, const mjVFS* vfs) {
   std::array<char, 1000> message = {};
   thread_warnings.clear();
   Loaded loaded;
+  const CapturedStderr captured;
   try {
     loaded.model.reset(mj_loadXML(file, vfs, message.data(), static_cast<int>(message.size())));
     if (!loaded.model) {
@@ -43,6 +57,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
     loaded.error = error.what();
   }
   loaded.warnings.swap(thread_warnings);
+  AddQhullMessages(captured.QhullMessages(), loaded);
   return loaded;
 }
 

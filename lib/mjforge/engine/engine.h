@@ -27,6 +27,9 @@ struct DeleteModel {
 };
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 
+/// Prefix of warnings about the convex hull of a mesh: MuJoCo ignores them.
+inline constexpr std::string_view kHullWarning = "qhull: ";
+
 /// The result of a load: a model or an error, and warnings in both cases.
 struct Loaded {
   Model model;

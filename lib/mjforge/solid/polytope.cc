@@ -27,14 +27,11 @@ class Qhull {
   Qhull(const Qhull&) = delete;
   Qhull& operator=(const Qhull&) = delete;
 
-  /// Returns false if the points are coplanar. `coordinates` must outlive this object.
+  /// Returns false if the points are almost coplanar. `coordinates` must outlive this object.
   bool Run(std::vector<double>& coordinates) {
     char command[] = "qhull";
-    // Discard Qhull's message about coplanar points, because HullOf reports a fault.
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::fopen("/dev/null", "w"),
-                                                                  std::fclose);
     return qh_new_qhull(&state_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(),
-                        False, command, nullptr, nowhere.get()) == 0;
+                        False, command, nullptr, nowhere_.get()) == 0;
   }
 
   /// Returns the faces; their corners are indices of the points.
@@ -55,6 +52,9 @@ class Qhull {
   }
 
  private:
+  // Stream that discards Qhull's messages, because HullOf reports a fault. Qhull keeps it.
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere_{::fopencookie(nullptr, "w", {}),
+                                                           std::fclose};
   qhT state_;
 };
 

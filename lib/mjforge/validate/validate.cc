@@ -67,15 +67,20 @@ int LineOf(std::string_view text, std::string_view needle) {
   return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
 }
 
+/// Returns true for a warning that does not question the model.
+bool IsMinor(std::string_view warning) { return warning.starts_with(engine::kHullWarning); }
+
 /// Adds a finding for each warning. If `crowded`, ignores warnings about full buffers, because
-/// findings about bodies that touch explain these. Returns true if it added a finding.
+/// findings about bodies that touch explain these. Returns true if it added an error.
 bool AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
   bool any = false;
   for (const std::string& warning : warnings) {
     if (crowded && warning.find("buffer is full") != std::string::npos) continue;
-    findings.Add(Code::kMujocoWarning, mark, fmt::format("MuJoCo warns: {}", OneLine(warning)));
-    any = true;
+    diag::Finding& finding =
+        findings.Add(Code::kMujocoWarning, mark, fmt::format("MuJoCo warns: {}", OneLine(warning)));
+    if (IsMinor(warning)) finding.severity = diag::Severity::kWarning;
+    any = any || !IsMinor(warning);
   }
   return any;
 }
@@ -178,6 +183,8 @@ CompiledModel Describe(const mjModel& m) {
 
 /// Returns a hint for errors that MuJoCo words unclearly.
 std::string HintFor(std::string_view reason) {
+  if (reason.starts_with("qhull error"))
+    return "give the mesh some thickness, or let another shape collide in its place";
   if (reason.find("XML_ELEMENT_DEPTH_EXCEEDED") == std::string_view::npos) return {};
   return "MuJoCo 2.2 reads bodies nested at most 95 deep: attach some of them to the root";
 }
@@ -214,7 +221,7 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
     std::string text = document.text;
     text.insert(document.size_position, hint);
     Loaded loaded = engine.LoadText(text);
-    if (loaded.model && loaded.warnings.empty()) return loaded;
+    if (loaded.model && std::ranges::all_of(loaded.warnings, IsMinor)) return loaded;
   }
   Loaded loaded = engine.LoadText(document.text);
   if (loaded.model) return loaded;
@@ -269,7 +276,8 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
                                   ? "the model"
                                   : engine::ElementOnLine(sources.Text(xml->source), refusal.line);
   AddRefusal(element, loaded, xml::MarkOfLine(sources, xml->source, refusal.line),
-             xml->has_includes ? "the line may be in an included file" : "", findings);
+             xml->has_includes ? "the line may be in an included file" : HintFor(refusal.reason),
+             findings);
   return nullptr;
 }
 

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "harness/standard_error.h"
+
 namespace mjforge::engine {
 namespace {
 
@@ -42,6 +44,33 @@ TEST_CASE("an engine error during compilation is an error of that load only") {
   CHECK(engine.LoadText(kBox).model);
 }
 #endif  // later ones give the stack what it needs
+
+#if mjVERSION_HEADER < 300
+std::string MeshOf(const std::string& height) {
+  return "<mujoco><asset><mesh name=\"m\" face=\"0 2 1 0 1 3 1 2 3 0 3 2\" vertex=\"0 0 0 1 0 0 0 "
+         "1 0 "
+         "0.2 0.2 " +
+         height + "\"/></asset><worldbody><geom type=\"mesh\" mesh=\"m\"/></worldbody></mujoco>";
+}
+
+TEST_CASE("Qhull prints nothing, and its reason is a part of MuJoCo's error") {
+  Engine engine;
+  Loaded loaded;
+  CHECK(harness::StandardErrorOf([&] { loaded = engine.LoadText(MeshOf("0")); }).empty());
+  CHECK_FALSE(loaded.model);
+  CHECK(loaded.error.starts_with("Error: qhull error: Initial simplex is flat (facet "));
+  CHECK(loaded.error.find("\nObject name = m") != std::string::npos);
+}
+
+TEST_CASE("Qhull's doubts about a hull that it made are a warning") {
+  Engine engine;
+  Loaded loaded;
+  CHECK(harness::StandardErrorOf([&] { loaded = engine.LoadText(MeshOf("1e-9")); }).empty());
+  CHECK(loaded.model);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].starts_with("qhull: The initial hull is narrow."));
+}
+#endif  // later ones refuse such meshes before they call Qhull
 
 TEST_CASE("warnings are collected for the load they belong to and no log is written") {
   Engine engine;

@@ -1,11 +1,14 @@
 // Tests of hulls, rounded boxes and cylinders, and tubes against closed forms, quadrature and
 // meshes.
 
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 
 #include <fmt/format.h>
 
 #include "harness/effort.h"
+#include "harness/standard_error.h"
 #include "reference_geometry.h"
 
 namespace mjforge::solid {
@@ -294,6 +297,19 @@ TEST_CASE("round things that cannot be are told why, at the point") {
   CHECK(FaultOf(ConvexHull{.points = {{0, 0, 0}}}) == "needs at least 4 points");
   CHECK(FaultOf(RoundedBox{.half = {1, 2, 3}, .round = 1}) ==
         "is rounded with 1 m, no less than its smallest half size of 1 m");
+}
+
+TEST_CASE("Qhull prints nothing, even if no file can be opened") {
+  struct rlimit limit;
+  REQUIRE(::getrlimit(RLIMIT_NOFILE, &limit) == 0);
+  const ConvexHull flat = {.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}};
+  const std::string printed = harness::StandardErrorOf([&] {
+    const struct rlimit none = {0, limit.rlim_max};
+    ::setrlimit(RLIMIT_NOFILE, &none);
+    FaultOf(flat);
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+  });
+  CHECK(printed.empty());
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+// Capture of stderr: a stream of the C library in its place, whose text goes to the capturing
+// thread.
+#include "mjforge/engine/captured_stderr.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <string_view>
+
+namespace mjforge::engine {
+namespace {
+
+// Qhull prints a few pages for each error; a thousand bad meshes are not worth more memory.
+constexpr std::size_t kMaxText = std::size_t{1} << 20;
+
+std::mutex mutex;                          // protects the variables below
+std::vector<std::string*> captures;        // texts of all objects that exist
+std::FILE* own_stderr = nullptr;           // the stream that is replaced
+thread_local std::string* thread_capture;  // text of this thread's object; null: it has none
+
+// Text of a thread that has no object belongs to the newest one, because later releases of MuJoCo
+// compile meshes in threads of their own.
+::ssize_t Append(void*, const char* bytes, std::size_t size) {
+  const std::lock_guard lock(mutex);
+  std::string* const text = thread_capture != nullptr ? thread_capture
+                            : captures.empty()        ? nullptr
+                                                      : captures.back();
+  if (text != nullptr) text->append(bytes, std::min(size, kMaxText - text->size()));
+  return static_cast<::ssize_t>(size);
+}
+
+// Returns the stream that captures; null if it cannot be made. The stream has no buffer, so
+// that each call of fprintf reaches Append at once.
+std::FILE* CapturingStream() {
+  static std::FILE* const stream = [] {
+    std::FILE* const made = ::fopencookie(
+        nullptr, "w", {.read = nullptr, .write = Append, .seek = nullptr, .close = nullptr});
+    if (made != nullptr) std::setvbuf(made, nullptr, _IONBF, 0);
+    return made;
+  }();
+  return stream;
+}
+
+}  // namespace
+
+CapturedStderr::CapturedStderr() {
+  const std::lock_guard lock(mutex);
+  if (captures.empty() && CapturingStream() != nullptr) {
+    own_stderr = stderr;
+    stderr = CapturingStream();  // the GNU C library permits this
+  }
+  captures.push_back(&text_);
+  thread_capture = &text_;
+}
+
+CapturedStderr::~CapturedStderr() {
+  const std::lock_guard lock(mutex);
+  thread_capture = nullptr;
+  std::erase(captures, &text_);
+  if (captures.empty() && own_stderr != nullptr) stderr = own_stderr;
+}
+
+std::vector<std::string> CapturedStderr::QhullMessages() const {
+  std::vector<std::string> messages;
+  for (std::string_view rest = text_; !rest.empty();) {
+    std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (!line.starts_with("QH")) continue;
+    const std::size_t colon = line.find(": ");
+    messages.emplace_back(line.substr(colon == line.npos ? 0 : colon + 2));
+  }
+  return messages;
+}
+
+}  // namespace mjforge::engine
