@@ -41,7 +41,7 @@ class Preview {
     const std::optional<std::string> bytes = Make();
     const bool printed = options_.output == "-";
     if (bytes && !printed && MayReplacePicture(place_, options_.force, findings_))
-      output::WriteFile(place_, *bytes, false, findings_);
+      output::WriteSingleFile(place_, *bytes, findings_);
     const ExitStatus status = console_.Report();
     return bytes && printed ? Worse(status, Print(*bytes)) : status;
   }

@@ -127,7 +127,7 @@ ExitStatus Report(const PageOptions& options, Console& console) {
       console.sources, findings);
   findings.Append(thumbnails.TakeFindings());
   const bool is_written =
-      page && !is_printed && output::WriteFile(file, page->html, false, findings);
+      page && !is_printed && output::WriteSingleFile(file, page->html, findings);
   const ExitStatus status = console.Report();
   if (page && is_printed) return Worse(status, Print(page->html));
   if (is_written) {

@@ -98,7 +98,7 @@ bool WriteDependencies(const MakeOptions& options, const output::Destination& de
   const std::filesystem::path file =
       options.file.empty() ? DependencyFile(destination) : std::filesystem::path(options.file);
   return output::MayReplace(file, force, kRuleStart, IsRule, findings) &&
-         output::WriteFile(file, output::MakeRule(targets, names, options.phony), false, findings);
+         output::WriteSingleFile(file, output::MakeRule(targets, names, options.phony), findings);
 }
 
 }  // namespace mjforge::app

@@ -55,6 +55,30 @@ TEST_CASE_METHOD(BadOutputTest, "an output folder that is a file is refused") {
   CHECK(folder().Files() == Files{"crate.yaml", "out"});
 }
 
+TEST_CASE_METHOD(BadOutputTest, "what killed processes left of a file is removed by the next run") {
+  const auto [output, left] = GENERATE(
+      table<std::string, Files>({{"out/",
+                                  {"out/.crate_000000.xml.tmp1-0", "out/.manifest.seal.json.tmp1-0",
+                                   "out/assets/.wood.png.tmp1-0"}},
+                                 {"x.tar", {".x.manifest.seal.json.tmp1-0"}},
+                                 {"x.xml", {".x.xml.tmp1-0", ".x.d.tmp1-0"}}}));
+  INFO(output);
+  const std::vector<std::string> arguments = {"generate", "crate.yaml", "-q", "-MD", "-o", output};
+  REQUIRE(Run(arguments).status == 0);
+  const Files whole = folder().Files();
+  for (const std::string& file : left) folder().Write(file, "<mujoco");
+  folder().Write(".crate.yaml.tmp1-0", "");
+  CHECK(Run(arguments).status == 0);
+  Files expected = whole;
+  expected.insert(expected.begin(), ".crate.yaml.tmp1-0");
+  CHECK(folder().Files() == expected);
+  if (output != "out/") return;
+  REQUIRE(Run({"report", "out/", "-q"}).status == 0);
+  folder().Write("out/.report.html.tmp1-0", "");
+  REQUIRE(Run({"report", "out/", "-q"}).status == 0);
+  CHECK(folder().Files().size() == expected.size() + 1);
+}
+
 TEST_CASE_METHOD(BadOutputTest, "a file in a folder that cannot be made is refused") {
   const auto result = Run({"generate", "crate.yaml", "-q", "-o", "crate.yaml/x.xml"});
   CHECK(result.status == 3);

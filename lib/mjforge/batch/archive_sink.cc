@@ -25,9 +25,6 @@ class ArchiveSink : public Sink {
   std::optional<ResumedVariants> Open(diag::Findings& findings) override {
     if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
       return std::nullopt;
-    const std::string seal = manifest::SealPathOf(journal_.file()).filename().string();
-    output::RemoveAbandoned(destination_.Folder(), false,
-                            [&](const std::string& file) { return file == seal; });
     checkpoint_.next = options_.range.first;
     checkpoint_.archive = ArchiveOf(options_.range.first);
     const std::optional<ResumedVariants> resumed = FindResumable(findings);
@@ -92,10 +89,6 @@ class ArchiveSink : public Sink {
   // A sealed batch is either unchanged, with nothing to do, or made again from the start.
   std::optional<ResumedVariants> ContinueFinished(diag::Findings& findings) {
     const manifest::Seal& seal = *journal_.previous_seal();
-    if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
-      ReportOtherBatch(journal_.file(), difference, findings);
-      return std::nullopt;
-    }
     std::string why_not;
     const bool is_sound =
         bytes::IsSound(journal_.file(), seal.manifest.content, why_not) &&
@@ -179,7 +172,7 @@ class ArchiveSink : public Sink {
     std::error_code ignored;
     if (!request_.force &&
         std::filesystem::exists(std::filesystem::symlink_status(file, ignored)) &&
-        !journal_.HasMadeArchive(file.filename().string())) {
+        !journal_.HasMadeArchive(file.filename().string()) && !output::IsObjectArchive(file)) {
       output::AddForeignFile(file, findings);
       return false;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "mjforge/batch/journal.h"
 #include "mjforge/batch/sealed_outputs.h"
@@ -24,23 +25,21 @@ class FolderSink : public Sink {
   std::optional<ResumedVariants> Open(diag::Findings& findings) override {
     if (!folders_.Make(folder_, findings)) return std::nullopt;
     if (!journal_.Open(findings)) return std::nullopt;
-    if (request_.resume || journal_.is_unfinished()) RemoveAbandonedFiles();
+    RemoveAbandoned();
     std::optional<ResumedVariants> resumed =
         request_.resume ? Continue(findings) : ResumedVariants();
     if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // remove the files that Open made
     if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
       return std::nullopt;
-    is_continued_ = resumed->done() > 0;
     return resumed;
   }
 
   output::OverwritePolicy overwrite() const override {
-    output::OverwritePolicy overwrite = {.force = request_.force,
-                                         .if_changed = request_.if_changed,
-                                         .durability = request_.durability};
-    // Objects of an earlier run need the assets of that run, so these must not be replaced.
-    if (!is_continued_) overwrite.assets = journal_.made_assets();
-    return overwrite;
+    return {.force = request_.force,
+            .if_changed = request_.if_changed,
+            .durability = request_.durability,
+            .assets = journal_.made_assets(),
+            .kept_assets = journal_.assets()};
   }
 
   bool Take(ChunkResult& result, diag::Findings& findings) override {
@@ -62,20 +61,25 @@ class FolderSink : public Sink {
 
   void Drop() override { journal_.Drop(); }
 
- private:
-  void RemoveAbandonedFiles() const {
-    output::RemoveAbandoned(folder_, true, [range = options_.range](const std::string& file) {
-      const std::optional<std::uint64_t> index = output::IndexOfFile(file);
-      return !index || (*index >= range.first && *index - range.first < range.count);
-    });
+  void RemoveAbandoned() const override {
+    output::RemoveAbandoned(folder_, options_.range.first, options_.range.count);
   }
 
+ private:
   std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     // Verify every file by its hash; missing or changed files are made again.
     ObjectChecker objects(folder_, true);
+    const std::map<std::string, std::string> noted = journal_.is_unfinished() ? journal_.assets()
+                                                     : journal_.previous_seal()
+                                                         ? journal_.previous_seal()->assets
+                                                         : std::map<std::string, std::string>();
     const auto is_there = [&](const manifest::Record& record) {
       diag::Findings ignored;
-      return record.status != Status::kOk || objects.Check(record, ignored);
+      if (record.status == Status::kOk && !objects.Check(record, ignored)) return false;
+      for (const auto& asset : record.assets) {
+        if (noted.contains(asset.first)) kept_assets_.insert(asset);
+      }
+      return true;
     };
     if (journal_.is_unfinished()) {
       const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
@@ -88,10 +92,6 @@ class FolderSink : public Sink {
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
     if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content, why_not))
       return ResumedVariants();
-    if (const std::string difference = journal_.DifferenceFromPrevious(); !difference.empty()) {
-      ReportOtherBatch(journal_.file(), difference, findings);
-      return std::nullopt;
-    }
     const std::optional<ResumedVariants> resumed =
         ReadResumable(journal_.file(), options_, is_there, findings);
     if (!resumed || resumed->done() == 0) return resumed;
@@ -112,7 +112,12 @@ class FolderSink : public Sink {
 
   bool AddResumedCheckpoint(const ResumedVariants& resumed, diag::Findings& findings) {
     checkpoint_.next = options_.range.first + resumed.done();
-    return journal_.AddCheckpoint(checkpoint_, findings);
+    const auto note = [&](const auto& asset) {
+      return journal_.assets().contains(asset.first) ||
+             journal_.AddAsset({.name = asset.first, .source = {}, .sha256 = asset.second},
+                               findings);
+    };
+    return std::ranges::all_of(kept_assets_, note) && journal_.AddCheckpoint(checkpoint_, findings);
   }
 
   bool Copy(const ResumedVariants& resumed, diag::Findings& findings) {
@@ -127,12 +132,7 @@ class FolderSink : public Sink {
         return false;
       left -= *count;
     }
-    const auto note = [&](const auto& asset) {
-      return journal_.AddAsset({.name = asset.first, .source = {}, .sha256 = asset.second},
-                               findings);
-    };
-    return std::ranges::all_of(journal_.previous_seal()->assets, note) &&
-           AddResumedCheckpoint(resumed, findings);
+    return AddResumedCheckpoint(resumed, findings);
   }
 
   SinkOptions options_;
@@ -141,7 +141,7 @@ class FolderSink : public Sink {
   output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
   Journal journal_;
   Checkpoint checkpoint_;
-  bool is_continued_ = false;
+  std::map<std::string, std::string> kept_assets_;  // names and SHA-256, of the records that remain
 };
 
 }  // namespace

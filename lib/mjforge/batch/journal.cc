@@ -21,16 +21,15 @@ using output::Durability;
 constexpr std::string_view kBegin = "mjforge-journal 1 ";
 constexpr std::size_t kChecksumDigits = 16;
 
-std::string ShortChecksumOf(std::string_view text) {
-  return bytes::ChecksumOf(text).substr(0, kChecksumDigits);
+std::string WithChecksum(std::string_view words) {
+  return fmt::format("{} {}", words, bytes::ChecksumOf(words).substr(0, kChecksumDigits));
 }
 
 // Returns the words of a line; nothing if the checksum does not match.
 std::optional<std::string_view> VerifiedWords(std::string_view line) {
   if (line.size() <= kChecksumDigits) return std::nullopt;
   const std::string_view words = line.substr(0, line.size() - kChecksumDigits - 1);
-  if (line.substr(words.size() + 1) != ShortChecksumOf(words)) return std::nullopt;
-  return words;
+  return line == WithChecksum(words) ? std::optional(words) : std::nullopt;
 }
 
 Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& manifest) {
@@ -70,23 +69,40 @@ bool Journal::Open(diag::Findings& findings) {
   if (!manifest_file_) return false;
   journal_file_ = output::PartFile::Open(file_.string() + ".journal", findings);
   if (!journal_file_) {
-    if (manifest_file_->size() == 0) manifest_file_->Drop();  // remove the file that Open made
+    DropEmpty();
     return false;
   }
+  output::RemoveAbandoned({manifest::SealPathOf(file_)});
   is_unfinished_ = manifest_file_->size() > 0 || journal_file_->size() > 0;
   ReadJournal();
   std::vector<bytes::Prefix> prefixes;
   prefixes.reserve(checkpoints_.size());
   for (const Checkpoint& checkpoint : checkpoints_) prefixes.push_back(checkpoint.manifest);
   checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));
-  if (manifest_file_->size() > 0 && !journal_seal_ && !options_.request.force) {
-    output::AddForeignFile(manifest_file_->temporary(), findings);
-    if (journal_file_->size() == 0) journal_file_->Drop();  // remove the file that Open made
-    return false;
+  const bool is_ours =
+      journal_seal_ || MayReplaceManifest(part(), options_.request.force, findings);
+  if (is_ours && (!options_.request.resume || IsOfThisBatch(findings))) return true;
+  DropEmpty();
+  return false;
+}
+
+// Removes the files that Open made.
+void Journal::DropEmpty() {
+  for (const auto& file : {&manifest_file_, &journal_file_}) {
+    if (*file && (*file)->size() == 0) (*file)->Drop();
   }
-  if (!options_.request.resume || !journal_seal_) return true;
-  const std::string difference = manifest::DifferenceOfOutput(*journal_seal_, seal_);
-  if (!difference.empty()) ReportOtherBatch(manifest_file_->temporary(), difference, findings);
+}
+
+// Returns true unless the earlier run, finished or not, made another batch; then adds a finding.
+bool Journal::IsOfThisBatch(diag::Findings& findings) const {
+  const std::filesystem::path& manifest = is_unfinished_ ? part() : file_;
+  const std::optional<Seal>& seal = is_unfinished_ ? journal_seal_ : previous_seal_;
+  if (!seal) {  // the first record has the options that determine the objects
+    const auto is_enough = [](const manifest::Record&) { return false; };
+    return ReadResumable(manifest, options_, is_enough, findings).has_value();
+  }
+  const std::string difference = manifest::DifferenceOfOutput(*seal, seal_);
+  if (!difference.empty()) ReportOtherBatch(manifest, difference, findings);
   return difference.empty();
 }
 
@@ -99,14 +115,18 @@ void Journal::ReadPreviousSeal() {
   for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
 }
 
-// Returns true if manifest and seal do not exist or were made by an earlier run of this batch.
+// Returns true if manifest and seal do not exist or were made by an earlier run. A damaged manifest
+// is recognized by its seal, a damaged seal by the names of its first and its last member.
 bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   const bool force = options_.request.force;
+  const bool is_sealed = previous_seal_ && previous_seal_->manifest.file == file_.filename();
   constexpr std::string_view kSealStart = R"({"mjforge_seal":)";
-  const auto is_seal = [&](std::string_view start) { return kSealStart.starts_with(start); };
-  if (!MayReplaceManifest(file_, force, findings) ||
-      !output::MayReplace(manifest::SealPathOf(file_), force, kSealStart.size(), is_seal,
-                          findings)) {
+  const auto is_seal = [&](std::string_view text) {
+    return kSealStart.starts_with(text.substr(0, text.find('\0')).substr(0, kSealStart.size())) ||
+           text.find(R"(,"xxh128":")") != text.npos;
+  };
+  if (!MayReplaceManifest(file_, force || is_sealed, findings) ||
+      !output::MayReplace(manifest::SealPathOf(file_), force, kMaxSeal, is_seal, findings)) {
     return false;
   }
   if (force || !previous_seal_ || previous_seal_->output == seal_.output) return true;
@@ -115,10 +135,6 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
       fmt::format("'{}' is the manifest of '{}'", file_.string(), previous_seal_->output),
       "give the archive a name that differs in more than its ending, or overwrite with --force");
   return false;
-}
-
-std::string Journal::DifferenceFromPrevious() const {
-  return previous_seal_ ? manifest::DifferenceOfOutput(*previous_seal_, seal_) : std::string();
 }
 
 bool Journal::HasMadeArchive(const std::string& archive) const {
@@ -149,7 +165,8 @@ void Journal::ReadJournal() {
 bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   if (line.starts_with(kBegin)) {
     std::string why_not;
-    journal_seal_ = manifest::ReadSeal(line.substr(kBegin.size()), why_not);
+    const std::string seal = fmt::format("{}\n", line.substr(kBegin.size()));
+    journal_seal_ = manifest::ReadSeal(seal, why_not);
     return journal_seal_.has_value();
   }
   std::istringstream words{std::string(line)};
@@ -194,7 +211,7 @@ bool Journal::ReadCheckpoint(std::istringstream& words, std::uint64_t end) {
 }
 
 bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
-  return journal_file_->Append(fmt::format("{} {}\n", line, ShortChecksumOf(line)), findings);
+  return journal_file_->Append(WithChecksum(line) + '\n', findings);
 }
 
 bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {

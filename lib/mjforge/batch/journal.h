@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -43,10 +44,10 @@ class Journal {
   const std::vector<manifest::SealedFile>& closed() const { return closed_; }
   /// Seal of the previous, finished batch; empty if there is none.
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
-  /// Describes how the output of the previous batch differs from this one; empty if it does not.
-  std::string DifferenceFromPrevious() const;
   /// Returns true if an earlier run of this batch made that archive.
   bool HasMadeArchive(const std::string& archive) const;
+  /// Names and SHA-256 of the assets of all records so far.
+  const std::map<std::string, std::string>& assets() const { return seal_.assets; }
   /// SHA-256 of the assets of earlier runs with the same output and spec.
   const std::set<std::string>& made_assets() const { return made_assets_; }
 
@@ -78,6 +79,8 @@ class Journal {
 
  private:
   bool MayReplaceOutputs(diag::Findings& findings) const;
+  void DropEmpty();
+  bool IsOfThisBatch(diag::Findings& findings) const;
   void ReadPreviousSeal();
   void ReadJournal();
   bool ReadLine(std::string_view line, std::uint64_t end);

@@ -50,6 +50,7 @@ class ShardMerger {
       return std::nullopt;
     }
     std::unique_ptr<output::PartFile> part = output::PartFile::Open(file_, findings_);
+    output::RemoveAbandoned({manifest::SealPathOf(file_)});
     if (!part || !part->Truncate(0, findings_)) return std::nullopt;
     for (std::uint64_t i = 0; i < *count; ++i) {
       if (!Append(destination_.Manifest({i, *count}), *part)) {

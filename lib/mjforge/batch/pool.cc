@@ -316,6 +316,7 @@ void Pool::Replace(WorkerProcess& worker) {
   worker.buffer.clear();
   std::deque<Task> tasks = std::exchange(worker.assigned, {});
   if (tasks.empty()) return;
+  has_lost_worker_ = true;
   Task& first = tasks.front();
   const std::string how = worker.too_slow.empty() ? DescribeExit(status) : worker.too_slow;
   const bool at_work = worker.mailbox->turn() % 2 == 1;

@@ -109,6 +109,8 @@ class Pool {
   void AskToStop();
   /// Returns true if results are available or tasks are assigned.
   bool IsBusy() const;
+  /// Returns true if a worker died that had a task, so that it may have left an incomplete file.
+  bool has_lost_worker() const { return has_lost_worker_; }
 
  private:
   struct WorkerProcess;
@@ -131,6 +133,7 @@ class Pool {
   std::chrono::steady_clock::time_point last_look_;
   std::chrono::duration<double> watch_time_{};  // wall time, except while this process was stopped
   bool stopped_ = false;
+  bool has_lost_worker_ = false;
 };
 
 }  // namespace mjforge::batch

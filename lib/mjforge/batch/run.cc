@@ -75,6 +75,7 @@ class BatchRun {
     if (const std::optional<ResumedVariants> resumed = sink->Open(output_findings)) {
       static_cast<manifest::StatusCounts&>(summary_) = *resumed;
       summary_.resumed = resumed->done();
+      has_lost_worker_ = summary_.resumed < range_.count;  // until Make succeeds
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -130,6 +131,7 @@ class BatchRun {
       }
       if (stopped && Clock::now() - *stopped > kGrace) return;
     }
+    has_lost_worker_ = pool.has_lost_worker();
   }
 
   static std::size_t SizeOf(const ChunkResult& result) {
@@ -196,6 +198,7 @@ class BatchRun {
   }
 
   void End(Sink& sink, diag::Findings& output_findings) {
+    if (has_lost_worker_) sink.RemoveAbandoned();
     const bool is_broken = summary_.interrupted || summary_.files_failed;
     // A shard without a valid variant is finished, because merging needs its manifest.
     const bool has_nothing =
@@ -219,6 +222,7 @@ class BatchRun {
   std::map<std::uint64_t, ChunkResult> waiting_;  // key: index of the first variant
   std::size_t waiting_bytes_ = 0;
   std::uint64_t next_ = 0;
+  bool has_lost_worker_ = false;
   FindingSummary finding_summary_{kMaxFindings};
   std::map<std::string, std::uint32_t>
       attached_;  // leader's numbers of the sources that workers read, by name

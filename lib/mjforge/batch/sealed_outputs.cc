@@ -11,20 +11,17 @@
 namespace mjforge::batch {
 namespace {
 
-// Limit of the size of a seal, more than that of a seal with as many archives as a folder can have.
-constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
-
 // Limit of assets whose results are remembered.
 constexpr std::size_t kMaxRememberedAssets = 10'000;
 
 void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
-                  diag::Findings& findings) {
+                  diag::Findings& findings, std::string_view option = "--resume") {
   std::error_code ignored;
   const bool exists = std::filesystem::exists(file, ignored);
   findings.Add(exists ? diag::Code::kBatchChanged : diag::Code::kBatchMissing, {},
                exists ? fmt::format("'{}' was changed: {}", file.string(), why_not)
                       : fmt::format("'{}' is missing", file.string()),
-               "run the command that made it again with --resume");
+               fmt::format("run the command that made it again with {}", option));
 }
 
 // Returns true if a file exists and is not empty or, with `verify`, has its hash; otherwise adds a
@@ -67,8 +64,12 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
   std::string why_not;
   const bool is_good = verify ? bytes::IsSound(path, file.content, why_not)
                               : bytes::HasSize(path, file.content.size, why_not);
-  if (!is_good) ReportDamage(path, why_not, findings);
-  return is_good;
+  if (is_good) return true;
+  // Without --verify, resuming compares only the sizes of archives.
+  std::string ignored;
+  const bool has_size = bytes::HasSize(path, file.content.size, ignored);
+  ReportDamage(path, why_not, findings, has_size ? "--resume --verify" : "--resume");
+  return false;
 }
 
 bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findings) {

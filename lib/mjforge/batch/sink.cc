@@ -19,21 +19,21 @@ class FileSink : public Sink {
   bool Take(ChunkResult& result, diag::Findings& findings) override {
     if (result.text.empty()) return true;
     const std::filesystem::path& path = request_.destination.path;
-    const std::string name = path.filename().string();
-    output::RemoveAbandoned(path.parent_path(), false,
-                            [&](const std::string& file) { return file == name; });
     output::ObjectFolder folder(path.parent_path(),
                                 {.force = request_.force, .if_changed = request_.if_changed});
     mjcf::MjcfDocument document;
     document.text = result.text;
     output::AssetHashes hashes;
+    std::set<std::filesystem::path> files = {path};
     for (const HashedAsset& asset : result.assets) {
       document.assets.push_back({.name = asset.name, .file = asset.source});
       if (asset.source.empty())
         document.assets.back().made = std::make_shared<const std::string>(asset.made);
       hashes.emplace_back(asset.name, asset.sha256);
+      files.insert(path.parent_path() / asset.name);
     }
-    return folder.Write(name, document, findings, hashes);
+    output::RemoveAbandoned(files);
+    return folder.Write(path.filename().string(), document, findings, hashes);
   }
 
  private:
@@ -82,6 +82,7 @@ bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Fin
   // An empty file contains nothing that could be lost.
   const auto is_ours = [](std::string_view start) {
     std::string why_not;
+    start = start.substr(0, start.find('\0'));  // a power cut can leave zeros
     return start.empty() || manifest::ReadRecord(start.substr(0, start.find('\n')), why_not);
   };
   return output::MayReplace(file, force, kLongestLine, is_ours, findings);

@@ -40,6 +40,8 @@ class Sink {
   virtual bool Finish(diag::Findings&) { return true; }
   /// Removes the output of a batch that has no variant.
   virtual void Drop() {}
+  /// Removes the temporary files of workers that were killed.
+  virtual void RemoveAbandoned() const {}
 };
 
 /// Arguments of sinks: `all` is the whole batch, `range` the request's shard of it, and `batch` has

@@ -10,8 +10,6 @@
 namespace mjforge::mjcf {
 namespace {
 
-constexpr std::string_view kFolder = "assets/";
-
 // Attributes of a mesh that its file replaces.
 constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"};
 
@@ -101,14 +99,14 @@ class AssetWriter {
  private:
   void WriteFile(std::string_view attribute, const std::filesystem::path& file,
                  const std::string& output_file) {
-    std::string name(kFolder);
+    std::string name(kAssetFolder);
     name += output_file;
     writer_.WriteText(attribute, name);
     document_.assets.push_back({.name = std::move(name), .file = file});
   }
 
   void WriteGeneratedFile(GeneratedFile file, std::string_view label, std::string_view extension) {
-    std::string name = std::string(kFolder) + StemOf(label) + '_';
+    std::string name = std::string(kAssetFolder) + StemOf(label) + '_';
     const std::size_t hash = name.size();
     name.append(kHashDigits, '0').append(extension);
     writer_.WriteText("file", name);

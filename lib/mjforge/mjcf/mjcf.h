@@ -50,6 +50,9 @@ enum class AssetForm {
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
 constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
 
+/// Folder of all files that an object's file refers to.
+inline constexpr std::string_view kAssetFolder = "assets/";
+
 /// Digits of the hash in the name of a generated file.
 inline constexpr std::size_t kHashDigits = 16;
 /// A mesh or texture file that is still to be generated from the object. Its name in the text has

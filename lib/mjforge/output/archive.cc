@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/output/atomic_file.h"
 
 namespace mjforge::output {
 namespace {
@@ -72,6 +74,16 @@ std::string Compress(std::string_view bytes) {
   return out;
 }
 
+// Opens an archive of either format; `status` is the result.
+Reader OpenReader(const std::filesystem::path& file, int& status) {
+  constexpr std::size_t kBlockBytes = 1 << 20;
+  Reader reader(archive_read_new());
+  archive_read_support_filter_zstd(reader.get());
+  archive_read_support_format_tar(reader.get());
+  status = archive_read_open_filename(reader.get(), file.c_str(), kBlockBytes);
+  return reader;
+}
+
 }  // namespace
 
 struct Segment::TarWriter {
@@ -121,9 +133,30 @@ std::string ArchiveEnd(ArchiveFormat format) {
   return format == ArchiveFormat::kTar ? end : Compress(end);
 }
 
+bool IsObjectArchive(const std::filesystem::path& file) {
+  std::string why_not;
+  const std::optional<std::string> start = bytes::ReadStart(file, 1, why_not);
+  if (!start || start->empty()) return start.has_value();
+  int status = ARCHIVE_OK;
+  const Reader reader = OpenReader(file, status);
+  archive_entry* entry = nullptr;
+  const auto next = [&] { return archive_read_next_header(reader.get(), &entry); };
+  if (status == ARCHIVE_OK) status = next();
+  if (status == ARCHIVE_EOF) return true;
+  const auto is_asset = [&] {
+    const char* path = archive_entry_pathname(entry);
+    return path != nullptr && std::string_view(path).starts_with(mjcf::kAssetFolder);
+  };
+  while (status == ARCHIVE_OK && is_asset()) status = next();
+  if (status != ARCHIVE_OK) return false;
+  // A damaged archive may end within the object, which is an error after its beginning is read.
+  std::string opening(kCommentBytes, '\0');
+  archive_read_data(reader.get(), opening.data(), opening.size());
+  return mjcf::ReadProvenance(opening.c_str()).has_value();
+}
+
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
                                       diag::Findings& findings) {
-  constexpr std::size_t kBlockBytes = 1 << 20;
   const auto fail = [&](std::string_view why_not) {
     findings.Add(diag::Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}' in '{}': {}", name, file.string(), why_not));
@@ -132,10 +165,8 @@ std::optional<std::string> ReadMember(const std::filesystem::path& file, const s
   std::string why_not;
   if (!bytes::MayRead(file, std::numeric_limits<std::uint64_t>::max(), why_not))
     return fail(why_not);
-  const Reader reader(archive_read_new());
-  archive_read_support_filter_zstd(reader.get());
-  archive_read_support_format_tar(reader.get());
-  int status = archive_read_open_filename(reader.get(), file.c_str(), kBlockBytes);
+  int status = ARCHIVE_OK;
+  const Reader reader = OpenReader(file, status);
   archive_entry* entry = nullptr;
   const auto next = [&] { return archive_read_next_header(reader.get(), &entry); };
   if (status == ARCHIVE_OK) status = next();

@@ -43,6 +43,10 @@ class Segment {
 /// Returns the bytes that end an archive.
 std::string ArchiveEnd(ArchiveFormat format);
 
+/// Returns true if mjforge wrote the first object of an archive of either format, or if the file
+/// has no members, as after a power cut.
+bool IsObjectArchive(const std::filesystem::path& file);
+
 /// Returns the bytes of the member `name` of an archive of either format; nothing, after adding a
 /// finding, if the archive does not contain that member or cannot be read.
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,22 +18,39 @@
 namespace mjforge::output {
 namespace {
 
-// Limit of names to try, because a killed process with the same id may have left a file behind.
+// Limit of names to try: a killed process with the same id may have left a file behind, and a
+// process that removes such files may have locked a new one.
 constexpr int kTriedNames = 100;
 
-// Opens a new temporary file beside `file`; returns -1, with errno, if that fails.
+// Locks an open file without waiting. Returns false if another process has the lock or has removed
+// the file; returns true if the file system has no locks.
+bool LockNew(int descriptor) {
+  struct stat status;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
+// Opens and locks a new temporary file beside `file`; returns -1, with errno, if that fails.
 int OpenTemporary(const std::filesystem::path& file, std::string& temporary) {
-  int descriptor = -1;
-  for (int attempt = 0; descriptor < 0 && attempt < kTriedNames; ++attempt) {
+  for (int attempt = 0; attempt < kTriedNames; ++attempt) {
     const std::string name =
         fmt::format(".{}.tmp{}-{}", file.filename().string(), ::getpid(), attempt);
     temporary = (file.parent_path() / name).string();
-    descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno != EEXIST) break;
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 && LockNew(descriptor)) return descriptor;
+    if (descriptor < 0 && errno != EEXIST) return -1;
+    if (descriptor >= 0) ::close(descriptor);
   }
-  // RemoveAbandoned leaves locked files alone.
-  if (descriptor >= 0) ::flock(descriptor, LOCK_EX | LOCK_NB);
-  return descriptor;
+  errno = EEXIST;
+  return -1;
+}
+
+// Closes a duplicate of an open file, because on a network disk or at a quota only close() reports
+// that writing failed; the file itself remains open and locked. Returns false, with errno, if that
+// fails.
+bool Flush(int descriptor) {
+  const int duplicate = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  return duplicate >= 0 && ::close(duplicate) == 0;
 }
 
 }  // namespace
@@ -70,6 +88,12 @@ bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::pat
   return true;
 }
 
+bool WriteSingleFile(const std::filesystem::path& file, std::string_view bytes,
+                     diag::Findings& findings) {
+  RemoveAbandoned({file});
+  return WriteFile(file, bytes, false, findings);
+}
+
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings, Durability durability) {
   std::string ignored;
@@ -83,13 +107,15 @@ bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool i
   const bool is_written = WriteAll(descriptor, bytes, file, findings);
   const bool is_synced =
       is_written && (durability == Durability::kNone || ::fdatasync(descriptor) == 0);
-  // On a network disk or at a quota, only close() reports that writing failed.
-  if (::close(descriptor) == 0 && is_synced && std::rename(temporary.c_str(), file.c_str()) == 0) {
-    return durability == Durability::kNone || SyncFolder(file.parent_path(), false, findings);
-  }
-  if (is_written) AddCannotWrite(file, errno, findings);
-  ::unlink(temporary.c_str());
-  return false;
+  // The lock is held until the file has its final name, because RemoveAbandoned removes temporary
+  // files that nobody has locked.
+  const bool is_renamed =
+      is_synced && Flush(descriptor) && std::rename(temporary.c_str(), file.c_str()) == 0;
+  if (is_written && !is_renamed) AddCannotWrite(file, errno, findings);
+  if (!is_renamed) ::unlink(temporary.c_str());
+  ::close(descriptor);
+  return is_renamed &&
+         (durability == Durability::kNone || SyncFolder(file.parent_path(), false, findings));
 }
 
 }  // namespace mjforge::output

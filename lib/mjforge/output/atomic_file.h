@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@ namespace mjforge::output {
 /// Returns the final name that belongs to a temporary one of WriteFile: "x.xml" for
 /// ".x.xml.tmp123-0"; nothing for all other names.
 std::optional<std::string> FinalNameOf(std::string_view temporary);
+
+/// Limit of the comment at the start of an object's file, which includes all settings.
+inline constexpr std::size_t kCommentBytes = 64 * 1024;
 
 /// Adds the finding "cannot write 'FILE': MESSAGE" with the system's message for `error`, an errno.
 void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);

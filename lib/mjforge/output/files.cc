@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/output/atomic_file.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
-namespace {
-
-// Limit of the comment at the start of an object's file, which includes all settings.
-constexpr std::size_t kCommentBytes = 64 * 1024;
-
-}  // namespace
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings) {
@@ -43,16 +42,27 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
   return false;
 }
 
-bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {
+bool IsDamagedCopy(std::string_view present, std::string_view bytes) {
+  if (present.size() > bytes.size()) return false;
+  const auto [end, other] = std::ranges::mismatch(present, bytes);
+  if (std::all_of(end, present.end(), [](char c) { return c == 0; })) return true;
+  const std::size_t equal = std::transform_reduce(present.begin(), present.end(), bytes.begin(),
+                                                  std::size_t{0}, std::plus<>(), std::equal_to<>());
+  return present.size() == bytes.size() && 2 * equal >= bytes.size();
+}
+
+bool MayReplace(const std::filesystem::path& file, std::string_view text, bool force,
+                diag::Findings& findings) {
   return MayReplace(
       file, force, kCommentBytes,
-      [](std::string_view opening) {
+      [text](std::string_view opening) {
         // After a power cut, a file may end at any byte or contain zeros from there on.
         constexpr std::string_view kMark = "<!-- mjforge ";
         const std::string_view left = opening.substr(0, opening.find('\0'));
         const bool is_cut = left.find("-->") == left.npos &&
                             left.substr(0, kMark.size()) == kMark.substr(0, left.size());
-        return is_cut || mjcf::ReadProvenance(opening).has_value();
+        return is_cut || mjcf::ReadProvenance(opening).has_value() ||
+               IsDamagedCopy(opening, text.substr(0, kCommentBytes));
       },
       findings);
 }

@@ -19,31 +19,36 @@ namespace {
 // Limit of assets remembered as done, because each variant may have generated assets of its own.
 constexpr std::size_t kMaxRememberedAssets = 10'000;
 
-// Returns true if a power cut may have reduced `bytes` to `present`: a prefix, followed by zeros.
-bool IsBeginningOf(std::string_view present, std::string_view bytes) {
-  if (present.size() > bytes.size()) return false;
-  const auto [end, other] = std::ranges::mismatch(present, bytes);
-  return std::all_of(end, present.end(), [](char c) { return c == 0; });
-}
-
-// Returns true if no running process holds the lock of a temporary file.
-bool IsAbandoned(const std::filesystem::path& file) {
+// Removes a temporary file unless a running process has locked it. The lock is held meanwhile, so
+// that a process that has just made the file notices the removal.
+void RemoveIfAbandoned(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (descriptor < 0) return false;
-  const bool left = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  if (descriptor < 0) return;
+  struct stat status;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &status) == 0 &&
+      status.st_nlink > 0) {
+    ::unlink(file.c_str());
+  }
   ::close(descriptor);
-  return left;
 }
 
-template <typename Iterator>
-void RemoveAbandonedIn(Iterator at, std::error_code& error,
+// Returns true for a folder, and false for a link to one.
+bool IsOwnFolder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(std::filesystem::symlink_status(path, ignored));
+}
+
+// Removes the abandoned files in a folder whose final names `is_ours` accepts.
+void RemoveAbandonedIn(const std::filesystem::path& folder,
                        const std::function<bool(const std::string&)>& is_ours) {
+  std::error_code error;
   std::vector<std::filesystem::path> found;
-  for (; !error && at != Iterator(); at.increment(error)) {
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
     const std::optional<std::string> file = FinalNameOf(at->path().filename().string());
-    if (file && is_ours(*file) && IsAbandoned(at->path())) found.push_back(at->path());
+    if (file && is_ours(*file)) found.push_back(at->path());
   }
-  for (const std::filesystem::path& file : found) std::filesystem::remove(file, error);
+  std::ranges::for_each(found, RemoveIfAbandoned);
 }
 
 }  // namespace
@@ -54,14 +59,34 @@ std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
   return ReadIndex(file.substr(start + 1, file.size() - start - 5));
 }
 
-void RemoveAbandoned(const std::filesystem::path& folder, bool below,
-                     const std::function<bool(const std::string&)>& is_ours) {
-  const std::filesystem::path start = folder.empty() ? "." : folder;
+void RemoveAbandoned(const std::set<std::filesystem::path>& files) {
+  std::set<std::filesystem::path> folders;
+  for (const std::filesystem::path& file : files) folders.insert(file.parent_path());
+  for (const std::filesystem::path& folder : folders) {
+    RemoveAbandonedIn(folder,
+                      [&](const std::string& file) { return files.contains(folder / file); });
+  }
+}
+
+void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first,
+                     std::uint64_t count) {
+  const auto is_object = [&](const std::string& file) {
+    const std::optional<std::uint64_t> index = IndexOfFile(file);
+    return index && *index >= first && *index - first < count;
+  };
+  std::vector<std::filesystem::path> folders = {folder};
   std::error_code error;
-  if (below) {
-    RemoveAbandonedIn(std::filesystem::recursive_directory_iterator(start, error), error, is_ours);
-  } else {
-    RemoveAbandonedIn(std::filesystem::directory_iterator(start, error), error, is_ours);
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+    const auto start = ReadIndex(at->path().filename().string());
+    const bool has_objects =
+        start && (*start < first ? first - *start < kFilesPerFolder : *start - first < count);
+    if (has_objects && IsOwnFolder(at->path())) folders.push_back(at->path());
+  }
+  for (const std::filesystem::path& objects : folders) {
+    RemoveAbandonedIn(objects, is_object);
+    const std::filesystem::path assets = (objects / mjcf::kAssetFolder).parent_path();
+    if (IsOwnFolder(assets)) RemoveAbandonedIn(assets, [](const std::string&) { return true; });
   }
 }
 
@@ -126,6 +151,16 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
                "make the batch anew, without --resume");
 }
 
+// Returns true if an existing asset may be replaced by one with these bytes.
+bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
+                         std::string_view bytes, const std::string& sha256) const {
+  // The name of a generated asset contains a hash of its content.
+  if (asset.made) return IsDamagedCopy(present, bytes);
+  const auto kept = overwrite_.kept_assets.find(asset.name);
+  if (kept != overwrite_.kept_assets.end()) return kept->second == sha256;
+  return overwrite_.assets.contains(sha256) || overwrite_.assets.contains(bytes::Sha256Of(present));
+}
+
 // An existing copy with the same bytes stays untouched.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
@@ -137,9 +172,7 @@ bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::p
     const std::optional<std::string> present = ReadFile(target, bytes::kMaxAsset, findings);
     if (!present) return false;
     if (*present == bytes) return true;
-    const bool is_ours = asset.made ? IsBeginningOf(*present, bytes)
-                                    : overwrite_.assets.contains(bytes::Sha256Of(*present));
-    if (!overwrite_.force && !is_ours) {
+    if (!overwrite_.force && !IsOwn(asset, *present, bytes, sha256)) {
       findings.Add(
           diag::Code::kOutputExists, {},
           fmt::format("'{}' exists, and its content differs from {}", target.string(),
@@ -182,7 +215,7 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
     last_folder_ = folder;
   }
   // Assets first, so that an object's file never exists without its assets.
-  return MayReplace(path, overwrite_.force, findings) &&
+  return MayReplace(path, document.text, overwrite_.force, findings) &&
          CopyAssets(document, folder, hashes, findings) &&
          WriteFile(path, document.text, overwrite_.if_changed, findings);
 }

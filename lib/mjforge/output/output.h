@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -27,8 +28,11 @@ struct OverwritePolicy {
   bool if_changed = false;  // leave a file with the same bytes untouched, including its time
   // Durability of copied assets, which a resumed batch does not write again.
   Durability durability = Durability::kNone;
-  // SHA-256 of assets that may be replaced, because an earlier run of the same batch wrote them.
+  // SHA-256 of assets that earlier runs of the same batch wrote, and that may be replaced; a
+  // damaged file is replaced by one of them.
   std::set<std::string> assets = {};
+  // Names and SHA-256 of assets that earlier objects refer to: these may only be restored.
+  std::map<std::string, std::string> kept_assets = {};
 };
 
 /// Writes a temporary file beside `file` and renames it. If that fails, removes the temporary file,
@@ -48,9 +52,14 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
-/// Performs this check for an object's file: accepts an object that mjforge wrote, and the remains
-/// of one after a power cut, which may be a prefix or only zeros.
-bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings);
+/// Performs this check for the file of an object with this text: accepts an object that mjforge
+/// wrote, the remains of one after a power cut, and a damaged copy of `text`.
+bool MayReplace(const std::filesystem::path& file, std::string_view text, bool force,
+                diag::Findings& findings);
+
+/// Returns true if `present` can be a damaged copy of `bytes`: a prefix, possibly followed by
+/// zeros, or the same number of bytes, of which at least half are equal.
+bool IsDamagedCopy(std::string_view present, std::string_view bytes);
 
 /// Adds the finding "'FILE' exists and was not made by mjforge".
 void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings);
@@ -103,6 +112,8 @@ class ObjectFolder {
  private:
   bool CopyAssets(const mjcf::MjcfDocument& document, const std::filesystem::path& folder,
                   const AssetHashes& hashes, diag::Findings& findings);
+  bool IsOwn(const bytes::Asset& asset, std::string_view present, std::string_view bytes,
+             const std::string& sha256) const;
   bool CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                  const std::string& sha256, diag::Findings& findings) const;
 
@@ -113,11 +124,16 @@ class ObjectFolder {
   std::set<std::filesystem::path> assets_;  // assets that are done
 };
 
-/// Removes the temporary files of killed processes from a folder, and with `below` from its
-/// subfolders: hidden files whose final names `is_ours` accepts and that no running process has
-/// locked.
-void RemoveAbandoned(const std::filesystem::path& folder, bool below,
-                     const std::function<bool(const std::string&)>& is_ours);
+/// Removes the temporary files that killed processes left when writing `files`: those that no
+/// running process has locked.
+void RemoveAbandoned(const std::set<std::filesystem::path>& files);
+/// Removes such files of `count` objects from index `first` on, and of the assets beside them, from
+/// a folder of objects and its numbered subfolders.
+void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first, std::uint64_t count);
+
+/// Writes a file that is not part of a batch, after removing its abandoned temporary files.
+bool WriteSingleFile(const std::filesystem::path& file, std::string_view bytes,
+                     diag::Findings& findings);
 
 /// Returns the index in an object's file name: 42 for "hammer_000042.xml"; nothing for other names.
 std::optional<std::uint64_t> IndexOfFile(std::string_view file);

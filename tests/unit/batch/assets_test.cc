@@ -104,6 +104,36 @@ TEST_CASE_METHOD(AssetsTest, "what a killed run copied is known as its own") {
   }
 }
 
+TEST_CASE_METHOD(AssetsTest, "a damaged asset is restored where its objects are kept") {
+  Request request = Of(20, "out");
+  Make(request);
+  const auto whole = Bytes("out");
+  request.resume = true;
+  std::filesystem::remove(folder / "out/crate_000011.xml");
+  folder.Write("out/assets/wood.png", Png('u'));
+  CHECK(ErrorOf(request).empty());
+  CHECK(Bytes("out") == whole);
+}
+
+TEST_CASE_METHOD(AssetsTest, "an asset of kept objects is noted again when a batch is resumed") {
+  Request request = Of(2000, "out");
+  request.jobs = 1;
+  std::atomic<bool> stop = false;
+  request.stop = &stop;
+  Observer observer;
+  observer.variant = [&](const FinishedVariant&) { stop = true; };
+  REQUIRE(Make(request, observer).interrupted);
+  request.stop = nullptr;
+  request.resume = true;
+  std::filesystem::remove(folder / "out/crate_000011.xml");  // in the middle of the first chunk
+  folder.Write("wood.png", Png('b'));
+  CHECK(ErrorOf(request).find("exists, and its content differs from") != std::string::npos);
+  CHECK(folder.Read("out/assets/wood.png") == Png('a'));
+  folder.Write("wood.png", Png('a'));
+  CHECK(ErrorOf(request).empty());
+  CHECK(IsGood("out"));
+}
+
 TEST_CASE_METHOD(AssetsTest, "a series has one version of an asset") {
   Request request = Of(2000, "out/x_%d.tar", 500);
   std::atomic<bool> stop = false;

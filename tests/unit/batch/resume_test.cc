@@ -152,34 +152,92 @@ TEST_CASE("what is under construction was damaged: the same bytes, or an honest 
 
 TEST_CASE("what is done and was damaged is made again") {
   const std::string output = GENERATE("", "/x.tar", "/x_%05d.tar.zst");
-  CrateBatch test(kBoxSpec);
-  const Request request = test.Of(100, "out" + output, 40);
+  const bool resumes = GENERATE(false, true);
+  INFO(output << ", resumes: " << resumes);
+  CrateBatch test(kWoodenSpec);
+  test.folder.Write("wood.png", Png('a'));
+  Request request = test.Of(100, "out" + output, 40);
   test.Make(request);
   const auto whole = test.Bytes("out");
+  request.resume = resumes;
+  request.verify = resumes;
   for (const auto& [name, bytes] : whole) {
     if (name.ends_with(".xml") && name != "crate_000070.xml") continue;
     INFO(name);
-    std::string changed = bytes;
-    changed[changed.size() / 2] ^= 1;
-    for (const std::string& other : {std::string(), bytes.substr(0, bytes.size() / 2), changed}) {
+    std::vector<std::string> damages = {"", bytes.substr(0, bytes.size() / 2),
+                                        std::string(bytes.size(), '\0'), bytes + '\n',
+                                        bytes.substr(0, bytes.size() - 1) + " \n"};
+    for (const std::size_t at : {std::size_t{2}, bytes.size() / 2, bytes.size() - 2}) {
+      damages.push_back(bytes);
+      damages.back()[at] ^= 1;
+    }
+    for (const std::string& damaged : damages) {
       std::filesystem::remove_all(test.folder / "out");
       for (const auto& [file, same] : whole) test.folder.Write("out/" + file, same);
-      test.folder.Write("out/" + name, other);
-      Request resuming = Resuming(request);
-      resuming.verify = true;
-      const Summary summary = test.Make(resuming);
-      if (summary.files_failed) {
-        // Without the seal, the archives and the batch cannot be recognized.
-        CHECK(name.ends_with(".seal.json"));
-        resuming.resume = false;
-        resuming.force = true;
-        CHECK(test.Make(resuming).ok == 100);
-      } else {
-        CHECK(summary.ok == 100);
-      }
+      test.folder.Write("out/" + name, damaged);
+      CHECK(test.Make(request).ok == 100);
       CHECK(test.Bytes("out") == whole);
     }
+    std::filesystem::remove(test.folder / "out" / name);
+    CHECK(test.Make(request).ok == 100);
+    CHECK(test.Bytes("out") == whole);
   }
+}
+
+TEST_CASE("archives are recognized without their seal, and without their manifest") {
+  CrateBatch test(kWoodenSpec);
+  test.folder.Write("wood.png", Png('a'));
+  const std::string output = GENERATE("/x.tar", "/x_%05d.tar.zst");
+  Request request = test.Of(100, "out" + output, 40);
+  request.resume = GENERATE(false, true);
+  test.Make(request);
+  const auto whole = test.Bytes("out");
+  std::filesystem::remove(test.folder / "out/x.manifest.seal.json");
+  std::filesystem::remove(test.folder / "out/x.manifest.jsonl");
+  CHECK(test.Make(request).ok == 100);
+  CHECK(test.Bytes("out") == whole);
+  // Another archive is not replaced, because nothing says that it is ours.
+  std::filesystem::remove(test.folder / "out/x.manifest.seal.json");
+  const std::string archive = output == "/x.tar" ? "out/x.tar" : "out/x_00001.tar.zst";
+  test.folder.Write(archive, "mine");
+  CHECK(test.Make(request).files_failed);
+  CHECK(test.folder.Read(archive) == "mine");
+}
+
+TEST_CASE("a batch of other options is not gone on with when its seal or journal is lost") {
+  CrateBatch test(kBoxSpec);
+  const bool is_done = GENERATE(false, true);
+  const std::string output = GENERATE("out", "out/x_%d.tar");
+  Request request = test.Of(500, output, 130);
+  if (is_done) test.Make(request);
+  if (!is_done) REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  for (const auto& [name, bytes] : test.Bytes("out")) {
+    if (name.ends_with(".seal.json") || name.ends_with(".journal.part"))
+      std::filesystem::remove(test.folder / "out" / name);
+  }
+  const auto before = test.Bytes("out");
+  request.variant.seed = 2;
+  const Summary refused = test.Make(Resuming(request));
+  REQUIRE(refused.findings.size() == 1);
+  CHECK(refused.findings[0].message.ends_with("belongs to another batch: seed is '1', not '2'"));
+  CHECK(test.Bytes("out") == before);
+  request.variant.seed = 1;
+  CHECK(test.Make(Resuming(request)).ok == 500);
+  test.Make(test.Of(500, "whole" + output.substr(3), 130));
+  CHECK(test.Bytes("out") == test.Bytes("whole"));
+}
+
+TEST_CASE("a line of the journal with another blank is not trusted") {
+  CrateBatch test(kBoxSpec);
+  const Request request = test.Of(500, "out");
+  REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  const std::string file = "out/.manifest.jsonl.journal.part";
+  std::string journal = test.folder.Read(file);
+  journal[journal.find('\n') - 17] = '\t';  // the blank before the checksum of the first line
+  test.folder.Write(file, journal);
+  const Summary summary = test.Make(Resuming(request));
+  CHECK(summary.resumed == 0);
+  CHECK(summary.ok == 500);
 }
 
 TEST_CASE("a variant whose worker died is tried again") {

@@ -47,6 +47,33 @@ TEST_CASE("a member that is not there, and a file that is no archive, are findin
   CHECK(findings.size() == 3);
 }
 
+TEST_CASE("an archive is recognized by its first object") {
+  const auto format = GENERATE(ArchiveFormat::kTar, ArchiveFormat::kTarZstd);
+  const harness::TemporaryFolder folder;
+  diag::Findings findings;
+  const auto archive_of = [&](const std::vector<std::pair<std::string, std::string>>& members) {
+    Segment segment(format);
+    for (const auto& [name, bytes] : members) REQUIRE(segment.Add(name, bytes, findings));
+    return std::string(segment.Bytes()) + ArchiveEnd(format);
+  };
+  const auto is_ours = [&](const std::string& bytes) {
+    return IsObjectArchive(folder.Write("x", bytes));
+  };
+  const std::string object = "<!-- mjforge 0.1.0 spec=a.yaml seed=1 index=0 -->\n<mujoco/>\n";
+  CHECK(is_ours(archive_of({{"a.xml", object}, {"b", "x"}})));
+  CHECK(is_ours(archive_of({{"assets/b.png", std::string(5000, 'b')}, {"a.xml", object}})));
+  CHECK(is_ours(archive_of({})));
+  CHECK(is_ours(""));
+  CHECK(is_ours(std::string(5000, '\0')));
+  const std::string whole = archive_of({{"a.xml", object + std::string(100'000, ' ')}});
+  if (format == ArchiveFormat::kTar) CHECK(is_ours(whole.substr(0, whole.size() / 2)));
+  CHECK_FALSE(is_ours(archive_of({{"a.xml", "<mujoco/>\n"}})));
+  CHECK_FALSE(is_ours(archive_of({{"notes", "x"}, {"a.xml", object}})));
+  CHECK_FALSE(is_ours(archive_of({{"assets/b.png", "b"}})));
+  CHECK_FALSE(is_ours("mine"));
+  CHECK_FALSE(IsObjectArchive(folder.path()));
+}
+
 // Returns a tar header (POSIX, pax, "ustar Interchange Format") for a file of any claimed size.
 std::string HeaderOf(const std::string& name, char type, std::uint64_t size) {
   std::string header(512, '\0');

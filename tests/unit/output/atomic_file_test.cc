@@ -4,8 +4,11 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <thread>
 
+#include "harness/effort.h"
 #include "harness/temporary_folder.h"
 #include "mjforge/output/output.h"
 
@@ -33,6 +36,30 @@ TEST_CASE("a file that another process left under its first name is not disturbe
   REQUIRE(WriteFile(folder / "x", "text", false, findings, Durability::kBatch));
   CHECK(folder.Read("x") == "text");
   CHECK(folder.Read(left) == "other");
+}
+
+TEST_CASE("a file that is being written is not taken for one that was left") {
+  const TemporaryFolder folder;
+  std::atomic<bool> stop = false;
+  std::thread other([&] {
+    while (!stop) RemoveAbandoned({folder / "x"});
+  });
+  diag::Findings findings;
+  for (int i = 0; i < harness::Effort(2000); ++i)
+    WriteFile(folder / "x", std::to_string(i), false, findings);
+  stop = true;
+  other.join();
+  CHECK(findings.empty());
+  CHECK(folder.Files() == std::vector<std::string>{"x"});
+}
+
+TEST_CASE("a single file is written after what killed processes left of it is removed") {
+  const TemporaryFolder folder;
+  folder.Write(".x.html.tmp1-0", "other");
+  folder.Write(".y.html.tmp1-0", "other");
+  diag::Findings findings;
+  REQUIRE(WriteSingleFile(folder / "x.html", "text", findings));
+  CHECK(folder.Files() == std::vector<std::string>{".y.html.tmp1-0", "x.html"});
 }
 
 TEST_CASE("a temporary name contains the final one") {

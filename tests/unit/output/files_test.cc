@@ -64,17 +64,31 @@ TEST_CASE("a file that cannot be read is a finding") {
 TEST_CASE("only a file that mjforge wrote may be replaced") {
   const TemporaryFolder folder;
   diag::Findings findings;
-  CHECK(MayReplace(folder / "new.xml", false, findings));
-  CHECK(MayReplace(folder.Write("ours.xml", OurXml()), false, findings));
+  const std::string ours = OurXml();
+  CHECK(MayReplace(folder / "new.xml", ours, false, findings));
+  CHECK(MayReplace(folder.Write("ours.xml", ours), "<mujoco/>\n", false, findings));
+  std::string flipped = ours;
+  flipped[2] ^= 1;
+  CHECK(MayReplace(folder.Write("flipped.xml", flipped), ours, false, findings));
   CHECK(findings.empty());
 
   const auto foreign = folder.Write("foreign.xml", "<mujoco/>\n");
-  CHECK(MayReplace(foreign, true, findings));
-  CHECK_FALSE(MayReplace(foreign, false, findings));
+  CHECK(MayReplace(foreign, ours, true, findings));
+  CHECK_FALSE(MayReplace(foreign, ours, false, findings));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kOutputExists);
   CHECK(findings[0].message == "'" + foreign.string() + "' exists and was not made by mjforge");
   CHECK(findings[0].hint == "choose another place, or overwrite it with --force");
+}
+
+TEST_CASE("a damaged copy is a beginning with zeros, or has half of the bytes in their places") {
+  CHECK(IsDamagedCopy("", "abcdef"));
+  CHECK(IsDamagedCopy("abc", "abcdef"));
+  CHECK(IsDamagedCopy(std::string("ab\0\0", 4), "abcdef"));
+  CHECK(IsDamagedCopy("abcxyz", "abcdef"));
+  CHECK_FALSE(IsDamagedCopy("abwxyz", "abcdef"));
+  CHECK_FALSE(IsDamagedCopy("abx", "abcdef"));
+  CHECK_FALSE(IsDamagedCopy("abcdefg", "abcdef"));
 }
 
 TEST_CASE("a file with the same bytes keeps its time where that is asked for") {

@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
@@ -114,31 +115,53 @@ TEST_CASE("an asset that is there with other content is replaced only where that
   CHECK(ObjectFolder(folder / "out", {.assets = {bytes::Sha256Of("others")}})
             .Write("x.xml", document, findings));
   CHECK(folder.Read("out/assets/wood.png") == "pixels");
+  // A damaged asset is restored; one that is kept is not replaced.
+  folder.Write("out/assets/wood.png", "damaged");
+  const std::string hash = bytes::Sha256Of("pixels");
+  const AssetHashes hashes = {{"assets/wood.png", hash}};
+  ObjectFolder kept(folder / "out", {.assets = {hash}, .kept_assets = {{"assets/wood.png", "0"}}});
+  CHECK_FALSE(kept.Write("x.xml", document, findings, hashes));
+  ObjectFolder restored(folder / "out", {.kept_assets = {{"assets/wood.png", hash}}});
+  CHECK(restored.Write("x.xml", document, findings, hashes));
+  CHECK(folder.Read("out/assets/wood.png") == "pixels");
 }
 
 TEST_CASE("what a killed process left half-written is removed, and nothing else") {
   const TemporaryFolder folder;
-  const Files kept = {"out/.hammer_000042.xml.tmp7", "out/.hammer_000043.xml.tmp7-0",
-                      "out/.manifest.jsonl.part", "out/hammer_000042.xml",
-                      "out/hammer_000042.xml.tmp7-0"};
+  const Files kept = {"out/.hammer_010042.xml.tmp7",
+                      "out/.hammer_010043.xml.tmp7-0",
+                      "out/.manifest.jsonl.part",
+                      "out/.notes.txt.tmp7-0",
+                      "out/0020000/assets/.wood.png.tmp7-0",
+                      "out/hammer_010042.xml",
+                      "out/hammer_010042.xml.tmp7-0",
+                      "out/mine/.hammer_010042.xml.tmp7-0"};
   for (const std::string& file : kept) folder.Write(file, "");
-  folder.Write("out/.hammer_000042.xml.tmp7-0", "");
-  folder.Write("out/0010000/.hammer_000042.xml.tmp123-99", "");
-  folder.Write("out/assets/.wood.png.tmp7-0", "");
-  const int living = ::open(folder.Write("out/.hammer_000042.xml.tmp8-0", "x").c_str(), O_RDONLY);
+  for (const char* objects : {"out/", "out/0010000/"}) {
+    folder.Write(objects + std::string(".hammer_010042.xml.tmp7-0"), "");
+    folder.Write(objects + std::string("assets/.wood.png.tmp123-99"), "");
+  }
+  const int living = ::open(folder.Write("out/.hammer_010042.xml.tmp8-0", "x").c_str(), O_RDONLY);
   REQUIRE(::flock(living, LOCK_EX | LOCK_NB) == 0);
-  const auto is_ours = [](const std::string& file) { return IndexOfFile(file) == 42; };
-  RemoveAbandoned(folder / "out", false, is_ours);
-  CHECK(folder.Files().size() == kept.size() + 3);
-  RemoveAbandoned(folder / "out", true, is_ours);
-  CHECK(folder.Files().size() == kept.size() + 2);
-  CHECK(std::filesystem::exists(folder / "out/assets/.wood.png.tmp7-0"));
-  const auto all = [](const std::string& file) { return IndexOfFile(file) != 43; };
-  RemoveAbandoned(folder / "out", true, all);
-  CHECK(folder.Files().size() == kept.size() + 1);
-  CHECK(folder.Read("out/.hammer_000042.xml.tmp8-0") == "x");
+  RemoveAbandoned(folder / "out", 10'042, 1);
+  Files expected = kept;
+  expected.push_back("out/.hammer_010042.xml.tmp8-0");
+  std::ranges::sort(expected);
+  CHECK(folder.Files() == expected);
   ::close(living);
-  RemoveAbandoned(folder / "none", true, is_ours);
+  RemoveAbandoned({folder / "out/hammer_010042.xml", folder / "out/notes.txt"});
+  CHECK(folder.Files().size() == kept.size() - 1);
+  RemoveAbandoned(folder / "none", 0, 100);
+}
+
+TEST_CASE("what a killed process left behind a link is not removed") {
+  const TemporaryFolder folder;
+  folder.Write("elsewhere/.wood_000001.xml.tmp7-0", "");
+  std::filesystem::create_directories(folder / "out");
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/0010000");
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/assets");
+  RemoveAbandoned(folder / "out", 0, 20'000);
+  CHECK(std::filesystem::exists(folder / "elsewhere/.wood_000001.xml.tmp7-0"));
 }
 
 TEST_CASE("a link in the place of a folder of objects or assets is not followed") {
