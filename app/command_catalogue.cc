@@ -55,7 +55,7 @@ Action AddCatalogue(CLI::App& command) {
   return [json](Console& console) {
     const auto items = ListItems(console);
     const ExitStatus status = console.Report();
-    return Worse(status, Print(*json ? JsonText(items) : Text(items)));
+    return Worse(status, *json ? PrintBytes(JsonText(items)) : Print(Text(items)));
   };
 }
 

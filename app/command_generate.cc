@@ -287,7 +287,7 @@ class Generation {
     }
     console_.Show(summary.findings, console_.sources, summary.more_findings);
     if (request.destination.kind == Kind::kStandardOutput)
-      return Worse(status, Print(summary.text));
+      return Worse(status, PrintBytes(summary.text));
     PrintSummary(recipe, request, summary, start);
     return status;
   }

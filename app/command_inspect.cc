@@ -40,7 +40,7 @@ std::optional<Eigen::Vector3d> ParsePoint(std::string_view text) {
 ExitStatus PrintContains(const model::Object& object, const InspectOptions& options) {
   const bool inside = model::Contains(object, *ParsePoint(options.contains));
   if (!options.json) return Print(inside ? "inside\n" : "outside\n");
-  return Print(JsonLine([&](JsonOutput& json) { json.Member("contains", inside); }));
+  return PrintBytes(JsonLine([&](JsonOutput& json) { json.Member("contains", inside); }));
 }
 
 ExitStatus InspectSpec(const InspectOptions& options, Console& console) {
@@ -59,8 +59,8 @@ ExitStatus InspectSpec(const InspectOptions& options, Console& console) {
   const ExitStatus status = console.Report();
   if (!variant.object) return status;
   if (!options.contains.empty()) return Worse(status, PrintContains(*variant.object, options));
-  return Worse(status, Print(options.json ? InspectJson(*recipe, variant, sweep)
-                                          : InspectTables(*recipe, variant, sweep)));
+  return Worse(status, options.json ? PrintBytes(InspectJson(*recipe, variant, sweep))
+                                    : Print(InspectTables(*recipe, variant, sweep)));
 }
 
 ExitStatus InspectFile(const InspectOptions& options, Console& console) {
@@ -72,8 +72,8 @@ ExitStatus InspectFile(const InspectOptions& options, Console& console) {
     sweep = loader.SweepJoints(options.what, console.sources, console.findings);
   const ExitStatus status = console.Report();
   if (!model) return Worse(status, ExitStatus::kFindings);
-  return Worse(status,
-               Print(options.json ? InspectJson(*model, sweep) : InspectTables(*model, sweep)));
+  return Worse(status, options.json ? PrintBytes(InspectJson(*model, sweep))
+                                    : Print(InspectTables(*model, sweep)));
 }
 
 ExitStatus Inspect(const InspectOptions& options, Console& console) {

@@ -43,7 +43,7 @@ class Preview {
     if (bytes && !printed && MayReplacePicture(place_, options_.force, findings_))
       output::WriteSingleFile(place_, *bytes, findings_);
     const ExitStatus status = console_.Report();
-    return bytes && printed ? Worse(status, Print(*bytes)) : status;
+    return bytes && printed ? Worse(status, PrintBytes(*bytes)) : status;
   }
 
  private:

@@ -129,7 +129,7 @@ ExitStatus Report(const PageOptions& options, Console& console) {
   const bool is_written =
       page && !is_printed && output::WriteSingleFile(file, page->html, findings);
   const ExitStatus status = console.Report();
-  if (page && is_printed) return Worse(status, Print(page->html));
+  if (page && is_printed) return Worse(status, PrintBytes(page->html));
   if (is_written) {
     console.PrintLine(fmt::format("{} of {} variants shown, {} in {}", page->shown, page->variants,
                                   SizeText(page->html.size()), file.string()));

@@ -21,7 +21,7 @@ Action AddSchema(CLI::App& command) {
       ->option_text(" ")
       ->check(IsOneOf(kSchemas));
   return [which](Console&) {
-    return Print(*which == "object" ? spec::JsonSchema() : manifest::ManifestSchema());
+    return PrintBytes(*which == "object" ? spec::JsonSchema() : manifest::ManifestSchema());
   };
 }
 

@@ -114,8 +114,8 @@ ExitStatus ReportFile(const std::string& file, FileResult result, const diag::So
   ExitStatus status = StatusOf(result.findings);
   if (!result.model) status = Worse(status, ExitStatus::kFindings);
   const std::string name = file == "-" ? "<stdin>" : file;
-  if (options.json) return Worse(status, Print(FileJson(name, result, sources)));
-  if (!console.quiet()) status = Worse(status, Print(Line(name, result)));
+  if (options.json) return Worse(status, PrintBytes(FileJson(name, result, sources)));
+  if (!console.quiet()) status = Worse(status, Print(Line(OneLine(name), result)));
   console.Show(std::move(result.findings), sources);
   return status;
 }

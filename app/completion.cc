@@ -118,14 +118,6 @@ class CommandLine {
   bool options_ended_ = false;
 };
 
-// Replaces line ends and tabs, which separate candidates, by spaces.
-std::string OneLine(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return c == '\n' || c == '\t'; }, ' ');
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
-}
-
 class Completions {
  public:
   /// `word`: the word under the cursor.
@@ -133,7 +125,7 @@ class Completions {
 
   const std::string& word() const { return word_; }
   void Add(const std::string& candidate, const std::string& meaning = {}) {
-    if (candidate.starts_with(word_) && candidate.find_first_of("\n\t") == std::string::npos)
+    if (candidate.starts_with(word_) && diag::SafeText(candidate) == candidate)
       text_ += fmt::format("{}\t{}\n", candidate, OneLine(meaning));
   }
   void AddFiles(const std::string& ending) { files_ += (files_.empty() ? "" : " ") + ending; }
@@ -316,7 +308,7 @@ ExitStatus Complete(CLI::App& app, const std::vector<std::string>& words) {
     for (CLI::App* command : app.get_subcommands(is_meant))
       CompleteCommand(*command, {words.begin() + 1, words.end() - 1}, completions);
   }
-  return Print(completions.Text());
+  return PrintBytes(completions.Text());
 }
 
 }  // namespace mjforge::app

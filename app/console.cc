@@ -74,18 +74,29 @@ std::string Console::TextOf(diag::Findings found, const diag::Sources& places,
 }
 
 void Console::PrintLine(std::string_view line) const {
-  if (!quiet_) WriteAll(STDERR_FILENO, fmt::format("{}\n", line));
+  if (!quiet_) WriteAll(STDERR_FILENO, diag::SafeText(line) + '\n');
 }
 
 std::string Counted(std::uint64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-ExitStatus Print(std::string_view bytes) {
+std::string OneLine(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  return diag::SafeText(text);
+}
+
+void PrintError(std::string_view message) {
+  WriteAll(STDERR_FILENO, fmt::format("mjforge: {}\n", diag::SafeText(message)));
+}
+
+ExitStatus Print(std::string_view text) { return PrintBytes(diag::SafeLines(text)); }
+
+ExitStatus PrintBytes(std::string_view bytes) {
   if (WriteAll(STDOUT_FILENO, bytes)) return ExitStatus::kDone;
-  const std::string words = std::generic_category().message(errno);
-  WriteAll(STDERR_FILENO,
-           fmt::format("mjforge: error: cannot write to standard output: {}\n", words));
+  PrintError("error: cannot write to standard output: " + std::generic_category().message(errno));
   return ExitStatus::kInputOutput;
 }
 

@@ -57,7 +57,7 @@ class Console {
   /// Returns the text that Show prints.
   std::string TextOf(diag::Findings found, const diag::Sources& places,
                      std::uint64_t more = 0) const;
-  /// Prints a line, unless --quiet was given.
+  /// Prints a line, unless --quiet was given. The line may contain text of unknown origin.
   void PrintLine(std::string_view line) const;
   bool quiet() const { return quiet_; }
 
@@ -76,7 +76,20 @@ bool IsTerminal();
 /// Returns "1 body", "2 bodies".
 std::string Counted(std::uint64_t count, std::string_view one, std::string_view many);
 
-/// Writes a result to standard output. On failure prints the reason and returns kInputOutput.
-ExitStatus Print(std::string_view bytes);
+/// Returns a text of unknown origin as part of a line: line ends and tabs become spaces, and
+/// characters that control a terminal are escaped.
+std::string OneLine(std::string text);
+
+/// Prints "mjforge: " and a message, which may contain text of unknown origin, to standard error.
+void PrintError(std::string_view message);
+
+/// Writes a result for people to standard output. Line ends are kept; other characters that control
+/// a terminal are escaped, because names and descriptions may be of unknown origin. On failure
+/// prints the reason and returns kInputOutput.
+ExitStatus Print(std::string_view text);
+
+/// Does the same for results that programs read (JSON, MJCF, pictures, pages) or that have no text
+/// of unknown origin, without changing a byte.
+ExitStatus PrintBytes(std::string_view bytes);
 
 }  // namespace mjforge::app

@@ -88,9 +88,10 @@ void AddMeasures(const ManifestSummary& batch, TextTable& table) {
 std::string Tables(const ManifestSummary& batch) {
   std::string text;
   if (const std::optional<Record>& first = batch.first) {
-    text += fmt::format("batch of {}, seed {}, target {}, validate {}{}{}\n", first->spec,
-                        first->seed, first->target, NameOf(first->validate),
-                        first->sampler.empty() ? "" : ", sampler ", first->sampler);
+    text += OneLine(fmt::format("batch of {}, seed {}, target {}, validate {}{}{}", first->spec,
+                                first->seed, first->target, NameOf(first->validate),
+                                first->sampler.empty() ? "" : ", sampler ", first->sampler)) +
+            "\n";
   }
   text += fmt::format("{} variants: {}\n", batch.variants, StatusesText(batch));
   TextTable codes({"finding", "variants"});
@@ -196,7 +197,7 @@ ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Consol
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
   if (!batch || bad_lines > 0) return status;
-  return Print(json ? AsJson(*batch) : Tables(*batch));
+  return json ? PrintBytes(AsJson(*batch)) : Print(Tables(*batch));
 }
 
 }  // namespace mjforge::app

@@ -182,7 +182,7 @@ std::string SweepText(const std::optional<validate::Sweep>& sweep) {
   std::string text =
       "\n" + (table.empty() ? "no contacts between bodies\n" : table.Render()) + "\n";
   for (const std::string& joint : sweep->held) {
-    text += fmt::format("held     {}, a slide without a range\n", joint);
+    text += fmt::format("held     {}, a slide without a range\n", OneLine(joint));
   }
   const model::Box3& box = sweep->aabb;
   if (!box.empty()) {
@@ -200,7 +200,7 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   const manifest::Record& record = variant.record;
   std::string text = spec.description.empty()
                          ? fmt::format("{}\n\n", spec.name)
-                         : fmt::format("{}: {}\n\n", spec.name, spec.description);
+                         : fmt::format("{}: {}\n\n", spec.name, OneLine(spec.description));
   text += ParametersText(recipe, variant);
   text +=
       fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
@@ -217,8 +217,8 @@ std::string InspectTables(const validate::CompiledModel& model,
   const model::Object& object = model.object;
   TextTable elements({"element", "kind"});
   for (const auto& [kind, name] : model.elements) elements.Add({name, kind});
-  std::string text =
-      object.name + "\n\n" + BodiesText(object, model.body_geoms) + JointsText(object, true);
+  std::string text = OneLine(object.name) + "\n\n" + BodiesText(object, model.body_geoms) +
+                     JointsText(object, true);
   if (!elements.empty()) text += elements.Render() + "\n";
   return text + TotalsText(object.mass_properties, object.bounds.aabb) + SweepText(sweep);
 }

@@ -2,6 +2,9 @@
 #include "text_table.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "console.h"
 
 namespace mjforge::app {
 namespace {
@@ -14,6 +17,11 @@ std::size_t Width(const std::string& text) {
 }
 
 }  // namespace
+
+void TextTable::Add(std::vector<std::string> row) {
+  std::ranges::transform(row, row.begin(), OneLine);
+  rows_.push_back(std::move(row));
+}
 
 std::string TextTable::Render() const {
   std::vector<std::size_t> widths(rows_.front().size(), 0);  // 0: the column is left out

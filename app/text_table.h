@@ -11,8 +11,8 @@ class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
 
-  /// Adds a row with one cell per column.
-  void Add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  /// Adds a row with one cell per column. Cells may contain text of unknown origin.
+  void Add(std::vector<std::string> row);
   bool empty() const { return rows_.size() == 1; }
   /// Returns the table without columns that are empty in every row.
   std::string Render() const;

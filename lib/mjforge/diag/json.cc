@@ -2,9 +2,13 @@
 
 #include "mjforge/diag/json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include "mjforge/diag/utf8.h"
 
 namespace mjforge::diag {
 
@@ -28,21 +32,22 @@ bool IsNestedTooDeep(std::string_view json) {
 
 namespace {
 
-// Table by byte, because every character of every text is looked up.
-constexpr auto kNeedsEscape = [] {
+// Table by byte, because every character of every text is looked up. Contains the first bytes of
+// characters that control a terminal.
+constexpr auto kMayNeedEscape = [] {
   std::array<bool, 256> needs{};
   for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
-  needs['"'] = needs['\\'] = true;
+  for (const std::size_t c : {0x22, 0x5c, 0x7f, 0xc2, 0xd8, 0xe2}) needs[c] = true;
   return needs;
 }();
 
-bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
+bool MayNeedEscape(char c) { return kMayNeedEscape[static_cast<unsigned char>(c)]; }
 
 }  // namespace
 
 void Json::Value(std::string_view text) {
   Separate();
-  if (std::ranges::any_of(text, NeedsEscape)) return Escaped(text);
+  if (std::ranges::any_of(text, MayNeedEscape)) return Escaped(text);
   const std::size_t start = text_.size();
   text_.resize(start + text.size() + 2, '"');
   text.copy(&text_[start + 1], text.size());
@@ -51,17 +56,18 @@ void Json::Value(std::string_view text) {
 void Json::Escaped(std::string_view text) {
   constexpr std::string_view kEscaped = "\"\\\b\f\n\r\t";
   constexpr std::string_view kLetters = "\"\\bfnrt";
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
   text_ += '"';
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (!NeedsEscape(c)) {
-      text_ += c;
-    } else if (const std::size_t at = kEscaped.find(c); at != kEscaped.npos) {
+  while (!text.empty()) {
+    const Utf8Char character = DecodeUtf8(text);
+    const std::size_t at = kEscaped.find(text[0]);
+    if (at != kEscaped.npos) {
       text_ += {'\\', kLetters[at]};
+    } else if (character.valid && ControlsTerminal(character.value)) {
+      text_ += fmt::format("\\u{:04X}", static_cast<unsigned>(character.value));
     } else {
-      text_ += {'\\', 'u', '0', '0', kDigits[byte >> 4], kDigits[byte & 15]};
+      text_ += text.substr(0, character.length);
     }
+    text.remove_prefix(character.length);
   }
   text_ += '"';
 }

@@ -74,8 +74,10 @@ Utf8Char DecodeUtf8(std::string_view text) {
   return {value, length, true};
 }
 
+bool ControlsTerminal(char32_t value) { return Within(value, kUnsafe); }
+
 TerminalCell SafeCell(std::string_view text, Utf8Char character) {
-  if (character.valid && !Within(character.value, kUnsafe))
+  if (character.valid && !ControlsTerminal(character.value))
     return {std::string(text.substr(0, character.length)), Width(character.value)};
   std::string shown = character.valid
                           ? Escape(character.value)
@@ -92,6 +94,17 @@ std::string SafeText(std::string_view text) {
     text.remove_prefix(character.length);
   }
   return out;
+}
+
+std::string SafeLines(std::string_view text) {
+  std::string out;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    out += SafeText(text.substr(0, end));
+    if (end == std::string_view::npos) return out;
+    out += '\n';
+    text.remove_prefix(end + 1);
+  }
 }
 
 std::string ValidUtf8(std::string_view text) {

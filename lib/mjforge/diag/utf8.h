@@ -9,6 +9,9 @@
 
 namespace mjforge::diag {
 
+/// Returns true for control characters (C0, DEL, C1), line separators and bidirectional controls.
+bool ControlsTerminal(char32_t value);
+
 /// The safe text for a character, and its width in columns of a terminal.
 struct TerminalCell {
   std::string text;

@@ -26,6 +26,12 @@ TEST_CASE("of a long file a piece is enough for a mark") {
   CHECK(sources.Line({1, 9, 1}).empty());
 }
 
+TEST_CASE("a safe text has no character that controls a terminal") {
+  CHECK(SafeText("a\x1b[2J\n\x7f\xc2\x9b\xff") == "a\\x1b[2J\\n\\x7f\\u009b\\xff");
+  CHECK(SafeLines("") == "");
+  CHECK(SafeLines("a\tb\n\x1b\n\n") == "a\\tb\n\\x1b\n\n");
+}
+
 TEST_CASE("a mark without a place or past the end gives an empty line") {
   Sources sources;
   sources.Add("a.yaml", "one\n");

@@ -33,10 +33,14 @@ TEST_CASE("JSON is written as it comes") {
 TEST_CASE("texts are escaped where JSON wants it") {
   Json json(Spell);
   json.Value(std::string("\"\\/\b\f\n\r\t\x01\x1f\x7f\0\xc3\xa9", 14));
-  CHECK(json.Take() == R"("\"\\/\b\f\n\r\t\u0001\u001F)"
-                       "\x7f"
-                       R"(\u0000)"
+  CHECK(json.Take() == R"("\"\\/\b\f\n\r\t\u0001\u001F\u007F\u0000)"
                        "\xc3\xa9\"");
+}
+
+TEST_CASE("characters that control a terminal are escaped, and others are not") {
+  Json json(Spell);
+  json.Value("\xc2\x9b\xe2\x80\xae\xd8\x9c \xc2\xb0\xe2\x82\xac\xd8\xa7\xc2");
+  CHECK(json.Take() == "\"\\u009B\\u202E\\u061C \xc2\xb0\xe2\x82\xac\xd8\xa7\xc2\"");
 }
 
 TEST_CASE("JSON that is nested too deep is told before it is read") {
