@@ -1,12 +1,12 @@
 // Running untrusted work in a child process, with limits of time and memory.
 #include "child_process.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,9 +23,12 @@
 #include <system_error>
 
 #include "mjforge/batch/batch.h"
+#include "usage.h"
 
 namespace mjforge::app {
 namespace {
+
+constexpr std::string_view kNeedsMemory = "needs more memory than there is";
 
 // Progress of the child, in memory shared by both processes.
 struct Progress {
@@ -75,19 +78,16 @@ void LimitTime(Seconds time) {
   } catch (const std::bad_alloc&) {
     std::_Exit(batch::kNoMemoryStatus);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mjforge: internal error: {}\n", error.what());
-    progress.status = ExitStatus::kBug;
+    progress.status = Worse(progress.status, ExplainException(error));
   }
   progress.done = true;
   std::exit(0);
 }
 
-// Waits until the child has ended; returns false if it is still running after `time`. Returns true
-// at once if the system has no pidfd_open: then waitpid waits, and only CPU time is limited.
-bool HasEnded(::pid_t child, Seconds time) {
-  const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
-  if (descriptor < 0) return true;
-  ::pollfd polled = {descriptor, POLLIN, 0};
+// Waits until the child has ended, which closes the write end of its pipe; returns false if the
+// child is still running after `time`.
+bool HasEnded(int pipe, Seconds time) {
+  ::pollfd polled = {pipe, POLLIN, 0};
   int ready = 0;
   // Polls in short intervals, so that time in which both processes were stopped (Ctrl-Z) is not
   // counted.
@@ -95,17 +95,16 @@ bool HasEnded(::pid_t child, Seconds time) {
   for (double left = time.count() * 1000; left > 0 && ready <= 0; left -= kTurnMilliseconds)
     ready =
         ::poll(&polled, 1, std::min(static_cast<int>(std::min(left, 1e9)) + 1, kTurnMilliseconds));
-  ::close(descriptor);
   return ready > 0;
 }
 
 // Waits for the child and returns the reason of its end. Kills the child if a step exceeds its wall
 // time. If the child was ended by a signal of the terminal or of a batch system, ends this process
 // by the same signal.
-std::string WaitFor(::pid_t child, Seconds time_limit, const Progress& progress) {
+std::string WaitFor(::pid_t child, int pipe, Seconds time_limit, const Progress& progress) {
   const Seconds patience = batch::WallLimit(time_limit);
   std::size_t step = progress.step;
-  while (!HasEnded(child, patience)) {
+  while (!HasEnded(pipe, patience)) {
     const std::size_t now = progress.step;
     if (now == step) {
       ::kill(child, SIGKILL);
@@ -118,7 +117,7 @@ std::string WaitFor(::pid_t child, Seconds time_limit, const Progress& progress)
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (!WIFSIGNALED(status)) {
     return WEXITSTATUS(status) == batch::kNoMemoryStatus
-               ? "needs more memory than there is"
+               ? std::string(kNeedsMemory)
                : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
   }
   const int signal = WTERMSIG(status);
@@ -139,25 +138,32 @@ ExitStatus RunInChild(std::size_t count, Seconds time_limit,
   const std::shared_ptr<Progress> progress = ShareProgress();
   while (progress->step < count && !progress->done) {
     std::fflush(nullptr);  // otherwise both processes write the buffered output
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0)
+      throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
     const ::pid_t parent = ::getpid();
     const ::pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
     if (child == 0) RunSteps(count, time_limit, take, *progress, parent);
-    const std::string reason = WaitFor(child, time_limit, *progress);
+    ::close(ends[1]);
+    const std::string reason = WaitFor(child, ends[0], time_limit, *progress);
+    ::close(ends[0]);
     if (progress->done) break;
     progress->status = Worse(progress->status, crashed(progress->step, reason));
+    if (reason == kNeedsMemory)
+      progress->status = Worse(progress->status, ExitStatus::kInputOutput);
     ++progress->step;
   }
   return progress->status;
 }
 
 void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings) {
-  findings.Add(
-      diag::Code::kMujocoError, {}, fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, reason),
-      reason.starts_with("took")    ? "raise --time-limit"
-      : reason.starts_with("needs") ? "8 GiB are the most; `ulimit -v` may set a lower limit"
-                                    : "see whether indices of meshes (`face`) are in range and "
-                                      "sizes are sensible; a newer MuJoCo may say more");
+  findings.Add(diag::Code::kMujocoError, {},
+               fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, reason),
+               reason.starts_with("took") ? "raise --time-limit"
+               : reason == kNeedsMemory   ? "8 GiB are the most; `ulimit -v` may set a lower limit"
+                                        : "see whether indices of meshes (`face`) are in range and "
+                                          "sizes are sensible; a newer MuJoCo may say more");
 }
 
 ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,

@@ -14,7 +14,7 @@ namespace mjforge::app {
 /// `time_limit` of CPU time (rounded up to whole seconds), batch::WallLimit of wall time, and 8 GiB
 /// of memory. If a step crashes or exceeds a limit, `crashed` is called with the step and the
 /// reason ("made MuJoCo crash (SIGSEGV)"), and a new child continues with the next step. Returns
-/// the worst status of all steps.
+/// the worst status of all steps, which is kInputOutput for a step that needs too much memory.
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& take,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed);

@@ -2,9 +2,9 @@
 #include "usage.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <new>
 #include <system_error>
 
@@ -75,17 +75,17 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   return WrongUsage(error.what(), name);
 }
 
+ExitStatus ExplainNoMemory() {
+  constexpr std::string_view kMessage = "mjforge: error: not enough memory\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  return ExitStatus::kInputOutput;
+}
+
 ExitStatus ExplainException(const std::exception& exception) {
-  if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
-    std::fputs("mjforge: error: not enough memory\n", stderr);
-    return ExitStatus::kInputOutput;
-  }
-  if (dynamic_cast<const std::system_error*>(&exception) != nullptr) {
-    fmt::print(stderr, "mjforge: error: {}\n", exception.what());
-    return ExitStatus::kInputOutput;
-  }
-  fmt::print(stderr, "mjforge: internal error: {}\n", exception.what());
-  return ExitStatus::kBug;
+  if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) return ExplainNoMemory();
+  const bool is_system = dynamic_cast<const std::system_error*>(&exception) != nullptr;
+  PrintError(fmt::format("{}: {}", is_system ? "error" : "internal error", exception.what()));
+  return is_system ? ExitStatus::kInputOutput : ExitStatus::kBug;
 }
 
 std::string VersionText() {

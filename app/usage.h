@@ -23,6 +23,9 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
 /// Prints the reason why the program ends: not enough memory, a failed system call, or a bug.
 ExitStatus ExplainException(const std::exception& exception);
 
+/// Prints that there is not enough memory, without allocating any; returns kInputOutput.
+ExitStatus ExplainNoMemory();
+
 /// Returns the output of --version.
 std::string VersionText();
 

@@ -1,6 +1,9 @@
 // Tests that a lack of memory is reported as an error.
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "harness/command.h"
 
@@ -49,8 +52,78 @@ TEST_CASE_METHOD(MemoryTest, "a spec that needs too much memory is an input fail
     CHECK(folder().Files() == std::vector<std::string>{"heap.yaml"});
   }
   const auto inspected = RunWithin(100'000, "inspect heap.yaml");
-  CHECK(inspected.status == 1);
+  CHECK(inspected.status == 3);
   CHECK(inspected.err.starts_with("mjforge: error: 'heap.yaml' needs more memory than there is"));
+}
+
+// The system's loader cannot map the libraries within less than about 20,000 kB (status 127).
+TEST_CASE_METHOD(MemoryTest, "with any memory a command works or says that it has too little") {
+  REQUIRE(Run({"generate", "hammer", "-n", "3", "-q", "-o", "out"}).status == 0);
+  folder().Write("box.xml",
+                 "<mujoco><worldbody><body name=\"b\"><freejoint/><geom type=\"box\" "
+                 "size=\".1 .1 .1\" density=\"100\"/></body></worldbody></mujoco>\n");
+  const std::string commands[] = {"--version",
+                                  "catalogue",
+                                  "schema",
+                                  "check hammer -n 2 -j 2",
+                                  "generate hammer -n 2 -o new --force",
+                                  "generate mug -n 2 -o new.tar.zst --force",
+                                  "inspect hammer",
+                                  "inspect out",
+                                  "inspect out/hammer_000001.xml --sweep",
+                                  "validate box.xml --physics",
+                                  "replay out/manifest.jsonl:1",
+                                  "replay out/hammer_000001.xml",
+                                  "verify out",
+                                  "report out --force --thumbnails 0",
+                                  "__complete generate hammer --set ''"};
+  for (const std::string& command : commands) {
+    bool is_enough = false;
+    for (int kilobytes = 20'000; kilobytes <= 100'000 && !is_enough; kilobytes += 2'000) {
+      const auto result = RunWithin(kilobytes, command);
+      INFO(command << " within " << kilobytes << " kB: " << result.err);
+      // A variant that needs too much fails; the batch is done.
+      const bool is_variant = result.err.find("its worker needs more memory") != std::string::npos;
+      CHECK((result.status == 0 || result.status == 3 || (result.status == 1 && is_variant)));
+      if (result.status == 3) CHECK(result.err.find("mjforge: error: ") != std::string::npos);
+      is_enough = result.status == 0;
+    }
+    CHECK(is_enough);
+  }
+}
+
+TEST_CASE_METHOD(MemoryTest, "a model that MuJoCo has no memory for is not called wrong") {
+  folder().Write("stack.xml",
+                 "<mujoco><size nstack=\"2000000000\"/><worldbody><body><freejoint/>"
+                 "<geom size=\"1\"/></body></worldbody></mujoco>\n");
+  for (const char* command : {"validate", "inspect"}) {
+    const auto result = RunWithin(500'000, std::string(command) + " stack.xml");
+    INFO(result.err);
+    CHECK(result.status == 3);
+    CHECK(result.err.find("error: 'stack.xml' needs more memory than there is") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE_METHOD(MemoryTest, "a process that cannot be started is an error of the system") {
+  // A limit of processes does not apply to root, so the program runs as another user.
+  const bool is_root = ::geteuid() == 0;
+  std::filesystem::permissions(folder().path(), std::filesystem::perms(0777));
+  for (const std::string arguments : {"generate hammer -n 2 -o out", "inspect hammer"}) {
+    const auto result =
+        harness::Command{
+            .program = "bash",
+            .arguments = {"-c", "ulimit -u 1; exec " +
+                                    std::string(is_root ? "setpriv --reuid=65533 --regid=65533 "
+                                                          "--clear-groups "
+                                                        : "") +
+                                    "\"" + harness::MjforgeProgram().string() + "\" " + arguments},
+            .folder = folder().path()}
+            .Run();
+    INFO(result.err);
+    CHECK(result.status == 3);
+    CHECK(result.err.find("Resource temporarily unavailable") != std::string::npos);
+  }
 }
 
 TEST_CASE_METHOD(MemoryTest,

@@ -48,8 +48,8 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
   return 10 * time_limit + std::chrono::seconds(5);
 }
 
-/// Exit status of a process that ran out of memory (EX_OSERR of sysexits.h).
-inline constexpr int kNoMemoryStatus = 71;
+/// Exit status of a process that ran out of memory, also of the program itself.
+inline constexpr int kNoMemoryStatus = 3;
 
 /// Result of one variant.
 struct FinishedVariant {

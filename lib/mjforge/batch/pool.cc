@@ -118,7 +118,7 @@ Channel MakeChannel() {
   } catch (const std::bad_alloc&) {
     status = kNoMemoryStatus;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mjforge: internal error in a worker: {}\n", error.what());
+    fmt::print(stderr, "mjforge: internal error in a worker: {}\n", diag::SafeText(error.what()));
     status = kBugStatus;
   }
   std::exit(status);

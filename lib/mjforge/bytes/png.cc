@@ -20,6 +20,7 @@ extern "C" void AppendPng(png_structp png, png_bytep bytes, png_size_t count) {
 }
 extern "C" void FlushPng(png_structp) {}
 [[noreturn]] void ThrowPng(png_structp, png_const_charp message) {
+  if (std::string_view(message) == "Out of memory") throw std::bad_alloc();
   throw std::runtime_error(message);
 }
 

@@ -1,5 +1,5 @@
 // Compiled models as objects: bodies, joints, parts and masses.
-#include <stdexcept>
+#include <new>
 
 #include "mjforge/compiled/compiled.h"
 
@@ -23,7 +23,7 @@ void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
 
 Data MakeData(const mjModel& m) {
   Data data(mj_makeData(&m));
-  if (!data) throw std::runtime_error("there is not enough memory for this model");
+  if (!data) throw std::bad_alloc();
   return data;
 }
 

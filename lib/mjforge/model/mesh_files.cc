@@ -193,7 +193,7 @@ std::optional<MeshFile> CatchExceptions(Parse parse, std::string& why_not) {
   try {
     return parse();
   } catch (const std::bad_alloc&) {
-    why_not = "needs more memory than there is";
+    throw;  // not an error of the file
   } catch (const std::exception& error) {
     why_not = FirstLine(error.what());
   }

@@ -6,8 +6,10 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <limits>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -32,9 +34,17 @@ using Entry = std::unique_ptr<archive_entry, Free<archive_entry_free>>;
 // Throws if a call failed; this happens only if memory is exhausted or libarchive lacks a format.
 void Require(int status, archive* writer) {
   if (status != ARCHIVE_OK) {
+    if (archive_errno(writer) == ENOMEM) throw std::bad_alloc();
     const char* words = archive_error_string(writer);
     throw std::runtime_error(fmt::format("libarchive: {}", words == nullptr ? "failed" : words));
   }
+}
+
+// Returns a new structure of libarchive; throws if there is no memory for it.
+template <typename T>
+T* NotNull(T* made) {
+  if (made == nullptr) throw std::bad_alloc();
+  return made;
 }
 
 la_ssize_t AppendTo(archive*, void* text, const void* bytes, std::size_t count) {
@@ -62,11 +72,11 @@ void WriteData(archive* writer, std::string_view bytes) {
 
 std::string Compress(std::string_view bytes) {
   std::string out;
-  const Writer writer(archive_write_new());
+  const Writer writer(NotNull(archive_write_new()));
   Require(archive_write_set_format_raw(writer.get()), writer.get());
   Require(archive_write_add_filter_zstd(writer.get()), writer.get());
   Open(writer.get(), out);
-  const Entry entry(archive_entry_new());
+  const Entry entry(NotNull(archive_entry_new()));
   Describe(entry.get(), "segment", bytes.size());
   Require(archive_write_header(writer.get(), entry.get()), writer.get());
   WriteData(writer.get(), bytes);
@@ -77,7 +87,7 @@ std::string Compress(std::string_view bytes) {
 // Opens an archive of either format; `status` is the result.
 Reader OpenReader(const std::filesystem::path& file, int& status) {
   constexpr std::size_t kBlockBytes = 1 << 20;
-  Reader reader(archive_read_new());
+  Reader reader(NotNull(archive_read_new()));
   archive_read_support_filter_zstd(reader.get());
   archive_read_support_format_tar(reader.get());
   status = archive_read_open_filename(reader.get(), file.c_str(), kBlockBytes);
@@ -90,8 +100,8 @@ struct Segment::TarWriter {
   ArchiveFormat format;
   std::string members;  // declared before the writer, which still appends here when destroyed
   std::string compressed;
-  Writer writer{archive_write_new()};
-  Entry entry{archive_entry_new()};
+  Writer writer{NotNull(archive_write_new())};
+  Entry entry{NotNull(archive_entry_new())};
 };
 
 Segment::Segment(ArchiveFormat format)

@@ -2,6 +2,7 @@
 #include "mjforge/xml/well_formed.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@ using diag::Code;
 
 std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
   if (result) return std::nullopt;
+  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
   std::string reason = result.description();
   if (!reason.empty()) reason.replace(0, 1, diag::LowerCase(reason.substr(0, 1)));
   // If the text has no element, report its start.
