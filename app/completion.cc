@@ -271,10 +271,12 @@ void AddCommands(CLI::App& app, Completions& completions) {
 
 // Ends the program without completions if loading a spec takes too long.
 void LimitTime() {
-  constexpr ::rlim_t kSeconds = 1;  // CPU time
+  constexpr ::rlim_t kSeconds = 1;       // CPU time
+  constexpr unsigned kWallSeconds = 10;  // generous, because the machine may be busy
   const ::rlimit limit = {kSeconds, kSeconds + 1};
   ::setrlimit(RLIMIT_CPU, &limit);
-  std::signal(SIGXCPU, [](int) { ::_exit(0); });
+  for (const int signal : {SIGXCPU, SIGALRM}) std::signal(signal, [](int) { ::_exit(0); });
+  ::alarm(kWallSeconds);
 }
 
 }  // namespace

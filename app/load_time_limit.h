@@ -1,4 +1,4 @@
-// Limit of the CPU time for loading a spec.
+// Limits of CPU time and wall time for loading a spec.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace mjforge::app {
 
-/// Ends the program with a finding if loading the spec `what` takes more CPU time than `limit`
-/// during the lifetime of this object. Nothing must have been written yet. Only one instance at a
-/// time.
+/// Ends the program with a finding if loading the spec `what` takes more CPU time than `limit`, or
+/// more wall time than batch::WallLimit, during the lifetime of this object. Nothing must have been
+/// written yet. Only one instance at a time.
 class LoadTimeLimit {
  public:
   LoadTimeLimit(const std::string& what, Seconds limit, const Console& console);
