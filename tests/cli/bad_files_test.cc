@@ -101,16 +101,110 @@ TEST_CASE_METHOD(BadInputTest, "a file on which MuJoCo crashes is a finding, and
   CHECK(folder().Files() == std::vector<std::string>{"bad.xml", "good.xml"});
 }
 
-TEST_CASE_METHOD(BadInputTest, "a file that MuJoCo never comes to an end with is given up") {
-  folder().Write("bad.xml",
-                 "<mujoco><asset><mesh name=\"m\" file=\"m.obj\"/></asset><worldbody>"
-                 "<geom type=\"mesh\" mesh=\"m\"/></worldbody></mujoco>\n");
+TEST_CASE_METHOD(BadInputTest, "waiting has a time limit, too, although it takes no CPU time") {
   folder().Write("good.xml", "<mujoco><worldbody><geom size=\"1\"/></worldbody></mujoco>\n");
-  REQUIRE(::mkfifo((folder().path() / "m.obj").c_str(), 0600) == 0);
-  const auto both = Run({"validate", "--time-limit", "0.01", "bad.xml", "good.xml"});
+  REQUIRE(::mkfifo((folder().path() / "pipe").c_str(), 0600) == 0);
+  // The shell keeps the pipe open, so that standard input never ends.
+  const auto wait = [&](const std::string& arguments) {
+    return harness::Command{
+        .program = "bash",
+        .arguments = {"-c", "exec 3<>pipe; \"" + harness::MjforgeProgram().string() + "\" " +
+                                arguments + " <&3"},
+        .folder = folder().path()}
+        .Run();
+  };
+  const auto both = wait("validate --time-limit 0.01 - good.xml");
   CHECK(both.status == 1);
-  CHECK(both.out.starts_with("bad.xml: failed\ngood.xml: ok"));
-  CHECK(CountOf(both.err, "error: 'bad.xml' took more than 5.1 s of wall time") == 1);
+  CHECK(both.out.starts_with("<stdin>: failed\ngood.xml: ok"));
+  CHECK(CountOf(both.err, "error: '<stdin>' took more than 5.1 s of wall time") == 1);
+  for (const char* command : {"check", "generate"}) {
+    const auto result = wait(std::string(command) + " --time-limit 0.01 -");
+    CHECK(result.status == 1);
+    CHECK(result.err ==
+          "mjforge: error: loading '-' took more than 5.1 s of wall time [batch/too-slow]\n"
+          "  hint: raise --time-limit, or see what the spec and what it imports have so much of\n");
+  }
+}
+
+TEST_CASE_METHOD(BadInputTest, "pipes and devices that an MJCF file names are not opened") {
+  std::filesystem::create_directory(folder() / "f");
+  for (const char* name : {"p.xml", "p.png", "p.stl", "p.skn", "f/p.obj", "f/p.png"})
+    REQUIRE(::mkfifo((folder() / name).c_str(), 0600) == 0);
+  std::filesystem::create_symlink("/dev/zero", folder().path() / "zero.png");
+  folder().Write("inner.xml", "<mujocoinclude><include file='p.xml'/></mujocoinclude>");
+  folder().Write("folders.xml",
+                 "<mujocoinclude><compiler meshdir='f' texturedir='f'/></mujocoinclude>");
+  const std::string cases[] = {
+      "<include file='p.xml'/>",
+      "<INCLUDE file='p.xml'/>",
+      "<include file='inner.xml'/>",
+      "<asset><mesh name='m' file='p.stl'/></asset>",
+      "<compiler meshdir='f'/><asset><mesh file='p.obj'/></asset>",
+      "<include file='folders.xml'/><asset><mesh file='p.obj'/></asset>",
+      "<compiler meshdir='f' strippath='true'/><asset><mesh file='/no/p.obj'/></asset>",
+      "<asset><texture name='t' type='2d' file='p.png'/></asset>",
+      "<asset><texture name='t' type='2d' file='zero.png'/></asset>",
+      "<asset><texture name='t' type='cube' fileright='p.png'/></asset>",
+      "<include file='folders.xml'/><asset><texture type='2d' file='p.png'/></asset>",
+      "<asset><hfield name='h' size='1 1 1 1' file='p.png'/></asset>",
+      "<asset><skin name='s' file='p.skn'/></asset>"};
+  for (const std::string& text : cases) {
+    folder().Write("a.xml", "<mujoco>" + text +
+                                "<worldbody><body name='b'><geom size='1'/></body>"
+                                "</worldbody></mujoco>\n");
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"validate", "a.xml"},
+                                                    {"validate", "a.xml", "--physics"},
+                                                    {"inspect", "a.xml", "--sweep"},
+                                                    {"preview", "a.xml"},
+                                                    {"view", "a.xml"}}) {
+      const auto result = Run(command);
+      INFO(text << ' ' << command.front() << ": " << result.err);
+      CHECK(result.status == 3);
+      CHECK(CountOf(result.err, "a.xml:1:") == 1);
+      CHECK(CountOf(result.err, ": it is a ") == 1);
+      CHECK(CountOf(result.err, "[yaml/cannot-read]") == 1);
+    }
+    folder().Write("s.yaml", "mjforge: 1\nname: s\nbodies: [{name: b, mjcf: a.xml}]\n");
+    const auto attached = Run({"check", "s.yaml", "-n", "1"});
+    INFO(text << ": " << attached.err);
+    CHECK(attached.status == 3);
+    CHECK(CountOf(attached.err, ": it is a ") == 1);
+    CHECK(Run({"__complete", "preview", "a.xml", "--joint", ""}).status == 0);
+  }
+}
+
+TEST_CASE_METHOD(BadInputTest, "pipes that a spec or a manifest names are not opened") {
+  for (const char* name : {"p.yaml", "p.csv", "p.png", "p.stl", "p.xml", "p.tar", "p.jsonl"})
+    REQUIRE(::mkfifo((folder() / name).c_str(), 0600) == 0);
+  const std::string parts = "parts: [{name: a, type: sphere, size: 1}]\n";
+  const std::string cases[] = {"import: [p.yaml]\n" + parts,
+                               "parts: [{name: a, spec: p.yaml}]\n",
+                               "bodies: [{name: a, spec: p.yaml}]\n",
+                               "bodies: [{name: a, mjcf: p.xml}]\n",
+                               "parts: [{name: a, type: mesh, file: p.stl}]\n",
+                               "materials: {m: {texture: {file: p.png}}}\n"
+                               "parts: [{name: a, type: sphere, size: 1, material: m}]\n"};
+  for (const std::string& text : cases) {
+    folder().Write("s.yaml", "mjforge: 1\nname: s\n" + text);
+    for (const char* command : {"check", "inspect"}) {
+      const auto result = Run({command, "s.yaml"});
+      INFO(text << ": " << result.err);
+      CHECK(result.status == 3);
+      CHECK(CountOf(result.err, "it is a pipe") == 1);
+    }
+  }
+  folder().Write("s.yaml", "mjforge: 1\nname: s\n" + parts);
+  CHECK(Run({"check", "s.yaml", "--params", "p.yaml"}).status == 3);
+  for (const char* command : {"inspect", "report", "verify"}) {
+    CHECK(Run({command, "p.jsonl"}).status > 0);
+    CHECK(Run({command, "p.tar"}).status > 0);
+  }
+  REQUIRE(Run({"generate", "s.yaml", "-n", "2", "-q", "-o", "x.tar"}).status == 0);
+  std::filesystem::rename(folder() / "p.tar", folder() / "x.tar");
+  CHECK(Run({"replay", "x.manifest.jsonl:1"}).status == 3);
+  CHECK(Run({"verify", "x.tar"}).status > 0);
+  CHECK(Run({"verify", "x.manifest.jsonl"}).status > 0);
+  CHECK(Run({"report", "x.manifest.jsonl"}).status == 0);
 }
 
 TEST_CASE_METHOD(BadInputTest, "what is not a file is not read") {

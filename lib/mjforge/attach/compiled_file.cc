@@ -126,9 +126,9 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
 }
 
 void CompiledFile::Load(diag::Findings& findings) {
-  if (const auto fault = engine::FindOversizedImage(flat_.text, {})) {
+  if (const auto fault = engine::FindFileFault(flat_.text, {})) {
     const XmlElement* element = flat_.lines[static_cast<std::size_t>(fault->line) - 1];
-    AddError(findings, Code::kModelBadTexture, element->mark,
+    AddError(findings, fault->code, element->mark,
              fmt::format("'{}' cannot be attached: {}", file_.string(), fault->message));
     return;
   }

@@ -21,10 +21,19 @@ using diag::Code;
 // Warnings of the current load. MuJoCo calls handlers on the loading thread, without user data.
 thread_local std::vector<std::string> thread_warnings;
 
+// Returns true for the errors of mju_malloc and of LodePNG if memory is not enough.
+bool IsOutOfMemory(std::string_view message) {
+  return message.find("ould not allocate memory") != std::string_view::npos ||
+         message.find("memory allocation failed") != std::string_view::npos;
+}
+
 // The handler of mju_error must not return. Within a compilation MuJoCo catches its own errors
 // (longjmp in mjCModel::Compile); elsewhere the exception leaves mj_loadXML, whose std::lock_guard
 // releases the mutex.
-[[noreturn]] void ThrowError(const char* message) { throw std::runtime_error(message); }
+[[noreturn]] void ThrowError(const char* message) {
+  if (IsOutOfMemory(message)) throw std::bad_alloc();
+  throw std::runtime_error(message);
+}
 void StoreWarning(const char* message) { thread_warnings.emplace_back(message); }
 
 // Adds Qhull's reasons to MuJoCo's "qhull error", or to the warnings if the model was loaded.
@@ -56,15 +65,16 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   } catch (const std::exception& error) {
     loaded.error = error.what();
   }
+  if (IsOutOfMemory(loaded.error)) throw std::bad_alloc();
   loaded.warnings.swap(thread_warnings);
   AddQhullMessages(captured.QhullMessages(), loaded);
   return loaded;
 }
 
-Loaded TooLarge(const ImageFault& fault) {
+Loaded Refused(const FileFault& fault) {
   Loaded loaded;
   loaded.error = fault.message;
-  loaded.too_large_line = fault.line;
+  loaded.fault = fault;
   return loaded;
 }
 
@@ -125,7 +135,7 @@ Loaded Engine::LoadText(const std::string& text) {
 }
 
 Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
-  if (const auto fault = FindOversizedImage(text, folder)) return TooLarge(*fault);
+  if (const auto fault = FindFileFault(text, folder)) return Refused(*fault);
   in_memory_.Clear();
   in_memory_.SetText(text);
   return Load((folder / MemoryFiles::kTextName).c_str(), in_memory_.Get());
@@ -137,7 +147,7 @@ Loaded Engine::LoadFile(const std::filesystem::path& file) {
     const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);
     if (text) return LoadTextIn(".", *text);
   } else if (const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error)) {
-    if (const auto fault = FindOversizedImage(*text, file.parent_path())) return TooLarge(*fault);
+    if (const auto fault = FindFileFault(*text, file.parent_path())) return Refused(*fault);
     return Load(file.c_str(), nullptr);
   }
   return failed;

@@ -16,8 +16,8 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/engine/api.h"
 #include "mjforge/engine/geom_pairs.h"
-#include "mjforge/engine/image_limits.h"
 #include "mjforge/engine/memory_files.h"
+#include "mjforge/engine/referenced_files.h"
 #include "mjforge/engine/refusal.h"
 
 namespace mjforge::engine {
@@ -35,14 +35,15 @@ struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
-  int too_large_line = 0;  // if the error is ours: line of the oversized image
+  std::optional<FileFault> fault;  // if the text was not given to MuJoCo
 };
 
 /// MuJoCo's loader, with files in memory.
 class Engine {
  public:
   /// Installs handlers in the whole process: MuJoCo's errors become exceptions
-  /// (std::runtime_error), and its warnings are collected.
+  /// (std::runtime_error, or std::bad_alloc if memory is not enough), and its warnings are
+  /// collected.
   Engine();
 
   /// The reason why a file cannot be put into memory.

@@ -266,9 +266,9 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
     CheckFinite(*loaded.model, start, findings);
     return std::move(loaded.model);
   }
-  if (loaded.too_large_line > 0) {
-    findings.Add(Code::kModelBadTexture,
-                 xml::MarkOfLine(sources, xml->source, loaded.too_large_line), loaded.error);
+  if (loaded.fault) {
+    findings.Add(loaded.fault->code, xml::MarkOfLine(sources, xml->source, loaded.fault->line),
+                 loaded.error);
     return nullptr;
   }
   const Refusal refusal = engine::ParseRefusal(loaded.error);

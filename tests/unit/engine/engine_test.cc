@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -18,6 +19,7 @@ const std::string kBox =
 TEST_CASE("MuJoCo's errors become exceptions that the process survives") {
   Engine engine;
   CHECK_THROWS_WITH(mju_error("out of order"), "out of order");
+  CHECK_THROWS_AS(mju_error("Could not allocate memory"), std::bad_alloc);
   CHECK(engine.LoadText(kBox).model);
 }
 

@@ -1,0 +1,160 @@
+// Checks the kinds, sizes and pixels of the files that an MJCF text refers to.
+#include "mjforge/engine/referenced_files.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "mjforge/bytes/bytes.h"
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of a text and of all files that it includes, which MuJoCo 2.2 finds relative to the
+/// folder of the text.
+class FileScan {
+ public:
+  FileScan(std::string_view text, fs::path folder) : text_(text), folder_(std::move(folder)) {
+    Add(text);
+    for (std::size_t i = 0; i < documents_.size(); ++i) {
+      for (const auto& found : documents_[i]->select_nodes("//*")) {
+        if (IsInclude(found.node())) Include(found.node().attribute("file").value());
+      }
+      for (const auto& found : documents_[i]->select_nodes("/*/compiler")) Set(found.node());
+    }
+  }
+
+  std::optional<FileFault> Find() const {
+    std::uint64_t pixels = 0;
+    for (const auto& document : documents_) {
+      for (const auto& found : document->select_nodes("//*")) {
+        const pugi::xml_node& element = found.node();
+        std::optional<FileFault> fault = FindUnreadable(element);
+        if (!fault && IsImage(element)) {
+          pixels = std::min(pixels + PixelsOf(element), 2 * bytes::kMaxPixels);
+          if (pixels > bytes::kMaxPixels) fault = TooManyPixels(element);
+        }
+        if (!fault) continue;
+        fault->line = document == documents_[0] ? LineOf(element) : 1;
+        return fault;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void Add(std::string_view text) {
+    documents_.push_back(std::make_unique<pugi::xml_document>());
+    documents_.back()->load_buffer(text.data(), text.size());
+  }
+
+  void Include(const std::string& name) {
+    std::string why_not;
+    if (!included_.insert(name).second) return;
+    if (const auto text = bytes::Read(folder_ / name, bytes::kMaxMjcf, why_not)) Add(*text);
+  }
+
+  void Set(const pugi::xml_node& compiler) {
+    const auto set = [&](const char* name, std::string& value) {
+      if (const auto attribute = compiler.attribute(name)) value = attribute.value();
+    };
+    set("texturedir", texture_folder_);
+    set("meshdir", mesh_folder_);
+    set("strippath", strip_path_);
+  }
+
+  static bool IsInclude(const pugi::xml_node& element) {
+    return diag::LowerCase(element.name()) == "include";
+  }
+
+  static bool IsImage(const pugi::xml_node& element) {
+    const std::string_view tag = element.name();
+    return (tag == "texture" || tag == "hfield") &&
+           std::string_view(element.parent().name()) == "asset";
+  }
+
+  /// Returns the paths of the files that an element names.
+  std::vector<fs::path> FilesOf(const pugi::xml_node& element) const {
+    const bool is_asset = std::string_view(element.parent().name()) == "asset";
+    const bool is_texture = std::string_view(element.name()) == "texture";
+    std::vector<fs::path> files;
+    for (const pugi::xml_attribute& attribute : element.attributes()) {
+      if (!std::string_view(attribute.name()).starts_with("file")) continue;
+      std::string name = attribute.value();
+      if (is_asset && strip_path_ == "true") name.erase(0, name.find_last_of("/\\") + 1);
+      if (name.empty()) continue;
+      const std::string& asset_folder = is_texture ? texture_folder_ : mesh_folder_;
+      files.push_back(is_asset ? folder_ / asset_folder / name : folder_ / name);
+    }
+    return files;
+  }
+
+  std::optional<FileFault> FindUnreadable(const pugi::xml_node& element) const {
+    for (const fs::path& file : FilesOf(element)) {
+      std::error_code error;
+      std::string why_not;
+      if (!fs::exists(file, error) || bytes::MayRead(file, bytes::kMaxAsset, why_not)) continue;
+      return FileFault{.message = fmt::format("cannot read '{}', the file of {}: {}", file.string(),
+                                              Description(element), why_not)};
+    }
+    return std::nullopt;
+  }
+
+  std::uint64_t PixelsOf(const pugi::xml_node& image) const {
+    const std::string_view builtin = image.attribute("builtin").value();
+    if (!builtin.empty() && builtin != "none") {
+      return std::uint64_t{image.attribute("width").as_uint()} *
+             image.attribute("height").as_uint();
+    }
+    std::uint64_t pixels = 0;
+    for (const fs::path& file : FilesOf(image)) {
+      std::string why_not;
+      pixels += std::min(bytes::PngPixels(file, why_not).value_or(0), 2 * bytes::kMaxPixels);
+    }
+    return pixels;
+  }
+
+  static std::string Description(const pugi::xml_node& element) {
+    const std::string_view name = element.attribute("name").value();
+    return fmt::format("{}{}", element.name(), name.empty() ? "" : fmt::format(" '{}'", name));
+  }
+
+  static FileFault TooManyPixels(const pugi::xml_node& image) {
+    return {.code = diag::Code::kModelBadTexture,
+            .message = fmt::format("with {} the pictures have more than {} pixels",
+                                   Description(image), bytes::kMaxPixels)};
+  }
+
+  int LineOf(const pugi::xml_node& element) const {
+    const auto offset =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug(), 0));
+    return 1 + static_cast<int>(std::ranges::count(text_.substr(0, offset), '\n'));
+  }
+
+  std::string_view text_;
+  fs::path folder_;
+  std::deque<std::unique_ptr<pugi::xml_document>> documents_;  // the first is that of the text
+  std::set<std::string> included_;
+  std::string texture_folder_;
+  std::string mesh_folder_;
+  std::string strip_path_;
+};
+
+}  // namespace
+
+std::optional<FileFault> FindFileFault(std::string_view text, const fs::path& folder) {
+  return FileScan(text, folder).Find();
+}
+
+}  // namespace mjforge::engine

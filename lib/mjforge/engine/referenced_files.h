@@ -1,0 +1,26 @@
+// Checks the files that an MJCF text refers to, before MuJoCo opens them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::engine {
+
+/// An element that refers to a file that MuJoCo must not open.
+struct FileFault {
+  diag::Code code = diag::Code::kYamlCannotRead;
+  int line = 0;  // line in the model's text; 1 if an included file has the element
+  std::string message;
+};
+
+/// Returns the first file that is not a regular file or is too large, because opening a pipe waits
+/// and reading a device may never end; or the texture or height field at which the total of all
+/// pixels exceeds bytes::kMaxPixels, because a small file may decode to very many pixels. Missing
+/// files are not faults, because MuJoCo reports them. `folder` is the folder of the text.
+std::optional<FileFault> FindFileFault(std::string_view text, const std::filesystem::path& folder);
+
+}  // namespace mjforge::engine

@@ -1,0 +1,47 @@
+#include "mjforge/engine/referenced_files.h"
+
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/engine/engine.h"
+
+namespace mjforge::engine {
+namespace {
+
+std::string MeshesIn(const std::string& file) {
+  return "<mujoco>\n<asset>\n<mesh name=\"m\"\nfile=\"" + file + "\"/></asset></mujoco>";
+}
+
+TEST_CASE("a file that MuJoCo would wait for is a fault at its element") {
+  const harness::TemporaryFolder folder;
+  REQUIRE(::mkfifo((folder / "pipe.stl").c_str(), 0600) == 0);
+  folder.Write("mesh.stl", "solid");
+  std::filesystem::create_directory(folder / "folder.stl");
+  CHECK_FALSE(FindFileFault(MeshesIn("mesh.stl"), folder.path()));
+  CHECK_FALSE(FindFileFault(MeshesIn("missing.stl"), folder.path()));
+  CHECK_FALSE(FindFileFault(MeshesIn(""), folder.path()));
+  const auto fault = FindFileFault(MeshesIn("pipe.stl"), folder.path());
+  REQUIRE(fault);
+  CHECK(fault->code == diag::Code::kYamlCannotRead);
+  CHECK(fault->line == 3);
+  CHECK(fault->message == "cannot read '" + (folder / "pipe.stl").string() +
+                              "', the file of mesh 'm': it is a pipe; '-' stands for standard "
+                              "input");
+  CHECK(FindFileFault(MeshesIn("folder.stl"), folder.path()));
+  CHECK(FindFileFault(MeshesIn((folder / "pipe.stl").string()), {}));
+  folder.Write("inner.xml", MeshesIn("pipe.stl"));
+  const auto inner =
+      FindFileFault("<mujoco>\n<include file=\"inner.xml\"/></mujoco>", folder.path());
+  REQUIRE(inner);
+  CHECK(inner->line == 1);
+  Engine engine;
+  const Loaded loaded = engine.LoadTextIn(folder.path(), MeshesIn("pipe.stl"));
+  CHECK_FALSE(loaded.model);
+  CHECK(loaded.error == fault->message);
+  CHECK(loaded.fault);
+}
+
+}  // namespace
+}  // namespace mjforge::engine
