@@ -74,6 +74,29 @@ TEST_CASE_METHOD(ReplayTest, "a record leads back to its spec, wherever it stand
   CHECK(folder().Read("both/hammer/manifest.jsonl").find("spec_file") == std::string::npos);
 }
 
+TEST_CASE_METHOD(ReplayTest, "a file leads to its spec through the manifest of its batch") {
+  folder().Write("specs/box.yaml", kText);
+  const auto check = [&](std::vector<std::string> options, const std::string& file) {
+    options.insert(options.begin(), {"generate", "specs/box.yaml", "-q", "-n", "2"});
+    REQUIRE(Run(options).status == 0);
+    const auto here = Run({"replay", file});
+    INFO(file << ": " << here.err);
+    CHECK(here.err == file + ": regenerated, same bytes\n");
+    const harness::TemporaryFolder elsewhere;
+    const harness::Command command{.program = harness::MjforgeProgram(),
+                                   .arguments = {"replay", (folder() / file).string()},
+                                   .folder = elsewhere.path()};
+    CHECK(command.Run().status == 0);
+  };
+  check({"-o", "far/away/batch"}, "far/away/batch/crate_000001.xml");
+  check({"-o", "far/away/high", "--first", "10000"}, "far/away/high/0010000/crate_010001.xml");
+  check({"-o", "far/away/part", "--shard", "1/2"}, "far/away/part/crate_000001.xml");
+  std::filesystem::copy(folder() / "far/away/batch/crate_000001.xml", folder() / "alone.xml");
+  CHECK(Run({"replay", "alone.xml"}).err ==
+        "mjforge: error: cannot find the spec 'box.yaml' [yaml/cannot-read]\n"
+        "  hint: pass its file with --spec\n");
+}
+
 TEST_CASE_METHOD(ReplayTest, "replay of a spec that is gone says how to name it") {
   std::filesystem::rename(folder() / "crate.yaml", folder() / "old.yaml");
   const auto result = Run({"replay", "out/manifest.jsonl:2"});

@@ -16,6 +16,7 @@ struct Original {
   bool from_manifest = false;     // true: `attempt`, `status` and `sha256` are known
   std::filesystem::path file;     // object's file; empty: none was written
   std::filesystem::path archive;  // contains the file; empty: the file is in a folder
+  std::filesystem::path folder;   // the record's spec_file is relative to this folder
 };
 
 // Splits "out/manifest.jsonl:42" into file and index; returns nothing if there is no index.
@@ -35,6 +36,7 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
   if (!lines) return std::nullopt;
   Original original;
   original.from_manifest = true;
+  original.folder = file.parent_path();
   Outcome outcome = lines->Next(original.record);
   for (; outcome == Outcome::kRecord; outcome = lines->Next(original.record)) {
     const manifest::Record& known = original.record;
@@ -54,6 +56,28 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
   return std::nullopt;
 }
 
+// Finds the spec's file in the manifests beside the object's file and one folder up, where the
+// manifest of a large batch is, because the comment in the object's file has the name of the spec
+// without its folder.
+void FindSpecFile(Original& original) {
+  for (const std::filesystem::path& folder : {original.folder, original.folder / ".."}) {
+    std::error_code error;
+    const auto files = std::filesystem::directory_iterator(folder.empty() ? "." : folder, error);
+    for (const auto& entry : files) {
+      diag::Sources sources;
+      diag::Findings ignored;
+      if (entry.path().filename().string().find(".jsonl") == std::string::npos) continue;
+      auto records = manifest::RecordReader::Open(entry.path(), sources, ignored);
+      manifest::Record first;
+      if (!records || records->Next(first) != manifest::RecordReader::Outcome::kRecord) continue;
+      if (first.spec_file.empty() || first.spec_sha256 != original.record.spec_sha256) continue;
+      original.record.spec_file = first.spec_file;
+      original.folder = folder;
+      return;
+    }
+  }
+}
+
 std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findings& findings) {
   const std::optional<std::string> text = output::ReadFile(file, bytes::kMaxMjcf, findings);
   if (!text) return std::nullopt;
@@ -66,7 +90,9 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   }
   Original original;
   original.file = file;
+  original.folder = file.parent_path();
   static_cast<mjcf::Provenance&>(original.record) = *provenance;
+  FindSpecFile(original);
   return original;
 }
 
@@ -175,7 +201,7 @@ bool Replay(const ReplayRequest& request, diag::Sources& sources, diag::Findings
   const std::optional<Options> options = RecordedOptions(original->record, request.what, findings);
   if (!options) return false;
   const std::optional<Recipe> recipe =
-      LoadRecordedRecipe(original->record, request.spec, file.parent_path(), sources, findings);
+      LoadRecordedRecipe(original->record, request.spec, original->folder, sources, findings);
   if (!recipe) return false;
   return Regenerate(*original, *recipe, *options, sources, findings);
 }
