@@ -69,16 +69,19 @@ class MeshInertia {
  public:
   explicit MeshInertia(xml::XmlElement& root) : root_(root) { Find(); }
 
-  bool empty() const { return geoms_.empty(); }
-
-  void Run(const std::function<engine::Loaded(const std::string&)>& load) {
+  /// Returns the place of the first body that was given an inertia.
+  diag::SourceMark Run(const std::function<engine::Loaded(const std::string&)>& load) {
+    if (bodies_.empty()) return {};
     const engine::Loaded meshes = load(xml::Flatten(Copy(nullptr)).text);
-    if (!meshes.model) return;
+    if (!meshes.model) return {};
     const engine::Loaded boxes = load(xml::Flatten(Copy(meshes.model.get())).text);
-    if (!boxes.model) return;
+    if (!boxes.model) return {};
     for (xml::XmlElement& section : root_.children) {
       if (section.tag == "worldbody") AddInertials(section, *boxes.model);
+      // Otherwise MuJoCo would replace the inertias by its own.
+      if (section.tag == "compiler" && replaces_) section.Set("inertiafromgeom", "auto");
     }
+    return first_;
   }
 
  private:
@@ -91,23 +94,45 @@ class MeshInertia {
 
   void Find() {
     DefaultClasses elements(root_);
-    for (const ClassedElement* compiler : elements.In("compiler")) {
-      // MuJoCo computes these masses in another way.
-      if (elements.Get(*compiler, "inertiafromgeom", "auto") != "auto") return;
-      if (elements.Get(*compiler, "exactmeshinertia", "false") != "false") return;
-    }
+    const std::string from_geoms = elements.Setting("inertiafromgeom", "auto");
+    // MuJoCo computes these masses in another way; no later release has global coordinates.
+    if (from_geoms == "false" || elements.Setting("exactmeshinertia", "false") != "false" ||
+        elements.Setting("coordinate", "local") != "local")
+      return;
+    replaces_ = from_geoms == "true";
+    const bool discards = elements.Setting("discardvisual", "false") == "true";
+    bool differs = false;
     for (const ClassedElement* geom : elements.In("geom")) {
-      if (geom->parent->tag != "body" || elements.Get(*geom, "type", "") != "mesh") continue;
-      if (std::ranges::find(geom->parent->children, "inertial", &xml::XmlElement::tag) !=
-          geom->parent->children.end())
-        continue;
-      if (elements.Get(*geom, "shellinertia", "false") != "false") continue;
-      Geom found = {fmt::format("geom{}", geoms_.size()), elements.Get(*geom, "mass", ""),
-                    elements.Get(*geom, "density", "1000"), elements.Get(*geom, "group", "0")};
-      if ((!found.mass.empty() && IsZero(found.mass)) || IsZero(found.density)) continue;
-      geoms_.emplace(geom->element, std::move(found));
-      bodies_.try_emplace(geom->parent, fmt::format("body{}", bodies_.size()));
+      const xml::XmlElement* body = geom->parent;
+      if (body->tag != "body" || (HasInertial(*body) && !replaces_)) continue;
+      const bool counts = AddMesh(elements, *geom) || (discards && IsVisual(elements, *geom));
+      if (counts || HasInertial(*body))
+        bodies_.try_emplace(body, fmt::format("body{}", bodies_.size()));
+      differs = differs || counts;
     }
+    if (!differs) bodies_.clear();
+  }
+
+  static bool HasInertial(const xml::XmlElement& body) {
+    return std::ranges::find(body.children, "inertial", &xml::XmlElement::tag) !=
+           body.children.end();
+  }
+
+  /// Returns true for geoms that `discardvisual` removes; since MuJoCo 3.1.2 their masses count.
+  static bool IsVisual(const DefaultClasses& elements, const ClassedElement& geom) {
+    return IsZero(elements.Get(geom, "contype", "1")) &&
+           IsZero(elements.Get(geom, "conaffinity", "1"));
+  }
+
+  /// Adds the geom if it is a mesh with a mass; returns true if it is.
+  bool AddMesh(const DefaultClasses& elements, const ClassedElement& geom) {
+    if (elements.Get(geom, "type", "") != "mesh") return false;
+    if (elements.Get(geom, "shellinertia", "false") != "false") return false;
+    Geom found = {fmt::format("geom{}", geoms_.size()), elements.Get(geom, "mass", ""),
+                  elements.Get(geom, "density", "1000"), elements.Get(geom, "group", "0")};
+    if ((!found.mass.empty() && IsZero(found.mass)) || IsZero(found.density)) return false;
+    geoms_.emplace(geom.element, std::move(found));
+    return true;
   }
 
   /// Copies only the bodies: with massless meshes or, if `meshes` is the compiled model of such a
@@ -116,11 +141,19 @@ class MeshInertia {
     xml::XmlElement copy;
     copy.tag = root_.tag;
     for (const xml::XmlElement& section : root_.children) {
-      if (section.tag == "compiler") copy.children.push_back(section);
+      if (section.tag == "compiler") copy.children.push_back(CopyCompiler(section, meshes));
       if (section.tag == "default") copy.children.push_back(CopyShapes(section));
       if (section.tag == "asset") copy.children.push_back(CopyShapes(section));
       if (section.tag == "worldbody") copy.children.push_back(CopyBody(section, meshes));
     }
+    return copy;
+  }
+
+  /// Copies a compiler section without the settings that move or scale masses.
+  xml::XmlElement CopyCompiler(const xml::XmlElement& section, const mjModel* meshes) const {
+    xml::XmlElement copy = section;
+    for (const char* name : {"settotalmass", "fusestatic", "discardvisual"}) copy.Remove(name);
+    if (meshes == nullptr && replaces_) copy.Set("inertiafromgeom", "auto");
     return copy;
   }
 
@@ -142,10 +175,12 @@ class MeshInertia {
     xml::XmlElement copy;
     copy.tag = body.tag;
     copy.attributes = body.attributes;
+    copy.Remove("name");
     const auto weighed = bodies_.find(&body);
     if (weighed != bodies_.end()) {
       copy.Set("name", weighed->second);
-      if (meshes == nullptr) copy.children.push_back(Inertial("1", "0 0 0", "1 0 0 0", "1 1 1"));
+      if (meshes == nullptr && !HasInertial(body))
+        copy.children.push_back(Inertial("1", "0 0 0", "1 0 0 0", "1 1 1"));
     }
     for (const xml::XmlElement& child : body.children) {
       if (std::ranges::find(kOmitted, child.tag) != std::end(kOmitted)) continue;
@@ -199,26 +234,28 @@ class MeshInertia {
     const auto weighed = bodies_.find(&body);
     if (weighed == bodies_.end()) return;
     const int id = mj_name2id(&m, mjOBJ_BODY, weighed->second.c_str());
-    if (id < 0) return;  // MuJoCo fused the body with its parent
     xml::XmlElement inertial =
         Inertial(Text(m.body_mass + id, 1), Text(m.body_ipos + 3 * id, 3),
                  Text(m.body_iquat + 4 * id, 4), Text(m.body_inertia + 3 * id, 3));
     inertial.mark = body.mark;
+    if (!first_) first_ = body.mark;
+    std::erase_if(body.children, [](const auto& child) { return child.tag == "inertial"; });
     body.children.insert(body.children.begin(), std::move(inertial));
   }
 
   xml::XmlElement& root_;
+  bool replaces_ = false;  // the geoms replace inertias in the file
+  diag::SourceMark first_;
   std::map<const xml::XmlElement*, Geom> geoms_;
   std::map<const xml::XmlElement*, std::string> bodies_;
 };
 
 }  // namespace
 
-void AddMeshInertia(xml::XmlElement& root,
-                    const std::function<engine::Loaded(const std::string&)>& load) {
-  if (mjVERSION_HEADER >= 300) return;
-  MeshInertia inertia(root);
-  if (!inertia.empty()) inertia.Run(load);
+diag::SourceMark AddMeshInertia(xml::XmlElement& root,
+                                const std::function<engine::Loaded(const std::string&)>& load) {
+  if (mjVERSION_HEADER >= 300) return {};
+  return MeshInertia(root).Run(load);
 }
 
 }  // namespace mjforge::backport

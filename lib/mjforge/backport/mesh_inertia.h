@@ -11,10 +11,12 @@ namespace mjforge::backport {
 
 /// Adds to each body whose mass comes from meshes an `<inertial>` with the values of MuJoCo 3,
 /// which adds up the volumes of the pyramids from the centre of mass to each face, whatever the
-/// face's orientation. Older releases use the volume of the box with the same inertia, and reject
-/// meshes with inconsistently oriented faces. `load` loads a text in the place of the file. If
-/// MuJoCo rejects that text, the tree does not change, because MuJoCo rejects the file, too.
-void AddMeshInertia(xml::XmlElement& root,
-                    const std::function<engine::Loaded(const std::string&)>& load);
+/// face's orientation, and the masses of geoms that `discardvisual` removes. Older releases use the
+/// volume of the box with the same inertia, and reject meshes with inconsistently oriented faces.
+/// `load` loads a text in the place of the file. If MuJoCo rejects that text, the tree does not
+/// change, because MuJoCo rejects the file, too. Returns the place of the first changed body; no
+/// place if there is none.
+diag::SourceMark AddMeshInertia(xml::XmlElement& root,
+                                const std::function<engine::Loaded(const std::string&)>& load);
 
 }  // namespace mjforge::backport

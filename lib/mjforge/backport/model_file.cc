@@ -20,19 +20,24 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
   return file == bytes::kStandardInput ? std::filesystem::path(".") : file.parent_path();
 }
 
+struct BackportedTree {
+  xml::XmlElement root;
+  diag::SourceMark other_mass;  // ModelFile::other_mass
+};
+
 /// Returns the backported tree of a file; nothing if the file needs no change, or after an error.
-std::optional<xml::XmlElement> BackportFile(const std::filesystem::path& file,
-                                            diag::Sources& sources, diag::Findings& findings) {
+std::optional<BackportedTree> BackportFile(const std::filesystem::path& file,
+                                           diag::Sources& sources, diag::Findings& findings) {
   diag::Findings of_includes;  // MuJoCo reports them when it loads the file
   std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, of_includes);
   if (!root) return std::nullopt;
-  if (!BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings))
-    return std::nullopt;
+  const bool is_later = BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings);
   if (findings.HasErrors()) return std::nullopt;
-  const std::filesystem::path folder = FolderOf(file);
-  engine::Engine engine;
-  AddMeshInertia(*root, [&](const std::string& text) { return engine.LoadTextIn(folder, text); });
-  return root;
+  const diag::SourceMark weighed = AddMeshInertia(*root, [&](const std::string& text) {
+    return engine::Engine().LoadTextIn(FolderOf(file), text);
+  });
+  if (!is_later && !weighed) return std::nullopt;
+  return BackportedTree{*std::move(root), is_later ? diag::SourceMark{} : weighed};
 }
 
 }  // namespace
@@ -60,9 +65,11 @@ std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::
     return std::nullopt;
   }
   diag::Findings found;
-  ModelFile read{source, has_includes, {}};
-  if (const auto root = BackportFile(file, sources, found))
-    read.backported = xml::FlattenInPlace(*root);
+  ModelFile read{source, has_includes, {}, {}};
+  if (const auto tree = BackportFile(file, sources, found)) {
+    read.backported = xml::FlattenInPlace(tree->root);
+    read.other_mass = tree->other_mass;
+  }
   const bool good = !found.HasErrors();
   findings.Append(std::move(found));
   if (!good) return std::nullopt;
@@ -72,10 +79,10 @@ std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::
 std::optional<std::string> BackportedText(const std::filesystem::path& file) {
   diag::Sources sources;
   diag::Findings findings;
-  std::optional<xml::XmlElement> root = BackportFile(file, sources, findings);
-  if (!root) return std::nullopt;
-  xml::ResolveFiles(*root, FolderOf(file), findings);
-  return xml::Flatten(*root).text;
+  std::optional<BackportedTree> tree = BackportFile(file, sources, findings);
+  if (!tree) return std::nullopt;
+  xml::ResolveFiles(tree->root, FolderOf(file), findings);
+  return xml::Flatten(tree->root).text;
 }
 
 engine::Loaded LoadFile(engine::Engine& engine, const std::filesystem::path& file) {

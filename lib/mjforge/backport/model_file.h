@@ -17,6 +17,9 @@ struct ModelFile {
   bool has_includes = false;
   /// The backported text, with included files in their places, if the file needs one.
   std::optional<std::string> backported;
+  /// Place of the first body whose mass the MuJoCo of this build computes by another rule than
+  /// later releases; no place if there is none, or if the file needs a later MuJoCo.
+  diag::SourceMark other_mass;
 };
 
 /// Reads a file or standard input into `sources`. Returns nothing and adds a finding if the file is

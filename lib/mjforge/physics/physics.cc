@@ -96,14 +96,14 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
 }
 
 /// Returns MJCF text that includes `file` and adds a floor; it must be loaded in the file's folder.
-/// Standard input cannot be included, so that the floor is added to its text.
+/// If `file` is empty, the floor is added to the text.
 std::string WithFloor(const std::filesystem::path& file, std::string text, std::string_view model,
                       const std::string& floor) {
   const std::string world = fmt::format("<worldbody>{}</worldbody>", FloorElement(floor));
-  if (file != bytes::kStandardInput) {
+  if (!file.empty()) {
     // StartOf() finds the start pose by the model's name.
     return fmt::format(R"(<mujoco model="{}"><include file="{}"/>{}</mujoco>)",
-                       xml::EscapeXml(model), xml::EscapeXml(file.filename().string()), world);
+                       xml::EscapeXml(model), xml::EscapeXml(file.string()), world);
   }
   const std::size_t end = text.rfind("</mujoco");
   if (end != text.npos) text.insert(end, world);
@@ -206,7 +206,9 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
       compiled::ObjectOf(*loaded.model, start, compiled::Nameless::kNumbered);
   if (LacksFloor(*loaded.model)) {
     const std::string floor = FloorName(*loaded.model);
-    loaded = impl_->engine.LoadTextIn(FolderOf(file), WithFloor(file, text, object.name, floor));
+    const bool is_text = xml->backported || file == bytes::kStandardInput;
+    loaded = impl_->engine.LoadTextIn(
+        FolderOf(file), WithFloor(is_text ? "" : file.filename(), text, object.name, floor));
     if (!loaded.model)
       return refused(" with a floor", loaded, "a plane in the file would be used instead");
     LevelFloor(*loaded.model, mj_name2id(loaded.model.get(), mjOBJ_GEOM, floor.c_str()));

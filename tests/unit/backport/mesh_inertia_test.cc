@@ -75,5 +75,45 @@ TEST_CASE("what has an inertia, or no mass, is left alone") {
   CHECK(loaded.model->body_ipos[3] == 0);
 }
 
+const std::string kBall =
+    "<body name=\"body0\" pos=\"0 0 2\"><joint/><geom size=\"0.1\" mass=\"1\"/></body>";
+
+TEST_CASE("a total mass is shared as by later releases") {
+  const engine::Loaded loaded =
+      Weighed(kMesh + kBall, kOutwards, "<compiler settotalmass=\"20\"/>");
+  const double mesh = 1000.0 / 6;
+  CHECK(loaded.model->body_mass[1] == Approx(20 * mesh / (mesh + 1)));
+  CHECK(loaded.model->body_mass[2] == Approx(20 / (mesh + 1)));
+}
+
+TEST_CASE("geoms replace inertias if the compiler says so") {
+  const std::string inertial = "<inertial pos=\"0 0 0\" mass=\"3\" diaginertia=\"1 1 1\"/>";
+  const std::string stated = "<body><joint/>" + inertial + "<geom size=\"0.1\" mass=\"1\"/></body>";
+  const std::string bare = "<body><joint/>" + inertial + "</body>";
+  const engine::Loaded loaded =
+      Weighed(inertial + kMesh + stated + bare, kOutwards, "<compiler inertiafromgeom=\"true\"/>");
+  CHECK(loaded.model->body_mass[1] == Approx(1000.0 / 6));
+  CHECK(loaded.model->body_mass[2] == 1);
+  CHECK(loaded.model->body_mass[3] == 3);
+}
+
+TEST_CASE("discarded geoms have a mass") {
+  const engine::Loaded loaded = Weighed(
+      "<geom type=\"mesh\" mesh=\"m\" contype=\"0\" conaffinity=\"0\"/><geom size=\"0.1\" "
+      "mass=\"2\"/>"
+      "<body><joint/><geom size=\"0.1\" mass=\"1\" contype=\"0\" conaffinity=\"0\"/></body>",
+      kOutwards, "<compiler discardvisual=\"true\"/>");
+  CHECK(loaded.model->ngeom == 1);
+  CHECK(loaded.model->body_mass[1] == Approx(2 + 1000.0 / 6));
+  CHECK(loaded.model->body_mass[2] == 1);
+}
+
+TEST_CASE("a body fused with its parent counts once") {
+  const engine::Loaded loaded = Weighed("<geom size=\"0.1\" mass=\"2\"/><body>" + kMesh + "</body>",
+                                        kOutwards, "<compiler fusestatic=\"true\"/>");
+  CHECK(loaded.model->nbody == 2);
+  CHECK(loaded.model->body_mass[1] == Approx(2 + 1000.0 / 6));
+}
+
 }  // namespace
 }  // namespace mjforge::backport
