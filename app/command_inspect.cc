@@ -68,7 +68,7 @@ ExitStatus InspectFile(const InspectOptions& options, Console& console) {
   validate::Loader loader;
   const auto model = loader.Load(options.what, console.sources, console.findings);
   std::optional<validate::Sweep> sweep;
-  if (options.sweep && model && console.findings.empty())
+  if (options.sweep && model && !console.findings.HasErrors())
     sweep = loader.SweepJoints(options.what, console.sources, console.findings);
   const ExitStatus status = console.Report();
   if (!model) return Worse(status, ExitStatus::kFindings);

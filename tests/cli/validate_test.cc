@@ -98,6 +98,53 @@ TEST_CASE_METHOD(CrateTest, "inspect - takes MJCF or a spec, whichever standard 
   CHECK(Run({"inspect", "-"}, "").status == 1);
 }
 
+TEST_CASE_METHOD(CrateTest, "every command gives a file with meshes the same mass") {
+  folder().Write("tray.obj",
+                 "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                 "f 1 3 2\nf 1 4 3\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\n"
+                 "f 4 5 8\n");
+  folder().Write(
+      "tray.xml",
+      "<mujoco><asset><mesh name=\"t\" file=\"tray.obj\" scale=\"0.05 0.05 0.05\"/></asset>\n"
+      "<worldbody><body name=\"tray\" pos=\"0 0 1\"><freejoint/>"
+      "<geom type=\"mesh\" mesh=\"t\" density=\"500\"/></body></worldbody></mujoco>\n");
+  folder().Write("shelf.yaml",
+                 "mjforge: 1\nname: shelf\njoints: none\nbodies: [{name: tray, mjcf: tray.xml}]\n");
+  const auto validated = Run({"validate", "tray.xml"});
+  CHECK(validated.status == 0);
+  CHECK(validated.out == "tray.xml: ok, 1 body, 1 joint, 1 geom, 0.200397 kg\n");
+  CHECK(Run({"inspect", "tray.xml", "--sweep"}).out.find("\nmass     0.200397 kg\n") !=
+        std::string::npos);
+  CHECK(Run({"inspect", "shelf.yaml"}).out.find("\nmass     0.200397 kg\n") != std::string::npos);
+  const auto simulated = Run({"validate", "--physics", "tray.xml"});
+  CHECK(simulated.status == 0);
+  CHECK(simulated.out.starts_with("tray.xml: ok, 1 body, 1 joint, 1 geom, 0.200397 kg; at rest"));
+}
+
+TEST_CASE_METHOD(CrateTest, "no command rejects many contacts") {
+  folder().Write("bricks.yaml",
+                 "mjforge: 1\nname: bricks\njoints: none\n"
+                 "parts: [{name: floor, type: box, size: [5, 1, 5cm], pos: [0, 0, -5cm]}]\n"
+                 "bodies:\n  - for: {i: 40}\n    name: brick_${i}\n    joints: free\n"
+                 "    pos: [(i - 20) * 20cm, 0, 5cm]\n"
+                 "    parts: [{name: \"b_${i}\", type: box, size: [5cm, 5cm, 5cm]}]\n");
+  const auto generated = Run({"generate", "bricks.yaml", "-q", "-n", "1", "-o", "out"});
+  CHECK(generated.status == 0);
+  CHECK(generated.err.empty());
+  CHECK(folder().Read("out/bricks_000000.xml").find("nconmax=\"160\"") != std::string::npos);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"check", "bricks.yaml", "-q", "-n", "1", "--physics"},
+        {"inspect", "bricks.yaml"},
+        {"validate", "out/bricks_000000.xml"},
+        {"validate", "--physics", "out/bricks_000000.xml"},
+        {"inspect", "out/bricks_000000.xml"}}) {
+    const auto result = Run(command);
+    INFO(result.out);
+    CHECK(result.status == 0);
+    CHECK(result.err.empty());
+  }
+}
+
 TEST_CASE_METHOD(CrateTest, "what is no MJCF is a finding") {
   CHECK(Run({"validate", "crate.yaml"}).status == 1);
   CHECK(Run({"validate", "none.xml"}).status != 0);

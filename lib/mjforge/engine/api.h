@@ -155,6 +155,10 @@ mjtNum RayGeom(Arguments... arguments) {
   }
 }
 
+/// True if mjData has separate buffers of fixed sizes; from 2.3 on, contacts, rows and stack share
+/// one arena.
+inline constexpr bool kHasFixedBuffers = mjVERSION_HEADER < 230;
+
 /// Sizes of the buffers that mj_makeData allocates.
 struct BufferSizes {
   int contacts = 0;    // -1: limited only by the memory
@@ -162,7 +166,7 @@ struct BufferSizes {
   double numbers = 0;  // numbers on the stack
 };
 BufferSizes BufferSizesOf(const mjModel& m);
-/// Sets the sizes. From 2.3 on, contacts, rows and stack share one arena.
+/// Sets the sizes.
 void SetBufferSizes(mjModel& m, const BufferSizes& sizes);
 
 }  // namespace mjforge::engine

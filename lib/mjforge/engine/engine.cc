@@ -48,6 +48,17 @@ void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) 
   }
 }
 
+/// Gives a model at least the stack that MuJoCo 2.2 reserves for models without `nstack`, and lists
+/// of all pairs of bodies.
+void ReserveStack(mjModel& m) {
+  if (!kHasFixedBuffers) return;
+  BufferSizes sizes = BufferSizesOf(m);
+  const double size = sizes.rows + static_cast<double>(m.neq + m.nv);
+  const auto bodies = static_cast<double>(m.nbody);
+  sizes.numbers = std::max(sizes.numbers, 5 * size * size + bodies * bodies);
+  SetBufferSizes(m, sizes);
+}
+
 Loaded Load(const char* file, const mjVFS* vfs) {
   std::array<char, 1000> message = {};
   thread_warnings.clear();
@@ -60,6 +71,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
     } else if (message[0] != 0) {
       thread_warnings.emplace_back(message.data());
     }
+    if (loaded.model) ReserveStack(*loaded.model);
   } catch (const std::bad_alloc&) {
     throw;  // not an error of the model
   } catch (const std::exception& error) {
@@ -68,6 +80,52 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   if (IsOutOfMemory(loaded.error)) throw std::bad_alloc();
   loaded.warnings.swap(thread_warnings);
   AddQhullMessages(captured.QhullMessages(), loaded);
+  return loaded;
+}
+
+// Shortages by the words in MuJoCo's warnings and errors.
+constexpr std::pair<std::string_view, Shortage> kShortages[] = {
+    {"contact buffer is full", {"ignores contacts that exceed its buffer", "a larger `nconmax`"}},
+    {"constraint buffer is full",
+     {"ignores constraints that exceed its buffer", "a larger `njmax`"}},
+    {"Stack overflow", {"rejects the model, because its stack is too small", "a larger `nstack`"}},
+    {"could not create mjData",
+     {"rejects the model, because it cannot address so many constraint rows",
+      "a smaller `njmax`"}}};
+// Stack sizes to try, in numbers (8 bytes): lists of pairs of 4,000 and 15,000 bodies fit.
+// Untouched pages cost nothing. The buffers are small because the stack is all that a load needs.
+constexpr std::string_view kStackSizes[] = {"10000000", "120000000"};
+
+/// Adds the shortage that a message reports; returns false if it reports none.
+bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
+  const auto found = std::ranges::find_if(kShortages, [&](const auto& known) {
+    return kHasFixedBuffers && message.find(known.first) != std::string::npos;
+  });
+  if (found == std::end(kShortages)) return false;
+  shortages.push_back(found->second);
+  return true;
+}
+
+/// Loads a text; again with a larger stack if the stack of MuJoCo 2.2 is too small. `load` loads
+/// the text or another text in its place.
+template <typename LoadText>
+Loaded LoadWithStack(const std::string& text, const LoadText& load) {
+  const auto load_once = [&](const std::string& attempt) {
+    Loaded loaded = load(attempt);
+    std::erase_if(loaded.warnings,
+                  [&](const auto& warning) { return AddShortage(warning, loaded.shortages); });
+    return loaded;
+  };
+  Loaded loaded = load_once(text);
+  const std::size_t end = text.rfind("</mujoco");
+  if (loaded.model || end == text.npos || !AddShortage(loaded.error, loaded.shortages))
+    return loaded;
+  for (const std::string_view size : kStackSizes) {
+    Loaded larger = load_once(std::string(text).insert(
+        end, fmt::format(R"(<size njmax="500" nconmax="100" nstack="{}"/>)", size)));
+    larger.shortages = loaded.shortages;
+    if (larger.model) return larger;
+  }
   return loaded;
 }
 
@@ -130,27 +188,26 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const bytes::Assets& asset
 }
 
 Loaded Engine::LoadText(const std::string& text) {
-  in_memory_.SetText(text);
-  return Load(MemoryFiles::kTextName, in_memory_.Get());
+  return LoadWithStack(text, [&](const std::string& attempt) {
+    in_memory_.SetText(attempt);
+    return Load(MemoryFiles::kTextName, in_memory_.Get());
+  });
 }
 
 Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
   if (const auto fault = FindFileFault(text, folder)) return Refused(*fault);
   in_memory_.Clear();
-  in_memory_.SetText(text);
-  return Load((folder / MemoryFiles::kTextName).c_str(), in_memory_.Get());
+  return LoadWithStack(text, [&](const std::string& attempt) {
+    in_memory_.SetText(attempt);
+    return Load((folder / MemoryFiles::kTextName).c_str(), in_memory_.Get());
+  });
 }
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) {
   Loaded failed;
-  if (file == bytes::kStandardInput) {
-    const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);
-    if (text) return LoadTextIn(".", *text);
-  } else if (const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error)) {
-    if (const auto fault = FindFileFault(*text, file.parent_path())) return Refused(*fault);
-    return Load(file.c_str(), nullptr);
-  }
-  return failed;
+  const auto text = bytes::Read(file, bytes::kMaxMjcf, failed.error);
+  if (!text) return failed;
+  return LoadTextIn(file == bytes::kStandardInput ? "." : file.parent_path(), *text);
 }
 
 }  // namespace mjforge::engine

@@ -30,12 +30,21 @@ using Model = std::unique_ptr<mjModel, DeleteModel>;
 /// Prefix of warnings about the convex hull of a mesh: MuJoCo ignores them.
 inline constexpr std::string_view kHullWarning = "qhull: ";
 
+/// A limit of memory in MuJoCo 2.2 that a model exceeds.
+struct Shortage {
+  std::string_view effect;  // "ignores contacts beyond its buffer"
+  std::string_view remedy;  // "a larger `nconmax`"
+};
+
 /// The result of a load: a model or an error, and warnings in both cases.
 struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
   std::optional<FileFault> fault;  // if the text was not given to MuJoCo
+  /// Limits of memory that MuJoCo 2.2 exceeds if it loads the unchanged text. The loaded model may
+  /// have more memory. Releases from 2.3 on reserve memory as needed.
+  std::vector<Shortage> shortages;
 };
 
 /// MuJoCo's loader, with files in memory.

@@ -2,6 +2,8 @@
 // allocates dynamically, but accepts the element.
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "mjforge/mjcf/sections.h"
 
@@ -15,10 +17,21 @@ constexpr std::size_t kRowsThatFit = 300;
 // MuJoCo lists pairs of bodies that might touch on a stack whose default size grows with the square
 // of the constraints, not of the bodies: 1,600 bodies fit, 1,700 do not.
 constexpr std::size_t kBodiesThatFit = 1'000;
+// MuJoCo allocates matrices with 12 bytes for each pair of rows and 24 bytes for each row and
+// degree of freedom, and counts these bytes in an int. This leaves a tenth for all other arrays.
+constexpr double kMatrixBytes = 1.9e9;
+constexpr double kMostStack = 1.2e8;  // numbers; 1 GB
 
-std::size_t CountCollidingGeoms(const model::Object& object) {
+/// Returns the number of colliding geoms that can lie on other geoms: all in a scene, and otherwise
+/// those of free bodies.
+std::size_t CountCollidingGeoms(const model::Object& object, bool scene) {
+  std::vector<bool> lies(object.bodies.size());
   std::size_t geoms = 0;
-  for (const model::Body& body : object.bodies) {
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const model::Body& body = object.bodies[i];
+    const bool is_root = body.parent < 0;
+    lies[i] = scene || (is_root ? i > 0 : lies[static_cast<std::size_t>(body.parent)]);
+    if (!lies[i]) continue;
     for (const model::Part& part : body.parts) geoms += part.role != model::Role::kVisual;
   }
   return geoms;
@@ -38,10 +51,20 @@ std::size_t CountConstraints(const model::Object& object) {
          3 * model::ElementsOf(object, "tendon").size();
 }
 
-std::size_t CountJoints(const model::Object& object) {
-  std::size_t joints = 0;
-  for (const model::Body& body : object.bodies) joints += body.joints.size();
-  return joints;
+/// Returns the number of degrees of freedom, with the free joint that a host may add to the root.
+double CountDofs(const model::Object& object) {
+  int dofs = 6;
+  for (const model::Body& body : object.bodies) {
+    for (const model::Joint& joint : body.joints)
+      dofs += joint.type == "free" ? 6 : joint.type == "ball" ? 3 : 1;
+  }
+  return dofs;
+}
+
+/// Returns the largest njmax, a multiple of four, with which MuJoCo 2.2 accepts a model.
+double MostRows(double dofs) {
+  const double rows = std::sqrt(dofs * dofs + kMatrixBytes / 12) - dofs;
+  return 4 * std::floor(rows / 4);
 }
 
 void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& writer) {
@@ -59,16 +82,19 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   const std::size_t bodies = object.bodies.size();
   // Skip counting for small objects, which have few constraints.
   const std::size_t rows = bodies > 100 ? CountConstraints(object) : 0;
-  const std::size_t geoms = scene ? CountCollidingGeoms(object) : 0;
+  const std::size_t geoms = scene || bodies > 1 ? CountCollidingGeoms(object, scene) : 0;
   if (geoms <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
+  const double dofs = CountDofs(object);
+  const double most = MostRows(dofs);
   // Each geom has four contacts, each contact four pyramid edges (condim 3).
-  const auto contacts = static_cast<double>(std::max<std::size_t>(4 * geoms, scene ? 100 : 0));
-  const double njmax = 4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500);
+  double contacts = scene ? 100 : 0;
+  if (geoms > kGeomsThatFit) contacts = std::min(4.0 * static_cast<double>(geoms), most / 4);
+  const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
   double nstack = 0;  // 0: MuJoCo's default
   if (bodies > kBodiesThatFit) {
     // MuJoCo's default, plus the pairs of bodies.
-    const double size = njmax + static_cast<double>(CountJoints(object));
-    nstack = 5 * size * size + static_cast<double>(bodies * bodies);
+    const double size = njmax + dofs;
+    nstack = std::min(5 * size * size, kMostStack) + static_cast<double>(bodies * bodies);
   } else if (bodies == 1) {
     // The unit is numbers; linear in the contacts, because one body has six degrees of freedom.
     nstack = 400 * contacts + 1e6;

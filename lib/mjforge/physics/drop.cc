@@ -67,7 +67,8 @@ class DropSimulation {
     const double steps_at_rest = kRestTime / m_.opt.timestep;
     int slow = 0;
     int step = 0;
-    while (step < most && (slow < steps_at_rest || MayStillMove()) && !HasDiverged(d_)) {
+    while (step < most && (slow < steps_at_rest || MayStillMove()) && !HasDiverged(d_) &&
+           !IsCrowded(d_)) {
       for (int i = 0; i < interval && step < most; ++i, ++step) {
         stepper_.Step();
         CountContacts();

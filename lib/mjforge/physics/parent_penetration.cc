@@ -44,9 +44,9 @@ class UnfilteredModel {
       mj_kinematics(m_.get(), data_);
       mj_comPos(m_.get(), data_);
       Collide();
-      if (data_->warning[mjWARN_CONTACTFULL].number == 0) break;
+      if (!IsCrowded(*data_)) break;
       const std::vector<mjtNum> qpos(data_->qpos, data_->qpos + m_->nq);
-      if (!MakeRoom(*m_, *data_)) break;
+      MakeRoom(*m_);
       data_ = &workspace_.For(*m_);
       Put(qpos);
     }

@@ -149,6 +149,12 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
     return result;
   } catch (const std::bad_alloc&) {
     throw;  // MuJoCo did not fail
+  } catch (const NoRoom&) {
+    findings.Warn(Code::kMujocoOlder, mark,
+                  fmt::format("'{}' is not simulated: MuJoCo {} has no room for its contacts",
+                              object.name, engine::Version()),
+                  "simulate it with a later release, or make its collision geoms simpler");
+    return std::nullopt;
   } catch (const std::exception& error) {
     findings.Add(
         Code::kMujocoError, mark,

@@ -10,6 +10,7 @@ namespace mjforge::physics {
 namespace {
 
 constexpr int kMostContacts = 10'000;  // 600 bytes each
+constexpr double kMostBytes = 1e9;     // constraint matrices, which MuJoCo clears in each reset
 
 }  // namespace
 
@@ -26,18 +27,22 @@ mjData& Workspace::For(const mjModel& m) {
   return *data_;
 }
 
-bool MakeRoom(mjModel& m, const mjData& d) {
-  const bool crowded =
-      d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
+bool IsCrowded(const mjData& d) {
+  return d.warning[mjWARN_CONTACTFULL].number > 0 || d.warning[mjWARN_CNSTRFULL].number > 0;
+}
+
+void MakeRoom(mjModel& m) {
   engine::BufferSizes room = engine::BufferSizesOf(m);
-  if (!crowded || room.contacts >= kMostContacts) return false;
-  room.contacts = std::min(4 * std::max(room.contacts, 100), kMostContacts);
-  room.rows = std::max(room.rows, 500) + 4 * room.contacts;  // pyramids of condim 3
+  room.contacts = 2 * std::max(room.contacts, 100);
+  room.rows = 2 * std::max(room.rows, 500);  // four rows per contact of condim 3, and some more
+  // MuJoCo 2.2 has a square matrix for the rows, their Jacobian and its transpose, all with
+  // indices.
+  const double bytes = engine::kHasFixedBuffers ? 12.0 * room.rows * (room.rows + 2.0 * m.nv) : 0;
+  if (room.contacts > kMostContacts || bytes > kMostBytes) throw NoRoom("too many contacts");
   // Stack size, in numbers: linear in the contacts for few degrees of freedom, as in
   // mjcf/size_element.cc.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
   engine::SetBufferSizes(m, room);
-  return true;
 }
 
 FastestBody FindFastestBody(const mjModel& m, const mjData& d) {

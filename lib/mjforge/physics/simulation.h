@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,18 +23,26 @@ class Workspace {
   std::vector<std::byte> sizes_;  // sizes in the model for which the data was allocated
 };
 
-/// Makes more room for contacts and constraint rows if the last steps ran out of it. Returns true
-/// if it did, so that the data must be allocated again; false also if the limit is reached.
-bool MakeRoom(mjModel& m, const mjData& d);
+/// Thrown if the contacts of a model exceed the memory that MuJoCo can have here.
+struct NoRoom : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Returns true if MuJoCo ignored contacts or constraints since the last reset, because its buffers
+/// were full.
+bool IsCrowded(const mjData& d);
+/// Makes more room for contacts and constraint rows; data must be allocated again. Throws NoRoom.
+void MakeRoom(mjModel& m);
 
 /// Calls `simulate` with data at the initial state, again with more room as long as its contacts
-/// do not fit. Returns the result of the last call.
+/// do not fit. Returns the result of the last call. Throws NoRoom.
 template <typename Simulation>
 auto Simulate(mjModel& m, Workspace& workspace, const Simulation& simulate) {
   for (;;) {
     mjData& d = workspace.For(m);
     auto result = simulate(d);
-    if (!MakeRoom(m, d)) return result;
+    if (!IsCrowded(d)) return result;
+    MakeRoom(m);
   }
 }
 

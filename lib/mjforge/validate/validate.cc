@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -70,19 +71,24 @@ int LineOf(std::string_view text, std::string_view needle) {
 /// Returns true for a warning that does not question the model.
 bool IsMinor(std::string_view warning) { return warning.starts_with(engine::kHullWarning); }
 
-/// Adds a finding for each warning. If `crowded`, ignores warnings about full buffers, because
-/// findings about bodies that touch explain these. Returns true if it added an error.
-bool AddWarnings(const std::vector<std::string>& warnings, bool crowded, diag::SourceMark mark,
+/// Adds a finding for each warning and each shortage of memory in MuJoCo 2.2. If `crowded`, ignores
+/// shortages, because findings about bodies that touch explain these. Returns true if it added an
+/// error.
+bool AddWarnings(const Loaded& loaded, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
-  bool any = false;
-  for (const std::string& warning : warnings) {
-    if (crowded && warning.find("buffer is full") != std::string::npos) continue;
+  for (const std::string& warning : loaded.warnings) {
     diag::Finding& finding =
         findings.Add(Code::kMujocoWarning, mark, fmt::format("MuJoCo warns: {}", OneLine(warning)));
     if (IsMinor(warning)) finding.severity = diag::Severity::kWarning;
-    any = any || !IsMinor(warning);
   }
-  return any;
+  for (const auto& [effect, remedy] : loaded.shortages) {
+    if (crowded) continue;
+    findings.Warn(Code::kMujocoOlder, mark, fmt::format("MuJoCo {} {}", engine::Version(), effect),
+                  fmt::format("later releases reserve memory as needed; write {} in `size` for "
+                              "this one",
+                              remedy));
+  }
+  return !std::ranges::all_of(loaded.warnings, IsMinor);
 }
 
 /// Returns the result of `compute`; adds a finding and returns nothing if MuJoCo fails.
@@ -160,6 +166,34 @@ void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findin
   if (bad < m.nq) add(fmt::format("start position {}", bad + 1));
 }
 
+/// Adds a warning if MuJoCo 2.2 gives bodies other masses than later releases, or rejects the file.
+/// `as_is` is the file as 2.2 reads it.
+void CompareMasses(const mjModel& m, const Loaded& as_is, diag::SourceMark mark,
+                   diag::Findings& findings) {
+  constexpr double kRounding = 1e-6;
+  constexpr const char* kHint = "an `<inertial>` in each body with meshes makes them agree";
+  if (!as_is.model) {
+    findings.Warn(Code::kMujocoOlder, mark,
+                  fmt::format("MuJoCo {} rejects the model: {}", engine::Version(),
+                              engine::ParseRefusal(as_is.error).reason),
+                  kHint);
+    return;
+  }
+  const mjtNum* here = as_is.model->body_mass;
+  std::vector<int> bodies;
+  for (int i = 1; i < m.nbody; ++i) {
+    if (std::abs(here[i] - m.body_mass[i]) > kRounding * m.body_mass[i]) bodies.push_back(i);
+  }
+  if (bodies.empty()) return;
+  const int first = bodies.front();
+  std::string message = fmt::format(
+      "MuJoCo {} computes a mass of {:.6g} kg for body '{}', later releases {:.6g} kg",
+      engine::Version(), here[first], compiled::NameOf(m, mjOBJ_BODY, first), m.body_mass[first]);
+  if (bodies.size() > 1)
+    message += fmt::format("; {} of {} bodies differ", bodies.size(), m.nbody - 1);
+  findings.Warn(Code::kMujocoOlder, mark, std::move(message), kHint);
+}
+
 CompiledModel Describe(const mjModel& m) {
   CompiledModel described;
   described.object = compiled::ObjectOf(m, {}, compiled::Nameless::kEmpty);
@@ -221,11 +255,12 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
     std::string text = document.text;
     text.insert(document.size_position, hint);
     Loaded loaded = engine.LoadText(text);
-    if (loaded.model && std::ranges::all_of(loaded.warnings, IsMinor)) return loaded;
+    if (loaded.model && loaded.shortages.empty() && std::ranges::all_of(loaded.warnings, IsMinor))
+      return loaded;
   }
   Loaded loaded = engine.LoadText(document.text);
   if (loaded.model) return loaded;
-  AddWarnings(loaded.warnings, false, MarkOf(object), findings);
+  AddWarnings(loaded, false, MarkOf(object), findings);
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
@@ -242,7 +277,7 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
   Comparison(*loaded.model, object, found).Run(document.lift);
   const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
   const bool as_meant = !found.HasErrors();
-  const bool warned = AddWarnings(loaded.warnings, crowded, MarkOf(object), findings);
+  const bool warned = AddWarnings(loaded, crowded, MarkOf(object), findings);
   findings.Append(std::move(found));
   return as_meant && !warned;
 }
@@ -261,9 +296,11 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
   if (!xml) return nullptr;
   start = {xml->source, 1, 1};
   Loaded loaded = backport::LoadFile(engine, file, *xml);
-  AddWarnings(loaded.warnings, false, start, findings);
+  AddWarnings(loaded, false, start, findings);
   if (loaded.model) {
     CheckFinite(*loaded.model, start, findings);
+    if (xml->other_mass)
+      CompareMasses(*loaded.model, engine.LoadFile(file), xml->other_mass, findings);
     return std::move(loaded.model);
   }
   if (loaded.fault) {
@@ -298,9 +335,9 @@ std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag
   diag::SourceMark start;
   diag::Findings of_loading;
   const engine::Model model = impl_->LoadFile(file, sources, start, of_loading);
-  diag::Findings found;  // except those about ignored elements of later versions
+  diag::Findings found;  // Load() reports the warnings, too
   for (const diag::Finding& finding : of_loading) {
-    if (model == nullptr || finding.code != Code::kMujocoLater) found.Add(finding);
+    if (finding.severity == diag::Severity::kError) found.Add(finding);
   }
   // Do not move joints of a model with warnings: some of its numbers may not be finite.
   const bool clean = found.empty();

@@ -81,8 +81,9 @@ class Loader {
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
 
-  /// Returns the text that MuJoCo reads instead of a file that was written for a later version,
-  /// valid in any folder; nothing if MuJoCo reads the file itself.
+  /// Returns the text that MuJoCo reads instead of a file that was written for a later version, or
+  /// whose meshes would have other masses there, valid in any folder; nothing if MuJoCo reads the
+  /// file itself.
   static std::optional<std::string> AdaptedText(const std::filesystem::path& file);
 
   /// Loads a document or a file and moves its joints. Adds a finding and returns nothing if MuJoCo

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -35,17 +36,59 @@ TEST_CASE("an error that leaves mj_loadXML releases its lock") {
 }
 #endif  // from 3.1.2 on a load holds no lock
 
-#if mjVERSION_HEADER < 300
-TEST_CASE("an engine error during compilation is an error of that load only") {
-  Engine engine;
-  std::string starved = kBox;
-  starved.insert(8, "<size nstack=\"1\"/>");
-  const Loaded loaded = engine.LoadText(starved);
-  CHECK_FALSE(loaded.model);
-  CHECK(loaded.error == "Error: engine error: Stack overflow");
-  CHECK(engine.LoadText(kBox).model);
+/// Returns a model with this many boxes that lie on a floor, with four contacts each.
+std::string Boxes(int count, const std::string& sections = "") {
+  std::string text = "<mujoco>" + sections + "<worldbody><geom type=\"plane\" size=\"9 9 1\"/>";
+  for (int i = 0; i < count; ++i) {
+    text += "<body pos=\"" + std::to_string(i) +
+            " 0 0.0999\"><freejoint/><geom type=\"box\" size=\"0.1 0.1 0.1\"/></body>";
+  }
+  return text + "</worldbody></mujoco>";
 }
-#endif  // later ones give the stack what it needs
+
+/// Returns the remedies of the shortages of a load that succeeded without warnings.
+std::vector<std::string> Remedies(const Loaded& loaded) {
+  INFO(loaded.error);
+  REQUIRE(loaded.model);
+  CHECK(loaded.warnings.empty());
+  std::vector<std::string> remedies;
+  for (const Shortage& shortage : loaded.shortages) remedies.emplace_back(shortage.remedy);
+  return remedies;
+}
+
+using Strings = std::vector<std::string>;
+
+TEST_CASE("limits of memory in MuJoCo 2.2 are no faults of a model") {
+  Engine engine;
+  const auto expected = [](const char* remedy) {
+    return kHasFixedBuffers ? Strings{remedy} : Strings{};
+  };
+  CHECK(Remedies(engine.LoadText(Boxes(25))).empty());
+  CHECK(Remedies(engine.LoadText(Boxes(26))) == expected("a larger `nconmax`"));
+  CHECK(Remedies(engine.LoadText(Boxes(26, "<size nconmax=\"200\" njmax=\"400\"/>"))) ==
+        expected("a larger `njmax`"));
+  std::string bodies;
+  for (int i = 0; i < 1700; ++i) bodies += "<body><geom size=\"0.1\"/></body>";
+  std::string crowd = kBox;
+  CHECK(Remedies(engine.LoadText(crowd.insert(crowd.find("</worldbody"), bodies))) ==
+        expected("a larger `nstack`"));
+  CHECK(Remedies(engine.LoadText(Boxes(1, "<size njmax=\"20000\"/>"))) ==
+        expected("a smaller `njmax`"));
+}
+
+#if mjVERSION_HEADER < 230
+TEST_CASE("a model has the usual stack, and an engine error is an error of that load only") {
+  Engine engine;
+  const Loaded usual = engine.LoadText(kBox);
+  const Loaded starved = engine.LoadText(std::string(kBox).insert(8, "<size nstack=\"1\"/>"));
+  CHECK(Remedies(starved) == Strings{"a larger `nstack`"});
+  CHECK(starved.model->nstack > usual.model->nstack);
+  const Loaded frugal = engine.LoadText(std::string(kBox).insert(8, "<size nstack=\"9000\"/>"));
+  CHECK(Remedies(frugal).empty());
+  CHECK(frugal.model->nstack >= 5 * 500 * 500);
+  CHECK(engine.LoadText(kBox).shortages.empty());
+}
+#endif  // later releases have an arena
 
 #if mjVERSION_HEADER < 300
 std::string MeshOf(const std::string& height) {

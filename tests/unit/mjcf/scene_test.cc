@@ -33,19 +33,5 @@ TEST_CASE("a scene has floor, light and camera under names no object can have") 
   CHECK(scene.select_node("/mujoco/asset/material[@name='scene-floor']"));
 }
 
-TEST_CASE("a scene of few geoms leaves the sizes to MuJoCo, one of many does not") {
-  model::Object object = hand_made::Empty("pile");
-  for (int i = 0; i < 24; ++i) {
-    object.bodies[0].parts.push_back(hand_made::Solid("g" + std::to_string(i),
-                                                      model::GeomType::kSphere, {0.1, 0, 0},
-                                                      {{0.2 * i, 0, 0}, {1, 0, 0, 0}}, 3));
-  }
-  hand_made::Weigh(object);
-  CHECK_FALSE(Scene(object).child("mujoco").child("size"));
-  object.bodies[0].parts.push_back(object.bodies[0].parts[0]);
-  object.bodies[0].parts.back().name = "another";
-  CHECK(Scene(object).child("mujoco").child("size").attribute("nconmax").as_int() == 100);
-}
-
 }  // namespace
 }  // namespace mjforge::mjcf

@@ -42,6 +42,43 @@ TEST_CASE("a file that is none, and one that MuJoCo refuses, are findings") {
   CHECK(findings.HasErrors());
 }
 
+/// Returns boxes in a row on a floor.
+std::string Boxes(int count) {
+  std::string boxes = R"(<geom type="plane" size="9 9 1"/>)";
+  for (int i = 0; i < count; ++i) {
+    boxes += "<body pos=\"" + std::to_string(0.2 * i) + " 0 0.0499\"><freejoint/>" +
+             R"(<geom type="box" size="0.05 0.05 0.05"/></body>)";
+  }
+  return boxes;
+}
+
+TEST_CASE("a model with more contacts than MuJoCo 2.2 has room for is simulated") {
+  const Examined boxes = Examine(Boxes(40));
+  REQUIRE(boxes.result);
+  CHECK(boxes.Codes().empty());
+  CHECK(boxes.result->at_rest);
+  CHECK(boxes.result->ncon == 160);
+}
+
+#if mjVERSION_HEADER < 230
+TEST_CASE("a model with more contacts than MuJoCo 2.2 can address is a warning") {
+  const Examined boxes = Examine(Boxes(400));
+  CHECK_FALSE(boxes.result);
+  REQUIRE(boxes.findings.size() == 1);
+  CHECK(boxes.Codes() == std::vector<std::string>{"warning mujoco/older"});
+  CHECK(boxes.findings[0].message ==
+        "'m' is not simulated: MuJoCo 2.2.2 has no room for its contacts");
+}
+#endif  // later releases have an arena
+
+TEST_CASE("a file for a later release gets a floor, too") {
+  const Examined flap = Examine(
+      Free(1, kCube + "<body pos=\"0 0 0.1\"><joint name=\"flap\" axis=\"1 0 0\" range=\"0 1\"/>"
+                      "<geom size=\"0.02\"/></body>"));
+  REQUIRE(flap.result);
+  CHECK(flap.result->dropped);
+}
+
 TEST_CASE("a stated centre of mass outside the parts is found in any file") {
   const std::string stated =
       R"(<inertial pos="0.3 0 0" mass="1" diaginertia="0.01 0.01 0.01"/>)" + kCube;

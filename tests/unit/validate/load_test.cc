@@ -223,5 +223,57 @@ TEST_CASE("numbers that are not finite are found in a file that MuJoCo takes") {
   CHECK(result.findings.HasErrors());
 }
 
+/// Messages of the findings, which must be warnings.
+std::vector<std::string> Warnings(const Result& result) {
+  CHECK(result.model);
+  CHECK_FALSE(result.findings.HasErrors());
+  std::vector<std::string> warnings;
+  for (const diag::Finding& finding : result.findings) {
+    CHECK(finding.code == diag::Code::kMujocoOlder);
+    warnings.push_back(finding.message);
+  }
+  return warnings;
+}
+
+#if mjVERSION_HEADER < 230
+constexpr bool kIsOld = true;
+#else
+constexpr bool kIsOld = false;
+#endif
+
+TEST_CASE("a mass of meshes is that of later releases, with a warning if 2.2 has another") {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string& faces) {
+    return LoadText(folder,
+                    "<mujoco><asset><mesh name=\"m\" vertex=\"0 0 0 1 0 0 0 1 0 0 0 1\" "
+                    "face=\"" +
+                        faces +
+                        "\"/></asset><worldbody><body><freejoint/>"
+                        "<geom type=\"mesh\" mesh=\"m\"/></body></worldbody></mujoco>");
+  };
+  const Result corner = load("0 2 1 0 1 3 0 3 2 1 2 3");
+  REQUIRE(corner.model);
+  CHECK(corner.model->object.mass_properties.mass == Approx(1000.0 / 6));
+  CHECK(Warnings(corner).size() == (kIsOld ? 1 : 0));
+  const Result turned = load("0 1 2 0 1 3 0 3 2 1 2 3");
+  REQUIRE(turned.model);
+  CHECK(turned.model->object.mass_properties.mass == Approx(1000.0 / 6));
+  if (kIsOld)
+    CHECK(Warnings(turned).at(0).starts_with("MuJoCo 2.2.2 rejects the model: faces have"));
+}
+
+TEST_CASE("a limit of memory in MuJoCo 2.2 is a warning") {
+  const TemporaryFolder folder;
+  std::string text = "<mujoco><worldbody><geom type=\"plane\" size=\"9 9 1\"/>";
+  for (int i = 0; i < 40; ++i) {
+    text += "<body pos=\"" + std::to_string(i) +
+            " 0 0.0999\"><freejoint/><geom type=\"box\" size=\"0.1 0.1 0.1\"/></body>";
+  }
+  const Result boxes = LoadText(folder, text + "</worldbody></mujoco>");
+  const std::vector<std::string> expected = {
+      "MuJoCo 2.2.2 ignores contacts that exceed its buffer"};
+  CHECK(Warnings(boxes) == (kIsOld ? expected : std::vector<std::string>{}));
+}
+
 }  // namespace
 }  // namespace mjforge::validate

@@ -237,5 +237,45 @@ TEST_CASE("the library's version is the one that it was built with") {
   CHECK(MujocoVersion() == MJFORGE_MUJOCO_VERSION);
 }
 
+/// Returns a shelf with this many free boxes on it, which have four contacts each.
+model::Object Shelf(int boxes) {
+  model::Object shelf = hand_made::Empty("shelf");
+  const auto add = [&](model::Body& body, const std::string& name, const Eigen::Vector3d& size,
+                       double z) {
+    body.parts.push_back(
+        hand_made::Solid(name, model::GeomType::kBox, size, {{0, 0, z}, {1, 0, 0, 0}}, 3));
+  };
+  add(shelf.bodies[0], "board", {5, 5, 0.1}, -0.1);
+  for (int i = 0; i < boxes; ++i) {
+    model::Body& body = shelf.bodies.emplace_back();
+    body.name = "box" + std::to_string(i);
+    body.X_PB.p = {0.3 * (i - 15), 0, -1e-6};
+    body.mark = Line(4);
+    body.joints.emplace_back().name = "joint" + std::to_string(i);
+    add(body, "cube" + std::to_string(i), {0.1, 0.1, 0.1}, 0.1);
+  }
+  hand_made::Weigh(shelf);
+  shelf.mass_properties.mass += 4.0 * boxes;
+  return shelf;
+}
+
+TEST_CASE("too little memory in MuJoCo 2.2 is a warning, and the file asks for enough") {
+  const model::Object shelf = Shelf(30);
+  mjcf::MjcfDocument document = Written(shelf);
+  Loader loader;
+  diag::Findings findings;
+  CHECK(loader.Validate(document, shelf, findings));
+  CHECK(findings.empty());
+  const std::size_t size = document.text.find("nconmax=\"120\"");
+  REQUIRE(size != std::string::npos);
+  document.text.replace(size, 13, "nconmax=\"100\"");
+  CHECK(loader.Validate(document, shelf, findings));
+  if (mjVERSION_HEADER >= 230) return;
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kMujocoOlder);
+  CHECK(findings[0].severity == diag::Severity::kWarning);
+  CHECK(findings[0].message == "MuJoCo 2.2.2 ignores contacts that exceed its buffer");
+}
+
 }  // namespace
 }  // namespace mjforge::validate

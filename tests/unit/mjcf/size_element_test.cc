@@ -1,0 +1,70 @@
+#include <catch2/catch.hpp>
+#include <pugixml.hpp>
+
+#include "hand_made.h"
+#include "mjforge/mjcf/mjcf.h"
+
+namespace mjforge::mjcf {
+namespace {
+
+/// Returns the size element of an object's file; empty if it has none.
+pugi::xml_node SizeOf(const model::Object& object, Target target, pugi::xml_document& parsed) {
+  MjcfDocument document;
+  WriteMjcf(object, target, {}, document);
+  REQUIRE(parsed.load_buffer(document.text.data(), document.text.size()));
+  return parsed.child("mujoco").child("size");
+}
+
+/// Returns an object of one body with this many balls.
+model::Object Balls(int count) {
+  model::Object object = hand_made::Empty("pile");
+  for (int i = 0; i < count; ++i) {
+    object.bodies[0].parts.push_back(hand_made::Solid("g" + std::to_string(i),
+                                                      model::GeomType::kSphere, {0.1, 0, 0},
+                                                      {{0.2 * i, 0, 0}, {1, 0, 0, 0}}, 3));
+  }
+  hand_made::Weigh(object);
+  return object;
+}
+
+TEST_CASE("a scene of few geoms leaves the sizes to MuJoCo, one of many does not") {
+  pugi::xml_document parsed;
+  CHECK_FALSE(SizeOf(Balls(24), Target::kScene, parsed));
+  CHECK(SizeOf(Balls(25), Target::kScene, parsed).attribute("nconmax").as_int() == 100);
+}
+
+TEST_CASE("free bodies that lie on an object need room for their contacts, its own geoms do not") {
+  model::Object object = Balls(30);
+  const model::Object one = hand_made::Mallet();  // two geoms
+  const auto add_free = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      model::Body& body = object.bodies.emplace_back();
+      body.name = "free" + std::to_string(object.bodies.size());
+      body.parts = one.bodies[0].parts;
+      body.joints.emplace_back();
+      body.mass_properties = one.bodies[0].mass_properties;
+    }
+  };
+  pugi::xml_document parsed;
+  add_free(12);
+  CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
+  add_free(1);
+  const pugi::xml_node size = SizeOf(object, Target::kMujoco, parsed);
+  CHECK(size.attribute("nconmax").as_int() == 4 * 26);
+  CHECK(size.attribute("njmax").as_int() == 4 * 4 * 26 + 500);
+  // A joint to the object is no contact.
+  for (model::Body& body : object.bodies) body.parent = &body == &object.bodies[0] ? -1 : 0;
+  CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
+}
+
+TEST_CASE("a size is one that MuJoCo 2.2 can address") {
+  pugi::xml_document parsed;
+  const pugi::xml_node size = SizeOf(Balls(1000), Target::kScene, parsed);
+  const double rows = size.attribute("njmax").as_double();
+  CHECK(rows < 13'000);
+  CHECK(12 * rows * rows < 2e9);
+  CHECK(4 * size.attribute("nconmax").as_double() <= rows);
+}
+
+}  // namespace
+}  // namespace mjforge::mjcf
