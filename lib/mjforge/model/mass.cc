@@ -51,34 +51,48 @@ Eigen::Vector3d Middle(const TriangleMesh& mesh) {
   return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
 }
 
-// Sums over the tetrahedra between the mean vertex M and each triangle (a, b, c). With
-// d = det(a b c) and s = a + b + c, a tetrahedron has volume d / 6, first moment d / 24 s and
-// second moments d / 120 (aa' + bb' + cc' + ss'). Source: Tonon, "Explicit exact formulas for the
-// 3-D tetrahedron inertia tensor", 2004.
-MassProperties MeshMass(const TriangleMesh& mesh, double density) {
+// The moments of a tetrahedron or a triangle (a, b, c) with weight w and s = a + b + c: mass
+// w / `mass`, centre of mass s / `first`, second moments w / `second` (aa' + bb' + cc' + ss').
+struct Divisors {
+  double mass = 1;
+  double first = 1;
+  double second = 1;
+};
+
+// Sums over the triangles (a, b, c), relative to the mean vertex M.
+template <typename WeightOf>
+MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& divisors,
+                     const WeightOf& weight_of) {
   const Eigen::Vector3d p_GM = Middle(mesh);
-  double volume6 = 0;
+  double weight = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (const auto& triangle : mesh.triangles) {
     const Eigen::Vector3d a = mesh.vertices[static_cast<std::size_t>(triangle[0])] - p_GM;
     const Eigen::Vector3d b = mesh.vertices[static_cast<std::size_t>(triangle[1])] - p_GM;
     const Eigen::Vector3d c = mesh.vertices[static_cast<std::size_t>(triangle[2])] - p_GM;
-    const double d = a.dot(b.cross(c));
+    const double w = weight_of(a, b, c);
     const Eigen::Vector3d s = a + b + c;
-    volume6 += d;
-    first += d * s;
-    second += d * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+    weight += w;
+    first += w * s;
+    second += w * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
   }
   MassProperties result;
-  if (volume6 == 0) return result;
-  const Eigen::Vector3d p_MCm = first / (4 * volume6);
+  if (weight == 0) return result;
+  const Eigen::Vector3d p_MCm = first / (divisors.first * weight);
   const Eigen::Matrix3d about_Cm =
-      density * (second / 120 - volume6 / 6 * p_MCm * p_MCm.transpose());
-  result.mass = density * volume6 / 6;
+      density * (second / divisors.second - weight / divisors.mass * p_MCm * p_MCm.transpose());
+  result.mass = density * weight / divisors.mass;
   result.p_FCm = p_GM + p_MCm;
   result.I_Cm_F = about_Cm.trace() * Eigen::Matrix3d::Identity() - about_Cm;
   return result;
+}
+
+// The weight of a tetrahedron between M and a triangle is d = det(a b c). Source: Tonon, "Explicit
+// exact formulas for the 3-D tetrahedron inertia tensor", 2004.
+MassProperties MeshMass(const TriangleMesh& mesh, double density) {
+  return SumOf(mesh, density, {.mass = 6, .first = 4, .second = 120},
+               [](const auto& a, const auto& b, const auto& c) { return a.dot(b.cross(c)); });
 }
 
 // Returns the inertia of a point mass at distance vector `r`.
@@ -113,6 +127,12 @@ MassProperties MassOf(const Shape& shape, double density) {
   result.mass = density * Volume(shape);
   result.I_Cm_F.diagonal() = result.mass * UnitInertia(shape);
   return result;
+}
+
+MassProperties ShellMassOf(const TriangleMesh& mesh) {
+  return SumOf(
+      mesh, 1, {.mass = 1, .first = 3, .second = 12},
+      [](const auto& a, const auto& b, const auto& c) { return (b - a).cross(c - a).norm() / 2; });
 }
 
 MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F) {

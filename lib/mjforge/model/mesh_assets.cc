@@ -43,6 +43,14 @@ bool IsUnportable(char c) {
          std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos;
 }
 
+bool ReadInertia(FieldReader& reader, const spec::Entry& entry, Part& part) {
+  const spec::Field* field = entry.Find(Key::kInertia);
+  if (field == nullptr) return true;
+  const std::optional<std::string> word = reader.Word(*field);
+  part.is_shell = word == "shell";
+  return word.has_value();
+}
+
 }  // namespace
 
 std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
@@ -114,14 +122,16 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
                   fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
     return false;
   }
-  if (content.surface_defect && part.role != Role::kVisual) {
+  if (!ReadInertia(reader, entry, part)) return false;
+  if (content.surface_defect && !part.is_shell && part.role != Role::kVisual) {
     findings_.Add(
         Code::kModelBadMesh, field->value.mark,
         fmt::format("mesh {} is not a closed surface: {}", Quoted(*name), *content.surface_defect),
-        "repair the file, or give the part `role: visual`");
+        "repair the file, or give the part `role: visual`, or `inertia: shell` and a mass");
     return false;
   }
   AddFile(file, scale, content, part);
+  if (part.is_shell) part.solid = ShellMassOf(*part.shape.mesh);
   return true;
 }
 

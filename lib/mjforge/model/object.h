@@ -87,7 +87,8 @@ struct Part {
   double density = 0;
   /// Mass properties at density 1, in G, of the exact solid if it differs from `shape`.
   std::optional<MassProperties> solid;
-  int material = -1;  // index in Object::materials
+  bool is_shell = false;  // the mass is on the surface of a mesh; `solid` has its area as mass
+  int material = -1;      // index in Object::materials
   /// A geom of an attached file, which is written under its own name and with only the attributes
   /// that it has. The role then only decides if it collides.
   bool as_is = false;

@@ -210,11 +210,16 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
 
 // Sets the given mass, or the mass by the part's density.
 bool Assembly::SetMass(FieldReader& reader, const std::optional<double>& mass, Part& part) {
+  if (part.is_shell && !mass) {
+    reader.ReportElement(Code::kSpecMissingKey, part.mark, "is a shell and has no 'mass'",
+                         "a density does not say how thick a shell is");
+    return false;
+  }
   const std::optional<MassProperties> unit =
       part.solid ? part.solid : assets_.UnitMassOf(part.shape, part.mesh);
   if (!unit) {
     reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",
-                         "leave `mass` and `density` out");
+                         "leave `mass` and `density` out, or write `inertia: shell`");
     return false;
   }
   if (mass) part.density = 0;

@@ -38,6 +38,21 @@ void SetLimited(const spec::ElementInfo& info, std::vector<Attribute>& attribute
   }
 }
 
+// Gives a list of numbers the length that MuJoCo 2.2 requires: appends the defaults of missing
+// numbers, and removes surplus numbers that are all equal to the only one.
+void SetLength(const spec::FieldInfo& info, sample::Numbers& numbers) {
+  if (info.default_text.empty()) return;
+  std::vector<double> usual;
+  for (std::string_view rest = info.default_text; !rest.empty();) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    usual.push_back(*expr::ParseNumber(rest.substr(0, comma)));
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  for (std::size_t i = numbers.size(); i < usual.size(); ++i) numbers.push_back(usual[i]);
+  if (usual.size() == 1 && std::ranges::count(numbers, numbers[0]) == std::ssize(numbers))
+    numbers.resize(1);
+}
+
 }  // namespace
 
 std::vector<Element>& Sections::ElementsOf(const spec::SectionInfo& info) {
@@ -93,7 +108,11 @@ bool Sections::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry&
   element.mark = entry.mark;
   bool good = true;
   for (const spec::Field& field : entry.fields) {
-    good &= reader.ReadAttribute(field, element.attributes.emplace_back());
+    Attribute& attribute = element.attributes.emplace_back();
+    if (!reader.ReadAttribute(field, attribute))
+      good = false;
+    else
+      SetLength(*field.info, attribute.numbers);
   }
   if (!good) return false;
   const spec::ObjectSpec& spec = scope.values.spec();

@@ -46,6 +46,9 @@ double Volume(const Shape& shape);  // m^3
 /// mass properties", 1996; Tonon, 2004).
 MassProperties MassOf(const Shape& shape, double density);
 
+/// Returns the mass properties of a thin shell with a mass of 1 kg/m^2.
+MassProperties ShellMassOf(const TriangleMesh& mesh);
+
 /// Expresses mass properties in frame A instead of F.
 MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F);
 /// Adds two bodies in the same frame (parallel axis theorem).

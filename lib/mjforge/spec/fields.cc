@@ -303,6 +303,9 @@ constexpr FieldInfo kPartFields[] = {
     Numbers({"scale", Key::kScale}, {1, 3}, "m or 1", kAnyNumber, "1",
             "Multiplies a mesh's coordinates (one number or x y z) or a prism's polygon (one "
             "number or x y)."),
+    Word({"inertia", Key::kInertia}, "solid shell", "solid",
+         "The mass of a mesh: in the solid that its closed surface encloses, or evenly on its "
+         "surface, which may be open."),
     kDensity,
     Number({"mass", Key::kMass}, "kg", AtLeast(0), "", "Mass, in place of a density."),
     kMaterialName,

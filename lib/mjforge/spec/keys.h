@@ -56,6 +56,7 @@ enum class Key {
   kClosed,
   kPoints,
   kScale,
+  kInertia,
   kFile,
   kSpec,
   kFrame,

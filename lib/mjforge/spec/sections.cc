@@ -14,9 +14,10 @@
 namespace mjforge::spec {
 namespace {
 
-// An element: its name, then its attributes. `#` marks numbers, `?` true or false, `=kind` the name
-// of another element; other attributes are text. Elements of greater depth are allowed inside the
-// element before them. `class` is left out, because generated files have no defaults.
+// An element: its name, then its attributes. `#` marks numbers, `#1,2` a list with these defaults,
+// `?` true or false, `=kind` the name of another element; other attributes are text. Elements of
+// greater depth are allowed inside the element before them. `class` is left out, because generated
+// files have no defaults.
 struct SchemaLine {
   std::string_view section;  // empty: the same as in the line before
   int depth;
@@ -27,7 +28,7 @@ struct SchemaLine {
 #define MJFORGE_EQUALITY " active? solref# solimp#"
 #define MJFORGE_TENDON                                                                     \
   "name group# limited? range# solreflimit# solimplimit# solreffriction# solimpfriction# " \
-  "frictionloss# springlength# margin# stiffness# damping# user#"
+  "frictionloss# springlength#-1 margin# stiffness# damping# user#"
 #define MJFORGE_TRANSMISSION                                                                \
   "name group# forcelimited? ctrlrange# forcerange# lengthrange# gear# cranklength# user# " \
   "joint=joint jointinparent=joint tendon=tendon slidersite=site cranksite=site "
@@ -71,8 +72,8 @@ constexpr SchemaLine kLines[] = {
     {"", 0, "exclude", "name body1=body body2=body"},
     {"equality", 0, "connect", "name body1=body body2=body anchor#" MJFORGE_EQUALITY},
     {"", 0, "weld", "name body1=body body2=body relpose# anchor# torquescale#" MJFORGE_EQUALITY},
-    {"", 0, "joint", "name joint1=joint joint2=joint polycoef#" MJFORGE_EQUALITY},
-    {"", 0, "tendon", "name tendon1=tendon tendon2=tendon polycoef#" MJFORGE_EQUALITY},
+    {"", 0, "joint", "name joint1=joint joint2=joint polycoef#0,1,0,0,0" MJFORGE_EQUALITY},
+    {"", 0, "tendon", "name tendon1=tendon tendon2=tendon polycoef#0,1,0,0,0" MJFORGE_EQUALITY},
     {"tendon", 0, "spatial", MJFORGE_TENDON " width# material=material rgba#"},
     {"", 1, "site", "site=site"},
     {"", 1, "geom", "geom=geom sidesite=site"},
@@ -161,6 +162,7 @@ FieldInfo Parse(std::string_view word) {
     field.kind = FieldKind::kNumbers;
     field.max_count = kMostNumbers;
     field.any_unit = true;
+    field.default_text = word.substr(end + 1);
   } else if (word[end] == '?') {
     field.kind = FieldKind::kBoolean;
   } else {

@@ -26,7 +26,7 @@ constexpr std::array kTube = {Key::kRadius, Key::kBend,   Key::kSmooth, Key::kCl
 constexpr std::array kPoints = {Key::kPoints};
 constexpr std::array kHull = {Key::kRound};
 constexpr std::array kFile = {Key::kFile};
-constexpr std::array kMesh = {Key::kScale};
+constexpr std::array kMesh = {Key::kScale, Key::kInertia};
 
 constexpr std::array kShapes = {
     ShapeInfo{"box", 3, 2, kSize, kRoundBox, kHowRoundBox},

@@ -222,9 +222,11 @@ class Proportions {
       check("body", body.name, solids.mass, volume, usual, body.mark);
       return;
     }
-    for (const model::Part& solid : solids.parts)
+    for (const model::Part& solid : solids.parts) {
+      if (solid.is_shell) continue;
       check("part", NameOf(solid), solid.mass, model::Volume(solid.shape),
             Limit(solid, &model::PartCheck::density, usual), solid.mark);
+    }
   }
 
   // MuJoCo also rejects such inertias, unless its compiler balances or bounds them.

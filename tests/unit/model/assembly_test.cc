@@ -209,5 +209,20 @@ TEST_CASE("two parts of one name are an error even after the prefix") {
         "6:3 two parts are named 'thing_a1'");
 }
 
+TEST_CASE("lists of numbers have the lengths that MuJoCo 2.2 requires") {
+  const Assembling thing(
+      "joints: [{name: a, axis: [0, 0, 1]}]\nparts: [{name: s, type: sphere, size: 1}]\nmjcf:\n"
+      "  equality: [{joint: {name: e, joint1: a, polycoef: [0.5, -1]}}]\n"
+      "  tendon:\n"
+      "    - fixed: {name: t, springlength: [0.1, 0.1], children: [{joint: {joint: a, coef: 1}}]}\n"
+      "    - fixed: {name: u, springlength: [0, 0.1], children: [{joint: {joint: a, coef: 1}}]}\n");
+  const auto numbers = [&](std::string_view section, std::size_t element, std::string_view name) {
+    return FindAttribute(ElementsOf(thing.object(), section)[element].attributes, name)->numbers;
+  };
+  CHECK(numbers("equality", 0, "polycoef") == sample::Numbers{0.5, -1, 0, 0, 0});
+  CHECK(numbers("tendon", 0, "springlength") == sample::Numbers{0.1});
+  CHECK(numbers("tendon", 1, "springlength") == sample::Numbers{0, 0.1});
+}
+
 }  // namespace
 }  // namespace mjforge::model

@@ -72,7 +72,8 @@ TEST_CASE("a mesh must be closed unless it is only seen") {
   const Assembling solid("parts: [{name: a, type: mesh, file: open.obj}]\n", 1, 0, folder.path());
   CHECK(solid.findings() ==
         std::vector<std::string>{"3:37 mesh 'open.obj' is not a closed surface: edge shared by 1 "
-                                 "triangle (repair the file, or give the part `role: visual`)"});
+                                 "triangle (repair the file, or give the part `role: visual`, or "
+                                 "`inertia: shell` and a mass)"});
   const Assembling seen(
       "joints: none\nparts: [{name: a, type: mesh, file: open.obj, role: visual}]\n", 1, 0,
       folder.path());
@@ -80,7 +81,30 @@ TEST_CASE("a mesh must be closed unless it is only seen") {
   const Assembling heavy("parts: [{name: a, type: mesh, file: open.obj, role: visual, mass: 1}]\n",
                          1, 0, folder.path());
   CHECK(heavy.findings() == std::vector<std::string>{"3:9 part 'a' has mass but no closed surface "
-                                                     "(leave `mass` and `density` out)"});
+                                                     "(leave `mass` and `density` out, or write "
+                                                     "`inertia: shell`)"});
+}
+
+TEST_CASE("an open mesh can be a shell of a known mass") {
+  const TemporaryFolder folder;
+  // A box of 2 x 2 x 1 m without a lid: a bottom of 4 m^2 and four sides of 2 m^2.
+  folder.Write("tray.obj",
+               "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+               "f 1 3 2\nf 1 4 3\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\n"
+               "f 4 5 8\n");
+  const std::string tray = "- {name: a, type: mesh, file: tray.obj, inertia: shell";
+  const Assembling thing("parts:\n" + tray + ", mass: 3}\n", 1, 0, folder.path());
+  const MassProperties& sum = thing.object().mass_properties;
+  CHECK(sum.mass == Approx(3));
+  CHECK(sum.p_FCm.isApprox(Eigen::Vector3d(0, 0, 8 * 0.5 / 12), 1e-14));
+  // The bottom, and four sides about the axis: the sides are 1 m away from it, and 2 m wide.
+  CHECK(sum.I_Cm_F(2, 2) == Approx(1 * 4 / 6.0 + 2 * (1 + 4 / 12.0)));
+  CHECK(thing.body().explicit_inertial);
+  const Assembling heavy("parts:\n" + tray + ", density: 100}\n", 1, 0, folder.path());
+  CHECK(heavy.findings() == std::vector<std::string>{"4:3 part 'a' is a shell and has no 'mass' (a "
+                                                     "density does not say how thick a shell is)"});
+  const Assembling seen("joints: none\nparts:\n" + tray + ", role: visual}\n", 1, 0, folder.path());
+  CHECK(seen.part("thing_a").mass == 0);
 }
 
 TEST_CASE("missing and unreadable meshes are reported") {
