@@ -3,10 +3,13 @@
 #include "mjforge/backport/backport.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,6 +17,7 @@
 #include "mjforge/backport/legacy_rules.h"
 #include "mjforge/backport/mjcf_versions.h"
 #include "mjforge/backport/replacements.h"
+#include "mjforge/backport/sensor_references.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/xml/xml.h"
 
@@ -50,6 +54,21 @@ bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   return !usual.empty() && std::ranges::all_of(numbers, [&](double n) { return n == usual[0]; });
 }
 
+/// Returns a list with the length of an older release and the same meaning; nothing if there is
+/// none.
+std::optional<std::vector<double>> Resized(const MjcfList& list, std::vector<double> numbers) {
+  const std::vector<double> usual = xml::NumbersOf(list.usual);
+  const double neutral = list.beyond.empty() ? numbers[0] : xml::NumbersOf(list.beyond)[0];
+  for (std::size_t i = usual.size(); i < numbers.size(); ++i) {
+    if (numbers[i] != neutral) return std::nullopt;
+  }
+  const std::size_t given = std::min(numbers.size(), usual.size());
+  numbers.resize(usual.size());
+  std::copy(usual.begin() + static_cast<std::ptrdiff_t>(given), usual.end(),
+            numbers.begin() + static_cast<std::ptrdiff_t>(given));
+  return numbers;
+}
+
 class Backporter {
  public:
   Backporter(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
@@ -57,7 +76,8 @@ class Backporter {
       : root_(root), version_(version), use_(use), sources_(sources), findings_(findings) {}
 
   bool Run() {
-    const bool changed = ApplyLegacyRules(root_, version_);
+    bool changed = ApplyLegacyRules(root_, version_);
+    changed = ResizeLists(root_) || changed;
     if (!HasMissing(root_)) return changed;
     DefaultClasses elements(root_);
     Replacements replacements(elements, version_);
@@ -68,11 +88,41 @@ class Backporter {
         CheckInherited(classed, *element);
       }
     }
+    for (const ClassedElement* sensor : elements.In("sensor")) {
+      const MjcfFeature* feature = FindMissing("sensor", sensor->element->tag);
+      if (feature != nullptr && feature->effect == Effect::kReading)
+        CheckReferences(*sensor->element, root_, sources_, findings_);
+    }
     RemoveMissing(root_, true);
     return true;
   }
 
  private:
+  /// Writes lists of numbers in the lengths that the release requires, and reports the lists that
+  /// mean something else in each of these lengths. Returns true if the tree changed.
+  bool ResizeLists(xml::XmlElement& parent) {
+    bool changed = false;
+    for (xml::XmlElement& child : parent.children) {
+      for (auto& [name, value] : child.attributes) {
+        const MjcfList* list = FindList(parent.tag, child.tag, name);
+        if (list == nullptr || list->since <= version_) continue;
+        const std::vector<double> numbers = xml::NumbersOf(value);
+        if (numbers.empty()) continue;  // MuJoCo rejects the text
+        if (const auto resized = Resized(*list, numbers)) {
+          changed = changed || *resized != numbers;
+          if (*resized != numbers) value = xml::TextOf(*resized);
+        } else if (IsNew(child, name)) {
+          findings_.Add(Code::kMujocoLater, MarkOf(child, name),
+                        fmt::format("'{}' of {} with {} numbers needs MuJoCo {}", name,
+                                    child.Description(), numbers.size(), VersionText(list->since)),
+                        HintFor({}));
+        }
+      }
+      changed = ResizeLists(child) || changed;
+    }
+    return changed;
+  }
+
   const MjcfFeature* FindMissing(std::string_view parent, std::string_view tag) const {
     const MjcfFeature* feature = FindFeature(parent, tag);
     if (feature == nullptr) return nullptr;
@@ -121,7 +171,7 @@ class Backporter {
       std::erase_if(child.attributes, [&](const auto& attribute) {
         const auto& [name, value] = attribute;
         const MjcfFeature* feature = FindMissing(parent.tag, child.tag, name, value);
-        if (feature == nullptr) return false;
+        if (feature == nullptr || IsDeferred(parent, child, name)) return false;
         if (is_reported) ReportRemoval(child, name, value, *feature, parent.tag == "default");
         return true;
       });
@@ -130,6 +180,13 @@ class Backporter {
     std::erase_if(parent.children, [&](const xml::XmlElement& child) {
       return FindMissing(parent.tag, child.tag) != nullptr;
     });
+  }
+
+  /// Returns true for attributes that AddMeshInertia() applies and removes.
+  bool IsDeferred(const xml::XmlElement& parent, const xml::XmlElement& element,
+                  const std::string& attribute) const {
+    return parent.tag == "asset" && element.tag == "mesh" && attribute == "inertia" &&
+           replacements_->Find(&element, attribute) == "";
   }
 
   /// Returns true for sections of the whole model if only its bodies are used.

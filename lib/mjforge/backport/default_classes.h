@@ -18,6 +18,9 @@ struct ClassedElement {
   std::string default_class;  // empty for the main class
 };
 
+/// Returns the name of a mesh asset; MuJoCo names a mesh without a name after its file.
+std::string MeshName(const xml::XmlElement& mesh);
+
 /// The elements of a file, and their attributes with those of their default classes. Valid while
 /// the tree keeps its elements.
 class DefaultClasses {

@@ -13,49 +13,13 @@
 #include <fmt/format.h>
 
 #include "mjforge/backport/default_classes.h"
+#include "mjforge/backport/mesh_measure.h"
 #include "mjforge/engine/engine.h"
 
 namespace mjforge::backport {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-/// Volume and inertia of a mesh about its centre of mass, along its principal axes.
-struct MeshVolume {
-  double volume = 0;  // m^3
-  Vector box;         // half sizes of the box with the same inertia, m
-};
-
-// Products of inertia of tetrahedra with a corner at the origin: Tonon, "Explicit exact formulas
-// for the 3-D tetrahedron inertia tensor in terms of its vertex coordinates" (2004).
-MeshVolume Measure(const mjModel& m, int mesh) {
-  MeshVolume measured;
-  Vector squares = {};
-  const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
-  const int* faces = m.mesh_face + static_cast<std::ptrdiff_t>(3) * m.mesh_faceadr[mesh];
-  for (int face = 0; face < m.mesh_facenum[mesh]; ++face) {
-    std::array<Vector, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float* vertex =
-          vertices + static_cast<std::ptrdiff_t>(3) * faces[3 * face + static_cast<int>(i)];
-      corners[i] = {vertex[0], vertex[1], vertex[2]};
-    }
-    const auto& [a, b, c] = corners;
-    const double volume =
-        std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                 a[2] * (b[0] * c[1] - b[1] * c[0])) /
-        6;
-    measured.volume += volume;
-    for (std::size_t i = 0; i < 3; ++i) {
-      squares[i] +=
-          volume / 10 *
-          (a[i] * a[i] + b[i] * b[i] + c[i] * c[i] + a[i] * b[i] + a[i] * c[i] + b[i] * c[i]);
-    }
-  }
-  // The mean square of a coordinate in a box with half size s is s^2 / 3.
-  for (std::size_t i = 0; i < 3; ++i) measured.box[i] = std::sqrt(3 * squares[i] / measured.volume);
-  return measured;
-}
+constexpr std::string_view kInertia = "inertia";
 
 std::string Text(const mjtNum* numbers, int count) {
   return xml::TextOf(std::vector<double>(numbers, numbers + count));
@@ -80,6 +44,10 @@ class MeshInertia {
       if (section.tag == "worldbody") AddInertials(section, *boxes.model);
       // Otherwise MuJoCo would replace the inertias by its own.
       if (section.tag == "compiler" && replaces_) section.Set("inertiafromgeom", "auto");
+      if (section.tag != "asset") continue;
+      for (xml::XmlElement& asset : section.children) {
+        if (asset.tag == "mesh") asset.Remove(kInertia);
+      }
     }
     return first_;
   }
@@ -90,6 +58,7 @@ class MeshInertia {
     std::string mass;     // kg; empty if the density determines it
     std::string density;  // kg/m^3
     std::string group;
+    MeshInertiaKind kind = MeshInertiaKind::kLegacy;
   };
 
   void Find() {
@@ -129,10 +98,20 @@ class MeshInertia {
     if (elements.Get(geom, "type", "") != "mesh") return false;
     if (elements.Get(geom, "shellinertia", "false") != "false") return false;
     Geom found = {fmt::format("geom{}", geoms_.size()), elements.Get(geom, "mass", ""),
-                  elements.Get(geom, "density", "1000"), elements.Get(geom, "group", "0")};
+                  elements.Get(geom, "density", "1000"), elements.Get(geom, "group", "0"),
+                  KindOf(elements, elements.Get(geom, "mesh", ""))};
     if ((!found.mass.empty() && IsZero(found.mass)) || IsZero(found.density)) return false;
     geoms_.emplace(geom.element, std::move(found));
     return true;
+  }
+
+  static MeshInertiaKind KindOf(DefaultClasses& elements, const std::string& name) {
+    for (const ClassedElement* mesh : elements.In("mesh")) {
+      if (MeshName(*mesh->element) == name)
+        return KindNamed(elements.Get(*mesh, kInertia, "legacy"))
+            .value_or(MeshInertiaKind::kLegacy);
+    }
+    return MeshInertiaKind::kLegacy;
   }
 
   /// Copies only the bodies: with massless meshes or, if `meshes` is the compiled model of such a
@@ -163,6 +142,7 @@ class MeshInertia {
     copy.tag = section.tag;
     copy.attributes = section.attributes;
     copy.Remove("material");
+    copy.Remove(kInertia);
     for (const xml::XmlElement& child : section.children) {
       if (std::ranges::find(kKept, child.tag) != std::end(kKept))
         copy.children.push_back(CopyShapes(child));
@@ -203,19 +183,25 @@ class MeshInertia {
     if (id < 0) {
       copy.Set("name", weighed.name);
       copy.Set("mass", "0");
+      if (weighed.kind == MeshInertiaKind::kConvex) copy.Set("contype", "1");  // needs the hull
       return copy;
     }
-    const MeshVolume measured = Measure(*meshes, meshes->geom_dataid[id]);
+    const MeshMeasure measured = Measure(*meshes, meshes->geom_dataid[id], weighed.kind);
+    std::array<mjtNum, 3> pos;
+    std::array<mjtNum, 4> quat;
+    mju_rotVecQuat(pos.data(), measured.pos.data(), meshes->geom_quat + 4 * id);
+    mju_addTo3(pos.data(), meshes->geom_pos + 3 * id);
+    mju_mulQuat(quat.data(), meshes->geom_quat + 4 * id, measured.quat.data());
     copy.attributes.clear();
     copy.Set("type", "box");
     copy.Set("size", xml::TextOf({measured.box.begin(), measured.box.end()}));
-    copy.Set("pos", Text(meshes->geom_pos + 3 * id, 3));
-    copy.Set("quat", Text(meshes->geom_quat + 4 * id, 4));
+    copy.Set("pos", Text(pos.data(), 3));
+    copy.Set("quat", Text(quat.data(), 4));
     copy.Set("group", weighed.group);
     const std::vector<double> density = xml::NumbersOf(weighed.density);
     copy.Set("mass", !weighed.mass.empty() ? weighed.mass
                      : density.empty()     ? weighed.density
-                                           : xml::TextOf({density[0] * measured.volume}));
+                                           : xml::TextOf({density[0] * measured.size}));
     return copy;
   }
 

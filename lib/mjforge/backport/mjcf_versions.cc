@@ -1,4 +1,4 @@
-// Table of the elements and attributes that MJCF gained after MuJoCo 2.2.2.
+// Table of the elements and attributes that MJCF gained after MuJoCo 2.2.2, and of its lists.
 #include "mjforge/backport/mjcf_versions.h"
 
 #include <algorithm>
@@ -137,6 +137,13 @@ constexpr MjcfFeature kAttributes[] = {
     {"sensor/rangefinder", "camera data", 3005000},
 };
 
+constexpr MjcfList kLists[] = {
+    {"equality/joint equality/tendon", "polycoef", 316, "0 1 0 0 0"},
+    {"tendon/spatial tendon/fixed default/tendon", "springlength", 231, "-1"},
+    {"body/joint default/joint tendon/spatial tendon/fixed default/tendon", "stiffness damping",
+     3007000, "0", "0"},
+};
+
 /// Calls `use` with each word until it returns true, and returns whether it did.
 template <typename Use>
 bool AnyWord(std::string_view text, const Use& use) {
@@ -148,8 +155,10 @@ bool AnyWord(std::string_view text, const Use& use) {
   return false;
 }
 
-bool IsAt(const MjcfFeature& row, std::string_view parent, std::string_view tag) {
-  return AnyWord(row.where, [&](std::string_view place) {
+}  // namespace
+
+bool IsAt(std::string_view where, std::string_view parent, std::string_view tag) {
+  return AnyWord(where, [&](std::string_view place) {
     const std::size_t slash = place.find('/');
     if (slash == std::string_view::npos) return place == tag;
     const std::string_view above = place.substr(0, slash);
@@ -161,19 +170,17 @@ bool IsAt(const MjcfFeature& row, std::string_view parent, std::string_view tag)
   });
 }
 
-bool HasAttribute(const MjcfFeature& row, std::string_view attribute, std::string_view value) {
-  return AnyWord(row.names, [&](std::string_view name) {
+bool HasAttribute(std::string_view names, std::string_view attribute, std::string_view value) {
+  return AnyWord(names, [&](std::string_view name) {
     const std::size_t equals = name.find('=');
     if (equals == std::string_view::npos) return name == attribute;
     return name.substr(0, equals) == attribute && name.substr(equals + 1) == value;
   });
 }
 
-}  // namespace
-
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag) {
   for (const MjcfFeature& row : kElements) {
-    if (IsAt(row, parent, tag)) return &row;
+    if (IsAt(row.where, parent, tag)) return &row;
   }
   return nullptr;
 }
@@ -181,7 +188,16 @@ const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag) {
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
                                std::string_view attribute, std::string_view value) {
   for (const MjcfFeature& row : kAttributes) {
-    if (HasAttribute(row, attribute, value) && IsAt(row, parent, tag)) return &row;
+    if (HasAttribute(row.names, attribute, value) && IsAt(row.where, parent, tag)) return &row;
+  }
+  return nullptr;
+}
+
+const MjcfList* FindList(std::string_view parent, std::string_view tag,
+                         std::string_view attribute) {
+  for (const MjcfList& row : kLists) {
+    const auto same = [&](std::string_view name) { return name == attribute; };
+    if (AnyWord(row.names, same) && IsAt(row.where, parent, tag)) return &row;
   }
   return nullptr;
 }

@@ -1,5 +1,5 @@
 // Table of the elements and attributes that MJCF gained between MuJoCo 2.2.2 and 4.0: the release
-// that introduced each, and its effect.
+// that introduced each, and its effect; and of the lists whose lengths changed.
 //
 // The facts come from MuJoCo's schema (mj_printSchema) in each release, and from its changelog.
 #pragma once
@@ -35,11 +35,31 @@ struct MjcfFeature {
   std::string_view neutral = {};
 };
 
+/// A row of the table of number lists whose length later releases do not fix.
+struct MjcfList {
+  std::string_view where;  // in the form of MjcfFeature::where
+  std::string_view names;  // attributes, separated by blanks
+  int since = 0;           // the first release that accepts another length
+  /// The numbers of a list in an older release. Missing numbers at the end have these values.
+  std::string_view usual;
+  /// The number that changes nothing beyond this length; empty: a copy of the list's first number.
+  std::string_view beyond = {};
+};
+
+/// Returns the row of a list of numbers; null if all releases require the same length.
+const MjcfList* FindList(std::string_view parent, std::string_view tag, std::string_view attribute);
+
 /// Returns the row of an element; null if MuJoCo 2.2.2 has the element, or no release has it.
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag);
 /// Returns the row of an element's attribute with this value; null as above.
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
                                std::string_view attribute, std::string_view value);
+
+/// Returns true if one of the places, in the form of MjcfFeature::where, is that of the element.
+bool IsAt(std::string_view where, std::string_view parent, std::string_view tag);
+/// Returns true if one of the names, in the form of MjcfFeature::names, is the attribute's, and its
+/// row applies to the value.
+bool HasAttribute(std::string_view names, std::string_view attribute, std::string_view value);
 
 /// Returns the section whose elements share defaults with this one: "actuator" for a `<motor>`.
 std::string_view SectionOf(std::string_view parent, std::string_view tag);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjforge/backport/mesh_inertia.h"
+#include "mjforge/backport/mesh_measure.h"
 #include "mjforge/backport/mjcf_versions.h"
 
 namespace mjforge::backport {
@@ -105,14 +107,25 @@ void Replacements::ReplaceColorLayer(ClassedElement& material) {
 }
 
 void Replacements::ReplaceMeshInertia(ClassedElement& mesh) {
-  if (FindMissing(mesh, "inertia") == nullptr) return;
-  std::string name = mesh.element->Name();
-  const std::string* file = mesh.element->Find("file");
-  if (name.empty() && file != nullptr) {  // MuJoCo names the mesh after its file
-    name = file->substr(file->find_last_of("/\\") + 1);
-    name.erase(std::min(name.find_last_of('.'), name.size()));
-  }
-  if (!HasMass(name)) MarkReplaced(mesh, "inertia", "no mass is computed from the mesh");
+  const std::string* inertia = FindMissing(mesh, "inertia");
+  if (inertia == nullptr) return;
+  const std::string name = MeshName(*mesh.element);
+  if (!HasMass(name)) return MarkReplaced(mesh, "inertia", "no mass is computed from the mesh");
+  if (!KindNamed(*inertia) || !CanWeigh(name)) return;
+  mesh.element->Set("inertia", std::string(*inertia));
+  MarkReplaced(mesh, "inertia");
+}
+
+bool Replacements::CanWeigh(const std::string& mesh) {
+  if (!kComputesMeshInertia || elements_.Setting("inertiafromgeom", "auto") == "false" ||
+      elements_.Setting("exactmeshinertia", "false") != "false" ||
+      elements_.Setting("coordinate", "local") != "local")
+    return false;
+  return std::ranges::none_of(elements_.In("geom"), [&](const ClassedElement* geom) {
+    return elements_.Get(*geom, "mesh", "") == mesh &&
+           (elements_.Get(*geom, "type", "sphere") != "mesh" ||
+            elements_.Get(*geom, "shellinertia", "false") != "false");
+  });
 }
 
 bool Replacements::HasMass(const std::string& mesh) {

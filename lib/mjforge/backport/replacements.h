@@ -50,6 +50,8 @@ class Replacements {
   void ReplaceMeshInertia(ClassedElement& mesh);
   /// Returns true if a geom's mass is computed from the mesh.
   bool HasMass(const std::string& mesh);
+  /// Returns true if AddMeshInertia() can compute the masses of all geoms of the mesh.
+  bool CanWeigh(const std::string& mesh);
 
   DefaultClasses& elements_;
   int version_;

@@ -1,4 +1,5 @@
 #include "mjforge/backport/mesh_inertia.h"
+#include "mjforge/backport/model_file.h"
 
 #include <optional>
 #include <string>
@@ -65,6 +66,73 @@ TEST_CASE("with the mass, density and pose of each geom, among others") {
   CHECK(m.body_mass[1] == Approx(2 + 1 + 1));
   CHECK(m.body_ipos[3] == Approx((2 * 1.25 - 0.25) / 4));
   CHECK(m.body_ipos[4] == Approx((2 * 0.25 + 0.25) / 4));
+}
+
+/// A corner of a cube with a dent in its slanted face, hinged and turned about z.
+std::string Dented(const std::string& attributes, const std::string& defaults = "") {
+  return "<default>" + defaults + "</default><asset><mesh name=\"m\" " + attributes +
+         " vertex=\"0 0 0 1 0 0 0 1 0 0 0 1 .2 .2 .2\" face=\"0 2 1 0 1 3 0 3 2 1 2 4 2 3 4 3 1 "
+         "4\"/></asset><worldbody><body name=\"b\"><joint/><geom type=\"mesh\" mesh=\"m\" pos=\"0 "
+         "0 1\" euler=\"0 0 90\" contype=\"0\"/></body></worldbody>";
+}
+
+/// Backports and compiles the file of a mesh with an attribute `inertia`.
+engine::Loaded LoadBackported(const std::string& inner) {
+  const harness::TemporaryFolder folder;
+  engine::Engine engine;
+  return LoadFile(engine, folder.Write("m.xml", "<mujoco>" + inner + "</mujoco>"));
+}
+
+TEST_CASE("a mesh weighs what its kind of inertia says") {
+  struct Expected {
+    std::string kind;
+    double mass;    // kg
+    double centre;  // m
+    double largest;
+    double smallest;  // principal moments, kg m^2
+  };
+  // MuJoCo 3.3.7 computes these numbers.
+  const Expected all[] = {{"legacy", 137.0686841, 0.23706869, 13.70686841, 8.34004867},
+                          {"exact", 100, 0.21666667, 10, 6.11666676},
+                          {"convex", 166.6666667, 0.25, 16.66666667, 10.41666667},
+                          {"shell", 2494.987432, 0.24880853, 415.83123862, 246.61739944}};
+  for (const auto& [kind, mass, centre, largest, smallest] : all) {
+    INFO(kind);
+    const std::string inertia = "inertia=\"" + kind + "\"";
+    const bool of_class = kind == "shell";
+    const engine::Loaded loaded =
+        LoadBackported(of_class ? Dented("", "<mesh " + inertia + "/>") : Dented(inertia));
+    INFO(loaded.error);
+    REQUIRE(loaded.model);
+    const mjModel& m = *loaded.model;
+    CHECK(m.body_mass[1] == Approx(mass));
+    CHECK(m.body_ipos[3] == Approx(-centre));
+    CHECK(m.body_ipos[5] == Approx(1 + centre));
+    CHECK(m.body_inertia[3] == Approx(largest));
+    CHECK(m.body_inertia[5] == Approx(smallest));
+  }
+}
+
+TEST_CASE("a flat mesh can be a shell") {
+  const engine::Loaded loaded = LoadBackported(
+      "<asset><mesh name=\"m\" inertia=\"shell\" vertex=\"0 0 0 1 0 0 1 2 0 0 2 0\" face=\"0 1 2 0 "
+      "2 "
+      "3\"/></asset><worldbody><body><joint/><geom type=\"mesh\" mesh=\"m\" contype=\"0\" "
+      "conaffinity=\"0\" mass=\"3\"/></body></worldbody>");
+  INFO(loaded.error);
+  REQUIRE(loaded.model);
+  CHECK(loaded.model->body_ipos[4] == Approx(1));
+  CHECK(loaded.model->body_inertia[3] == Approx(3 * (1 + 4) / 12.0));
+}
+
+TEST_CASE("a kind of inertia that matters where it cannot be applied is an error") {
+  if (mjVERSION_HEADER >= 330) return;  // MuJoCo applies it
+  const std::string needs = "needs MuJoCo 3.3.0";
+  CHECK(LoadBackported("<compiler inertiafromgeom=\"true\"/>" + Dented("inertia=\"shell\""))
+            .error.ends_with(needs));
+  CHECK(LoadBackported("<default><geom shellinertia=\"true\"/></default>" +
+                       Dented("inertia=\"shell\""))
+            .error.ends_with(needs));
 }
 
 TEST_CASE("what has an inertia, or no mass, is left alone") {

@@ -1,0 +1,134 @@
+// Volume or area of a compiled mesh, and the box with the same inertia.
+#include "mjforge/backport/mesh_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace mjforge::backport {
+namespace {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<mjtNum, 9>;
+
+constexpr std::pair<std::string_view, MeshInertiaKind> kKinds[] = {
+    {"legacy", MeshInertiaKind::kLegacy},
+    {"exact", MeshInertiaKind::kExact},
+    {"convex", MeshInertiaKind::kConvex},
+    {"shell", MeshInertiaKind::kShell}};
+
+Vector Cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double Dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector Difference(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Returns the vertex indices of the faces of a mesh, or of its convex hull. A hull begins with the
+/// numbers of its vertices and faces, two numbers per vertex, and three per edge; it has three
+/// edges per face. Source: MuJoCo's documentation of mesh_graph.
+std::span<const int> FacesOf(const mjModel& m, int mesh, bool of_hull) {
+  const auto at = [](const int* first, int offset) {
+    return first + static_cast<std::ptrdiff_t>(offset);
+  };
+  const auto span = [](const int* first, int faces) {
+    return std::span(first, static_cast<std::size_t>(3) * static_cast<std::size_t>(faces));
+  };
+  if (!of_hull || m.mesh_graphadr[mesh] < 0)
+    return span(at(m.mesh_face, 3 * m.mesh_faceadr[mesh]), m.mesh_facenum[mesh]);
+  const int* graph = at(m.mesh_graph, m.mesh_graphadr[mesh]);
+  return span(at(graph, 2 + 3 * graph[0] + 3 * graph[1]), graph[1]);
+}
+
+/// Sums over the faces: of the pyramids between the origin and each face, or of the faces.
+struct Sums {
+  double size = 0;
+  Vector first = {};
+  Matrix second = {};
+
+  // Moments of tetrahedra with a corner at the origin: Tonon, "Explicit exact formulas for the 3-D
+  // tetrahedron inertia tensor in terms of its vertex coordinates" (2004). The moments of a
+  // triangle have the same form.
+  void Add(const std::array<Vector, 3>& corners, MeshInertiaKind kind) {
+    const auto& [a, b, c] = corners;
+    const bool shell = kind == MeshInertiaKind::kShell;
+    double weight = Dot(a, Cross(b, c)) / 6;
+    if (kind == MeshInertiaKind::kLegacy) weight = std::abs(weight);
+    if (shell) {
+      const Vector normal = Cross(Difference(b, a), Difference(c, a));
+      weight = std::sqrt(Dot(normal, normal)) / 2;
+    }
+    size += weight;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double sum = a[i] + b[i] + c[i];
+      first[i] += weight / (shell ? 3 : 4) * sum;
+      for (std::size_t j = 0; j < 3; ++j) {
+        second[3 * i + j] += weight / (shell ? 12 : 20) *
+                             (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum * (a[j] + b[j] + c[j]));
+      }
+    }
+  }
+};
+
+// Sets the principal axes, and returns the second moments about the centre of mass along them.
+// MuJoCo sorts the moments of inertia in decreasing order.
+std::array<mjtNum, 3> Diagonalize(const Sums& sums, MeshMeasure& measured) {
+  Matrix inertia = {};
+  for (std::size_t i = 0; i < 9; ++i)
+    inertia[i] = sums.size * measured.pos[i / 3] * measured.pos[i % 3] - sums.second[i];
+  const double trace = -(inertia[0] + inertia[4] + inertia[8]);
+  for (std::size_t i = 0; i < 9; i += 4) inertia[i] += trace;
+  std::array<mjtNum, 3> moments;
+  Matrix axes;
+  mju_eig3(moments.data(), axes.data(), measured.quat.data(), inertia.data());
+  std::array<mjtNum, 3> squares;
+  for (std::size_t i = 0; i < 3; ++i) squares[i] = trace - moments[i];
+  return squares;
+}
+
+}  // namespace
+
+std::optional<MeshInertiaKind> KindNamed(std::string_view word) {
+  const auto* found =
+      std::ranges::find(kKinds, word, &std::pair<std::string_view, MeshInertiaKind>::first);
+  if (found == std::end(kKinds)) return std::nullopt;
+  return found->second;
+}
+
+MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
+  Sums sums;
+  const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
+  const std::span<const int> faces = FacesOf(m, mesh, kind == MeshInertiaKind::kConvex);
+  for (std::size_t face = 0; face < faces.size(); face += 3) {
+    std::array<Vector, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float* vertex = vertices + static_cast<std::ptrdiff_t>(3) * faces[face + i];
+      corners[i] = {vertex[0], vertex[1], vertex[2]};
+    }
+    sums.Add(corners, kind);
+  }
+  MeshMeasure measured;
+  measured.size = sums.size;
+  if (!(sums.size > 0)) return measured;
+  const Matrix& second = sums.second;
+  std::array<mjtNum, 3> squares = {second[0], second[4], second[8]};
+  if (kind != MeshInertiaKind::kLegacy) {
+    for (std::size_t i = 0; i < 3; ++i) measured.pos[i] = sums.first[i] / sums.size;
+    squares = Diagonalize(sums, measured);
+  }
+  // The mean square of a coordinate in a box with half size s is s^2 / 3. MuJoCo 2.2 rejects a box
+  // without a thickness, and a thinner one if its inertia is rounded.
+  constexpr double kThinnest = 1e-6;
+  for (std::size_t i = 0; i < 3; ++i)
+    measured.box[i] = std::sqrt(std::max(0.0, 3 * squares[i] / sums.size));
+  const double thinnest = kThinnest * *std::ranges::max_element(measured.box);
+  for (mjtNum& size : measured.box) size = std::max(size, thinnest);
+  return measured;
+}
+
+}  // namespace mjforge::backport

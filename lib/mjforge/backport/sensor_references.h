@@ -1,0 +1,15 @@
+// Names that sensors refer to.
+#pragma once
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+
+/// Adds an error for each name in a sensor that no element of the file has, because no MuJoCo reads
+/// such a file, even if the sensor itself is left out. Checks nothing in files with elements that
+/// MuJoCo expands, because the expansion makes names.
+void CheckReferences(const xml::XmlElement& sensor, const xml::XmlElement& root,
+                     const diag::Sources& sources, diag::Findings& findings);
+
+}  // namespace mjforge::backport
