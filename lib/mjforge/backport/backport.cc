@@ -78,6 +78,7 @@ class Backporter {
   bool Run() {
     bool changed = ApplyLegacyRules(root_, version_);
     changed = ResizeLists(root_) || changed;
+    if (use_ == Use::kWholeModel) ReportRefusals(root_);
     if (!HasMissing(root_)) return changed;
     DefaultClasses elements(root_);
     Replacements replacements(elements, version_);
@@ -121,6 +122,20 @@ class Backporter {
       changed = ResizeLists(child) || changed;
     }
     return changed;
+  }
+
+  /// Warns of attributes that later releases reject.
+  void ReportRefusals(const xml::XmlElement& parent) {
+    for (const xml::XmlElement& child : parent.children) {
+      for (const auto& [name, value] : child.attributes) {
+        const auto refusal = FindRefusal(parent.tag, child.tag, name, value, version_);
+        if (!refusal || !IsNew(child, name)) continue;
+        findings_.Warn(
+            Code::kMujocoLaterRefuses, MarkOf(child, name),
+            fmt::format("{} {}", child.Description(), RefusalText(*refusal, name, value)));
+      }
+      ReportRefusals(child);
+    }
   }
 
   const MjcfFeature* FindMissing(std::string_view parent, std::string_view tag) const {

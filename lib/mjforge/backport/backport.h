@@ -3,6 +3,7 @@
 
 #include "mjforge/backport/mesh_inertia.h"
 #include "mjforge/backport/model_file.h"
+#include "mjforge/backport/refused_attributes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/xml/xml.h"
 
@@ -21,7 +22,8 @@ enum class Use {
 /// true if it changed. Ranges limit without `limited`, as since 3.0; later elements and attributes
 /// are replaced by older ones. If a later feature has no replacement, it is removed with a warning
 /// if it affects only pictures or how a model is computed; otherwise it is an error. Each attribute
-/// is reported once per file, at its first place. Frames and replicates of kBodies stay in the tree
+/// is reported once per file, at its first place. Warns of attributes of whole models that releases
+/// after that one reject. Frames and replicates of kBodies stay in the tree
 /// if the MuJoCo of this build expands them.
 bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
                   diag::Findings& findings);

@@ -18,6 +18,7 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/validate/compare.h"
 #include "mjforge/validate/joint_sweep.h"
+#include "mjforge/validate/later_refusals.h"
 #include "mjforge/validate/self_collisions.h"
 #include "mjforge/xml/xml.h"
 
@@ -276,6 +277,7 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
   diag::Findings found;
   Comparison(*loaded.model, object, found).Run(document.lift);
   const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
+  FindLaterRefusals(*loaded.model, object, found);
   const bool as_meant = !found.HasErrors();
   const bool warned = AddWarnings(loaded, crowded, MarkOf(object), findings);
   findings.Append(std::move(found));
@@ -301,6 +303,7 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
     CheckFinite(*loaded.model, start, findings);
     if (xml->other_mass)
       CompareMasses(*loaded.model, engine.LoadFile(file), xml->other_mass, findings);
+    FindLaterRefusals(*loaded.model, start, findings);
     return std::move(loaded.model);
   }
   if (loaded.fault) {

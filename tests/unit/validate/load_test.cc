@@ -4,7 +4,9 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
 
+#include <mujoco/mujoco.h>
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
@@ -273,6 +275,41 @@ TEST_CASE("a limit of memory in MuJoCo 2.2 is a warning") {
   const std::vector<std::string> expected = {
       "MuJoCo 2.2.2 ignores contacts that exceed its buffer"};
   CHECK(Warnings(boxes) == (kIsOld ? expected : std::vector<std::string>{}));
+}
+
+TEST_CASE("a model that later releases reject is read with a warning") {
+  const TemporaryFolder folder;
+  const std::string square = "vertex=\"0 0 0 1 0 0 1 1 0 0 1 0\" face=\"0 1 2 0 2 3\"";
+  const std::string seen =
+      "<worldbody><geom type=\"mesh\" mesh=\"m\" contype=\"0\" conaffinity=\"0\"/></worldbody>";
+  const std::pair<std::string, std::string> cases[] = {
+      {"<asset><mesh name=\"m\" " + square + "/></asset>" + seen,
+       "1:1: mujoco/later-refuses: mesh 'm' has a volume of 0 m^3; MuJoCo 3.3.0 and later reject a "
+       "mesh of less than 1e-15 m^3, even if it is only seen"},
+      {"<worldbody><camera name=\"c\" fovy=\"180\"/></worldbody>",
+       "1:1: mujoco/later-refuses: camera 'c' has a 'fovy' of 180 degrees; MuJoCo 3.0.0 and later "
+       "require less than 180"},
+      {"<worldbody><body><joint name=\"j\" type=\"ball\"/><geom size=\"1\"/></body></worldbody>"
+       "<tendon><fixed name=\"t\"><joint joint=\"j\" coef=\"1\"/></fixed></tendon>",
+       "1:1: mujoco/later-refuses: tendon 't' has a ball or free joint; MuJoCo 4.0.0 and later "
+       "require hinges and slides"},
+      {"<option><flag passive=\"disable\"/></option>",
+       "2:15: mujoco/later-refuses: the flag on line 2 has 'passive', which MuJoCo 3.3.6 and later "
+       "reject"}};
+  for (const auto& [inner, warning] : cases) {
+    const Result result = LoadText(folder, "<mujoco>\n" + inner + "</mujoco>");
+    CHECK(result.model.has_value() == (mjVERSION_HEADER < 4000000));
+    if (mjVERSION_HEADER < 230) CHECK(Only(result) == warning);
+  }
+  // A tilted square has a volume by rounding, and a mesh of 20 um is large enough.
+  const std::string tilted = "vertex=\"0 0 0 .1 .03 .07 .3 .2 .1 .2 .17 .03\" face=\"0 1 2 0 2 3\"";
+  const std::string tiny =
+      "vertex=\"0 0 0 2e-5 0 0 0 2e-5 0 0 0 2e-5\" face=\"0 2 1 0 1 3 0 3 2 1 2 3\"";
+  for (const std::string& mesh : {tilted, tiny}) {
+    CHECK(LoadText(folder,
+                   "<mujoco><asset><mesh name=\"m\" " + mesh + "/></asset>" + seen + "</mujoco>")
+              .findings.empty());
+  }
 }
 
 }  // namespace

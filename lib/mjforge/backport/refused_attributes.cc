@@ -1,0 +1,118 @@
+// The table of attributes and values that later MuJoCo releases reject.
+#include "mjforge/backport/refused_attributes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/backport/mjcf_versions.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+namespace {
+
+/// The values that later releases accept.
+enum class Accepted { kNone, kInteger, kAtLeastMinusOne, kUpToTwo, kPositive };
+
+struct Row {
+  std::string_view where;  // in the form of MjcfFeature::where
+  std::string_view names;  // in the form of MjcfFeature::names
+  int since = 0;
+  Accepted accepted = Accepted::kNone;
+};
+
+constexpr Row kRows[] = {
+    {"lengthrange", "inteval", 233},
+    {"compiler", "coordinate=global", 234},
+    {"compiler", "convexhull exactmeshinertia", 325},
+    {"option", "collision", 300},
+    {"option", "mpr_iterations mpr_tolerance", 323},
+    {"option", "apirate", 337},
+    {"flag", "sensornoise", 314},
+    {"flag", "passive", 336},
+    {"sensor/*", "reftype=none reftype=unknown", 3012000},
+    {"mujoco/size", "nconmax", 230, Accepted::kAtLeastMinusOne},
+    {"mujoco/size", "njmax nstack", 3012000, Accepted::kAtLeastMinusOne},
+    {"visual/map", "znear", 230, Accepted::kPositive},
+    {"mujoco/statistic", "extent", 230, Accepted::kPositive},
+    {"visual/headlight", "active", 4000000, Accepted::kUpToTwo},
+    // From 3.0 on, MuJoCo reads integers as such; 2.2 rounds a number and ignores further ones.
+    {"option", "iterations noslip_iterations", 300, Accepted::kInteger},
+    {"mujoco/size",
+     "njmax nconmax nstack nuserdata nkey nuser_body nuser_jnt nuser_geom nuser_site nuser_cam "
+     "nuser_tendon nuser_actuator nuser_sensor",
+     300, Accepted::kInteger},
+    {"visual/global", "offwidth offheight", 300, Accepted::kInteger},
+    {"visual/quality", "shadowsize offsamples numslices numstacks numquads", 300,
+     Accepted::kInteger},
+    {"visual/headlight", "active", 300, Accepted::kInteger},
+    {"custom/numeric", "size", 300, Accepted::kInteger},
+    {"contact/pair default/pair", "condim", 300, Accepted::kInteger},
+    {"body/geom default/geom", "group condim priority contype conaffinity", 300,
+     Accepted::kInteger},
+    {"body/joint default/joint body/freejoint body/site default/site tendon/* actuator/*", "group",
+     300, Accepted::kInteger},
+};
+
+bool IsAccepted(Accepted accepted, const std::vector<double>& numbers) {
+  const bool is_integer = numbers.size() == 1 && numbers[0] == std::round(numbers[0]) &&
+                          std::abs(numbers[0]) <= std::numeric_limits<int>::max();
+  switch (accepted) {
+    case Accepted::kNone:
+      return false;
+    case Accepted::kInteger:
+      return is_integer;
+    case Accepted::kAtLeastMinusOne:
+      return is_integer && numbers[0] >= -1;
+    case Accepted::kUpToTwo:
+      return is_integer && numbers[0] >= 0 && numbers[0] <= 2;
+    case Accepted::kPositive:
+      return std::ranges::all_of(numbers, [](double number) { return number > 0; });
+  }
+  return true;
+}
+
+std::string_view Wanted(Accepted accepted) {
+  switch (accepted) {
+    case Accepted::kNone:
+      break;
+    case Accepted::kInteger:
+      return "an integer";
+    case Accepted::kAtLeastMinusOne:
+      return "an integer of at least -1";
+    case Accepted::kUpToTwo:
+      return "0 or 1";  // 2 is accepted, too, but has no meaning
+    case Accepted::kPositive:
+      return "a number above 0";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string_view tag,
+                                            std::string_view attribute, std::string_view value,
+                                            int version) {
+  std::optional<AttributeRefusal> found;
+  for (const Row& row : kRows) {
+    if (row.since <= version || (found && found->since <= row.since)) continue;
+    if (!HasAttribute(row.names, attribute, value) || !IsAt(row.where, parent, tag)) continue;
+    if (IsAccepted(row.accepted, xml::NumbersOf(value))) continue;
+    found = AttributeRefusal{row.since, std::string(Wanted(row.accepted))};
+  }
+  return found;
+}
+
+std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
+                        std::string_view value) {
+  const std::string release = VersionText(refusal.since);
+  if (refusal.wanted.empty())
+    return fmt::format("has '{}', which MuJoCo {} and later reject", attribute, release);
+  return fmt::format("has '{}={}'; MuJoCo {} and later require {}", attribute, value, release,
+                     refusal.wanted);
+}
+
+}  // namespace mjforge::backport

@@ -1,0 +1,29 @@
+// Attributes and values that MuJoCo 2.2.2 reads and later releases, up to 4.0.1, reject.
+//
+// The facts come from experiments: every element and attribute that a spec passes through, with
+// values of each kind, loaded in MuJoCo 2.2.2 and in later releases.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mjforge::backport {
+
+/// The reason why later releases reject an attribute.
+struct AttributeRefusal {
+  int since = 0;       // the first release that rejects it, as mjVERSION_HEADER
+  std::string wanted;  // "an integer"; empty: no value is accepted
+};
+
+/// Returns the reason why releases after `version` reject this attribute; nothing if they accept
+/// it. `parent` is the tag of the element above.
+std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string_view tag,
+                                            std::string_view attribute, std::string_view value,
+                                            int version);
+
+/// Returns "has 'znear=0'; MuJoCo 2.3.0 and later require ...".
+std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
+                        std::string_view value);
+
+}  // namespace mjforge::backport

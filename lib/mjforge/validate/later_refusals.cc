@@ -1,0 +1,155 @@
+// Finds elements of compiled models, and attributes of objects, that later releases reject.
+#include "mjforge/validate/later_refusals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "mjforge/backport/backport.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::validate {
+namespace {
+
+using diag::Code;
+
+constexpr std::string_view kMesh = "mesh";
+
+struct Triangle {
+  Eigen::Vector3d centre;
+  Eigen::Vector3d normal;  // its length is the area
+};
+
+std::vector<Triangle> TrianglesOf(const mjModel& m, int mesh) {
+  const auto vertex = [&](int face, int corner) {
+    const int index = m.mesh_vertadr[mesh] + m.mesh_face[3 * face + corner];
+    return Eigen::Vector3d(
+        Eigen::Map<const Eigen::Vector3f>(m.mesh_vert + 3 * index).cast<double>());
+  };
+  std::vector<Triangle> triangles;
+  const int first = m.mesh_faceadr[mesh];
+  for (int face = first; face < first + m.mesh_facenum[mesh]; ++face) {
+    const Eigen::Vector3d a = vertex(face, 0);
+    const Eigen::Vector3d b = vertex(face, 1);
+    const Eigen::Vector3d c = vertex(face, 2);
+    triangles.push_back({(a + b + c) / 3, (b - a).cross(c - a) / 2});
+  }
+  return triangles;
+}
+
+// Adds up the volumes of the pyramids from the centroid of the surface to each face, like
+// mjCMesh::ComputeVolume. MuJoCo 2.2 does not move the vertices of meshes without a volume, so that
+// the result does not depend on rounding.
+double VolumeOf(const std::vector<Triangle>& triangles) {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (const Triangle& triangle : triangles) {
+    area += triangle.normal.norm();
+    centroid += triangle.normal.norm() * triangle.centre;
+  }
+  if (!(area > 0)) return 0;
+  centroid /= area;
+  double volume = 0;
+  for (const Triangle& triangle : triangles)
+    volume += std::abs((triangle.centre - centroid).dot(triangle.normal)) / 3;
+  return volume;
+}
+
+// Calls report(kind, name, message, hint) for each element of the model that later releases reject.
+template <typename Report>
+void ForEachRefused(const mjModel& m, const Report& report) {
+  for (int mesh = 0; mesh < m.nmesh && mjVERSION_HEADER < 330; ++mesh) {
+    const double volume = VolumeOf(TrianglesOf(m, mesh));
+    if (volume >= mjMINVAL) continue;
+    report(kMesh, m.names + m.name_meshadr[mesh],
+           fmt::format("has a volume of {:.2g} m^3; MuJoCo 3.3.0 and later reject a mesh of less "
+                       "than {:g} m^3, even if it is only seen",
+                       volume, mjMINVAL),
+           "give a flat mesh some thickness, or use a thin box");
+  }
+  for (int camera = 0; camera < m.ncam && mjVERSION_HEADER < 300; ++camera) {
+    if (m.cam_fovy[camera] < 180) continue;
+    report("camera", m.names + m.name_camadr[camera],
+           fmt::format("has a 'fovy' of {:g} degrees; MuJoCo 3.0.0 and later require less than 180",
+                       m.cam_fovy[camera]),
+           "");
+  }
+  for (int tendon = 0; tendon < m.ntendon && mjVERSION_HEADER < 4000000; ++tendon) {
+    const int first = m.tendon_adr[tendon];
+    const bool has_ball = std::any_of(
+        m.wrap_objid + first, m.wrap_objid + first + m.tendon_num[tendon], [&](const int& joint) {
+          const bool is_joint = m.wrap_type[&joint - m.wrap_objid] == mjWRAP_JOINT;
+          return is_joint && m.jnt_type[joint] != mjJNT_HINGE && m.jnt_type[joint] != mjJNT_SLIDE;
+        });
+    if (has_ball)
+      report("tendon", m.names + m.name_tendonadr[tendon],
+             "has a ball or free joint; MuJoCo 4.0.0 and later require hinges and slides", "");
+  }
+}
+
+// Adds an error for each attribute that later releases reject, of an element and those inside it.
+void CheckAttributes(std::string_view parent, const model::Element& element,
+                     diag::Findings& findings) {
+  for (const model::Attribute& attribute : element.attributes) {
+    const std::string value =
+        attribute.numbers.empty()
+            ? attribute.text
+            : xml::TextOf({attribute.numbers.begin(), attribute.numbers.end()});
+    const auto refusal =
+        backport::FindRefusal(parent, element.tag, attribute.name, value, mjVERSION_HEADER);
+    if (refusal)
+      findings.Add(Code::kMujocoLaterRefuses, element.mark,
+                   fmt::format("{} {}", element.tag,
+                               backport::RefusalText(*refusal, attribute.name, value)));
+  }
+  for (const model::Element& child : element.children)
+    CheckAttributes(element.tag, child, findings);
+}
+
+// Returns the place of a mesh, camera or tendon in the spec.
+diag::SourceMark PlaceOf(const model::Object& object, std::string_view kind,
+                         std::string_view name) {
+  if (kind == kMesh) {
+    for (const auto& mesh : object.meshes) {
+      if (mesh->name == name) return mesh->mark;
+    }
+  }
+  for (const model::Element& tendon : model::ElementsOf(object, "tendon")) {
+    if (kind == "tendon" && tendon.name == name) return tendon.mark;
+  }
+  for (const model::Body& body : object.bodies) {
+    for (const model::Element& view : body.elements) {
+      if (kind == view.tag && view.name == name) return view.mark;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void FindLaterRefusals(const mjModel& m, const model::Object& object, diag::Findings& findings) {
+  ForEachRefused(m, [&](std::string_view kind, std::string_view name, const std::string& message,
+                        const std::string& hint) {
+    findings.Add(Code::kMujocoLaterRefuses, PlaceOf(object, kind, name),
+                 fmt::format("{} '{}' {}", kind, name, message), hint);
+  });
+  for (const model::Section& section : object.sections) {
+    const std::string_view parent = section.info->is_element ? "mujoco" : section.info->name;
+    for (const model::Element& element : section.elements)
+      CheckAttributes(parent, element, findings);
+  }
+}
+
+void FindLaterRefusals(const mjModel& m, diag::SourceMark mark, diag::Findings& findings) {
+  ForEachRefused(m, [&](std::string_view kind, std::string_view name, const std::string& message,
+                        const std::string& hint) {
+    findings.Warn(Code::kMujocoLaterRefuses, mark, fmt::format("{} '{}' {}", kind, name, message),
+                  hint);
+  });
+}
+
+}  // namespace mjforge::validate

@@ -1,0 +1,37 @@
+#include "mjforge/backport/refused_attributes.h"
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "backported.h"
+
+namespace mjforge::backport {
+namespace {
+
+TEST_CASE("attributes that later releases reject are a warning") {
+  const Backported file(
+      "<option apirate=\"50\" iterations=\"1.5\"><flag passive=\"disable\"/></option>\n"
+      "<visual><map znear=\"0\"/><headlight active=\"7\"/></visual><size nconmax=\"-3\"/>");
+  CHECK(file.findings ==
+        Strings{"2:9 warning: the option on line 2 has 'apirate', which MuJoCo 3.3.7 and later "
+                "reject",
+                "2:22 warning: the option on line 2 has 'iterations=1.5'; MuJoCo 3.0.0 and "
+                "later require an integer",
+                "2:45 warning: the flag on line 2 has 'passive', which MuJoCo 3.3.6 and later "
+                "reject",
+                "3:14 warning: the map on line 3 has 'znear=0'; MuJoCo 2.3.0 and later "
+                "require a number above 0",
+                "3:36 warning: the headlight on line 3 has 'active=7'; MuJoCo 4.0.0 and "
+                "later require 0 or 1",
+                "3:63 warning: the size on line 3 has 'nconmax=-3'; MuJoCo 2.3.0 and later "
+                "require an integer of at least -1"});
+  CHECK_FALSE(file.changed);
+  CHECK(Backported("<option apirate=\"50\"/>", kPortable, Use::kBodies).findings.empty());
+  CHECK(Backported("<option apirate=\"50\"/>", 337).findings.empty());
+  CHECK(Backported("<option iterations=\"20\"/><size njmax=\"-1\"/><statistic extent=\"2\"/>")
+            .findings.empty());
+}
+
+}  // namespace
+}  // namespace mjforge::backport
