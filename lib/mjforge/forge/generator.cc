@@ -49,6 +49,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.target = mjcf::RulesOf(options.target).name;
   if (options.assets == mjcf::AssetForm::kFiles) record.assets_as = mjcf::kAssetForms[1];
   record.validate = options.validation;
+  if (options.validation != Validation::kNone) record.mujoco = validate::MujocoVersion();
   record.on_invalid = options.on_invalid;
   if (options.sampler != sample::Method::kRandom)
     record.sampler = sample::MethodName(options.sampler);

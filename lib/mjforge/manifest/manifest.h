@@ -90,6 +90,7 @@ struct Record : mjcf::Provenance {
   int njnt = 0;
   int ngeom = 0;
   Validation validate = Validation::kLoad;
+  std::string mujoco;  // release of MuJoCo that checked the variant; empty: none did
   std::optional<physics::Result> physics;  // empty if not requested or not measurable
   OnInvalid on_invalid = OnInvalid::kFail;
   Status status = Status::kOk;

@@ -194,6 +194,15 @@ RecordField NullableField(const char* key, std::string schema, std::string_view 
           }};
 }
 
+RecordField DeclaredBoundsField() {
+  return {"declared_bounds",
+          R"("enum": [true])",
+          "Present if the bounds are those of the spec's total_size, not of the collision parts.",
+          [](Json& json, const Record& record) { Put(json, record.bounds.declared); },
+          [](const Value& value, Record& record) { return Get(value, record.bounds.declared); },
+          [](const Record& record) { return !record.bounds.declared; }};
+}
+
 RecordField PhysicsField() {
   return {
       "physics",
@@ -290,6 +299,7 @@ const std::array kFields = {
         "bottom_offset", kNumber, "z of the lowest point of a collision part, m."),
     ObjectField<&Record::bounds, &Bounds::horizontal_radius>(
         "horizontal_radius", kNumber, "Largest distance of a collision part from the z axis, m."),
+    DeclaredBoundsField(),
     ObjectField<&Record::nbody>("nbody", kCount,
                                 "Bodies in the file as MuJoCo counts them, the world included."),
     ObjectField<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
@@ -300,6 +310,9 @@ const std::array kFields = {
         "validate", R"("enum": ["load", "none", "physics"])",
         "How the variant was checked: load, whether MuJoCo loads the file as intended; physics, "
         "whether the object also behaves."),
+    OptionalField<&Record::mujoco, FieldScope::kBatch>(
+        "mujoco", kText,
+        "The release of MuJoCo in which the variant was checked; left out if it was not."),
     PhysicsField(),
     OptionalField<&Record::on_invalid, FieldScope::kBatch>(
         "on_invalid", R"("enum": ["skip", "resample"])",

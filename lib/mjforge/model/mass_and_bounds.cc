@@ -45,6 +45,7 @@ Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   bounds.top_offset = bounds.aabb.max[2];
   bounds.bottom_offset = bounds.aabb.min[2];
   bounds.horizontal_radius = total_size.head<2>().norm();
+  bounds.declared = true;
   return bounds;
 }
 

@@ -144,6 +144,7 @@ struct Bounds {
   double top_offset = 0;         // aabb.max.z, m
   double bottom_offset = 0;      // aabb.min.z, m
   double horizontal_radius = 0;  // largest distance from the root's z axis, m
+  bool declared = false;         // given by `total_size`, not computed
   Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
 };
 

@@ -31,6 +31,9 @@ TEST_CASE("a variant is a file's text and a record of what it is") {
   CHECK(record.spec == "crate.yaml");
   CHECK(record.spec_sha256 == loaded.recipe.spec->sha256);
   CHECK(record.target == "mujoco");
+  CHECK(record.mujoco == validate::MujocoVersion());
+  options.validation = Validation::kNone;
+  CHECK(MakeOne(loaded, options, 42).record.mujoco.empty());
   CHECK(record.sha256 == bytes::Sha256Of(variant.document.text));
   REQUIRE(record.params.size() == 2);
   CHECK(record.params[0].first == "height");

@@ -36,6 +36,7 @@ Record WholeRecord() {
   record.ngeom = 4;
   record.target = "mujoco";
   record.validate = Validation::kLoad;
+  record.mujoco = "2.2.2";
   record.status = Status::kOk;
   record.findings = {R"({"severity":"warning"})"};
   record.sha256 = std::string(64, 'b');
@@ -91,18 +92,18 @@ TEST_CASE("a zero of many digits is a number, one too large for any number is no
 }
 
 TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
-  CHECK(
-      LineOf(WholeRecord()) ==
-      R"({"file":"mug_000003.xml","name":"mug","index":3,"seed":18446744073709551615,)"
-      R"("attempt":2,"spec":"containers/mug","spec_sha256":")" +
-          std::string(64, 'a') +
-          R"(","set":{"height":"8cm .. 12cm"},"params":{"height":0.1,"handle":true,)"
-          R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
-          R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
-          R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
-          R"("ngeom":4,"target":"mujoco","validate":"load","status":"ok","findings":[{"severity":"warning"}],)"
-          R"("sha256":")" +
-          std::string(64, 'b') + "\"}\n");
+  CHECK(LineOf(WholeRecord()) ==
+        R"({"file":"mug_000003.xml","name":"mug","index":3,"seed":18446744073709551615,)"
+        R"("attempt":2,"spec":"containers/mug","spec_sha256":")" +
+            std::string(64, 'a') +
+            R"(","set":{"height":"8cm .. 12cm"},"params":{"height":0.1,"handle":true,)"
+            R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
+            R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
+            R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
+            R"("ngeom":4,"target":"mujoco","validate":"load","mujoco":"2.2.2","status":"ok",)"
+            R"("findings":[{"severity":"warning"}],)"
+            R"("sha256":")" +
+            std::string(64, 'b') + "\"}\n");
 }
 
 TEST_CASE("a variant that could not be built has nulls and no settings that were not made") {
@@ -130,13 +131,16 @@ TEST_CASE("what only some batches have stands in its place") {
   record.sampler = "latin";
   record.batch = 100;
   record.on_invalid = OnInvalid::kSkip;
+  record.bounds.declared = true;
   const std::string line = LineOf(record);
   CHECK(line.find(R"("file":"mug_000003.xml","archive":"mugs_00000.tar","name")") != line.npos);
   CHECK(line.find(R"("assets_as":"files","sampler":"latin","batch":100,"params")") != line.npos);
-  CHECK(line.find(R"("validate":"load","on_invalid":"skip","status")") != line.npos);
+  CHECK(line.find(R"("mujoco":"2.2.2","on_invalid":"skip","status")") != line.npos);
+  CHECK(line.find(R"("horizontal_radius":2.5,"declared_bounds":true,"nbody")") != line.npos);
   std::string why_not;
   const std::optional<Record> read = ReadRecord(line, why_not);
   REQUIRE(read);
+  CHECK(read->bounds.declared);
   CHECK(read->archive == record.archive);
   CHECK(read->assets_as == record.assets_as);
   CHECK(read->sampler == record.sampler);
@@ -157,6 +161,7 @@ TEST_CASE("records of another batch differ in what the command said") {
   CHECK(difference([](Record& r) { r.seed = 3; }) == "seed is '3', not '18446744073709551615'");
   CHECK(difference([](Record& r) { r.validate = Validation::kNone; }) ==
         "validate is 'none', not 'load'");
+  CHECK(difference([](Record& r) { r.mujoco = "4.0.1"; }) == "mujoco is '4.0.1', not '2.2.2'");
   CHECK(difference([](Record& r) { r.settings.clear(); }) ==
         R"(set is '{}', not '{"height":"8cm .. 12cm"}')");
   CHECK(difference([](Record& r) { r.spec_file = "../mug.yaml"; }).empty());
@@ -190,6 +195,7 @@ TEST_CASE("a record is read back as it was") {
   CHECK(read->ngeom == record.ngeom);
   CHECK(read->findings == record.findings);
   CHECK(read->validate == record.validate);
+  CHECK(read->mujoco == record.mujoco);
   CHECK(read->target == record.target);
   CHECK(read->sampler.empty());
   CHECK(read->batch == 0);

@@ -97,6 +97,7 @@ TEST_CASE("corner placement counts lower corners from the lower corner of the de
   CHECK((thing.part("thing_a").X_BG.p - Vector3d(-0.9, -1.8, -2.7)).norm() < 1e-14);
   CHECK((thing.part("thing_b").X_BG.p - Vector3d(-0.3, -1.9, -2.7)).norm() < 1e-14);
   CHECK((thing.part("thing_c").X_BG.p - Vector3d(-0.5, -1.5, -1.5)).norm() < 1e-14);
+  CHECK(thing.object().bounds.declared);
   CHECK(thing.object().bounds.top_offset == 3);
   CHECK(thing.object().bounds.bottom_offset == -3);
   CHECK(thing.object().bounds.horizontal_radius == Approx(std::sqrt(5)));
