@@ -8,12 +8,14 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
+#include "mjforge/output/output.h"
 
 using namespace mjforge;
 
@@ -30,6 +32,13 @@ struct MjforgeMaker {
   std::string contents;
   std::string description;
   std::string failure;
+};
+
+struct MjforgeArchive {
+  output::ArchiveReader reader;
+  // Texts returned by the last call.
+  std::string name;
+  std::string content;
 };
 
 namespace {
@@ -139,6 +148,19 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   return 0;
 }
 
+int Next(MjforgeArchive& archive, MjforgeText& name, MjforgeText& content) {
+  std::string why_not;
+  std::optional<std::string> member = archive.reader.Next(why_not);
+  std::optional<std::string> bytes;
+  if (member) bytes = archive.reader.Content(why_not);
+  if (!member && why_not.empty()) return 1;
+  archive.name = std::move(member).value_or("");
+  archive.content = std::move(bytes).value_or(why_not);
+  name = View(archive.name);
+  content = View(archive.content);
+  return why_not.empty() ? 0 : 2;
+}
+
 }  // namespace
 
 MjforgeMaker* MjforgeOpen(const MjforgeRequest* request) {
@@ -195,6 +217,25 @@ int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* varian
 }
 
 MjforgeText MjforgeFailure(MjforgeMaker* maker) { return View(maker->failure); }
+
+MjforgeArchive* MjforgeOpenArchive(const char* file) {
+  try {
+    return new MjforgeArchive{.reader = output::ArchiveReader(file), .name = {}, .content = {}};
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void MjforgeCloseArchive(MjforgeArchive* archive) { delete archive; }
+
+int MjforgeNextMember(MjforgeArchive* archive, MjforgeText* name, MjforgeText* content) {
+  try {
+    return Next(*archive, *name, *content);
+  } catch (const std::exception&) {
+    *content = View("not enough memory");
+    return 2;
+  }
+}
 
 MjforgeText MjforgeCatalogue(const char* folder) {
   thread_local std::string names;

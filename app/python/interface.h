@@ -3,7 +3,8 @@
 //
 // No function throws. The package declares the same structs in _library.py. Texts are UTF-8. Input
 // texts end with a zero byte. Output texts have a size and are valid until the next call with the
-// same maker. A maker must be used by one thread at a time; different makers are independent.
+// same maker or archive, which must be used by one thread at a time; different ones are
+// independent.
 #pragma once
 
 #include <cstddef>
@@ -62,6 +63,16 @@ MjforgeText MjforgeDescription(MjforgeMaker* maker);
 /// Makes a variant and replaces `variant`. Returns 0 on success, 1 if the variant failed for the
 /// reason in its findings, 2 if the reason is MjforgeFailure.
 int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* variant);
+
+struct MjforgeArchive;
+
+/// Opens an archive of a batch, to read its members one after the other. Returns null only if there
+/// is not enough memory.
+MjforgeArchive* MjforgeOpenArchive(const char* file);
+void MjforgeCloseArchive(MjforgeArchive* archive);
+/// Reads the next member. Returns 0 on success, 1 at the end, 2 if reading fails; `content` is then
+/// the reason.
+int MjforgeNextMember(MjforgeArchive* archive, MjforgeText* name, MjforgeText* content);
 
 /// Returns the names of the specs in a folder as a JSON list, valid until the next call in this
 /// thread.

@@ -1,4 +1,4 @@
-// Tar archives by libarchive: segments in memory, and reading one member.
+// Tar archives by libarchive: segments in memory, and reading members.
 
 #include "mjforge/output/archive.h"
 
@@ -84,16 +84,6 @@ std::string Compress(std::string_view bytes) {
   return out;
 }
 
-// Opens an archive of either format; `status` is the result.
-Reader OpenReader(const std::filesystem::path& file, int& status) {
-  constexpr std::size_t kBlockBytes = 1 << 20;
-  Reader reader(NotNull(archive_read_new()));
-  archive_read_support_filter_zstd(reader.get());
-  archive_read_support_format_tar(reader.get());
-  status = archive_read_open_filename(reader.get(), file.c_str(), kBlockBytes);
-  return reader;
-}
-
 }  // namespace
 
 struct Segment::TarWriter {
@@ -143,60 +133,89 @@ std::string ArchiveEnd(ArchiveFormat format) {
   return format == ArchiveFormat::kTar ? end : Compress(end);
 }
 
+struct ArchiveReader::TarReader {
+  Reader reader{NotNull(archive_read_new())};
+  archive_entry* entry = nullptr;  // the current member, which belongs to the reader
+  std::string why_not;             // reason why the archive could not be opened
+
+  std::string Error() const {
+    const char* words = archive_error_string(reader.get());
+    return words == nullptr ? "the archive is damaged" : words;
+  }
+};
+
+ArchiveReader::ArchiveReader(const std::filesystem::path& file) : tar_(new TarReader) {
+  constexpr std::size_t kBlockBytes = 1 << 20;
+  archive* reader = tar_->reader.get();
+  if (!bytes::MayRead(file, std::numeric_limits<std::uint64_t>::max(), tar_->why_not)) return;
+  archive_read_support_filter_zstd(reader);
+  archive_read_support_format_tar(reader);
+  if (archive_read_open_filename(reader, file.c_str(), kBlockBytes) != ARCHIVE_OK)
+    tar_->why_not = tar_->Error();
+}
+
+ArchiveReader::~ArchiveReader() = default;
+
+std::optional<std::string> ArchiveReader::Next(std::string& why_not) {
+  why_not = tar_->why_not;
+  while (why_not.empty()) {
+    const int status = archive_read_next_header(tar_->reader.get(), &tar_->entry);
+    if (status == ARCHIVE_EOF) break;
+    // A warning concerns a member that mjforge did not write: a name that cannot be converted,
+    // which is null then, or unusual attributes.
+    if (status != ARCHIVE_OK && status != ARCHIVE_WARN) {
+      why_not = tar_->Error();
+    } else if (const char* name = archive_entry_pathname(tar_->entry)) {
+      return name;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> ArchiveReader::Content(std::string& why_not) {
+  const la_int64_t size = archive_entry_size(tar_->entry);
+  if (size < 0 || static_cast<std::uint64_t>(size) > bytes::kMaxMjcf) {
+    why_not = fmt::format("it has {} bytes, more than {}", size, bytes::kMaxMjcf);
+    return std::nullopt;
+  }
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (archive_read_data(tar_->reader.get(), bytes.data(), bytes.size()) == size) return bytes;
+  why_not = tar_->Error();
+  return std::nullopt;
+}
+
+std::string ArchiveReader::Start(std::size_t count) {
+  std::string bytes(count, '\0');
+  // The result is an error if the archive ends within the member, after its beginning is read.
+  archive_read_data(tar_->reader.get(), bytes.data(), bytes.size());
+  return bytes.c_str();
+}
+
 bool IsObjectArchive(const std::filesystem::path& file) {
   std::string why_not;
   const std::optional<std::string> start = bytes::ReadStart(file, 1, why_not);
   if (!start || start->empty()) return start.has_value();
-  int status = ARCHIVE_OK;
-  const Reader reader = OpenReader(file, status);
-  archive_entry* entry = nullptr;
-  const auto next = [&] { return archive_read_next_header(reader.get(), &entry); };
-  if (status == ARCHIVE_OK) status = next();
-  if (status == ARCHIVE_EOF) return true;
-  const auto is_asset = [&] {
-    const char* path = archive_entry_pathname(entry);
-    return path != nullptr && std::string_view(path).starts_with(mjcf::kAssetFolder);
-  };
-  while (status == ARCHIVE_OK && is_asset()) status = next();
-  if (status != ARCHIVE_OK) return false;
-  // A damaged archive may end within the object, which is an error after its beginning is read.
-  std::string opening(kCommentBytes, '\0');
-  archive_read_data(reader.get(), opening.data(), opening.size());
-  return mjcf::ReadProvenance(opening.c_str()).has_value();
+  ArchiveReader reader(file);
+  std::optional<std::string> member = reader.Next(why_not);
+  if (!member) return why_not.empty();
+  while (member && member->starts_with(mjcf::kAssetFolder)) member = reader.Next(why_not);
+  return member && mjcf::ReadProvenance(reader.Start(kCommentBytes)).has_value();
 }
 
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
                                       diag::Findings& findings) {
-  const auto fail = [&](std::string_view why_not) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}' in '{}': {}", name, file.string(), why_not));
-    return std::nullopt;
-  };
+  ArchiveReader reader(file);
   std::string why_not;
-  if (!bytes::MayRead(file, std::numeric_limits<std::uint64_t>::max(), why_not))
-    return fail(why_not);
-  int status = ARCHIVE_OK;
-  const Reader reader = OpenReader(file, status);
-  archive_entry* entry = nullptr;
-  const auto next = [&] { return archive_read_next_header(reader.get(), &entry); };
-  if (status == ARCHIVE_OK) status = next();
-  // A warning concerns a member that mjforge did not write: a name that cannot be converted, which
-  // is null then, or unusual attributes.
-  for (; status == ARCHIVE_OK || status == ARCHIVE_WARN; status = next()) {
-    const char* path = archive_entry_pathname(entry);
-    if (path == nullptr || path != name) continue;
-    const la_int64_t size = archive_entry_size(entry);
-    if (size < 0 || static_cast<std::uint64_t>(size) > bytes::kMaxMjcf)
-      return fail(fmt::format("it has {} bytes, more than {}", size, bytes::kMaxMjcf));
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (archive_read_data(reader.get(), bytes.data(), bytes.size()) == size) return bytes;
-    status = ARCHIVE_FATAL;
-    break;
-  }
-  const char* words = archive_error_string(reader.get());
-  return fail(status == ARCHIVE_EOF ? "it is not there"
-              : words == nullptr    ? "the archive is damaged"
-                                    : words);
+  std::optional<std::string> member;
+  do member = reader.Next(why_not);
+  while (member && *member != name);
+  std::optional<std::string> bytes;
+  if (member) bytes = reader.Content(why_not);
+  if (bytes) return bytes;
+  findings.Add(diag::Code::kYamlCannotRead, {},
+               fmt::format("cannot read '{}' in '{}': {}", name, file.string(),
+                           why_not.empty() ? "it is not there" : why_not));
+  return std::nullopt;
 }
 
 }  // namespace mjforge::output

@@ -1,4 +1,5 @@
-// Tar archives, optionally compressed by Zstandard: writing them in segments, reading one member.
+// Tar archives, optionally compressed by Zstandard: writing them in segments, reading their
+// members.
 
 #pragma once
 
@@ -42,6 +43,30 @@ class Segment {
 
 /// Returns the bytes that end an archive.
 std::string ArchiveEnd(ArchiveFormat format);
+
+/// Reads the members of an archive of either format one after the other.
+class ArchiveReader {
+ public:
+  /// Opens an archive. If that fails, so does the first call of Next.
+  explicit ArchiveReader(const std::filesystem::path& file);
+  ~ArchiveReader();
+  ArchiveReader(const ArchiveReader&) = delete;
+  ArchiveReader& operator=(const ArchiveReader&) = delete;
+
+  /// Returns the name of the next member; nothing at the end of the archive and if reading fails.
+  /// `why_not` is set only if reading fails.
+  std::optional<std::string> Next(std::string& why_not);
+  /// Returns the bytes of that member; nothing, and sets `why_not`, if reading fails. To be called
+  /// at most once per member.
+  std::optional<std::string> Content(std::string& why_not);
+  /// Returns at most `count` bytes from the start of a text, in place of Content: fewer if the
+  /// member is shorter or the archive is damaged.
+  std::string Start(std::size_t count);
+
+ private:
+  struct TarReader;
+  std::unique_ptr<TarReader> tar_;
+};
 
 /// Returns true if mjforge wrote the first object of an archive of either format, or if the file
 /// has no members, as after a power cut.

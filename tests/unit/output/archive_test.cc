@@ -30,6 +30,28 @@ TEST_CASE("members of several segments are read back") {
   CHECK(ReadMember(file, "assets/b.png", findings) == std::string(5000, 'b'));
   CHECK(ReadMember(file, "empty", findings) == "");
   CHECK(findings.empty());
+
+  ArchiveReader reader(file);
+  std::string why_not;
+  CHECK(reader.Next(why_not) == "a.xml");
+  CHECK(reader.Next(why_not) == "assets/b.png");
+  CHECK(reader.Content(why_not) == std::string(5000, 'b'));
+  CHECK(reader.Next(why_not) == "empty");
+  CHECK(reader.Content(why_not) == "");
+  CHECK_FALSE(reader.Next(why_not));
+  CHECK(why_not.empty());
+}
+
+TEST_CASE("an archive that ends in the middle of a member cannot be read to its end") {
+  const harness::TemporaryFolder folder;
+  diag::Findings findings;
+  Segment segment(ArchiveFormat::kTar);
+  REQUIRE(segment.Add("a.xml", std::string(5000, 'a'), findings));
+  ArchiveReader reader(folder.Write("x.tar", std::string(segment.Bytes()).substr(0, 2000)));
+  std::string why_not;
+  CHECK(reader.Next(why_not) == "a.xml");
+  CHECK_FALSE(reader.Content(why_not));
+  CHECK_FALSE(why_not.empty());
 }
 
 TEST_CASE("a member that is not there, and a file that is no archive, are findings") {
