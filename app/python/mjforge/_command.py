@@ -34,7 +34,7 @@ def run(arguments: list[str], text: Optional[str]) -> tuple[int, list[Finding]]:
     """
     command = [PROGRAM, arguments[0], "--findings=json", "--quiet", *arguments[1:]]
     for argument in command:
-        c_text(argument)
+        c_text(argument, "argument")
     # In a session of its own a Ctrl-C at the terminal reaches it once, through this process.
     process = subprocess.Popen(
         command,

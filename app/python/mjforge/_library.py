@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import ctypes
 import json
+import operator
 import os
 from ctypes import POINTER, Structure, c_char_p, c_int, c_size_t, c_uint64, c_void_p
-from typing import Any
+from typing import Any, Iterable, Iterator
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
 PROGRAM = os.path.join(_FOLDER, "bin", "mjforge")
@@ -62,6 +63,9 @@ def _load() -> ctypes.CDLL:
         ("MjforgeFindings", Text, c_void_p),
         ("MjforgeDescription", Text, c_void_p),
         ("MjforgeMake", c_int, c_void_p, c_uint64, POINTER(VariantTexts)),
+        ("MjforgeOpenArchive", c_void_p, c_char_p),
+        ("MjforgeCloseArchive", None, c_void_p),
+        ("MjforgeNextMember", c_int, c_void_p, POINTER(Text), POINTER(Text)),
         ("MjforgeCatalogue", Text, c_char_p),
         ("MjforgeVersion", c_char_p),
     ):
@@ -78,16 +82,46 @@ def bytes_of(text: Text) -> bytes:
     return ctypes.string_at(text.data, text.size) if text.size else b""
 
 
-def c_text(text: str) -> bytes:
-    """Raises ValueError where C would see the end of the text too early."""
+def c_text(text: Any, what: str) -> bytes:
+    """An argument for C, which takes a number for an address and a zero character for the end.
+    `what` is the name of the argument in the TypeError or ValueError.
+    """
+    if not isinstance(text, str):
+        raise TypeError(f"{what}={text!r} is not a text but of type {type(text).__name__}")
     if "\0" in text:
-        raise ValueError(f"a text with a zero character: {text!r}")
+        raise ValueError(f"{what}={text!r} has a zero character")
     return os.fsencode(text)
 
 
-def c_texts(texts: list[str]) -> Any:
+def c_texts(texts: Iterable[Any], what: str) -> Any:
     """An array."""
-    return (c_char_p * len(texts))(*map(c_text, texts))
+    encoded = [c_text(text, what) for text in texts]
+    return (c_char_p * len(encoded))(*encoded)
+
+
+def c_number(number: Any, what: str) -> int:
+    """An argument for C: an integer of any type, within 64 bits without sign."""
+    if isinstance(number, bool) or not hasattr(number, "__index__"):
+        raise TypeError(f"{what}={number!r} is not an integer but of type {type(number).__name__}")
+    index = operator.index(number)
+    if not 0 <= index < 2**64:
+        raise ValueError(f"{what}={index} is not within 0 .. 2^64 - 1")
+    return index
+
+
+def members(archive: str) -> Iterator[tuple[str, bytes]]:
+    """Names and contents in an archive, `.tar` or `.tar.zst`. Raises OSError."""
+    handle = library.MjforgeOpenArchive(c_text(archive, "archive"))
+    if not handle:
+        raise MemoryError
+    name, content = Text(), Text()
+    try:
+        while (status := library.MjforgeNextMember(handle, name, content)) == 0:
+            yield os.fsdecode(bytes_of(name)), bytes_of(content)
+        if status == 2:
+            raise OSError(bytes_of(content).decode(errors="replace"))
+    finally:
+        library.MjforgeCloseArchive(handle)
 
 
 def catalogue() -> list[str]:

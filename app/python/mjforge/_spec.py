@@ -5,12 +5,14 @@ from __future__ import annotations
 import ctypes
 import itertools
 import json
+import operator
 import os
 from typing import Any, Iterator, Mapping, Optional, Sequence, Union, overload
 
 from . import _command
 from ._findings import Finding, SpecError, VariantError
-from ._library import CATALOGUE, Request, VariantTexts, bytes_of, c_text, c_texts, library
+from ._library import (CATALOGUE, Request, VariantTexts, bytes_of, c_number, c_text, c_texts,
+                       library)
 from ._variant import Variant
 
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
@@ -53,15 +55,16 @@ class _Maker:
         reference, text = _reference_and_text(spec.source)
         pairs = [word for pair in spec.settings.items() for word in pair]
         request = Request(
-            spec=None if reference is None else c_text(reference),
-            text=None if text is None else c_text(text),
+            spec=None if reference is None else c_text(reference, "spec"),
+            text=None if text is None else c_text(text, "spec"),
             text_name=b"<spec>",
             catalogue=os.fsencode(CATALOGUE),
-            settings=c_texts(pairs),
+            settings=c_texts(pairs, "set"),
             setting_count=len(spec.settings),
-            parameter_files=c_texts(list(spec.parameter_files)),
+            parameter_files=c_texts(spec.parameter_files, "parameters"),
             parameter_file_count=len(spec.parameter_files),
-            **{name: c_text(v) if isinstance(v, str) else v for name, v in options.items()},
+            **{name: (c_text if isinstance(default, str) else c_number)(options[name], name)
+               for name, default in _DEFAULTS.items()},
         )
         self.handle = library.MjforgeOpen(ctypes.byref(request))
         if not self.handle:
@@ -129,6 +132,8 @@ class Spec:
     ) -> None:
         self.source = spec
         self.settings = self._texts_of(set or {})
+        if isinstance(parameters, (str, bytes, os.PathLike)):
+            raise TypeError(f"parameters={parameters!r} is not a list of files: write [{parameters!r}]")
         self.parameter_files = tuple(os.fspath(path) for path in parameters)
         maker = _Maker(self, _DEFAULTS)
         self.findings = maker.check()
@@ -137,6 +142,8 @@ class Spec:
 
     @staticmethod
     def _texts_of(settings: Mapping[str, Any]) -> dict[str, str]:
+        if not isinstance(settings, Mapping):
+            raise TypeError(f"set={settings!r} is not a mapping of names to values")
         return {name: v if isinstance(v, str) else _yaml(v) for name, v in settings.items()}
 
     @staticmethod
@@ -187,14 +194,13 @@ class Variants:
         self._options = options
         self._indices = indices
         if makers is None:
-            for option in ("seed", "batch"):
-                if not 0 <= options[option] < 2**64:
-                    raise ValueError(f"{option}={options[option]} is not within 0 .. 2^64 - 1")
             makers = [_Maker(spec, options)]
             makers[0].check()
         self._makers = makers  # idle ones; a list's pop and append are atomic
 
     def _make(self, index: int) -> Variant:
+        if not 0 <= index < 2**64:
+            raise IndexError(f"{index} is not within 0 .. 2^64 - 1")
         try:
             maker = self._makers.pop()
         except IndexError:
@@ -214,16 +220,13 @@ class Variants:
             return Variants(self.spec, self._options, self._range(key), self._makers)
         if self._indices is not None:
             return self._make(self._indices[key])
-        index = key.__index__()
-        if not 0 <= index < 2**64:
-            raise IndexError(f"{index} is not within 0 .. 2^64 - 1")
-        return self._make(index)
+        return self._make(operator.index(key))
 
     def _range(self, key: slice) -> range:
         if self._indices is not None:
             return self._indices[key]
-        start = 0 if key.start is None else key.start.__index__()
-        if key.stop is None or start < 0 or key.stop.__index__() < 0:
+        start = 0 if key.start is None else operator.index(key.start)
+        if key.stop is None or start < 0 or operator.index(key.stop) < 0:
             raise IndexError("a slice of variants has a start and an end, counted from 0")
         return range(start, key.stop, 1 if key.step is None else key.step)
 
