@@ -3,6 +3,11 @@
     check_python.py FOLDER
 """
 
+import contextlib
+import json
+import os
+import pathlib
+import tempfile
 import types
 
 import mjforge
@@ -47,11 +52,47 @@ def makes_a_thousand_models():
     expect(len({float(model.body_mass.sum()) for model in models}) > 900, "they are alike")
 
 
+@contextlib.contextmanager
+def written(output, name="laptop", count=3, **options):
+    """The path of a batch in a folder of its own."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, output)
+        mjforge.Spec(name).variants(seed=3, **options).write(path, count)
+        yield path
+
+
+def proves_folders_and_archives():
+    for output, options in (("out/", {"assets": "files"}), ("x.tar", {}), ("x.tar.zst", {"assets": "files"})):
+        with written(output, **options) as path:
+            findings = mjforge.prove(path)
+            expect(not findings, "\n".join(f.text for f in findings))
+
+
+def finds_another_record():
+    """A finding for each number of a record that is not that of the model."""
+    wrong = {"mass": lambda r: r.update(mass=r["mass"] * 1.001), "center of mass": lambda r: r["com"].reverse(),
+             "inertia": lambda r: r["inertia"].reverse(), "number of joints": lambda r: r.update(njnt=7),
+             "box around the collision parts": lambda r: r["aabb"]["min"].reverse()}
+    for what, change in wrong.items():
+        with written("out/") as path:
+            manifest = pathlib.Path(path, "manifest.jsonl")
+            lines = manifest.read_text().splitlines()
+            record = json.loads(lines[1])
+            change(record)
+            lines[1] = json.dumps(record)
+            manifest.write_text("\n".join(lines) + "\n")
+            findings = mjforge.prove(path)
+        expect(len(findings) == 1 and f"the {what} is" in findings[0].message, f"{what}: {findings}")
+        expect((findings[0].code, findings[0].index) == ("mujoco/mismatch", 1), findings[0].text)
+
+
 for name in mjforge.catalogue():
     for target in ("mujoco", "robosuite"):
         check(f"{name} for {target} verified in Python", verifies, name, target)
     check(f"{name} with files verified in Python", verifies, name, "mujoco", "files")
 check("a difference is found in Python", finds_a_difference)
+check("folders and archives are proven in Python", proves_folders_and_archives)
+check("records of other models are found in Python", finds_another_record)
 check("an old MuJoCo is refused in Python", refuses_an_old_one)
 check("1,000 models in Python", makes_a_thousand_models)
 finish()

@@ -20,6 +20,14 @@ class Variant:
                f"{self}: weighs {mass} kg, not {self.record['mass']}")
 
 
+def prove(variants):
+    """That all are as recorded in the installed MuJoCo."""
+    import mjforge  # which not every host has beside it
+
+    findings = mjforge.prove(variants[0].file.parent, jobs=1)
+    expect(not findings, "\n".join(finding.text for finding in findings))
+
+
 def specs(folder, target):
     """(name, variants) of every spec that was generated for the target."""
     for manifest in sorted(pathlib.Path(folder, target).rglob("manifest.jsonl")):

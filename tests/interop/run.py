@@ -47,16 +47,17 @@ class Host:
 # Of what robosuite depends on, its devices and controllers are left out: they need a compiler and
 # a display.
 ROBOSUITE = ["numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless", "termcolor"]
-MUJOCO = "masses and inertias of 20 variants, each simulated for a second"
+PROVED = "`prove` (names, masses, inertias, bounds, start state)"
+MUJOCO = PROVED + " of 20 variants, each simulated for a second"
 HOSTS = {
     # From 2.3.3 to 3.1.1 MuJoCo crashes on any mesh with texture coordinates in its XML.
     "mujoco-2.3": Host(["mujoco==2.3.7"], ["check_files.py"],
-                       "bodies, geoms and masses, with `--assets files`"),
+                       PROVED + ", with `--assets files`"),
     "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO),
     "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_python.py", "check_later.py"],
                        MUJOCO + "; files with `<frame>` and `<replicate>`, expanded and attached"),
     "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_files.py", "check_python.py"],
-                          MUJOCO + "; bodies, geoms and masses with `--assets files`"),
+                          MUJOCO + "; the same with `--assets files`"),
     "robosuite": Host(["mujoco"] + ROBOSUITE,
                       ["check_robosuite.py", "check_robocasa.py", "check_attached.py"],
                       "`MujocoXMLObject`, its sampler, rest on a table; robocasa's rules for an object; "
@@ -103,7 +104,7 @@ def run(command):
 
 
 def generate(program, folder):
-    """All files, and beside each one for MuJoCo what 2.2.2 made of it."""
+    """All files. Returns the number of specs."""
     names = [entry["name"] for entry in json.loads(run([program, "catalogue", "--json"]))]
     if not names:
         raise RuntimeError("the catalogue is empty")
@@ -117,9 +118,6 @@ def generate(program, folder):
                     raise
                 shutil.rmtree(folder / target / name, ignore_errors=True)
                 print(f"{target} cannot take {name}: it has free bodies", flush=True)
-    for file in sorted((folder / "mujoco").rglob("*.xml")):
-        seen = run([program, "inspect", file, "--json"])
-        file.with_name(file.name + ".json").write_bytes(seen)
     return len(names)
 
 

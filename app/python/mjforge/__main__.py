@@ -7,7 +7,11 @@ from ._library import PROGRAM
 
 
 def main() -> None:
-    """Becomes the command."""
+    """Proves a batch in the MuJoCo of this Python, or becomes the command."""
+    if sys.argv[1:2] == ["prove"]:
+        from ._prove import main as prove
+
+        sys.exit(prove(sys.argv[2:]))
     os.execv(PROGRAM, ["mjforge", *sys.argv[1:]])
 
 

@@ -26,12 +26,19 @@ class Finding:
     def __init__(self, members: dict[str, Any], text: str = "") -> None:
         for name in self.__slots__[:-1]:
             setattr(self, name, members.get(name))
-        self.text = text.rstrip("\n") or self._summary()
+        text = text.rstrip("\n") or self._summary()
+        # Names in files of others may have control characters.
+        self.text = "".join(c if c.isprintable() or c == "\n" else f"\\x{ord(c):02x}" for c in text)
 
     def _summary(self) -> str:
         place = ":".join(str(p) for p in (self.file, self.line, self.column) if p is not None)
         summary = f"{place or 'mjforge'}: {self.severity}: {self.message} [{self.code}]"
         return summary if self.hint is None else f"{summary}\n  hint: {self.hint}"
+
+    def members(self) -> dict[str, Any]:
+        """As `--findings json` prints it."""
+        values = {name: getattr(self, name) for name in self.__slots__[:-1]}
+        return {name: value for name, value in values.items() if value is not None}
 
     def __str__(self) -> str:
         return self.text

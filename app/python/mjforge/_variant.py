@@ -22,7 +22,8 @@ def _numpy() -> Any:
     return numpy
 
 
-def _mujoco(module: Any) -> Any:
+def mujoco_of(module: Any) -> Any:
+    """The given module, or the `mujoco` that is installed. Raises ImportError."""
     if module is None:
         try:
             import mujoco as module
@@ -119,52 +120,24 @@ class Variant:
 
     def load(self, mujoco: Any = None) -> Any:
         """A mujoco.MjModel of it, in the given module or the one that is installed."""
-        return _mujoco(mujoco).MjModel.from_xml_string(self.xml, self.files)
+        return mujoco_of(mujoco).MjModel.from_xml_string(self.xml, self.files)
 
     def verify(self, mujoco: Any = None, tolerance: float = 1e-6) -> Any:
-        """Loads it and compares what was compiled with what was meant: the number of bodies,
-        joints and geoms, mass, principal moments of inertia and, where the target does not move
-        it, the center of mass. `tolerance` is relative to the mass, the size and their products.
-        Returns the model; raises MismatchError.
+        """Loads it and compares what was compiled with what was meant: the numbers of bodies,
+        joints and geoms, names, mass, center of mass, inertia, bounds and start state. `tolerance`
+        is relative to the mass, the size and their products. Returns the model; raises
+        MismatchError.
         """
-        np = _numpy()
-        mujoco = _mujoco(mujoco)
+        from ._comparison import Comparison
+
+        mujoco = mujoco_of(mujoco)
         model = self.load(mujoco)
-        data = mujoco.MjData(model)
-        mujoco.mj_forward(model, data)
-        mass, com, inertia = _mass_properties(np, model, data)
-        size = float(np.linalg.norm(np.ptp(self.bounds, axis=0)))
-        differences = []
-
-        def compare(what: str, compiled: Any, meant: Any, scale: float) -> None:
-            if not np.allclose(compiled, meant, rtol=0, atol=tolerance * scale):
-                differences.append(f"{what} is {compiled}, not {meant}")
-
-        for what in ("nbody", "njnt", "ngeom"):
-            compare(what, getattr(model, what), self.record[what], 0)
-        compare("mass", mass, self.mass, self.mass)
-        moments = np.linalg.eigvalsh(inertia), np.linalg.eigvalsh(self.inertia)
-        compare("principal moments of inertia", *moments, self.mass * size * size)
-        if self.record["target"] == "mujoco":
-            compare("center of mass", com, self.com, size)
+        differences = Comparison(mujoco, model, self.record, self.xml_bytes, tolerance).run()
         if differences:
             name = f"{self.record['name']} {self.index} of seed {self.seed}"
-            raise MismatchError(f"{name}: in MuJoCo {mujoco.__version__} " + "; ".join(differences))
+            words = "; ".join(difference.message for difference in differences)
+            raise MismatchError(f"{name}: in MuJoCo {mujoco.__version__} {words}")
         return model
 
     def __repr__(self) -> str:
         return f"<mjforge.Variant {self.record['name']} {self.index} of seed {self.seed}>"
-
-
-def _mass_properties(np: Any, model: Any, data: Any) -> tuple[float, Any, Any]:
-    """Of all bodies together, in the world's axes, about their center of mass."""
-    masses = model.body_mass
-    mass = float(masses.sum())
-    com = masses @ data.xipos / mass
-    inertia = np.zeros((3, 3))
-    for body in range(1, model.nbody):
-        axes = data.ximat[body].reshape(3, 3)
-        arm = data.xipos[body] - com
-        inertia += axes @ np.diag(model.body_inertia[body]) @ axes.T
-        inertia += masses[body] * (arm @ arm * np.eye(3) - np.outer(arm, arm))
-    return mass, com, inertia

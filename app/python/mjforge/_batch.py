@@ -1,0 +1,242 @@
+"""The files of a batch, read back: its manifest, and the objects in a folder or in archives."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+import os
+import pathlib
+import re
+import stat
+from typing import Any, Callable, Iterator, Mapping, Optional, Union
+
+from ._findings import Finding
+from ._library import members
+
+# As in lib/mjforge/bytes/bytes.h.
+_MAX_FILE = 256 << 20
+_MAX_LINE = 64 << 20
+_MAX_ASSETS = 1 << 30  # bytes of an archive's assets that are kept in memory
+_SHARD = re.compile(r"-\d+-of-\d+")
+_MANIFEST = re.compile(rf"(.+\.)?manifest({_SHARD.pattern})?\.jsonl")
+
+
+def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
+    """The manifests of a batch: a folder of objects, of archives or of several batches, an archive,
+    a series of archives ('x_%05d.tar'), or a manifest. Raises FileNotFoundError.
+    """
+    path = pathlib.Path(batch)
+    if path.is_dir():
+        names = {name for name in os.listdir(path) if _MANIFEST.fullmatch(name)}
+        # A merged manifest has all records of its shards.
+        found = [path / name for name in sorted(names)
+                 if name == (whole := _SHARD.sub("", name)) or whole not in names]
+        found = found or sorted(path.glob("*/manifest.jsonl"))
+    elif path.name.endswith((".jsonl", ".jsonl.part")):
+        found = [path]
+    else:
+        name = path.name.removesuffix(".zst").removesuffix(".tar")
+        stem = re.sub(r"%\d*d", "", name, count=1)
+        stem = name if stem == name else stem.rstrip("_-.")
+        found = [path.with_name(f"{stem}.manifest.jsonl")]
+    if not found or not found[0].exists():
+        raise FileNotFoundError(
+            f"'{path}' has no manifest: name the folder, the archive or the manifest that "
+            "'mjforge generate' wrote")
+    return found
+
+
+def manifest_lines(manifest: pathlib.Path) -> Iterator[bytes]:
+    """The lines of a manifest, without their ends; the only reader of manifests."""
+    with open(_regular(manifest), "rb") as file:
+        while line := file.readline(_MAX_LINE):
+            yield line.rstrip(b"\n")
+
+
+@dataclasses.dataclass
+class Stored:
+    """An object of a batch as it is stored."""
+
+    place: str  # path of the file, below its archive if there is one
+    record: Mapping[str, Any]
+    xml: bytes
+    files: Mapping[str, bytes]  # by their names in the XML
+
+
+class Batch:
+    """Reads the objects of a manifest in their order. Everything that cannot be read becomes a
+    finding, which `report` gets.
+    """
+
+    def __init__(self, manifest: pathlib.Path, report: Callable[[Finding], None]) -> None:
+        self._manifest = manifest
+        self._report = report
+        self._archive: Optional[str] = None
+        self._members: Iterator[tuple[str, bytes]] = iter(())
+        self._broken: Optional[str] = None  # an archive without an object that it should have
+        self._assets: dict[str, bytes] = {}  # of the archive, the last used at the end
+        self._asset_bytes = 0
+        self.records = 0  # read so far
+        self.objects = 0  # records of these that have a file
+
+    def count(self) -> Optional[int]:
+        """The number of records according to the seal; None without one."""
+        try:
+            return int(json.loads(_content(self._manifest.with_suffix(".seal.json")))["records"])
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+    def __iter__(self) -> Iterator[Stored]:
+        for number, line in enumerate(manifest_lines(self._manifest), start=1):
+            self.records += 1
+            record = self._record_of(number, line)
+            if record is None or record["status"] != "ok":
+                continue
+            self.objects += 1
+            if self._broken and record.get("archive") == self._broken:
+                continue
+            try:
+                stored = self._read(record)
+            except OSError as error:
+                self._missing(record, error)
+            else:
+                if self._is_unchanged(stored):
+                    yield stored
+
+    def _record_of(self, number: int, line: bytes) -> Optional[dict[str, Any]]:
+        try:
+            record = json.loads(line)
+            problem = problem_of(record)
+        except (ValueError, RecursionError):
+            problem = "it is not JSON"
+        if not problem:
+            return record
+        self._report(Finding({"severity": "error", "code": "output/bad-manifest",
+                              "message": f"this line is not a record: {problem}", "notes": [],
+                              "file": str(self._manifest), "line": number, "column": 1}))
+        return None
+
+    def _read(self, record: Mapping[str, Any]) -> Stored:
+        name = record["file"]
+        below, folder = self._manifest.parent, os.path.dirname(name)
+        assets = {asset: os.path.join(folder, asset) for asset in record.get("assets", {})}
+        if "archive" in record:
+            archive = str(below / record["archive"])
+            xml = self._member(archive, name)
+            files = {asset: self._asset(path) for asset, path in assets.items()}
+            return Stored(os.path.join(archive, name), record, xml, files)
+        files = {asset: _content(below / file) for asset, file in assets.items()}
+        return Stored(str(below / name), record, _content(below / name), files)
+
+    def _member(self, archive: str, name: str) -> bytes:
+        """Objects are in an archive in the order of the manifest, assets before the first that
+        needs them."""
+        if archive != self._archive:
+            self._archive, self._members = archive, members(archive)
+            self._assets, self._asset_bytes = {}, 0
+        for member, content in self._members:
+            if member == name:
+                return content
+            if not member.endswith((".xml", ".json")):
+                self._keep(member, content)
+        raise FileNotFoundError(f"it is not in '{archive}'")
+
+    def _keep(self, asset: str, content: bytes) -> None:
+        self._asset_bytes += len(content) - len(self._assets.pop(asset, b""))
+        self._assets[asset] = content
+        while self._asset_bytes > _MAX_ASSETS and len(self._assets) > 1:
+            self._asset_bytes -= len(self._assets.pop(next(iter(self._assets))))
+
+    def _asset(self, path: str) -> bytes:
+        if path not in self._assets:
+            raise FileNotFoundError(f"its '{path}' is not in '{self._archive}'")
+        content = self._assets[path] = self._assets.pop(path)
+        return content
+
+    def _missing(self, record: Mapping[str, Any], error: OSError) -> None:
+        words = error.strerror or str(error)
+        if "archive" in record:
+            self._broken = record["archive"]
+            words += "; later objects of this archive are not read"
+        self._add(record, "batch/missing", f"cannot read '{record['file']}': {words}",
+                  "run the command that made it again with --resume")
+
+    def _is_unchanged(self, stored: Stored) -> bool:
+        wrong = [name for name, sha256 in stored.record.get("assets", {}).items()
+                 if hashlib.sha256(stored.files.get(name, b"")).hexdigest() != sha256]
+        if hashlib.sha256(stored.xml).hexdigest() != stored.record["sha256"]:
+            wrong = [stored.place]
+        for name in wrong:
+            self._add(stored.record, "batch/changed",
+                      f"'{name}' was changed: it has another SHA-256 than its record",
+                      "run the command that made it again with --resume")
+        return not wrong
+
+    def _add(self, record: Mapping[str, Any], code: str, message: str, hint: str) -> None:
+        self._report(Finding({"severity": "error", "code": code, "message": message, "hint": hint,
+                              "seed": record["seed"], "index": record["index"], "notes": []}))
+
+
+def _regular(path: Union[str, "os.PathLike[str]"]) -> Union[str, "os.PathLike[str]"]:
+    """The path. Raises OSError for pipes and devices, whose reading may never end."""
+    if not stat.S_ISREG(os.stat(path).st_mode):
+        raise OSError(f"'{os.fspath(path)}' is not a regular file")
+    return path
+
+
+def _content(path: pathlib.Path) -> bytes:
+    with open(_regular(path), "rb") as file:
+        content = file.read(_MAX_FILE + 1)
+    if len(content) > _MAX_FILE:
+        raise OSError(f"it has more than {_MAX_FILE} bytes")
+    return content
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _are_numbers(count: int) -> Callable[[Any], bool]:
+    return lambda value: isinstance(value, list) and len(value) == count and all(map(_is_number, value))
+
+
+def _is_count(value: Any) -> bool:
+    return isinstance(value, int) and value >= 0
+
+
+def _is_inside(value: Any) -> bool:
+    """True for a path that stays below its folder."""
+    if not isinstance(value, str) or "\0" in value or os.path.isabs(value):
+        return False
+    return ".." not in value.split("/")
+
+
+def _is_box(value: Any) -> bool:
+    return isinstance(value, dict) and all(_are_numbers(3)(value.get(key)) for key in ("min", "max"))
+
+
+def _are_assets(value: Any) -> bool:
+    return isinstance(value, dict) and all(map(_is_inside, value))
+
+
+# Members of a record that are used here.
+_ALWAYS = {"status": lambda value: isinstance(value, str), "index": _is_count, "seed": _is_count}
+_OF_OBJECTS = {"file": _is_inside, "sha256": lambda value: isinstance(value, str), "mass": _is_number,
+               "com": _are_numbers(3), "inertia": _are_numbers(6), "aabb": _is_box,
+               "nbody": _is_count, "njnt": _is_count, "ngeom": _is_count}
+_OPTIONAL = {"archive": _is_inside, "assets": _are_assets}
+
+
+def problem_of(record: Any) -> str:
+    """The reason why a JSON value is not a record; empty if it is one."""
+    if not isinstance(record, dict):
+        return "it is not a JSON object"
+    needed = {**_ALWAYS, **(_OF_OBJECTS if record.get("status") == "ok" else {})}
+    for key, is_good in {**needed, **_OPTIONAL}.items():
+        if key not in record:
+            if key in needed:
+                return f"it has no '{key}'"
+        elif not is_good(record[key]):
+            return f"'{key}' is not of its kind"
+    return ""

@@ -1,0 +1,138 @@
+"""`prove` reads batches, survives any MuJoCo, and says what is wrong. The comparison itself is tested in
+real releases of MuJoCo by tests/interop/check_python.py.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import mjforge
+from mjforge._batch import Batch, manifests_of
+
+PACKAGE = pathlib.Path(mjforge.__file__).parents[1]
+# Modules in place of MuJoCo, whose loader does this.
+REFUSES = "raise ValueError('XML Error: no good\\nElement geom, line 3')"
+CRASHES = "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)"
+
+
+class Proofs(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def write(self, output, count=3, name="hammer", assets="inline", **options):
+        variants = mjforge.Spec(name).variants(seed=7, assets=assets)
+        variants.write(self.path / output, count, **options)
+
+    def read(self, batch):
+        """Objects and findings."""
+        findings = []
+        objects = [stored for manifest in manifests_of(self.path / batch)
+                   for stored in Batch(manifest, findings.append)]
+        return objects, findings
+
+    def prove(self, load, *words):
+        """Status, standard output and error of the command beside a module with that loader."""
+        module = self.path / "modules/mujoco.py"
+        module.parent.mkdir(exist_ok=True)
+        module.write_text("__version__ = '9.8.7'\nclass MjModel:\n    @staticmethod\n"
+                          f"    def from_xml_string(xml, files):\n        {load}\n")
+        environment = {**os.environ, "PYTHONPATH": f"{module.parent}:{PACKAGE}"}
+        result = subprocess.run([sys.executable, "-m", "mjforge", "prove", *words], cwd=self.path,
+                                env=environment, capture_output=True, text=True)
+        return result.returncode, result.stdout, result.stderr
+
+    def test_reads_back_what_was_written(self):
+        for output in ("a/", "b.tar", "c.tar.zst"):
+            self.write(output, assets="files", name="mug")
+            objects, findings = self.read(output)
+            self.assertEqual(findings, [])
+            variants = mjforge.Spec("mug").variants(seed=7, assets="files")[:3]
+            for stored, variant in zip(objects, variants, strict=True):
+                self.assertEqual(stored.xml, variant.xml_bytes)
+                self.assertEqual(stored.files, variant.files)
+                self.assertEqual(stored.record["params"], variant.params)
+
+    def test_reads_series_shards_and_folders_of_folders(self):
+        self.write("s_%02d.tar", 5, per_archive=2)
+        self.assertEqual(len(self.read("s_%02d.tar")[0]), 5)
+        for shard in range(2):
+            self.write("shards/", 5, shard=f"{shard}/2")
+        self.assertEqual(len(self.read("shards/")[0]), 5)
+        self.write("many/one/", 2)
+        self.write("many/two/", 2)
+        self.assertEqual(len(self.read("many")[0]), 4)
+        self.assertEqual(len(self.read("many/one/manifest.jsonl")[0]), 2)
+        with self.assertRaisesRegex(FileNotFoundError, "has no manifest"):
+            manifests_of(self.path / "none.tar")
+
+    def test_the_record_names_the_release_that_checked_it(self):
+        version = subprocess.run([PACKAGE / "mjforge/bin/mjforge", "--version"], capture_output=True,
+                                 text=True).stdout.splitlines()[1]
+        self.write("a/", 1)
+        (stored,), _ = self.read("a/")
+        self.assertEqual("MuJoCo " + stored.record["mujoco"], version)
+        self.assertNotIn("mujoco", mjforge.Spec("hammer").variants()[0].record)
+
+    def test_what_cannot_be_read_is_found(self):
+        self.write("a/", 5)
+        (self.path / "a/hammer_000000.xml").unlink()
+        (self.path / "a/hammer_000001.xml").write_text("<mujoco/>")
+        (self.path / "a/hammer_000002.xml").unlink()
+        os.mkfifo(self.path / "a/hammer_000002.xml")
+        manifest = self.path / "a/manifest.jsonl"
+        lines = manifest.read_text().splitlines()
+        lines[3] = lines[3].replace("hammer_000003.xml", "../../etc/passwd")
+        manifest.write_text("\n".join([*lines, "[]", "no JSON", "[" * 100000, '{"status": "ok"}']))
+        objects, findings = self.read("a/")
+        self.assertEqual([stored.record["index"] for stored in objects], [4])
+        self.assertEqual([(f.code, f.index, f.line) for f in findings],
+                         [("batch/missing", 0, None), ("batch/changed", 1, None),
+                          ("batch/missing", 2, None), ("output/bad-manifest", None, 4),
+                          *(("output/bad-manifest", None, line) for line in (6, 7, 8, 9))])
+        self.assertIn("is not a regular file", findings[2].message)
+
+    def test_an_archive_that_was_cut_costs_its_last_objects(self):
+        self.write("x.tar", 5)
+        content = (self.path / "x.tar").read_bytes()
+        (self.path / "x.tar").write_bytes(content[:len(content) // 2])
+        objects, findings = self.read("x.tar")
+        self.assertEqual(len(objects), 2)
+        self.assertEqual([(f.code, f.index) for f in findings], [("batch/missing", 2)])
+
+    def test_a_file_that_is_refused_is_a_finding_at_its_line(self):
+        self.write("a/", 2)
+        status, out, said = self.prove(REFUSES, "a", "-j1")
+        self.assertEqual((status, out), (1, ""))
+        self.assertIn("a/hammer_000001.xml:3:1: error: in MuJoCo 9.8.7 loading it fails: XML Error: no good "
+                      "Element geom, line 3 (seed 7, index 1) [mujoco/error]\n  <compiler", said)
+        self.assertRegex(said, r"2 variants in a: 0 as recorded in MuJoCo 9\.8\.7; checked in \S+ when made")
+        status, _, said = self.prove(REFUSES, "a", "--findings", "json", "--quiet")
+        self.assertEqual([json.loads(line)["index"] for line in said.splitlines()], [0, 1])
+
+    def test_a_crash_costs_one_object(self):
+        self.write("a/", 3)
+        status, _, said = self.prove(CRASHES, "a", "-j1", "-q")
+        self.assertEqual(status, 1)
+        self.assertEqual(said.count("loading it makes MuJoCo crash (SIGSEGV)"), 3)
+
+    def test_exit_statuses(self):
+        self.assertEqual(self.prove(REFUSES, "none")[0], 3)
+        self.assertEqual(self.prove(REFUSES)[0], 2)
+        self.assertEqual(self.prove(REFUSES, "a", "--jobs", "0")[0], 2)
+        self.write("a/", 1)
+        (self.path / "modules/mujoco.py").write_text("raise ImportError('none here')")
+        result = subprocess.run([sys.executable, "-m", "mjforge", "prove", "a"], cwd=self.path,
+                                env={**os.environ, "PYTHONPATH": f"{self.path}/modules:{PACKAGE}"},
+                                capture_output=True, text=True)
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("pip install", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
