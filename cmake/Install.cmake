@@ -10,6 +10,9 @@ if(MJFORGE_MUJOCO)
   # The dynamic loader does not search this folder.
   get_filename_component(mujoco_folder ${mujoco_LIBRARY} DIRECTORY)
   set_property(TARGET mjforge PROPERTY INSTALL_RPATH ${mujoco_folder})
+  if(MJFORGE_PYTHON)
+    set_property(TARGET mjforge_python APPEND PROPERTY INSTALL_RPATH ${mujoco_folder})
+  endif()
 endif()
 
 install(DIRECTORY specs schemas DESTINATION ${mjforge_data_dir} COMPONENT program)

@@ -7,6 +7,7 @@ examples there. Says a line about each check and counts them.
 DIST has the wheel and the source distribution. The folder is made anew.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -22,7 +23,7 @@ from report import check, expect, finish
 
 # What a wheel for manylinux_2_35 may take from the system.
 SYSTEM = re.compile(r"(ld-linux-x86-64|linux-vdso|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|z))\.so\b.*")
-MEBIBYTES = 15
+MEGABYTES = 12
 # Of what robosuite depends on, its devices and controllers are left out: they need a compiler and
 # a display.
 ROBOSUITE = ["mujoco==3.3.7", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless", "termcolor"]
@@ -59,10 +60,10 @@ class Place:
 
 
 def is_small(place):
-    size = place.wheel.stat().st_size / 2**20
-    expect(size <= MEBIBYTES, f"{size:.1f} MiB are more than {MEBIBYTES}")
+    size = place.wheel.stat().st_size / 1e6
+    expect(size <= MEGABYTES, f"{size:.1f} MB are more than {MEGABYTES}")
     expect("-py3-none-manylinux_2_35_x86_64" in place.wheel.name, place.wheel.name)
-    return f"{size:.1f} MiB"
+    return f"{size:.1f} MB"
 
 
 def installs_alone(place):
@@ -93,20 +94,37 @@ def needs_nothing_else(place):
 def has_the_licenses(place):
     folder, = packaged(place).parent.glob("mjforge-*.dist-info")
     licenses = {file.name for file in (folder / "licenses").iterdir()}
-    wanted = {"LICENSE", "libmujoco-dev", "libarchive-dev", "libgcrypt20", "libqhull-r8.0"}
+    wanted = {"LICENSE", "mujoco", "libarchive-dev", "libgcrypt20", "libqhull-r8.0"}
     expect(wanted <= licenses, f"there are no {wanted - licenses}")
+    expect((folder / "licenses/mujoco/LICENSES_THIRD_PARTY.md").exists(), "not all of MuJoCo's")
     return f"{len(licenses)} licenses"
 
 
 def has_the_command(place):
-    expect(re.match(r"mjforge \d+\.\d+\.\d+\nMuJoCo 2\.2\.2\n", place.run("mjforge", "--version")),
-           "wrong version")
+    version = place.run("mjforge", "--version")
+    expect(re.match(r"mjforge \d+\.\d+\.\d+\nMuJoCo 4\.0\.\d+\n", version), f"wrong version: {version}")
     place.run("mjforge", "generate", "hammer", "-n", "3", "--seed", "7", "-o", "hammers")
     place.run("mjforge", "generate", "mug", "-n", "3", "-o", "mugs.tar.zst")
     made = sorted(path.name for path in (place.empty / "hammers").glob("*.xml"))
     expect(made == [f"hammer_{i:06}.xml" for i in range(3)], f"made {made}")
     place.run(place.bin / "python", "-m", "mjforge", "check", "mug", "-n", "2", "--physics")
     expect("tools/hammer" in place.run("mjforge", "catalogue"), "no catalogue")
+
+
+def makes_every_spec(place):
+    """Every bundled spec behaves in the MuJoCo of the wheel."""
+    names = [entry["name"] for entry in json.loads(place.run("mjforge", "catalogue", "--json"))]
+    expect(len(names) > 50, f"only {len(names)} specs")
+    place.run("mjforge", "check", *names, "-n", "5", "--physics")
+    return f"{len(names)} specs"
+
+
+def proves(place):
+    """Batches of the wheel's MuJoCo are as recorded in another one."""
+    for batch, count in (("hammers", 3), ("mugs.tar.zst", 3)):
+        said = place.run("mjforge", "prove", batch)
+        expect(re.match(rf"{count} variants in {batch}: {count} as recorded in MuJoCo 3\.3\.7; checked in "
+                        r"4\.0\.\d+ when made", said), said)
 
 
 def draws(place):
@@ -149,9 +167,11 @@ def main():
     check("the wheel needs no other library", needs_nothing_else, place)
     check("the wheel has the licenses of what is in it", has_the_licenses, place)
     check("the command of the wheel", has_the_command, place)
+    check("bundled specs in the MuJoCo of the wheel", makes_every_spec, place)
     check("pictures of the wheel", draws, place)
     check("the module of the wheel", has_the_module, place)
     check("robosuite beside the wheel", place.pip, "install", "--quiet", "--only-binary=:all:", *ROBOSUITE)
+    check("batches in another MuJoCo", proves, place)
     check("robosuite itself", place.pip, "install", "--quiet", "--no-deps", "robosuite==1.5.2")
     check("example: a thousand models", example, place, "thousand_models.py",
           r"1000 models of 0\.\d+ to 0\.\d+ kg")
