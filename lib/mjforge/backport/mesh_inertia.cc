@@ -94,7 +94,7 @@ class MeshInertia {
   }
 
   /// Adds the geom if it is a mesh with a mass; returns true if it is.
-  bool AddMesh(const DefaultClasses& elements, const ClassedElement& geom) {
+  bool AddMesh(DefaultClasses& elements, const ClassedElement& geom) {
     if (elements.Get(geom, "type", "") != "mesh") return false;
     if (elements.Get(geom, "shellinertia", "false") != "false") return false;
     Geom found = {fmt::format("geom{}", geoms_.size()), elements.Get(geom, "mass", ""),
