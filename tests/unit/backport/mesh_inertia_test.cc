@@ -128,11 +128,19 @@ TEST_CASE("a flat mesh can be a shell") {
 TEST_CASE("a kind of inertia that matters where it cannot be applied is an error") {
   if (mjVERSION_HEADER >= 330) return;  // MuJoCo applies it
   const std::string needs = "needs MuJoCo 3.3.0";
-  CHECK(LoadBackported("<compiler inertiafromgeom=\"true\"/>" + Dented("inertia=\"shell\""))
+  CHECK(LoadBackported("<compiler coordinate=\"global\"/>" + Dented("inertia=\"shell\""))
             .error.ends_with(needs));
   CHECK(LoadBackported("<default><geom shellinertia=\"true\"/></default>" +
                        Dented("inertia=\"shell\""))
             .error.ends_with(needs));
+}
+
+TEST_CASE("a kind of inertia is applied where geoms replace inertias") {
+  const engine::Loaded loaded =
+      LoadBackported("<compiler inertiafromgeom=\"true\"/>" + Dented("inertia=\"exact\""));
+  INFO(loaded.error);
+  REQUIRE(loaded.model);
+  CHECK(loaded.model->body_mass[1] == Approx(100));
 }
 
 TEST_CASE("what has an inertia, or no mass, is left alone") {
