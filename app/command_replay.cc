@@ -26,7 +26,7 @@ Action AddReplay(CLI::App& command) {
   command.add_option("WHAT", request->what, "MANIFEST:INDEX or a generated FILE.xml")
       ->required()
       ->option_text(" ")
-      ->check(Offers(".jsonl .xml"));
+      ->check(Offers(".jsonl .zst .xml"));
   command.add_option("--spec", request->spec, "The spec, if it has moved")
       ->option_text("SPEC")
       ->check(Offers(kSpecs));

@@ -85,6 +85,7 @@ Path PageOf(const Path& manifest) {
   std::string name = manifest.filename().string();
   if (name.ends_with(".part")) name.resize(name.size() - 5);
   if (name.starts_with('.')) name.erase(0, 1);
+  if (name.ends_with(".zst")) name.resize(name.size() - 4);
   if (name.ends_with(".jsonl")) name.resize(name.size() - 6);
   if (const std::size_t at = name.rfind(kManifest); at != name.npos) {
     name.replace(at, kManifest.size(), "report");

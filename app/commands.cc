@@ -51,10 +51,11 @@ constexpr Command kCommands[] = {
      "  mjforge merge 'hammers_%05d.tar.zst'"},
     {"verify", "Read a batch again: is all as it was made?", AddVerify,
      "  mjforge verify out/\n"
-     "  mjforge verify hammers.manifest.jsonl\n"
+     "  mjforge verify hammers.manifest.jsonl.zst\n"
      "  mjforge verify hammers_00003.tar.zst"},
     {"replay", "Regenerate a variant and compare the bytes", AddReplay,
      "  mjforge replay out/manifest.jsonl:42\n"
+     "  mjforge replay hammers.manifest.jsonl.zst:7777777\n"
      "  mjforge replay out/hammer_000042.xml --spec old/hammer.yaml"},
     {"catalogue", "List the specs that can be used by name", AddCatalogue,
      "  mjforge catalogue\n"

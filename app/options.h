@@ -38,7 +38,9 @@ bool IsMjcf(const std::string& what);
 
 /// Returns true for the name of a manifest, complete or partial.
 inline bool IsManifest(std::string_view name) {
-  return name.ends_with(".jsonl") || name.ends_with(".jsonl.part");
+  constexpr std::string_view kPart = ".part";
+  if (name.ends_with(kPart)) name.remove_suffix(kPart.size());
+  return output::IsManifestName(name);
 }
 
 /// Options of commands for one object: a variant of a spec, or a file.

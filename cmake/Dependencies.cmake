@@ -19,4 +19,5 @@ set(mjforge_dependencies
   "Qhull 8 CONFIG"
   "Random123"
   "xxhash"
+  "zstd 1.5 CONFIG"
   "ctemplate")  # HTML templates with automatic escaping

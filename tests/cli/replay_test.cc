@@ -65,7 +65,7 @@ TEST_CASE_METHOD(ReplayTest, "a record leads back to its spec, wherever it stand
   check("specs/box.yaml", "b/c", "b/c/manifest.jsonl");
   check((folder() / "specs/box.yaml").string(), (folder() / "d").string(), "d/manifest.jsonl");
   check("deep/er/box.yaml", "x.tar", "x.manifest.jsonl");
-  check("deep/er/box.yaml", "deep/y_%d.tar.zst", "deep/y.manifest.jsonl");
+  check("deep/er/box.yaml", "deep/y_%d.tar.zst", "deep/y.manifest.jsonl.zst");
   CHECK(folder().Read("a/manifest.jsonl").find(R"("spec_file":"../specs/box.yaml")") !=
         std::string::npos);
   REQUIRE(Run({"generate", "specs/box.yaml", "hammer", "-q", "-o", "both"}).status == 0);

@@ -27,9 +27,10 @@ void ReadRecords(const std::filesystem::path& file, diag::Sources& sources,
   Must(reader.has_value(), "the manifest cannot be opened");
   manifest::Record record;
   bool is_first = true;
-  for (Outcome outcome = reader->Next(record); outcome != Outcome::kEnd;
+  // Only a compressed manifest can be unreadable.
+  for (Outcome outcome = reader->Next(record);
+       outcome != Outcome::kEnd && outcome != Outcome::kUnreadable;
        outcome = reader->Next(record)) {
-    Must(outcome != Outcome::kUnreadable, "the manifest cannot be read on");
     if (outcome != Outcome::kRecord) continue;
     CheckRecord(record);
     if (is_first) {

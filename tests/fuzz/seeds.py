@@ -105,7 +105,8 @@ def manifests(project, batches):
     found = [*texts([project / "tests/golden"], "*.jsonl"),
              batches.make("out", "-n", "3", "--validate", "none")["manifest.jsonl"],
              batches.make("out", "-n", "2", "--validate", "physics")["manifest.jsonl"],
-             batches.make("x.tar", "-n", "2")["x.manifest.jsonl"]]
+             batches.make("x.tar", "-n", "2")["x.manifest.jsonl"],
+             batches.make("x.tar.zst", "-n", "2")["x.manifest.jsonl.zst"]]
     for text in found:
         yield b"\0" + text
         # Its spec is not found: drawing from it for the page would take most of the time.
@@ -143,18 +144,26 @@ def with_tokens(seal, manifest):
     return json.dumps(found, separators=(",", ":"))
 
 
+def pieces_of(files, name):
+    """The pieces of a manifest that have a checkpoint each, and the count of records up to each:
+    lines, or the only frame of three records, without the seek table of 25 bytes."""
+    if packed := files.get(f"{name}.jsonl.zst"):
+        return [(3, packed[:-25])]
+    return list(enumerate(files[f"{name}.jsonl"].splitlines(keepends=True), 1))
+
+
 def begun(files, kind, name, archive):
     """A batch under construction: half of its records are noted in the journal."""
     seal = with_tokens(files[f"{name}.seal.json"], "part")
-    lines = files[f"{name}.jsonl"].splitlines(keepends=True)
+    pieces = pieces_of(files, name)
     words = [f"mjforge-journal 1 {seal}"]
     sections = {}
     size = 0
     if archive:
         sections["archivepart"] = files[archive]
         words.append("at 0 0 @part:0@ 0 0 -")
-    for number, line in enumerate(lines, 1):
-        size += len(line)
+    for number, piece in pieces:
+        size += len(piece)
         part = len(files[archive]) - 1024 if archive else 0
         checksum = f"@archivepart:{part}@" if archive else "-"
         words.append(f"at {number} {size} @part:{size}@ 0 {part} {checksum}")
@@ -164,7 +173,7 @@ def begun(files, kind, name, archive):
         sections["object"] = files["x_000000.xml"]
     words.append(f"made x_{kind}.tar")
     sections["journal"] = ("\n".join(words) + "\n").encode()
-    sections["part"] = b"".join(lines)
+    sections["part"] = b"".join(piece for _, piece in pieces)
     return sections
 
 
@@ -172,7 +181,7 @@ def closed(files, kind, name, archive):
     """The same, when the archive had got its name and the manifest had not."""
     sections = begun(files, kind, name, archive)
     sections["archive"] = sections.pop("archivepart")
-    records, size = sections["part"].count(b"\n"), len(sections["part"])
+    records, size = pieces_of(files, name)[-1][0], len(sections["part"])
     sections["journal"] = (sections["journal"].replace(b"@archivepart:", b"@archive:") +
                            f"closed {len(files[archive])} @archive:@ {archive}\n"
                            f"at {records} {size} @part:@ 1 0 -\n".encode())
@@ -180,7 +189,7 @@ def closed(files, kind, name, archive):
 
 
 def finished(files, name, archive):
-    sections = {"manifest": files[f"{name}.jsonl"],
+    sections = {"manifest": files.get(f"{name}.jsonl.zst") or files[f"{name}.jsonl"],
                 "seal": with_tokens(files[f"{name}.seal.json"], "manifest").encode() + b"\n"}
     if archive:
         sections["archive"] = files[archive]

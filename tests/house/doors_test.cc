@@ -52,7 +52,8 @@ const std::array kRooms = {
     Room{"batch",
          {"bytes", "diag", "sample", "mjcf", "validate", "physics", "manifest", "output", "forge"}},
     Room{"picture", {"bytes", "diag", "model", "engine", "backport", "compiled"}},
-    Room{"report", {"diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
+    Room{"report",
+         {"bytes", "diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
     Room{"app",
          {"bytes", "diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics",
           "manifest", "output", "forge", "batch", "picture", "report"}},
@@ -99,6 +100,7 @@ const std::array kLibraries = {
     Library{"webp/", {"picture"}},
     Library{"xxhash.h", {"bytes", "expr", "sample"}},
     Library{"yaml-cpp/", {"spec"}},
+    Library{"zstd.h", {"bytes"}},
 };
 
 const WordSet kSystem = {"dlfcn.h",        "malloc.h",      "fcntl.h",      "poll.h",

@@ -9,18 +9,20 @@ import page
 from report import expect
 
 # What a run leaves beside the batch: shard manifests, scripts and logs.
-_BESIDE = ["*manifest-*-of-*.jsonl", "*.log", "*.sbatch", "*.joblog"]
+_BESIDE = ["*manifest-*-of-*.jsonl", "*manifest-*-of-*.jsonl.zst", "*.log", "*.sbatch", "*.joblog"]
 
 
 class Form:
-    """`output`: the options that write it; `stem`: how its manifest's name begins."""
+    """`output`: the options that write it; `stem` and `packing`: how its manifest's name begins
+    and ends."""
 
-    def __init__(self, name, output, out, stem, files):
+    def __init__(self, name, output, out, stem, packing, files):
         self.name, self.output, self.out, self.stem = name, output, out, stem
+        self.packing = packing
         self.files = files  # that the whole batch has
 
     def shard_manifest(self, shard):
-        return f"{self.stem}manifest-{shard:05}-of-{page.SHARDS:05}.jsonl"
+        return f"{self.stem}manifest-{shard:05}-of-{page.SHARDS:05}.jsonl{self.packing}"
 
     def part_of(self, shard):
         """The shard's manifest as long as it is being made: hidden beside it."""
@@ -38,9 +40,9 @@ class Form:
         return archive.exists() and archive.stat().st_size > 0
 
 
-FOLDER = Form("folder", "-o hammers/", "hammers/", "hammers/", page.COUNT + 1)
+FOLDER = Form("folder", "-o hammers/", "hammers/", "hammers/", "", page.COUNT + 1)
 ARCHIVES = Form("archives", f"-o hammers_%05d.tar.zst --per-archive {page.PER_SHARD}",
-                "hammers_%05d.tar.zst", "hammers.", page.SHARDS + 1)
+                "hammers_%05d.tar.zst", "hammers.", ".zst", page.SHARDS + 1)
 
 
 def run(command, folder, expected=0):
@@ -95,4 +97,4 @@ def merge_refuses(form, folder, shard):
     said = run(["mjforge", "merge", form.out], folder, expected=1)
     expect(f"{shard}/{page.SHARDS}" in said or pathlib.Path(form.shard_manifest(shard)).name in said,
            f"it does not name shard {shard}: {said}")
-    expect(not (folder / f"{form.stem}manifest.jsonl").exists(), "there is a manifest")
+    expect(not (folder / f"{form.stem}manifest.jsonl{form.packing}").exists(), "there is a manifest")

@@ -106,17 +106,16 @@ class ArchiveSink : public Sink {
     const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
     if (checkpoints.empty()) return ResumedVariants();
     const std::optional<ResumedVariants> whole = ReadResumable(
-        journal_.part(), options_, nullptr, findings, checkpoints.back().manifest.size);
+        journal_.part(), options_, nullptr, findings, journal_.CountBefore(checkpoints.back()));
     if (!whole) return std::nullopt;
     const std::optional<Checkpoint> checkpoint =
         LastValidCheckpoint(options_.range.first + whole->done());
     if (!checkpoint || checkpoint->next == options_.range.first) return ResumedVariants();
     // If the checkpoint is earlier, read the manifest again up to there, for the counts.
+    const std::uint64_t count = journal_.CountBefore(*checkpoint);
     const std::optional<ResumedVariants> resumed =
-        whole->bytes == checkpoint->manifest.size
-            ? whole
-            : ReadResumable(journal_.part(), options_, nullptr, findings,
-                            checkpoint->manifest.size);
+        whole->done() == count ? whole
+                               : ReadResumable(journal_.part(), options_, nullptr, findings, count);
     if (!journal_.RollBackTo(*checkpoint, findings)) return std::nullopt;
     checkpoint_ = *checkpoint;
     const bool is_open = checkpoint_.part.size == 0 || OpenArchive(checkpoint_.part.size, findings);

@@ -83,7 +83,8 @@ class FolderSink : public Sink {
     };
     if (journal_.is_unfinished()) {
       const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
-      const std::uint64_t sound = checkpoints.empty() ? 0 : checkpoints.back().manifest.size;
+      const std::uint64_t sound =
+          checkpoints.empty() ? 0 : journal_.CountBefore(checkpoints.back());
       const auto resumed = ReadResumable(journal_.part(), options_, is_there, findings, sound);
       return resumed && RollBackTo(*resumed, findings) ? resumed : std::nullopt;
     }

@@ -132,7 +132,9 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   if (force || !previous_seal_ || previous_seal_->output == seal_.output) return true;
   findings.Add(
       diag::Code::kOutputExists, {},
-      fmt::format("'{}' is the manifest of '{}'", file_.string(), previous_seal_->output),
+      fmt::format("'{}' is the manifest of '{}'",
+                  (file_.parent_path() / previous_seal_->manifest.file).string(),
+                  previous_seal_->output),
       "give the archive a name that differs in more than its ending, or overwrite with --force");
   return false;
 }
@@ -290,6 +292,10 @@ bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
 
 bool Journal::Finish(diag::Findings& findings) {
   const Request& request = options_.request;
+  if (request.destination.format == output::ArchiveFormat::kTarZstd &&
+      !manifest_file_->AppendSeekTable(findings)) {
+    return false;
+  }
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_;
   const bool if_changed = request.if_changed || request.resume;

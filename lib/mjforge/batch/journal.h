@@ -40,6 +40,10 @@ class Journal {
   bool is_unfinished() const { return is_unfinished_; }
   /// Checkpoints of the earlier run whose checksum of the manifest matches, in order.
   const std::vector<Checkpoint>& checkpoints() const { return checkpoints_; }
+  /// Returns the number of variants before a checkpoint.
+  std::uint64_t CountBefore(const Checkpoint& checkpoint) const {
+    return checkpoint.next - checkpoints_.front().next;
+  }
   /// Closed archives, in order.
   const std::vector<manifest::SealedFile>& closed() const { return closed_; }
   /// Seal of the previous, finished batch; empty if there is none.
@@ -72,7 +76,7 @@ class Journal {
   /// From then on, HasMadeArchive recognizes the archive.
   bool AddClosedArchive(manifest::SealedFile archive, const Checkpoint& next,
                         diag::Findings& findings);
-  /// Writes the seal, and renames the manifest to its final name.
+  /// Completes the manifest, writes the seal, and renames the manifest to its final name.
   bool Finish(diag::Findings& findings);
   /// Removes the journal and the manifest under construction.
   void Drop();

@@ -12,18 +12,15 @@
 namespace mjforge::batch {
 namespace {
 
-// Lines are written in blocks of about this size.
-constexpr std::size_t kWriteBytes = 1 << 20;
-
 // Returns the shard of a manifest's name: 3 of 8 for "manifest-00003-of-00008.jsonl" if the merged
 // manifest is "manifest.jsonl"; nothing for other names.
 std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
-  constexpr std::string_view kEnding = ".jsonl";
   constexpr std::string_view kOf = "-of-";
-  manifest.remove_suffix(kEnding.size());
-  if (!name.starts_with(manifest) || !name.ends_with(kEnding)) return std::nullopt;
+  const std::string_view ending = manifest.substr(manifest.rfind(".jsonl"));
+  manifest.remove_suffix(ending.size());
+  if (!name.starts_with(manifest) || !name.ends_with(ending)) return std::nullopt;
   name.remove_prefix(manifest.size());
-  name.remove_suffix(kEnding.size());
+  name.remove_suffix(ending.size());
   const std::size_t middle = name.find(kOf);
   if (!name.starts_with('-') || middle == name.npos) return std::nullopt;
   const auto index = output::ReadIndex(name.substr(1, middle - 1));
@@ -148,6 +145,10 @@ class ShardMerger {
       part.Drop();
       return false;
     }
+    if (IsCompressed() && !part.AppendSeekTable(findings_)) {
+      part.Drop();
+      return false;
+    }
     whole_.shard = 0;
     whole_.shards = 1;
     whole_.records = records_;
@@ -162,18 +163,23 @@ class ShardMerger {
     std::optional<manifest::RecordReader> reader =
         manifest::RecordReader::Open(shard, sources_, findings_);
     if (!reader) return false;
-    std::string lines;
     manifest::Record record;
     Outcome outcome = reader->Next(record);
     for (; outcome == Outcome::kRecord; outcome = reader->Next(record)) {
       if (!Check(record, shard, reader->number())) return false;
-      lines += reader->text();
-      lines += '\n';
-      if (lines.size() < kWriteBytes) continue;
-      if (!part.Append(lines, findings_)) return false;
-      lines.clear();
     }
-    return outcome == Outcome::kEnd && part.Append(lines, findings_);
+    return outcome == Outcome::kEnd && part.AppendFrom(shard, BytesOfRecords(shard), findings_);
+  }
+
+  bool IsCompressed() const { return destination_.format == output::ArchiveFormat::kTarZstd; }
+
+  // Returns the size of a manifest without its seek table.
+  std::uint64_t BytesOfRecords(const std::filesystem::path& manifest) const {
+    std::error_code ignored;
+    if (!IsCompressed()) return std::filesystem::file_size(manifest, ignored);
+    std::string why_not;
+    const auto frames = bytes::FramesOf(manifest, why_not);
+    return !frames || frames->empty() ? 0 : frames->back().end();
   }
 
   bool Check(const manifest::Record& record, const std::filesystem::path& shard,

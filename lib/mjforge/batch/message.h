@@ -58,7 +58,7 @@ struct ChunkResult {
   Chunk chunk;
   std::uint64_t done = 0;  // number of variants; less than chunk.count if stopped or failed
   std::vector<Status> statuses;
-  std::string_view lines;                 // lines of the manifest, in `memory`
+  std::string_view lines;                 // lines or a frame of the manifest, in `memory`
   std::string_view segment;               // segment of the archive, in `memory`
   std::string text;                       // MJCF of a single object
   std::vector<FinishedVariant> variants;  // empty if Observer::variant is

@@ -26,13 +26,14 @@ void ReportOtherBatch(const std::filesystem::path& file, const std::string& diff
 std::optional<ResumedVariants> ReadResumable(
     const std::filesystem::path& manifest, const SinkOptions& options,
     const std::function<bool(const manifest::Record&)>& is_good, diag::Findings& findings,
-    std::uint64_t bytes) {
+    std::uint64_t most) {
   ResumedVariants resumed;
   std::string why_not;
   std::optional<bytes::LineReader> lines = bytes::LineReader::Open(manifest, why_not);
   std::string line;
-  while (lines && resumed.done() < options.range.count && lines->Next(line, why_not)) {
-    if (lines->torn() || resumed.bytes + line.size() + 1 > bytes) break;
+  most = std::min(most, options.range.count);
+  while (lines && resumed.done() < most && lines->Next(line, why_not)) {
+    if (lines->torn()) break;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) break;  // a crash of the machine may leave arbitrary bytes
     std::string difference = manifest::DifferenceOfBatch(*record, options.batch);

@@ -9,9 +9,6 @@ namespace {
 
 using Kind = output::Destination::Kind;
 
-// Limit of the first line of a manifest; the manifest itself may have gigabytes.
-constexpr std::size_t kLongestLine = 1024 * 1024;
-
 class FileSink : public Sink {
  public:
   explicit FileSink(const Request& request) : request_(request) {}
@@ -79,13 +76,16 @@ std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
 }
 
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings) {
-  // An empty file contains nothing that could be lost.
-  const auto is_ours = [](std::string_view start) {
+  const auto is_ours = [&](std::string_view start) {
+    if (start.empty() || start.front() == '\0') return true;  // a power cut can leave zeros
     std::string why_not;
-    start = start.substr(0, start.find('\0'));  // a power cut can leave zeros
-    return start.empty() || manifest::ReadRecord(start.substr(0, start.find('\n')), why_not);
+    std::string line;
+    std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file, why_not);
+    // A file without text contains nothing that could be lost.
+    if (!lines || !lines->Next(line, why_not)) return why_not.empty();
+    return manifest::ReadRecord(line.substr(0, line.find('\0')), why_not).has_value();
   };
-  return output::MayReplace(file, force, kLongestLine, is_ours, findings);
+  return output::MayReplace(file, force, 1, is_ours, findings);
 }
 
 }  // namespace mjforge::batch

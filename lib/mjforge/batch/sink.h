@@ -16,7 +16,7 @@ namespace mjforge::batch {
 
 /// The variants of an unfinished batch that need not be made again.
 struct ResumedVariants : manifest::StatusCounts {
-  std::uint64_t bytes = 0;  // size of their records in the manifest
+  std::uint64_t bytes = 0;  // size of their records, not compressed
 };
 
 /// Returns true if the variant of a record failed because its worker died.
@@ -53,13 +53,13 @@ struct SinkOptions {
   const manifest::Record& batch;
 };
 
-/// Reads the records of `manifest` from the start, until `options.range` or `bytes` bytes are
+/// Reads the records of `manifest` from the start, until `options.range` or `most` records are
 /// complete or `is_good`, unless null, rejects one. Returns nothing, after adding a finding, if a
 /// record belongs to another batch or does not have the next index.
 std::optional<ResumedVariants> ReadResumable(
     const std::filesystem::path& manifest, const SinkOptions& options,
     const std::function<bool(const manifest::Record&)>& is_good, diag::Findings& findings,
-    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max());
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// Adds the finding that `file` belongs to another batch, which has this difference.
 void ReportOtherBatch(const std::filesystem::path& file, const std::string& difference,

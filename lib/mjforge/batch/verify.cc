@@ -12,6 +12,13 @@ namespace {
 
 constexpr std::string_view kSealEnding = ".seal.json";
 constexpr std::string_view kManifestEnding = ".jsonl";
+constexpr std::string_view kCompressedEnding = ".zst";
+constexpr std::string_view kPartEnding = ".part";
+
+// Returns true for the name of a whole batch's manifest, that is, not of a shard's.
+bool IsWholeManifest(std::string_view name) {
+  return name.find("manifest.jsonl") != name.npos && output::IsManifestName(name);
+}
 
 class Verification {
  public:
@@ -25,7 +32,7 @@ class Verification {
       CheckFolder(what);
     } else if (name.ends_with(kSealEnding)) {
       CheckBatch(ManifestOf(what));
-    } else if (name.ends_with(kManifestEnding)) {
+    } else if (output::IsManifestName(name)) {
       CheckBatch(what);
     } else {
       CheckArchive(what);
@@ -35,18 +42,23 @@ class Verification {
 
  private:
   static std::filesystem::path ManifestOf(std::filesystem::path seal) {
-    return seal.replace_extension().replace_extension(kManifestEnding);
+    seal.replace_extension().replace_extension(kManifestEnding);
+    std::filesystem::path compressed = seal;
+    compressed += kCompressedEnding;
+    std::error_code ignored;
+    return std::filesystem::exists(compressed, ignored) ? compressed : seal;
   }
 
   void CheckFolder(const std::filesystem::path& folder) {
     bool is_empty = true;
     for (const std::string& name : NamesIn(folder, findings_)) {
-      if (name.ends_with("manifest.jsonl.part")) {
+      if (name.ends_with(kPartEnding) &&
+          IsWholeManifest(std::string_view(name).substr(0, name.size() - kPartEnding.size()))) {
         ReportMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
                       "the command that began it goes on with --resume");
       } else if (name.ends_with(kSealEnding)) {
         CheckBatch(ManifestOf(folder / name));
-      } else if (name.ends_with("manifest.jsonl") &&
+      } else if (IsWholeManifest(name) &&
                  !std::filesystem::exists(manifest::SealPathOf(folder / name))) {
         CheckBatch(folder / name);  // reports that the seal is missing
       } else {

@@ -44,7 +44,9 @@ class ChunkMaker {
       finding_summary.Add(variant_.findings, variant_.record.status == Status::kSkipped);
       Report(result);
     }
-    result.lines = record_lines_;
+    result.lines = request_.destination.format == output::ArchiveFormat::kTarZstd
+                       ? frame_.Compress(record_lines_)
+                       : record_lines_;
     result.segment = segment_.Bytes();
     result.more_findings = finding_summary.not_shown();
     result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
@@ -199,7 +201,8 @@ class ChunkMaker {
   forge::Variant variant_;
   std::string archive_;       // name of the chunk's archive
   std::string record_lines_;  // records of the chunk
-  std::string record_line_;   // record in the archive; empty: the archive does not contain it
+  bytes::FrameCompressor frame_;
+  std::string record_line_;  // record in the archive; empty: the archive does not contain it
 };
 
 }  // namespace

@@ -16,6 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/bytes/line_reader.h"
+#include "mjforge/bytes/zstd_frames.h"
+
 namespace mjforge::bytes {
 
 /// The name of standard input.
@@ -45,6 +48,8 @@ class File {
   /// Reads until `buffer` is full or the file ends. Returns the number of bytes read; nothing, and
   /// sets `why_not`, if reading fails.
   std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
+  /// Continues reading at this offset.
+  void Seek(std::uint64_t offset);
 
  private:
   explicit File(int descriptor) : descriptor_(descriptor) {}
@@ -102,28 +107,6 @@ bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string
 /// Returns true for a regular file of this size. Otherwise sets `why_not` ("it has 12 bytes, not
 /// 40").
 bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
-
-/// Reads a file line by line, in constant memory.
-class LineReader {
- public:
-  static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not);
-
-  /// Replaces `line` with the next line, without its line end. Returns false at the end of the file
-  /// and if reading fails; `why_not` is set only if reading fails.
-  bool Next(std::string& line, std::string& why_not);
-  /// Returns true if the last line has no line end, because writing it was interrupted.
-  bool torn() const { return torn_; }
-
- private:
-  explicit LineReader(File file);
-
-  File file_;
-  std::string buffer_;
-  std::size_t begin_ = 0;  // the unread bytes of the buffer are [begin_, end_)
-  std::size_t end_ = 0;
-  bool at_end_ = false;
-  bool torn_ = false;
-};
 
 /// Incremental 128-bit XXH3 checksum, as printed by `xxh128sum`. Detects the damage that a disk or
 /// a power cut causes, at the speed of memory; does not protect against forged data.

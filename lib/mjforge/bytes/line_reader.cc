@@ -1,4 +1,4 @@
-// Reading of a file line by line through a fixed buffer.
+// Reading of a text file line by line through a fixed buffer.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/bytes/text_stream.h"
 
 namespace mjforge::bytes {
 namespace {
@@ -14,28 +15,50 @@ constexpr std::size_t kLineBufferBytes = 256 * 1024;
 
 }  // namespace
 
-LineReader::LineReader(File file) : file_(std::move(file)), buffer_(kLineBufferBytes, '\0') {}
+LineReader::LineReader(std::unique_ptr<TextStream> stream, bool skips_first)
+    : stream_(std::move(stream)), skips_first_(skips_first), buffer_(kLineBufferBytes, '\0') {}
 
-std::optional<LineReader> LineReader::Open(const std::filesystem::path& file,
-                                           std::string& why_not) {
+LineReader::LineReader(LineReader&&) noexcept = default;
+LineReader::~LineReader() = default;
+
+std::optional<LineReader> LineReader::Open(const std::filesystem::path& file, std::string& why_not,
+                                           const Section& section) {
   std::optional<File> opened = File::Open(file, why_not);
-  return opened ? std::optional(LineReader(*std::move(opened))) : std::nullopt;
+  const std::optional<bool> is_compressed = opened ? IsCompressed(*opened, why_not) : std::nullopt;
+  if (!is_compressed) return std::nullopt;
+  auto stream = std::make_unique<TextStream>(*std::move(opened), *is_compressed, section);
+  return LineReader(std::move(stream), section.begin > 0);
 }
 
 bool LineReader::Next(std::string& line, std::string& why_not) {
-  line.clear();
   why_not.clear();
+  if (std::exchange(skips_first_, false) && !ReadLine(line, why_not)) return false;
+  line.clear();
+  if (!Fill(why_not)) return false;
+  // The next line starts behind the end of the section if bytes behind it were already read.
+  if (stream_->bytes_after_section() > end_ - begin_) return false;
+  return ReadLine(line, why_not);
+}
+
+// Reads more bytes if the buffer is empty. Returns false at the end of the file and if reading
+// fails.
+bool LineReader::Fill(std::string& why_not) {
+  if (begin_ == end_ && !at_end_) {
+    const std::optional<std::size_t> count = stream_->Read(buffer_, why_not);
+    begin_ = 0;
+    end_ = count.value_or(0);
+    at_end_ = end_ == 0;
+    torn_ = stream_->ends_in_frame();
+  }
+  return !at_end_;
+}
+
+bool LineReader::ReadLine(std::string& line, std::string& why_not) {
+  line.clear();
   while (true) {
-    if (begin_ == end_ && !at_end_) {
-      const std::optional<std::size_t> count = file_.Read(buffer_, why_not);
-      begin_ = 0;
-      end_ = count.value_or(0);
-      at_end_ = end_ == 0;
-      if (!count) return false;
-    }
-    if (at_end_) {
+    if (!Fill(why_not)) {
       torn_ = torn_ || !line.empty();
-      return !line.empty();
+      return !line.empty() && why_not.empty();
     }
     const char* start = buffer_.data() + begin_;
     const void* found = std::memchr(start, '\n', end_ - begin_);

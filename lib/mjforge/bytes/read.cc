@@ -112,6 +112,10 @@ std::optional<std::size_t> File::Read(std::span<char> buffer, std::string& why_n
   return ReadFrom(descriptor_, buffer, why_not);
 }
 
+void File::Seek(std::uint64_t offset) {
+  ::lseek(descriptor_, static_cast<::off_t>(offset), SEEK_SET);
+}
+
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
                                      std::string& why_not) {
   if (file == kStandardInput) return ReadStandardInput(limit, why_not);

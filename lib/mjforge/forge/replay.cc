@@ -30,30 +30,19 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
 
 std::optional<Original> FromManifest(const std::filesystem::path& file, std::uint64_t index,
                                      diag::Sources& sources, diag::Findings& findings) {
-  using Outcome = manifest::RecordReader::Outcome;
-  std::optional<manifest::RecordReader> lines =
-      manifest::RecordReader::Open(file, sources, findings);
-  if (!lines) return std::nullopt;
+  std::optional<manifest::Record> record = manifest::FindRecord(file, index, sources, findings);
+  if (!record) return std::nullopt;
   Original original;
   original.from_manifest = true;
   original.folder = file.parent_path();
-  Outcome outcome = lines->Next(original.record);
-  for (; outcome == Outcome::kRecord; outcome = lines->Next(original.record)) {
-    const manifest::Record& known = original.record;
-    if (known.index != index) continue;
-    if (!known.archive.empty()) {
-      original.file = known.file;
-      original.archive = file.parent_path() / known.archive;
-    } else if (!known.file.empty()) {
-      original.file = file.parent_path() / known.file;
-    }
-    return original;
+  if (!record->archive.empty()) {
+    original.file = record->file;
+    original.archive = file.parent_path() / record->archive;
+  } else if (!record->file.empty()) {
+    original.file = file.parent_path() / record->file;
   }
-  if (outcome == Outcome::kEnd) {
-    findings.Add(diag::Code::kOutputBadManifest, {},
-                 fmt::format("'{}' has no record with index {}", file.string(), index));
-  }
-  return std::nullopt;
+  original.record = *std::move(record);
+  return original;
 }
 
 // Finds the spec's file in the manifests beside the object's file and one folder up, where the

@@ -5,19 +5,34 @@
 
 #include <charconv>
 #include <optional>
+#include <string>
 
-#include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>
 
+#include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::manifest {
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 // A document whose numbers are parsed by expr::ParseNumber. RapidJSON 1.1 has an exact reader as
 // well, but its behaviour is undefined (a shift by 64 bits) for a zero with many digits.
 class ExactDocument : public rapidjson::Document {
  public:
+  using rapidjson::Document::Document;
+
+  bool StartObject() { return IsNotTooDeep() && rapidjson::Document::StartObject(); }
+  bool StartArray() { return IsNotTooDeep() && rapidjson::Document::StartArray(); }
+  bool EndObject(rapidjson::SizeType count) {
+    --depth_;
+    return rapidjson::Document::EndObject(count);
+  }
+  bool EndArray(rapidjson::SizeType count) {
+    --depth_;
+    return rapidjson::Document::EndArray(count);
+  }
   bool RawNumber(const char* digits, rapidjson::SizeType size, bool) {
     const std::string_view text(digits, size);
     // No integer type has a -0.
@@ -30,6 +45,8 @@ class ExactDocument : public rapidjson::Document {
   }
 
  private:
+  bool IsNotTooDeep() { return ++depth_ <= diag::kMaxJsonDepth; }
+
   template <typename Integer>
   static std::optional<Integer> Whole(std::string_view text) {
     Integer value = 0;
@@ -37,20 +54,23 @@ class ExactDocument : public rapidjson::Document {
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
   }
+
+  int depth_ = 0;
 };
 
 }  // namespace
 
-bool ParseExactly(std::string_view text, rapidjson::Document& document) {
-  constexpr unsigned kFlags =
-      rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag;
-  rapidjson::MemoryStream bytes(text.data(), text.size());
-  rapidjson::EncodedInputStream<rapidjson::UTF8<>, rapidjson::MemoryStream> stream(bytes);
-  rapidjson::Reader reader;
-  ExactDocument exact;
+bool ParseExactly(std::string& text, rapidjson::Document& document) {
+  constexpr unsigned kFlags = rapidjson::kParseInsituFlag | rapidjson::kParseNumbersAsStringsFlag;
+  const std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  rapidjson::InsituStringStream stream(text.data() + start);
+  rapidjson::Reader reader;  // recurses at most kMaxJsonDepth times, because ExactDocument stops it
+  ExactDocument exact(&document.GetAllocator());
   bool is_parsed = false;
   const auto generate = [&](rapidjson::Document&) {
-    is_parsed = !reader.Parse<kFlags>(stream, exact).IsError();
+    is_parsed = !reader.Parse<kFlags>(stream, exact).IsError() &&
+                start + stream.Tell() ==
+                    text.size();  // not if a zero byte within the text was taken for its end
     return is_parsed;
   };
   exact.Populate(generate);

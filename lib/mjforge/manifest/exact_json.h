@@ -2,15 +2,16 @@
 
 #pragma once
 
-#include <string_view>
+#include <string>
 
 #include <rapidjson/document.h>
 
 namespace mjforge::manifest {
 
-/// Parses a JSON text. Returns false if the text is not JSON or contains a number that is too
-/// large. Numbers are correctly rounded; RapidJSON's own differ by up to three units in the last
-/// place.
-bool ParseExactly(std::string_view text, rapidjson::Document& document);
+/// Parses a JSON text. Returns false if the text is not JSON, is nested more than
+/// diag::kMaxJsonDepth deep or contains a number that is too large. Numbers are correctly rounded;
+/// RapidJSON's own differ by up to three units in the last place. The document's texts are parts of
+/// `text`, which is changed and must outlive the document.
+bool ParseExactly(std::string& text, rapidjson::Document& document);
 
 }  // namespace mjforge::manifest

@@ -120,9 +120,10 @@ class RecordReader {
  public:
   /// Returns a reader; nothing, after adding a finding, if the file cannot be read. Later, each
   /// line that is not a record becomes a finding at that line, so sources and findings must outlive
-  /// the reader.
+  /// the reader. In a section, lines are counted from its start.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
-                                          diag::Findings& findings);
+                                          diag::Findings& findings,
+                                          const bytes::Section& section = {});
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
   /// Replaces `record` with the record on the next line. After a bad line, the next call continues
@@ -132,10 +133,10 @@ class RecordReader {
   static constexpr std::uint64_t kMaxBadLines = 50;
   std::uint64_t bad_lines() const { return bad_lines_; }
 
-  /// Number of the last line read, counted from 1, and its text without the line end.
+  /// Number of the last line read, counted from 1.
   std::uint32_t number() const { return number_; }
-  const std::string& text() const { return text_; }
-  /// Returns true if the last line read has no line end, because it was still being written.
+  /// Returns true if the last line read has no line end or, in a compressed file, the last frame is
+  /// incomplete, because it was still being written.
   bool torn() const { return lines_.torn(); }
   /// Returns the place of the last line read, for further findings about it.
   diag::SourceMark Mark() const;
@@ -152,6 +153,12 @@ class RecordReader {
   std::uint32_t number_ = 0;
   std::uint64_t bad_lines_ = 0;
 };
+
+/// Returns the record with this index; nothing, after adding a finding, if there is none. Reads
+/// only a few places of a manifest in index order, and the whole manifest only if these do not have
+/// the record and no seal shows that the manifest is complete.
+std::optional<Record> FindRecord(const std::filesystem::path& file, std::uint64_t index,
+                                 diag::Sources& sources, diag::Findings& findings);
 
 /// Describes the first difference that shows that two records belong to different batches: "seed is
 /// '7', not '3'". Empty if the records can come from one command.

@@ -13,9 +13,10 @@ RecordReader::RecordReader(bytes::LineReader lines, std::string name, diag::Sour
     : lines_(std::move(lines)), name_(std::move(name)), sources_(&sources), findings_(&findings) {}
 
 std::optional<RecordReader> RecordReader::Open(const std::filesystem::path& file,
-                                               diag::Sources& sources, diag::Findings& findings) {
+                                               diag::Sources& sources, diag::Findings& findings,
+                                               const bytes::Section& section) {
   std::string why_not;
-  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file, why_not);
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file, why_not, section);
   if (!lines) {
     findings.Add(diag::Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': {}", file.string(), why_not));
@@ -28,8 +29,10 @@ RecordReader::Outcome RecordReader::Next(Record& record) {
   std::string why_not;
   if (!lines_.Next(text_, why_not)) {
     if (why_not.empty()) return Outcome::kEnd;
-    findings_->Add(diag::Code::kYamlCannotRead, {},
-                   fmt::format("cannot read '{}' after line {}: {}", name_, number_, why_not));
+    ++number_;
+    text_.clear();
+    findings_->Add(diag::Code::kYamlCannotRead, Mark(),
+                   fmt::format("cannot read this line: {}", why_not));
     return Outcome::kUnreadable;
   }
   ++number_;

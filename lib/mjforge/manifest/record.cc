@@ -2,11 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
+
 #include "mjforge/expr/expr.h"
 #include "mjforge/manifest/exact_json.h"
 #include "mjforge/manifest/record_fields.h"
 
 namespace mjforge::manifest {
+namespace {
+
+// Memory on the stack for the values of a record; a longer record also takes some from the heap.
+constexpr std::size_t kParserBytes = std::size_t{16} << 10;
+
+// Returns the value of each field, or null if the object does not have it. Members usually have the
+// order of the table, so that the search for a key begins after the previous one.
+std::vector<const rapidjson::Value*> ValuesOf(const rapidjson::Document& object) {
+  const std::span<const RecordField> fields = RecordFields();
+  std::vector<const rapidjson::Value*> values(fields.size());
+  std::size_t next = 0;
+  for (const auto& [name, value] : object.GetObject()) {
+    const std::string_view key(name.GetString(), name.GetStringLength());
+    std::size_t tries = 0;
+    while (tries < fields.size() && fields[next % fields.size()].key != key) ++next, ++tries;
+    const rapidjson::Value*& known = values[next % fields.size()];
+    if (tries < fields.size() && known == nullptr) known = &value;
+    ++next;
+  }
+  return values;
+}
+
+}  // namespace
 
 void AppendRecord(std::string& out, const Record& record) {
   diag::Json json(expr::AppendExactNumber, std::move(out));
@@ -40,20 +66,22 @@ void AppendWithPlaces(std::string& out, std::string_view line, const std::string
 }
 
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
-  if (diag::IsNestedTooDeep(line)) {
-    why_not = fmt::format("values are nested more than {} deep", diag::kMaxJsonDepth);
+  alignas(std::max_align_t) std::array<char, kParserBytes> memory;
+  rapidjson::MemoryPoolAllocator<> allocator(memory.data(), memory.size());
+  std::string text(line);  // declared before the document, whose texts are parts of it
+  rapidjson::Document document(&allocator);
+  if (!ParseExactly(text, document) || !document.IsObject()) {
+    why_not = diag::IsNestedTooDeep(line)
+                  ? fmt::format("values are nested more than {} deep", diag::kMaxJsonDepth)
+                  : "it is not a JSON object";
     return std::nullopt;
   }
-  rapidjson::Document document;
-  if (!ParseExactly(line, document) || !document.IsObject()) {
-    why_not = "it is not a JSON object";
-    return std::nullopt;
-  }
+  const std::vector<const rapidjson::Value*> values = ValuesOf(document);
   Record record;
-  for (const RecordField& field : RecordFields()) {
-    const auto member = document.FindMember(field.key);
-    if (member != document.MemberEnd()) {
-      const std::string_view kind = field.read(member->value, record);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const RecordField& field = RecordFields()[i];
+    if (values[i] != nullptr) {
+      const std::string_view kind = field.read(*values[i], record);
       if (kind.empty()) continue;
       why_not = fmt::format("'{}' is not {}", field.key, kind);
       return std::nullopt;

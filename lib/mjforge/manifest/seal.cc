@@ -56,7 +56,9 @@ bool GetSeal(const Value& object, Seal& seal) {
 }  // namespace
 
 std::filesystem::path SealPathOf(const std::filesystem::path& manifest) {
-  return std::filesystem::path(manifest).replace_extension(".seal.json");
+  std::filesystem::path path = manifest;
+  if (path.extension() == ".zst") path.replace_extension();
+  return path.replace_extension(".seal.json");
 }
 
 std::string SealText(const Seal& seal) {

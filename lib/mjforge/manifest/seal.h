@@ -44,7 +44,8 @@ struct Seal {
   std::map<std::string, std::string> assets;
 };
 
-/// Returns the path of a manifest's seal: "out/manifest.seal.json" for "out/manifest.jsonl".
+/// Returns the path of a manifest's seal: "out/manifest.seal.json" for "out/manifest.jsonl" and for
+/// "out/manifest.jsonl.zst".
 std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
 /// Returns the seal as one line of JSON, with the line end.

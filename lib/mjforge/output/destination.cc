@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kTar = ".tar";
 constexpr std::string_view kTarZstd = ".tar.zst";
+constexpr std::string_view kZstd = ".zst";
 
 // Position and width of "%05d" in a pattern.
 struct NumberPlaceholder {
@@ -65,7 +66,13 @@ std::filesystem::path Destination::Manifest(const Shard& shard) const {
   const std::string stem = kind == Kind::kFolder ? std::string() : StemOf(*this);
   const std::string part =
       shard.IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", shard.index, shard.count);
-  return Folder() / fmt::format("{}{}manifest{}.jsonl", stem, stem.empty() ? "" : ".", part);
+  return Folder() / fmt::format("{}{}manifest{}.jsonl{}", stem, stem.empty() ? "" : ".", part,
+                                format == ArchiveFormat::kTarZstd ? kZstd : "");
+}
+
+bool IsManifestName(std::string_view name) {
+  if (name.ends_with(kZstd)) name.remove_suffix(kZstd.size());
+  return name.ends_with(".jsonl");
 }
 
 std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,

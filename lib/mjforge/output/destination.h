@@ -34,11 +34,15 @@ struct Destination {
   /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
-  /// archives; with "-00003-of-00008" before the extension for a shard.
+  /// archives, STEM.manifest.jsonl.zst beside compressed ones; with "-00003-of-00008" before the
+  /// extension for a shard.
   std::filesystem::path Manifest(const Shard& shard) const;
   /// Returns the folder of the manifest.
   std::filesystem::path Folder() const;
 };
+
+/// Returns true for the name of a manifest, compressed or not.
+bool IsManifestName(std::string_view name);
 
 /// Parses the argument of -o: "-", FILE.xml, FILE.tar or FILE.tar.zst (a series if the name has one
 /// %d or %05d); any other text is a folder. Returns nothing, and the reason in `why_not`, if the

@@ -8,9 +8,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -27,6 +29,8 @@ constexpr std::uint64_t kWritebackBytes = std::uint64_t{8} << 20;
 // less than kEnoughRoom is available, because the manifest beside an archive needs room as well.
 constexpr std::uint64_t kReserve = std::uint64_t{8} << 20;
 constexpr std::uint64_t kEnoughRoom = std::uint64_t{1} << 30;
+
+constexpr std::uint64_t kCopyBytes = std::uint64_t{1} << 20;
 
 // A killed process and its workers may need some time to end and release the lock.
 constexpr int kLockTries = 20;
@@ -129,6 +133,31 @@ bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
     writeback_end_ = size_;
   }
   return true;
+}
+
+bool PartFile::AppendFrom(const std::filesystem::path& file, std::uint64_t count,
+                          diag::Findings& findings) {
+  std::string why_not;
+  std::optional<bytes::File> from = bytes::File::Open(file, why_not);
+  std::string buffer(std::min(count, kCopyBytes), '\0');
+  while (from && count > 0) {
+    const std::optional<std::size_t> got =
+        from->Read(std::span(buffer).first(std::min<std::uint64_t>(count, buffer.size())), why_not);
+    if (got.value_or(0) == 0) break;
+    if (!Append(std::string_view(buffer).substr(0, *got), findings)) return false;
+    count -= *got;
+  }
+  if (count > 0) AddCannotWrite(file_, EIO, findings);
+  return count == 0;
+}
+
+bool PartFile::AppendSeekTable(diag::Findings& findings) {
+  std::string why_not;
+  const std::optional<std::vector<bytes::Frame>> frames = bytes::FramesOf(temporary_, why_not);
+  if (frames && (frames->empty() ? 0 : frames->back().end()) == size_)
+    return Append(bytes::SeekTableOf(*frames), findings);
+  AddCannotWrite(file_, EIO, findings);
+  return false;
 }
 
 bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {

@@ -37,6 +37,10 @@ class PartFile {
   std::string checksum() const { return checksum_.Text(); }
   const std::filesystem::path& temporary() const { return temporary_; }
   bool Append(std::string_view bytes, diag::Findings& findings);
+  /// Appends the first `count` bytes of another file.
+  bool AppendFrom(const std::filesystem::path& file, std::uint64_t count, diag::Findings& findings);
+  /// Appends the seek table of a part that consists of Zstandard's frames.
+  bool AppendSeekTable(diag::Findings& findings);
   /// Keeps the first `size` bytes; the file must have at least that many.
   bool Truncate(std::uint64_t size, diag::Findings& findings);
   /// Waits until all bytes are on the disk.

@@ -9,7 +9,7 @@
 namespace mjforge::report {
 
 /// Count, range, mean and variance of numbers, by Welford's algorithm, which is accurate for any
-/// count.
+/// count. Mean and variance depend on the order of the numbers, by a rounding.
 struct Statistics {
   std::uint64_t count = 0;
   double min = 0;
@@ -17,6 +17,8 @@ struct Statistics {
   double mean = 0;
   double m2 = 0;  // sum of squared differences from the mean
   void Add(double value);
+  /// Adds the numbers of other statistics, by the formula of Chan, Golub and LeVeque.
+  void Append(const Statistics& other);
   /// Standard deviation of the population (dividing by count, not count - 1).
   double StandardDeviation() const;
 };
@@ -30,6 +32,7 @@ class Histogram {
 
   /// Ignores numbers that are not finite.
   void Add(double value);
+  void Append(Histogram other);
 
   std::uint64_t count() const { return numbers_.count; }
   /// Exact values, or 0 if there are no numbers.
@@ -47,11 +50,16 @@ class Histogram {
   std::int64_t CellOf(double value) const;
   double MiddleOf(std::size_t cell) const;
   void Coarsen(int exponent);
+  void Cover();
+  void CountPending() const;
 
   Statistics numbers_;
-  int exponent_ = 0;                  // a cell is 2^exponent_ wide
-  std::int64_t first_ = 0;            // cells_[0] starts at first_ * 2^exponent_
-  std::vector<std::uint64_t> cells_;  // from the cell of min() to the cell of max()
+  int exponent_ = 0;                          // a cell is 2^exponent_ wide
+  std::int64_t first_ = 0;                    // cells_[0] starts at first_ * 2^exponent_
+  mutable std::vector<std::uint32_t> cells_;  // from the cell of min() to the cell of max()
+  // Numbers that are not in cells_ yet. Counting many at once is faster, because the cells of all
+  // histograms of a batch do not fit into the processor's cache.
+  mutable std::vector<double> pending_;
 };
 
 }  // namespace mjforge::report

@@ -79,9 +79,34 @@ void ManifestSummary::Add(const Record& record) {
   }
   if (record.physics) trials.Add(*record.physics);
   if (const std::optional<double> size = SizeOf(record))
-    points.Add({*size, record.mass_properties.mass, is_bad});
+    points.Add(record.index, {*size, record.mass_properties.mass, is_bad});
   AddFindings(record);
-  AddToShown(record);
+  (is_bad ? failed_ : good_).Add(record.index, record);
+  AddSlow(record);
+}
+
+void ManifestSummary::Append(const ManifestSummary& next) {
+  if (!next.first) return;
+  if (!first) first = next.first;
+  if (other_batch.empty()) other_batch = manifest::DifferenceOfBatch(*next.first, *first);
+  if (other_batch.empty()) other_batch = next.other_batch;
+  variants += next.variants;
+  last_index = next.last_index;
+  statuses.ok += next.statuses.ok;
+  statuses.failed += next.statuses.failed;
+  statuses.skipped += next.statuses.skipped;
+  for (const auto& [code, tally] : next.codes) {
+    if (codes.size() >= kMaxCodes && !codes.contains(code)) continue;
+    const auto [known, is_new] = codes.emplace(code, tally);
+    if (!is_new) known->second.variants += tally.variants;
+  }
+  params.Append(next.params);
+  for (std::size_t i = 0; i < measures.size(); ++i) measures[i].Append(next.measures[i]);
+  trials.Append(next.trials);
+  points.Append(next.points);
+  failed_.Append(next.failed_);
+  good_.Append(next.good_);
+  for (const Record& record : next.slow_) AddSlow(record);
 }
 
 void ManifestSummary::AddFindings(const Record& record) {
@@ -96,8 +121,7 @@ void ManifestSummary::AddFindings(const Record& record) {
   }
 }
 
-void ManifestSummary::AddToShown(const Record& record) {
-  (record.status == manifest::Status::kOk ? good_ : failed_).Add(record);
+void ManifestSummary::AddSlow(const Record& record) {
   const std::size_t most = shown_ / 4;
   if (record.status != manifest::Status::kOk || most == 0 || !TimeToRest(record)) return;
   if (slow_.size() == most) {
@@ -134,38 +158,6 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
     spread.push_back(others[i * others.size() / std::min(room, others.size())]);
   add(ShownVariant::Reason::kSample, spread);
   return chosen;
-}
-
-std::optional<ManifestSummary> Summarize(const std::filesystem::path& manifest, std::size_t shown,
-                                         diag::Sources& sources, diag::Findings& findings,
-                                         std::uint64_t& bad_lines) {
-  using Outcome = manifest::RecordReader::Outcome;
-  const bool is_part = manifest.extension() == ".part";
-  diag::Findings found;
-  auto reader = manifest::RecordReader::Open(manifest, sources, found);
-  if (!reader) {
-    findings.Append(std::move(found));
-    return std::nullopt;
-  }
-  ManifestSummary summary(shown);
-  Record record;
-  bool is_cut_off = false;
-  Outcome outcome = reader->Next(record);
-  for (; outcome == Outcome::kRecord || outcome == Outcome::kBadLine;
-       outcome = reader->Next(record)) {
-    if (outcome == Outcome::kRecord) summary.Add(record);
-    is_cut_off = is_part && outcome == Outcome::kBadLine && reader->torn();
-  }
-  if (outcome == Outcome::kUnreadable) {
-    findings.Append(std::move(found));
-    return std::nullopt;
-  }
-  bad_lines = reader->bad_lines() - (is_cut_off ? 1 : 0);
-  for (std::size_t i = 0; i < found.size() && i < bad_lines; ++i) {
-    const diag::Finding& bad = found[i];
-    findings.Add(bad.code, bad.mark, bad.message, bad.hint);
-  }
-  return summary;
 }
 
 }  // namespace mjforge::report

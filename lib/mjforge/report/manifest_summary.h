@@ -1,4 +1,4 @@
-// Summary of a manifest, made in one pass and in bounded memory.
+// Summary of a manifest, made in one pass, on all cores and in bounded memory.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/report/measures.h"
-#include "mjforge/report/systematic_sample.h"
+#include "mjforge/report/random_sample.h"
 #include "mjforge/report/tallies.h"
 #include "mjforge/report/trials.h"
 
@@ -60,6 +60,8 @@ class ManifestSummary {
   explicit ManifestSummary(std::size_t shown);
 
   void Add(const manifest::Record& record);
+  /// Adds the records of a summary of what follows in the manifest.
+  void Append(const ManifestSummary& next);
 
   const NumberTally& Of(MeasureId id) const { return measures[static_cast<std::size_t>(id)]; }
   /// Returns true if physics checks ran for any variant.
@@ -76,21 +78,22 @@ class ManifestSummary {
   ParameterTallies params;
   std::vector<NumberTally> measures;  // in the order of Measures()
   Trials trials;
-  SystematicSample<Point> points;
+  RandomSample<Point> points;
   std::string
       other_batch;  // difference of the first record of another batch; empty if there is none
 
  private:
   void AddFindings(const manifest::Record& record);
-  void AddToShown(const manifest::Record& record);
+  void AddSlow(const manifest::Record& record);
 
   std::size_t shown_;
-  SystematicSample<manifest::Record> failed_;
-  SystematicSample<manifest::Record> good_;
+  RandomSample<manifest::Record> failed_;
+  RandomSample<manifest::Record> good_;
   std::vector<manifest::Record> slow_;  // a heap with the quickest variant on top
 };
 
-/// Reads the whole manifest. Returns nothing, and adds a finding, if it cannot be read. Adds a
+/// Reads the whole manifest, in sections that all cores share. The result does not depend on the
+/// number of cores. Returns nothing, and adds a finding, if it cannot be read. Adds a
 /// finding for each line that is not a record, except for a last line that is cut off in a manifest
 /// under construction, and sets `bad_lines` to the number of these lines.
 std::optional<ManifestSummary> Summarize(const std::filesystem::path& manifest, std::size_t shown,

@@ -15,10 +15,7 @@ namespace {
 // Maximum number of components of a vector that are counted.
 constexpr std::size_t kMaxNumbers = 8;
 
-void Count(Counts& counts, bool is_bad) {
-  ++counts.all;
-  if (is_bad) ++counts.bad;
-}
+Counts One(bool is_bad) { return {1, is_bad ? 1U : 0U}; }
 
 }  // namespace
 
@@ -32,17 +29,25 @@ void NumberTally::Add(double value, bool is_bad) {
   if (is_bad) log_bad.Add(logarithm);
 }
 
+void NumberTally::Append(const NumberTally& other) {
+  good.Append(other.good);
+  all.Append(other.all);
+  bad.Append(other.bad);
+  log_all.Append(other.log_all);
+  log_bad.Append(other.log_bad);
+}
+
 void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
   if (const auto* text = std::get_if<std::string>(&value)) {
-    AddText(*text, is_bad);
+    AddText(*text, One(is_bad));
   } else if (const auto* flag = std::get_if<bool>(&value)) {
-    AddText(*flag ? "true" : "false", is_bad);
+    AddText(*flag ? "true" : "false", One(is_bad));
   } else if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
-    AddText(fmt::format("{}", fmt::join(*list, ", ")), is_bad);
+    AddText(fmt::format("{}", fmt::join(*list, ", ")), One(is_bad));
   } else if (const auto* number = std::get_if<double>(&value)) {
     numbers.resize(std::max<std::size_t>(numbers.size(), 1));
     numbers[0].Add(*number, is_bad);
-    AddWhole(*number, is_bad);
+    AddWhole(*number, One(is_bad));
   } else {
     const auto& vector = std::get<std::vector<double>>(value);
     const std::size_t count = std::min(vector.size(), kMaxNumbers);
@@ -52,17 +57,26 @@ void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
   }
 }
 
-void ParameterTally::AddText(const std::string& text, bool is_bad) {
+void ParameterTally::AddText(const std::string& text, const Counts& counts) {
   if (texts_.size() < kMaxTexts || texts_.contains(text)) {
-    Count(texts_[text], is_bad);
+    texts_[text].Append(counts);
   } else {
     more_texts = true;
   }
 }
 
-void ParameterTally::AddWhole(double value, bool is_bad) {
+void ParameterTally::AddWhole(double value, const Counts& counts) {
   all_whole_ = all_whole_ && value == std::round(value);
-  if (all_whole_ && whole_.size() <= kMaxWhole) Count(whole_[value], is_bad);
+  if (all_whole_ && whole_.size() <= kMaxWhole) whole_[value].Append(counts);
+}
+
+void ParameterTally::Append(const ParameterTally& other) {
+  numbers.resize(std::max(numbers.size(), other.numbers.size()));
+  for (std::size_t i = 0; i < other.numbers.size(); ++i) numbers[i].Append(other.numbers[i]);
+  more_texts = more_texts || other.more_texts;
+  for (const auto& [text, counts] : other.texts_) AddText(text, counts);
+  all_whole_ = all_whole_ && other.all_whole_;
+  for (const auto& [value, counts] : other.whole_) AddWhole(value, counts);
 }
 
 std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
@@ -76,19 +90,25 @@ std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
 
 void ParameterTallies::Add(
     const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad) {
-  for (std::size_t i = 0; i < params.size(); ++i) {
-    const std::string& name = params[i].first;
-    // Search only if the position differs from that of the other records.
-    auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(i, list_.size()));
-    if (known == list_.end() || known->name != name) {
-      known = std::ranges::find(list_, name, &ParameterTally::name);
-    }
-    if (known == list_.end()) {
-      known = list_.emplace(list_.end());
-      known->name = name;
-    }
-    known->Add(params[i].second, is_bad);
+  for (std::size_t i = 0; i < params.size(); ++i)
+    At(i, params[i].first).Add(params[i].second, is_bad);
+}
+
+void ParameterTallies::Append(const ParameterTallies& other) {
+  for (std::size_t i = 0; i < other.list_.size(); ++i)
+    At(i, other.list_[i].name).Append(other.list_[i]);
+}
+
+// Returns the tally of that name, which is usually at this position, or adds one.
+ParameterTally& ParameterTallies::At(std::size_t position, const std::string& name) {
+  auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(position, list_.size()));
+  if (known == list_.end() || known->name != name)
+    known = std::ranges::find(list_, name, &ParameterTally::name);
+  if (known == list_.end()) {
+    known = list_.emplace(list_.end());
+    known->name = name;
   }
+  return *known;
 }
 
 const ParameterTally* ParameterTallies::Find(const std::string& name) const {

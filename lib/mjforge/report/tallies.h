@@ -16,6 +16,7 @@ namespace mjforge::report {
 /// Distribution of a number that each variant has.
 struct NumberTally {
   void Add(double value, bool is_bad);
+  void Append(const NumberTally& other);
 
   Statistics good;
   Histogram all;
@@ -30,6 +31,10 @@ struct Counts {
   std::uint64_t bad = 0;
 
   std::uint64_t good() const { return all - bad; }
+  void Append(const Counts& other) {
+    all += other.all;
+    bad += other.bad;
+  }
 };
 
 /// The values of one parameter.
@@ -40,6 +45,7 @@ struct ParameterTally {
   static constexpr std::size_t kMaxWhole = 24;
 
   void Add(const sample::ParameterValue& value, bool is_bad);
+  void Append(const ParameterTally& other);
   /// Returns the values for a bar chart: texts and booleans by name, whole numbers in ascending
   /// order if there are few. Empty if a histogram suits the parameter better.
   std::vector<std::pair<std::string, Counts>> Values() const;
@@ -49,8 +55,8 @@ struct ParameterTally {
   bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:
-  void AddText(const std::string& text, bool is_bad);
-  void AddWhole(double value, bool is_bad);
+  void AddText(const std::string& text, const Counts& counts);
+  void AddWhole(double value, const Counts& counts);
 
   std::map<std::string, Counts> texts_;
   std::map<double, Counts> whole_;
@@ -61,11 +67,14 @@ struct ParameterTally {
 class ParameterTallies {
  public:
   void Add(const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad);
+  void Append(const ParameterTallies& other);
   const std::vector<ParameterTally>& list() const { return list_; }
   /// Returns null if there is no parameter of that name.
   const ParameterTally* Find(const std::string& name) const;
 
  private:
+  ParameterTally& At(std::size_t position, const std::string& name);
+
   std::vector<ParameterTally> list_;
 };
 

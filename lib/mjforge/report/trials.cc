@@ -25,6 +25,17 @@ void Trials::Add(const physics::Result& result) {
   AddGrasps(result.grasps);
 }
 
+void Trials::Append(const Trials& other) {
+  for (const Trial& more : other.list_) {
+    Trial* trial = Find(more.kind, more.name);
+    if (trial == nullptr) continue;
+    trial->passed += more.passed;
+    trial->failed += more.failed;
+    trial->ways += more.ways;
+    trial->held += more.held;
+  }
+}
+
 // A grasp at a site passes if any way to hold the object succeeds.
 void Trials::AddGrasps(const std::vector<physics::Result::Grasp>& grasps) {
   std::vector<std::pair<std::string, bool>> sites;

@@ -30,6 +30,7 @@ class Trials {
   static constexpr std::size_t kMost = 100;
 
   void Add(const physics::Result& result);
+  void Append(const Trials& other);
   const std::vector<Trial>& list() const { return list_; }
 
  private:

@@ -49,7 +49,7 @@ TEST_CASE("an archive has for each variant its object and its record") {
   }
   CHECK(compared == summary.ok);
   // The records are the manifest's lines, without the places of archive and spec.
-  std::string manifest = test.folder.Read("x.manifest.jsonl");
+  std::string manifest = test.ManifestText("x" + std::string(ending));
   const std::string archive = "\"archive\":\"x" + std::string(ending) + "\",";
   for (const std::string& place : {archive, std::string("\"spec_file\":\"crate.yaml\",")}) {
     for (std::size_t at = 0; (at = manifest.find(place, at)) != manifest.npos;)
@@ -80,6 +80,28 @@ TEST_CASE("the bytes of archives do not depend on how many processes make them")
     CHECK(test.Bytes("2") == test.Bytes("1"));
     CHECK(test.Bytes("8") == test.Bytes("1"));
   }
+}
+
+TEST_CASE("the manifest of a compressed archive is the plain one, compressed") {
+  CrateBatch test(kUnluckySpec);
+  test.Make(test.Of(300, "plain/x_%d.tar", 130));
+  test.Make(test.Of(300, "packed/x_%d.tar.zst", 130));
+  const auto zstd =
+      harness::Command{.program = "zstd",
+                       .arguments = {"-dc", (test.folder / "packed/x.manifest.jsonl.zst").string()}}
+          .Run();
+  REQUIRE(zstd.status == 0);
+  CHECK(zstd.out == test.ManifestText("packed/x_%d.tar.zst"));
+  std::string text = zstd.out;
+  for (std::size_t at = 0; (at = text.find(".tar.zst", at)) != text.npos;) text.erase(at + 4, 4);
+  CHECK(text == test.folder.Read("plain/x.manifest.jsonl"));
+  // The seek table lists a frame for each segment of an archive.
+  std::string why_not;
+  const auto frames = bytes::FramesOf(test.folder / "packed/x.manifest.jsonl.zst", why_not);
+  REQUIRE(frames);
+  CHECK(frames->size() == 7);
+  CHECK(test.folder.Read("packed/x.manifest.jsonl.zst").substr(frames->back().end()) ==
+        bytes::SeekTableOf(*frames));
 }
 
 TEST_CASE("a series has so many variants in each archive, and says where each one is") {

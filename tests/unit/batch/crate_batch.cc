@@ -45,6 +45,16 @@ Summary CrateBatch::Make(const Request& request, const Observer& observer) {
   return Run(recipe_, sources_, request, observer);
 }
 
+std::string CrateBatch::ManifestText(const std::string& output) const {
+  std::string why_not;
+  auto lines = bytes::LineReader::Open(Of(1, output).destination.Manifest({}), why_not);
+  REQUIRE(lines);
+  std::string text;
+  for (std::string line; lines->Next(line, why_not);) text += line + "\n";
+  CHECK(why_not.empty());
+  return text;
+}
+
 std::map<std::string, std::string> CrateBatch::Bytes(const std::string& subfolder) const {
   std::map<std::string, std::string> bytes;
   for (const std::string& file : folder.Files()) {

@@ -50,6 +50,8 @@ class CrateBatch {
   Summary Make(const Request& request, const Observer& observer = {});
   /// Returns the bytes of all files in a subfolder, by name.
   std::map<std::string, std::string> Bytes(const std::string& subfolder) const;
+  /// Returns the text of the manifest of an output, decompressed.
+  std::string ManifestText(const std::string& output) const;
 
   harness::TemporaryFolder folder;
 

@@ -151,7 +151,7 @@ TEST_CASE("what is under construction was damaged: the same bytes, or an honest 
 }
 
 TEST_CASE("what is done and was damaged is made again") {
-  const std::string output = GENERATE("", "/x.tar", "/x_%05d.tar.zst");
+  const std::string output = GENERATE("", "/x.tar", "/x.tar.zst", "/x_%05d.tar.zst");
   const bool resumes = GENERATE(false, true);
   INFO(output << ", resumes: " << resumes);
   CrateBatch test(kWoodenSpec);

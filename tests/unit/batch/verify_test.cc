@@ -29,7 +29,7 @@ TEST_CASE_METHOD(VerifyTest, "what was just made is as it was") {
   CHECK(verified.files == summary.ok + 1);
   CHECK(IsGood("series"));
   CHECK(verified.files == 5);
-  CHECK(IsGood("series/x.manifest.jsonl"));
+  CHECK(IsGood("series/x.manifest.jsonl.zst"));
   CHECK(IsGood("series/x.manifest.seal.json"));
   CHECK(IsGood("series/x_2.tar.zst"));
   CHECK(verified.files == 1);
@@ -68,6 +68,12 @@ TEST_CASE_METHOD(VerifyTest, "what nothing vouches for is not good") {
   std::filesystem::rename(folder / "out/manifest.jsonl", folder / "out/.manifest.jsonl.part");
   CHECK_FALSE(IsGood("out"));
   CHECK(findings[0].message.ends_with(".manifest.jsonl.part' is of a batch that is not done"));
+  folder.Write("packed/.x.manifest.jsonl.zst.part", "");
+  CHECK_FALSE(IsGood("packed"));
+  CHECK(findings[0].message.ends_with(".jsonl.zst.part' is of a batch that is not done"));
+  folder.Write("lost/x.manifest.jsonl.zst", "");
+  CHECK_FALSE(IsGood("lost"));
+  CHECK(findings[0].message.starts_with("nothing vouches for '"));
 }
 
 TEST_CASE_METHOD(VerifyTest, "many faults are counted") {

@@ -77,6 +77,14 @@ TEST_CASE("numbers are read back to the last bit") {
   }
 }
 
+TEST_CASE("a byte order mark before a record is ignored, a zero byte after it is not") {
+  const std::string line = LineOf(WholeRecord());
+  std::string why_not;
+  CHECK(ReadRecord("\xEF\xBB\xBF" + line, why_not));
+  CHECK_FALSE(ReadRecord(line + '\0', why_not));
+  CHECK_FALSE(ReadRecord(line + '\0' + line, why_not));
+}
+
 TEST_CASE("a zero of many digits is a number, one too large for any number is not") {
   const std::string line = LineOf(WholeRecord());
   const std::string mass = R"("mass":0.30000000000000004)";

@@ -75,6 +75,7 @@ TEST_CASE("outputs that differ say how") {
   CHECK(DifferenceOfOutput(SomeSeal(), other) == "per_archive is '10', not '11'");
   CHECK(SealPathOf("out/x.manifest-00001-of-00002.jsonl") ==
         "out/x.manifest-00001-of-00002.seal.json");
+  CHECK(SealPathOf("x.manifest.jsonl.zst") == "x.manifest.seal.json");
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ TEST_CASE("the manifest is in the folder, or beside the archives") {
   CHECK(Parse("out/")->Manifest({}) == "out/manifest.jsonl");
   CHECK(Parse("out")->Manifest({3, 8}) == "out/manifest-00003-of-00008.jsonl");
   CHECK(Parse("a/x.tar")->Manifest({}) == "a/x.manifest.jsonl");
-  CHECK(Parse("x_%05d.tar.zst")->Manifest({}) == "x.manifest.jsonl");
+  CHECK(Parse("x_%05d.tar.zst")->Manifest({}) == "x.manifest.jsonl.zst");
+  CHECK(Parse("x_%05d.tar.zst")->Manifest({3, 8}) == "x.manifest-00003-of-00008.jsonl.zst");
   CHECK(Parse("a/x-%d.tar")->Manifest({0, 2}) == "a/x.manifest-00000-of-00002.jsonl");
   CHECK(Parse("a/%d.tar")->Manifest({}) == "a/manifest.jsonl");
 }

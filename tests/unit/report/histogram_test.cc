@@ -49,6 +49,30 @@ TEST_CASE("bins of evenly spread numbers are as high as each other") {
   CHECK(std::accumulate(bins.begin(), bins.end(), std::uint64_t{0}) == 1000);
 }
 
+TEST_CASE("histograms joined are the histogram of all numbers") {
+  const std::vector<double> scattered = Scattered();
+  const std::vector<std::vector<double>> others = {{},     {0.5},           {-1e6, 3e5},
+                                                   {1e-9}, {1e300, -1e300}, scattered};
+  for (const std::vector<double>& other : others) {
+    std::vector<double> both = scattered;
+    both.insert(both.end(), other.begin(), other.end());
+    const Histogram expected = HistogramOf(both);
+    for (const bool is_swapped : {false, true}) {
+      Histogram joined = HistogramOf(is_swapped ? other : scattered);
+      joined.Append(HistogramOf(is_swapped ? scattered : other));
+      CHECK(joined.count() == expected.count());
+      CHECK(joined.min() == expected.min());
+      CHECK(joined.max() == expected.max());
+      const double lo = expected.min();
+      const double hi = expected.max();
+      CHECK(joined.mean() == Approx(expected.mean()).margin(1e-15 * hi));
+      CHECK(joined.StandardDeviation() == Approx(expected.StandardDeviation()));
+      CHECK(joined.Bins(lo, hi, 32) == expected.Bins(lo, hi, 32));
+      CHECK(joined.Quantile(0.3) == expected.Quantile(0.3));
+    }
+  }
+}
+
 TEST_CASE("the order of the numbers does not matter") {
   std::vector<double> values = Scattered();
   values.push_back(-1e6);

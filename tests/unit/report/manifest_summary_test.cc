@@ -142,6 +142,73 @@ TEST_CASE_METHOD(SummaryTest, "a line cut off is no fault of a manifest under co
   CHECK(bad_lines == 1);
 }
 
+TEST_CASE_METHOD(SummaryTest, "a long manifest, read in sections, has the summary of its records") {
+  constexpr std::uint64_t kBytes = std::uint64_t{20} << 20;  // three sections
+  ManifestSummary expected(10);
+  std::string text;
+  std::uint64_t count = 0;
+  for (; text.size() < kBytes; ++count) {
+    manifest::Record record = RecordOf(count, count % 5 == 0 ? "failed" : "ok");
+    record.params = {{"colour", std::string(count % 3 == 0 ? "red" : "blue")},
+                     {"radius", 0.1 + 1e-7 * static_cast<double>(count)}};
+    if (count % 5 == 0) record.findings = {FindingOf("mujoco/error", std::to_string(count))};
+    manifest::AppendRecord(text, record);
+    expected.Add(record);
+  }
+  const auto summary = Summarize("manifest.jsonl", text);
+  REQUIRE(summary);
+  CHECK(summary->variants == count);
+  CHECK(summary->last_index == count - 1);
+  CHECK(summary->first->index == 0);
+  CHECK(summary->statuses.failed == expected.statuses.failed);
+  CHECK(summary->codes.at("mujoco/error").variants == expected.statuses.failed);
+  CHECK(summary->codes.at("mujoco/error").example.message == "0");
+  CHECK(IndicesOf(summary->Choose()) == IndicesOf(expected.Choose()));
+  CHECK(summary->points.Take(5).size() == 5);
+  const ParameterTally& colour = *summary->params.Find("colour");
+  CHECK(colour.Values()[1].second.all == expected.params.Find("colour")->Values()[1].second.all);
+  const NumberTally& radius = summary->params.Find("radius")->numbers[0];
+  const NumberTally& all = expected.params.Find("radius")->numbers[0];
+  CHECK(radius.all.mean() == Approx(all.all.mean()).epsilon(1e-12));
+  CHECK(radius.good.StandardDeviation() == Approx(all.good.StandardDeviation()).epsilon(1e-12));
+  CHECK(radius.bad.count() == all.bad.count());
+  CHECK(radius.all.Bins(0, 1, 50) == all.all.Bins(0, 1, 50));
+  // The same again: the division depends only on the file.
+  const auto again = Summarize("manifest.jsonl", text);
+  CHECK(again->params.Find("radius")->numbers[0].good.m2 == radius.good.m2);
+}
+
+TEST_CASE_METHOD(SummaryTest, "bad lines of a long manifest have their numbers in the file") {
+  const std::string piece = ManifestOf(1000);
+  std::string text;
+  for (std::uint64_t i = 0; text.size() < std::uint64_t{20} << 20; ++i)
+    text += piece + "bad " + std::to_string(i) + "\n";
+  const auto summary = Summarize("manifest.jsonl", text);
+  REQUIRE(summary);
+  CHECK(bad_lines == summary->variants / 1000);
+  REQUIRE(findings.size() > 15);
+  for (std::uint32_t i = 0; i < findings.size(); ++i) {
+    CHECK(findings[i].mark.line == (i + 1) * 1001);
+    CHECK(sources.Line(findings[i].mark) == "bad " + std::to_string(i));
+  }
+}
+
+TEST_CASE_METHOD(SummaryTest, "a compressed manifest has the summary of its text") {
+  bytes::FrameCompressor compressor;
+  const std::string text = ManifestOf(100, 3);
+  const std::string first(compressor.Compress(text));
+  const std::string frames = first + std::string(compressor.Compress(ManifestOf(1)));
+  CHECK(Summarize("m.jsonl.zst", frames)->variants == 101);
+  CHECK(findings.empty());
+  const std::string cut = frames.substr(0, frames.size() - 50);
+  CHECK(Summarize(".m.jsonl.zst.part", cut)->variants == 100);
+  CHECK(findings.empty());
+  CHECK_FALSE(Summarize("m.jsonl.zst", cut));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message == "cannot read this line: its last frame is incomplete");
+  CHECK(findings[0].mark.line == 101);
+}
+
 TEST_CASE("a record of another batch is noticed") {
   ManifestSummary summary(10);
   summary.Add(RecordOf(0));

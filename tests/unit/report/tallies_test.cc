@@ -32,6 +32,24 @@ TEST_CASE("whole numbers have a bar each while they are few") {
   CHECK(TallyOf({1.0, 2.5}).Values().empty());
 }
 
+TEST_CASE("tallies joined are the tally of all values") {
+  const auto joined = [](const std::vector<sample::ParameterValue>& a,
+                         const std::vector<sample::ParameterValue>& b) {
+    ParameterTally tally = TallyOf(a);
+    tally.Append(TallyOf(b));
+    return tally;
+  };
+  CHECK(ValuesText(joined({std::string("b"), true}, {std::string("b"), std::string("a")})) ==
+        "a 1 b 2 true 1 ");
+  CHECK(ValuesText(joined({10.0, 2.0}, {10.0})) == "2 1 10 2 ");
+  CHECK(joined({1.0}, {2.5}).Values().empty());
+  CHECK(joined({2.5}, {1.0}).Values().empty());
+  std::vector<sample::ParameterValue> many;
+  for (std::size_t i = 0; i <= ParameterTally::kMaxWhole; ++i) many.emplace_back(double(i));
+  CHECK(joined({100.0}, many).Values().empty());
+  CHECK(joined({std::vector<double>{1, 10}}, {std::vector<double>{3, 20, 5}}).numbers.size() == 3);
+}
+
 TEST_CASE("a vector has a tally for each component") {
   const ParameterTally tally = TallyOf({std::vector<double>{1, 10}, std::vector<double>{3, 20}});
   REQUIRE(tally.numbers.size() == 2);

@@ -1,0 +1,56 @@
+// The text of a file as a stream of bytes, decompressed if the file consists of Zstandard's frames.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <zstd.h>
+
+#include "mjforge/bytes/bytes.h"
+
+namespace mjforge::bytes {
+
+/// Returns true if the file begins with a frame of Zstandard; nothing, and sets `why_not`, if it
+/// cannot be read.
+std::optional<bool> IsCompressed(File& file, std::string& why_not);
+
+/// The text of a file from the start of a section to the end of the file.
+class TextStream {
+ public:
+  TextStream(File file, bool is_compressed, const Section& section);
+
+  /// Reads at least one byte, unless the text ends, and never across the end of the section.
+  /// Returns the number of bytes read; nothing, and sets `why_not`, if reading fails.
+  std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
+  /// Returns how many of the bytes read are behind the end of the section.
+  std::uint64_t bytes_after_section() const { return bytes_after_section_; }
+  /// Returns true if the file ends within a frame.
+  bool ends_in_frame() const { return is_at_end_ && is_in_frame_; }
+
+ private:
+  struct FreeDecoder {
+    void operator()(ZSTD_DCtx* decoder) const { ZSTD_freeDCtx(decoder); }
+  };
+
+  std::optional<std::size_t> ReadStored(std::span<char> buffer, std::string& why_not);
+  std::optional<std::size_t> Decompress(std::span<char> buffer, std::string& why_not);
+
+  File file_;
+  std::uint64_t position_;  // offset in the file of the next stored byte
+  std::uint64_t end_;
+  std::uint64_t bytes_after_section_ = 0;
+  bool is_after_section_ = false;  // the last stored bytes are
+  bool is_at_end_ = false;
+  std::unique_ptr<ZSTD_DCtx, FreeDecoder> decoder_;  // null: the file is not compressed
+  std::string stored_;
+  ZSTD_inBuffer input_ = {nullptr, 0, 0};  // the stored bytes that are not decompressed yet
+  bool has_output_ = false;                // the decoder has text that did not fit into the buffer
+  bool is_in_frame_ = false;
+};
+
+}  // namespace mjforge::bytes

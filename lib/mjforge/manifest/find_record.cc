@@ -1,0 +1,85 @@
+// Finding one record of a manifest by bisection.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::manifest {
+namespace {
+
+using Outcome = RecordReader::Outcome;
+using Path = std::filesystem::path;
+
+// Returns the index of the first record after a cut; nothing if no record follows.
+std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
+  diag::Sources sources;
+  diag::Findings ignored;
+  auto reader = RecordReader::Open(file, sources, ignored, {.begin = cut});
+  Record record;
+  Outcome outcome = Outcome::kBadLine;
+  while (reader && outcome == Outcome::kBadLine) outcome = reader->Next(record);
+  return outcome == Outcome::kRecord ? std::optional(record.index) : std::nullopt;
+}
+
+// Returns the section that contains the record if the manifest is in index order.
+bytes::Section SectionOf(const Path& file, std::uint64_t index,
+                         const std::vector<std::uint64_t>& cuts) {
+  const auto is_before = [&](std::uint64_t cut) {
+    const std::optional<std::uint64_t> first = IndexAfter(file, cut);
+    return first && *first <= index;
+  };
+  const auto end = std::partition_point(cuts.begin() + 1, cuts.end(), is_before);
+  return end == cuts.end() ? bytes::Section{.begin = *(end - 1)}
+                           : bytes::Section{.begin = *(end - 1), .end = *end};
+}
+
+std::optional<Record> FindIn(const bytes::Section& section, const Path& file, std::uint64_t index,
+                             diag::Sources& sources, diag::Findings& findings) {
+  auto reader = RecordReader::Open(file, sources, findings, section);
+  Record record;
+  Outcome outcome = Outcome::kBadLine;
+  while (reader && (outcome == Outcome::kRecord || outcome == Outcome::kBadLine)) {
+    outcome = reader->Next(record);
+    if (outcome == Outcome::kRecord && record.index == index) return record;
+  }
+  return std::nullopt;
+}
+
+// Returns true if the manifest has a seal, and the size that the seal states.
+bool HasSeal(const Path& file) {
+  std::string why_not;
+  const auto text = bytes::Read(SealPathOf(file), bytes::kMaxLine, why_not);
+  const std::optional<Seal> seal = text ? ReadSeal(*text, why_not) : std::nullopt;
+  return seal && seal->manifest.file == file.filename() &&
+         bytes::HasSize(file, seal->manifest.content.size, why_not);
+}
+
+}  // namespace
+
+std::optional<Record> FindRecord(const Path& file, std::uint64_t index, diag::Sources& sources,
+                                 diag::Findings& findings) {
+  std::string why_not;
+  const std::optional<std::vector<std::uint64_t>> cuts = bytes::CutsOf(file, why_not);
+  if (!cuts) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", file.string(), why_not));
+    return std::nullopt;
+  }
+  // Line numbers in a section are not those of the file, so its findings are not shown.
+  diag::Sources section_sources;
+  diag::Findings found;
+  auto record = FindIn(SectionOf(file, index, *cuts), file, index, section_sources, found);
+  if (record) return record;
+  const std::size_t before = findings.size();
+  if (!found.empty() || !HasSeal(file)) record = FindIn({}, file, index, sources, findings);
+  if (!record && findings.size() == before) {
+    findings.Add(diag::Code::kOutputBadManifest, {},
+                 fmt::format("'{}' has no record with index {}", file.string(), index));
+  }
+  return record;
+}
+
+}  // namespace mjforge::manifest

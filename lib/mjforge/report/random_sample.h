@@ -1,0 +1,80 @@
+// Random sample of records whose number is not known in advance.
+
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mjforge::report {
+
+/// Sample of the items with the lowest ranks, where the rank of an item is a hash of its index. The
+/// sample depends neither on the order of the items nor on how they were divided among samples, and
+/// regularities of the indices (grids, Sobol points) do not show in it.
+template <typename Item>
+class RandomSample {
+ public:
+  /// Keeps at most `most` items.
+  explicit RandomSample(std::size_t most) : most_(most) {}
+
+  void Add(std::uint64_t index, const Item& item) {
+    ++seen_;
+    Keep({HashOf(index), index}, item);
+  }
+  /// Adds the items that another sample with the same `most` has seen.
+  void Append(const RandomSample& other) {
+    seen_ += other.seen_;
+    for (const Entry& entry : other.kept_) Keep(entry.rank, entry.item);
+  }
+
+  std::uint64_t seen() const { return seen_; }
+
+  /// Returns a sample of up to `count` of the kept items, in the order of their indices.
+  std::vector<Item> Take(std::size_t count) const {
+    std::vector<const Entry*> taken;
+    for (const Entry& entry : kept_) taken.push_back(&entry);
+    std::ranges::sort(taken, {}, &Entry::rank);
+    taken.resize(std::min(count, taken.size()));
+    std::ranges::stable_sort(taken, {}, [](const Entry* entry) { return entry->rank.index; });
+    std::vector<Item> items;
+    for (const Entry* entry : taken) items.push_back(entry->item);
+    return items;
+  }
+
+ private:
+  struct Rank {
+    std::uint64_t hash = 0;
+    std::uint64_t index = 0;
+    auto operator<=>(const Rank&) const = default;
+  };
+  struct Entry {
+    Rank rank;
+    Item item;
+  };
+
+  // Output function of SplitMix64 (Steele, Lea and Flood 2014).
+  static std::uint64_t HashOf(std::uint64_t index) {
+    std::uint64_t hash = index + 0x9e3779b97f4a7c15;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111eb;
+    return hash ^ hash >> 31;
+  }
+
+  void Keep(const Rank& rank, const Item& item) {
+    if (kept_.size() == most_) {
+      if (most_ == 0 || kept_.front().rank <= rank) return;
+      std::ranges::pop_heap(kept_, {}, &Entry::rank);
+      kept_.pop_back();
+    }
+    kept_.push_back({rank, item});
+    std::ranges::push_heap(kept_, {}, &Entry::rank);
+  }
+
+  std::size_t most_;
+  std::uint64_t seen_ = 0;
+  std::vector<Entry> kept_;  // a heap with the highest rank on top
+};
+
+}  // namespace mjforge::report

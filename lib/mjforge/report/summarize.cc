@@ -1,0 +1,141 @@
+// Reading a manifest in sections, which all cores share.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <future>
+#include <thread>
+
+#include "mjforge/bytes/bytes.h"
+#include "mjforge/report/manifest_summary.h"
+
+namespace mjforge::report {
+namespace {
+
+using Path = std::filesystem::path;
+
+// Least size of a section. Constant, because means and variances depend on the sections, by a
+// rounding.
+constexpr std::uint64_t kSectionBytes = std::uint64_t{8} << 20;
+
+struct SectionSummary {
+  ManifestSummary records;
+  std::uint32_t lines = 0;
+  std::uint64_t bad_lines = 0;
+  bool is_unreadable = false;
+  // Findings in the order of their lines, which are counted from the start of the section.
+  diag::Sources sources;
+  diag::Findings findings;
+};
+
+SectionSummary SummarizeSection(const Path& manifest, const bytes::Section& section,
+                                std::size_t shown) {
+  using Outcome = manifest::RecordReader::Outcome;
+  SectionSummary summary{.records = ManifestSummary(shown), .sources = {}, .findings = {}};
+  const bool is_part = manifest.extension() == ".part";
+  auto reader = manifest::RecordReader::Open(manifest, summary.sources, summary.findings, section);
+  summary.is_unreadable = !reader;
+  manifest::Record record;
+  for (Outcome outcome = Outcome::kRecord; reader && outcome != Outcome::kEnd;) {
+    outcome = reader->Next(record);
+    if (outcome == Outcome::kRecord) summary.records.Add(record);
+    const bool is_cut_off = is_part && reader->torn();
+    if (outcome == Outcome::kBadLine && !is_cut_off) ++summary.bad_lines;
+    if (outcome != Outcome::kUnreadable) continue;
+    summary.is_unreadable = !is_cut_off;
+    break;
+  }
+  if (reader) summary.lines = reader->number();
+  return summary;
+}
+
+std::optional<std::vector<bytes::Section>> SectionsOf(const Path& manifest,
+                                                      diag::Findings& findings) {
+  std::string why_not;
+  const std::optional<std::vector<std::uint64_t>> cuts = bytes::CutsOf(manifest, why_not);
+  if (!cuts) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("cannot read '{}': {}", manifest.string(), why_not));
+    return std::nullopt;
+  }
+  std::vector<bytes::Section> sections(1);
+  for (const std::uint64_t cut : *cuts) {
+    if (cut - sections.back().begin < kSectionBytes) continue;
+    sections.back().end = cut;
+    sections.push_back({.begin = cut});
+  }
+  return sections;
+}
+
+// Joins the summaries of consecutive sections.
+class Joiner {
+ public:
+  Joiner(std::size_t shown, diag::Sources& sources, diag::Findings& findings)
+      : batch_(shown), sources_(sources), findings_(findings) {}
+
+  // Returns false if the section could not be read.
+  bool Append(const SectionSummary& section) {
+    const std::uint64_t all = section.is_unreadable ? section.findings.size() : section.bad_lines;
+    const std::uint64_t room = manifest::RecordReader::kMaxBadLines - findings_count_;
+    const std::uint64_t count = std::min<std::uint64_t>({all, section.findings.size(), room});
+    for (std::size_t i = 0; i < count; ++i) Add(section, section.findings[i]);
+    if (section.is_unreadable && count < all)
+      Add(section, section.findings[section.findings.size() - 1]);
+    batch_.Append(section.records);
+    lines_ += section.lines;
+    bad_lines_ += section.bad_lines;
+    return !section.is_unreadable;
+  }
+
+  const ManifestSummary& batch() const { return batch_; }
+  std::uint64_t bad_lines() const { return bad_lines_; }
+
+ private:
+  // Adds a finding with its line in the file.
+  void Add(const SectionSummary& section, const diag::Finding& finding) {
+    diag::SourceMark mark = finding.mark;
+    if (mark.file > 0) {
+      mark.line += lines_;
+      mark.file =
+          sources_.Add(section.sources.Name(mark.file), section.sources.Text(mark.file), mark.line);
+    }
+    findings_.Add(finding.code, mark, finding.message, finding.hint);
+    ++findings_count_;
+  }
+
+  ManifestSummary batch_;
+  std::uint32_t lines_ = 0;
+  std::uint64_t bad_lines_ = 0;
+  std::uint64_t findings_count_ = 0;
+  diag::Sources& sources_;
+  diag::Findings& findings_;
+};
+
+}  // namespace
+
+std::optional<ManifestSummary> Summarize(const Path& manifest, std::size_t shown,
+                                         diag::Sources& sources, diag::Findings& findings,
+                                         std::uint64_t& bad_lines) {
+  const std::optional<std::vector<bytes::Section>> sections = SectionsOf(manifest, findings);
+  if (!sections) return std::nullopt;
+  // More sections than cores are read at a time, so that no core waits while summaries are joined.
+  const std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()) + 1;
+  Joiner joiner(shown, sources, findings);
+  std::deque<std::future<SectionSummary>> running;
+  for (auto next = sections->begin(); next != sections->end() || !running.empty();) {
+    if (next != sections->end() && running.size() < jobs) {
+      running.push_back(std::async([&manifest, section = *next++, shown] {
+        return SummarizeSection(manifest, section, shown);
+      }));
+      continue;
+    }
+    const SectionSummary section = running.front().get();
+    running.pop_front();
+    if (!joiner.Append(section)) return std::nullopt;
+  }
+  bad_lines = joiner.bad_lines();
+  return joiner.batch();
+}
+
+}  // namespace mjforge::report
