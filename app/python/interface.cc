@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
@@ -32,6 +33,14 @@ struct MjforgeMaker {
   std::string contents;
   std::string description;
   std::string failure;
+};
+
+struct MjforgeLines {
+  explicit MjforgeLines(const char* file) : reader(bytes::LineReader::Open(file, why_not)) {}
+
+  std::string why_not;                      // the reason if opening or reading fails
+  std::optional<bytes::LineReader> reader;  // nothing if the file cannot be opened
+  std::string line;
 };
 
 struct MjforgeArchive {
@@ -233,6 +242,31 @@ int MjforgeNextMember(MjforgeArchive* archive, MjforgeText* name, MjforgeText* c
     return Next(*archive, *name, *content);
   } catch (const std::exception&) {
     *content = View("not enough memory");
+    return 2;
+  }
+}
+
+MjforgeLines* MjforgeOpenLines(const char* file) {
+  try {
+    return new MjforgeLines(file);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void MjforgeCloseLines(MjforgeLines* lines) { delete lines; }
+
+int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line) {
+  try {
+    if (lines->reader && lines->reader->Next(lines->line, lines->why_not)) {
+      *line = View(lines->line);
+      return 0;
+    }
+    *line = View(lines->why_not);
+    if (lines->reader && lines->reader->torn()) return 3;
+    return lines->why_not.empty() ? 1 : 2;
+  } catch (const std::exception&) {
+    *line = View("not enough memory");
     return 2;
   }
 }

@@ -3,7 +3,7 @@
 //
 // No function throws. The package declares the same structs in _library.py. Texts are UTF-8. Input
 // texts end with a zero byte. Output texts have a size and are valid until the next call with the
-// same maker or archive, which must be used by one thread at a time; different ones are
+// same maker, archive or manifest, which must be used by one thread at a time; different ones are
 // independent.
 #pragma once
 
@@ -73,6 +73,17 @@ void MjforgeCloseArchive(MjforgeArchive* archive);
 /// Reads the next member. Returns 0 on success, 1 at the end, 2 if reading fails; `content` is then
 /// the reason.
 int MjforgeNextMember(MjforgeArchive* archive, MjforgeText* name, MjforgeText* content);
+
+struct MjforgeLines;
+
+/// Opens a manifest, plain or compressed, to read its lines. Returns null only if there is not
+/// enough memory.
+MjforgeLines* MjforgeOpenLines(const char* file);
+void MjforgeCloseLines(MjforgeLines* lines);
+/// Reads the next line, without its end. Returns 0 on success, 1 at the end, 2 if reading fails;
+/// `line` is then the reason. Returns 3 at the end of a file that was cut off within a line or a
+/// frame.
+int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line);
 
 /// Returns the names of the specs in a folder as a JSON list, valid until the next call in this
 /// thread.

@@ -48,8 +48,11 @@ class Proofs(unittest.TestCase):
         return result.returncode, result.stdout, result.stderr
 
     def test_reads_back_what_was_written(self):
-        for output in ("a/", "b.tar", "c.tar.zst"):
+        for output in ("a/", "b.tar", "c.tar.zst", "d_%d.tar.zst"):
             self.write(output, assets="files", name="mug")
+            (manifest,) = manifests_of(self.path / output)
+            self.assertEqual(Batch(manifest, print).count(), 3)
+            self.assertEqual(manifest.suffix == ".zst", output.endswith(".zst"))
             objects, findings = self.read(output)
             self.assertEqual(findings, [])
             variants = mjforge.Spec("mug").variants(seed=7, assets="files")[:3]
@@ -88,7 +91,7 @@ class Proofs(unittest.TestCase):
         manifest = self.path / "a/manifest.jsonl"
         lines = manifest.read_text().splitlines()
         lines[3] = lines[3].replace("hammer_000003.xml", "../../etc/passwd")
-        manifest.write_text("\n".join([*lines, "[]", "no JSON", "[" * 100000, '{"status": "ok"}']))
+        manifest.write_text("\n".join([*lines, "[]", "no JSON", "[" * 100000, '{"status": "ok"}', ""]))
         objects, findings = self.read("a/")
         self.assertEqual([stored.record["index"] for stored in objects], [4])
         self.assertEqual([(f.code, f.index, f.line) for f in findings],
@@ -96,6 +99,17 @@ class Proofs(unittest.TestCase):
                           ("batch/missing", 2, None), ("output/bad-manifest", None, 4),
                           *(("output/bad-manifest", None, line) for line in (6, 7, 8, 9))])
         self.assertIn("is not a regular file", findings[2].message)
+
+    def test_a_manifest_that_was_cut_is_an_error(self):
+        self.write("x.tar.zst", 200)
+        manifest = self.path / "x.manifest.jsonl.zst"
+        manifest.write_bytes(manifest.read_bytes()[:1000])
+        objects, findings = self.read("x.tar.zst")
+        self.assertEqual(len(objects) % 64, 0)
+        self.assertEqual([(f.code, f.message) for f in findings],
+                         [("output/bad-manifest", "cannot read the manifest to its end: it was cut off")])
+        manifest.rename(self.path / "y.manifest.jsonl.zst.part")
+        self.assertEqual(self.read("y.manifest.jsonl.zst.part")[1], [])
 
     def test_an_archive_that_was_cut_costs_its_last_objects(self):
         self.write("x.tar", 5)

@@ -12,14 +12,13 @@ import stat
 from typing import Any, Callable, Iterator, Mapping, Optional, Union
 
 from ._findings import Finding
-from ._library import members
+from ._library import lines, members
 
 # As in lib/mjforge/bytes/bytes.h.
 _MAX_FILE = 256 << 20
-_MAX_LINE = 64 << 20
 _MAX_ASSETS = 1 << 30  # bytes of an archive's assets that are kept in memory
 _SHARD = re.compile(r"-\d+-of-\d+")
-_MANIFEST = re.compile(rf"(.+\.)?manifest({_SHARD.pattern})?\.jsonl")
+_MANIFEST = re.compile(rf"(.+\.)?manifest({_SHARD.pattern})?\.jsonl(\.zst)?")
 
 
 def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
@@ -33,25 +32,19 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
         found = [path / name for name in sorted(names)
                  if name == (whole := _SHARD.sub("", name)) or whole not in names]
         found = found or sorted(path.glob("*/manifest.jsonl"))
-    elif path.name.endswith((".jsonl", ".jsonl.part")):
+    elif path.name.removesuffix(".part").endswith((".jsonl", ".jsonl.zst")):
         found = [path]
     else:
         name = path.name.removesuffix(".zst").removesuffix(".tar")
         stem = re.sub(r"%\d*d", "", name, count=1)
         stem = name if stem == name else stem.rstrip("_-.")
-        found = [path.with_name(f"{stem}.manifest.jsonl")]
+        ending = ".jsonl.zst" if path.suffix == ".zst" else ".jsonl"
+        found = [path.with_name(f"{stem}.manifest{ending}")]
     if not found or not found[0].exists():
         raise FileNotFoundError(
             f"'{path}' has no manifest: name the folder, the archive or the manifest that "
             "'mjforge generate' wrote")
     return found
-
-
-def manifest_lines(manifest: pathlib.Path) -> Iterator[bytes]:
-    """The lines of a manifest, without their ends; the only reader of manifests."""
-    with open(_regular(manifest), "rb") as file:
-        while line := file.readline(_MAX_LINE):
-            yield line.rstrip(b"\n")
 
 
 @dataclasses.dataclass
@@ -83,12 +76,13 @@ class Batch:
     def count(self) -> Optional[int]:
         """The number of records according to the seal; None without one."""
         try:
-            return int(json.loads(_content(self._manifest.with_suffix(".seal.json")))["records"])
+            name = self._manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
+            return int(json.loads(_content(self._manifest.with_name(name)))["records"])
         except (OSError, ValueError, KeyError, TypeError):
             return None
 
     def __iter__(self) -> Iterator[Stored]:
-        for number, line in enumerate(manifest_lines(self._manifest), start=1):
+        for number, line in enumerate(self._lines(), start=1):
             self.records += 1
             record = self._record_of(number, line)
             if record is None or record["status"] != "ok":
@@ -104,6 +98,12 @@ class Batch:
                 if self._is_unchanged(stored):
                     yield stored
 
+    def _lines(self) -> Iterator[bytes]:
+        try:
+            yield from lines(str(self._manifest))
+        except OSError as error:
+            self._bad_manifest(f"cannot read the manifest to its end: {error}")
+
     def _record_of(self, number: int, line: bytes) -> Optional[dict[str, Any]]:
         try:
             record = json.loads(line)
@@ -112,10 +112,12 @@ class Batch:
             problem = "it is not JSON"
         if not problem:
             return record
-        self._report(Finding({"severity": "error", "code": "output/bad-manifest",
-                              "message": f"this line is not a record: {problem}", "notes": [],
-                              "file": str(self._manifest), "line": number, "column": 1}))
+        self._bad_manifest(f"this line is not a record: {problem}", line=number, column=1)
         return None
+
+    def _bad_manifest(self, message: str, **place: int) -> None:
+        self._report(Finding({"severity": "error", "code": "output/bad-manifest", "message": message,
+                              "notes": [], "file": str(self._manifest), **place}))
 
     def _read(self, record: Mapping[str, Any]) -> Stored:
         name = record["file"]

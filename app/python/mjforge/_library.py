@@ -66,6 +66,9 @@ def _load() -> ctypes.CDLL:
         ("MjforgeOpenArchive", c_void_p, c_char_p),
         ("MjforgeCloseArchive", None, c_void_p),
         ("MjforgeNextMember", c_int, c_void_p, POINTER(Text), POINTER(Text)),
+        ("MjforgeOpenLines", c_void_p, c_char_p),
+        ("MjforgeCloseLines", None, c_void_p),
+        ("MjforgeNextLine", c_int, c_void_p, POINTER(Text)),
         ("MjforgeCatalogue", Text, c_char_p),
         ("MjforgeVersion", c_char_p),
     ):
@@ -122,6 +125,24 @@ def members(archive: str) -> Iterator[tuple[str, bytes]]:
             raise OSError(bytes_of(content).decode(errors="replace"))
     finally:
         library.MjforgeCloseArchive(handle)
+
+
+def lines(manifest: str) -> Iterator[bytes]:
+    """The lines of a manifest, `.jsonl` or `.jsonl.zst`, without their ends. Raises OSError, also at
+    the end of a manifest that was cut off, unless it is still being written (`.part`)."""
+    handle = library.MjforgeOpenLines(c_text(manifest, "manifest"))
+    if not handle:
+        raise MemoryError
+    line = Text()
+    try:
+        while (status := library.MjforgeNextLine(handle, line)) == 0:
+            yield bytes_of(line)
+        if status == 2:
+            raise OSError(bytes_of(line).decode(errors="replace"))
+        if status == 3 and not manifest.endswith(".part"):
+            raise OSError("it was cut off")
+    finally:
+        library.MjforgeCloseLines(handle)
 
 
 def catalogue() -> list[str]:
