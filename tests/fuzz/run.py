@@ -1,9 +1,10 @@
 """Runs the fuzz targets and says what they found: ./dev fuzz. The last line: "N passed, N failed".
 
-  python3 run.py BUILD PROGRAM [--minutes N | --smoke] [--jobs N] [TARGET...]
+  python3 run.py BUILD PROGRAM [--minutes N | --smoke | --replay] [--jobs N] [TARGET...]
 
 Inputs that reach something new are kept in BUILD/corpus, and the next run goes on from there. What
-fails is in BUILD/found; `BUILD/tests/fuzz/mjforge_fuzz_TARGET FILE` runs it again.
+fails is in BUILD/found; `BUILD/tests/fuzz/mjforge_fuzz_TARGET FILE` runs it again. --replay: runs only
+what was kept and what fuzzing begins with.
 """
 
 import argparse
@@ -58,6 +59,8 @@ class Target:
 
     def prepare(self, project, mjforge):
         seeds.write(self.name, project, mjforge, self.seeds)
+
+    def write_words(self):
         words = self.build / "tests/fuzz/mjforge_fuzz_words"
         self.words.write_bytes(subprocess.run([words, self.name], check=True,
                                               stdout=subprocess.PIPE).stdout)
@@ -92,6 +95,7 @@ class Target:
                 file.unlink()
 
     def fuzz(self, seconds, seed):
+        self.write_words()
         end = time.monotonic() + seconds
         while len(self.failures) < MOST_FAILURES and (left := int(end - time.monotonic())) > 0:
             before = set(self.found.iterdir())
@@ -167,6 +171,7 @@ def main():
     words.add_argument("program", type=lambda text: pathlib.Path(text).resolve())
     words.add_argument("--minutes", type=float, default=1)
     words.add_argument("--smoke", action="store_true")
+    words.add_argument("--replay", action="store_true")
     words.add_argument("--jobs", type=int, default=os.cpu_count())
     words.add_argument("targets", nargs="*")
     options = words.parse_intermixed_args()
@@ -182,8 +187,9 @@ def main():
         target.prepare(project, options.program)
         target.read_kept()
         # The same start each time in .ci/run; with 0 another one in every long run.
-        target.fuzz(SMOKE_SECONDS if options.smoke else options.minutes * 60,
-                    1 if options.smoke else 0)
+        if not options.replay:
+            target.fuzz(SMOKE_SECONDS if options.smoke else options.minutes * 60,
+                        1 if options.smoke else 0)
         print(target.summary(), flush=True)
 
     try:
