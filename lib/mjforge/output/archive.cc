@@ -6,6 +6,7 @@
 #include <archive_entry.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <limits>
 #include <memory>
@@ -188,7 +189,8 @@ std::string ArchiveReader::Start(std::size_t count) {
   std::string bytes(count, '\0');
   // The result is an error if the archive ends within the member, after its beginning is read.
   archive_read_data(tar_->reader.get(), bytes.data(), bytes.size());
-  return bytes.c_str();
+  bytes.resize(std::min(bytes.find('\0'), bytes.size()));
+  return bytes;
 }
 
 bool IsObjectArchive(const std::filesystem::path& file) {

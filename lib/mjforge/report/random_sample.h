@@ -39,6 +39,7 @@ class RandomSample {
     taken.resize(std::min(count, taken.size()));
     std::ranges::stable_sort(taken, {}, [](const Entry* entry) { return entry->rank.index; });
     std::vector<Item> items;
+    items.reserve(taken.size());
     for (const Entry* entry : taken) items.push_back(entry->item);
     return items;
   }
