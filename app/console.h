@@ -88,8 +88,8 @@ void PrintError(std::string_view message);
 /// prints the reason and returns kInputOutput.
 ExitStatus Print(std::string_view text);
 
-/// Does the same for results that programs read (JSON, MJCF, pictures, pages) or that have no text
-/// of unknown origin, without changing a byte.
+/// Writes a result for programs (JSON, MJCF, pictures, pages), or without text of unknown origin, to
+/// standard output without changing a byte. On failure prints the reason and returns kInputOutput.
 ExitStatus PrintBytes(std::string_view bytes);
 
 }  // namespace mjforge::app

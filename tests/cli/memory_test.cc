@@ -56,7 +56,6 @@ TEST_CASE_METHOD(MemoryTest, "a spec that needs too much memory is an input fail
   CHECK(inspected.err.starts_with("mjforge: error: 'heap.yaml' needs more memory than there is"));
 }
 
-// The system's loader cannot map the libraries within less than about 20,000 kB (status 127).
 TEST_CASE_METHOD(MemoryTest, "with any memory a command works or says that it has too little") {
   REQUIRE(Run({"generate", "hammer", "-n", "3", "-q", "-o", "out"}).status == 0);
   folder().Write("box.xml",
@@ -81,6 +80,7 @@ TEST_CASE_METHOD(MemoryTest, "with any memory a command works or says that it ha
     bool is_enough = false;
     for (int kilobytes = 20'000; kilobytes <= 100'000 && !is_enough; kilobytes += 2'000) {
       const auto result = RunWithin(kilobytes, command);
+      if (result.status == 127) continue;  // the system's loader has no memory for the libraries
       INFO(command << " within " << kilobytes << " kB: " << result.err);
       // A variant that needs too much fails; the batch is done.
       const bool is_variant = result.err.find("its worker needs more memory") != std::string::npos;

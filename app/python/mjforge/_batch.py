@@ -14,7 +14,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Union
 from ._findings import Finding
 from ._library import lines, members
 
-# As in lib/mjforge/bytes/bytes.h.
+# Must be bytes::kMaxAsset of the library.
 _MAX_FILE = 256 << 20
 _MAX_ASSETS = 1 << 30  # bytes of an archive's assets that are kept in memory
 _SHARD = re.compile(r"-\d+-of-\d+")
@@ -31,7 +31,7 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
         # A merged manifest has all records of its shards.
         found = [path / name for name in sorted(names)
                  if name == (whole := _SHARD.sub("", name)) or whole not in names]
-        found = found or sorted(path.glob("*/manifest.jsonl"))
+        found = found or sorted(each for each in path.glob("*/*") if _MANIFEST.fullmatch(each.name))
     elif path.name.removesuffix(".part").endswith((".jsonl", ".jsonl.zst")):
         found = [path]
     else:

@@ -220,7 +220,7 @@ class Comparison:
 
 
 def _text(value: Any) -> str:
-    """Of a number or a nested list of numbers: "[0.1, 2]"."""
+    """Returns a number or a nested list of numbers as text: "[0.1, 2]"."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list):

@@ -5,6 +5,14 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence
 
 
+def printable(text: str) -> str:
+    """The text with escapes in place of control characters, which names in files of others may
+    have.
+    """
+    return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode()
+                   for c in text)
+
+
 class Finding:
     """An error or a warning. What it does not have is None."""
 
@@ -27,8 +35,7 @@ class Finding:
         for name in self.__slots__[:-1]:
             setattr(self, name, members.get(name))
         text = text.rstrip("\n") or self._summary()
-        # Names in files of others may have control characters.
-        self.text = "".join(c if c.isprintable() or c == "\n" else f"\\x{ord(c):02x}" for c in text)
+        self.text = printable(text)
 
     def _summary(self) -> str:
         place = ":".join(str(p) for p in (self.file, self.line, self.column) if p is not None)
@@ -36,7 +43,7 @@ class Finding:
         return summary if self.hint is None else f"{summary}\n  hint: {self.hint}"
 
     def members(self) -> dict[str, Any]:
-        """As `--findings json` prints it."""
+        """Its JSON object in the output of `--findings json`."""
         values = {name: getattr(self, name) for name in self.__slots__[:-1]}
         return {name: value for name, value in values.items() if value is not None}
 

@@ -97,7 +97,7 @@ def c_text(text: Any, what: str) -> bytes:
 
 
 def c_texts(texts: Iterable[Any], what: str) -> Any:
-    """An array."""
+    """An array of arguments for C."""
     encoded = [c_text(text, what) for text in texts]
     return (c_char_p * len(encoded))(*encoded)
 

@@ -13,7 +13,7 @@ from typing import Any, Optional, Union
 
 from ._batch import Batch, Stored, manifests_of
 from ._comparison import Difference
-from ._findings import Finding
+from ._findings import Finding, printable
 from ._library import c_number
 from ._workers import Crew
 
@@ -26,10 +26,10 @@ class Proof:
 
     def __init__(self) -> None:
         self.findings: list[Finding] = []
-        self.variants = 0  # with a file, according to the manifests
+        self.variants = 0  # variants with a file, according to the manifests
         self.proven = 0
-        self.version = ""  # of the MuJoCo that loaded them
-        self.recorded: set[str] = set()  # versions of those that checked them when they were made
+        self.version = ""  # MuJoCo that loaded the files
+        self.recorded: set[str] = set()  # releases of MuJoCo that checked the variants
 
 
 class _Progress:
@@ -113,7 +113,7 @@ def _finding(stored: Stored, difference: Difference, version: str) -> Finding:
 
 
 def _text(members: dict[str, Any], quoted: str) -> str:
-    """As the command prints a finding: the place, the message, and the line with a caret."""
+    """Returns the finding in the form of the command: place, message, and the line with a caret."""
     place = ":".join(str(members[key]) for key in ("file", "line", "column") if key in members)
     text = (f"{place}: error: {members['message']} (seed {members['seed']}, index {members['index']}) "
             f"[{members['code']}]")
@@ -151,7 +151,7 @@ def main(arguments: list[str]) -> int:
     try:
         proof = run(options.batch, options.jobs, not options.quiet)
     except (ImportError, OSError) as error:
-        print(f"mjforge: error: {error}", file=sys.stderr)
+        print(printable(f"mjforge: error: {error}"), file=sys.stderr)
         return 3
     except KeyboardInterrupt:
         print("mjforge: interrupted", file=sys.stderr)
@@ -160,6 +160,7 @@ def main(arguments: list[str]) -> int:
     if not options.quiet:
         releases = ", ".join(sorted(proof.recorded - {""}))
         checked = f"checked in {releases} when made" if releases else "not checked when made"
-        print(f"{proof.variants} variants in {options.batch}: {proof.proven} as recorded in MuJoCo "
-              f"{proof.version}; {checked} ({time.monotonic() - start:.1f} s)", file=sys.stderr)
+        print(printable(f"{proof.variants} variants in {options.batch}: {proof.proven} as recorded in "
+                        f"MuJoCo {proof.version}; {checked} ({time.monotonic() - start:.1f} s)"),
+              file=sys.stderr)
     return 1 if proof.findings or proof.proven < proof.variants else 0

@@ -16,7 +16,7 @@ from ._batch import Stored
 from ._comparison import Comparison, Difference, Element
 from ._variant import mujoco_of
 
-_TIME_LIMIT = 60.0  # s, of one object
+_TIME_LIMIT = 60.0  # s for one object
 _TOLERANCE = 1e-6
 
 
@@ -34,7 +34,7 @@ def _examine(mujoco: Any, stored: Stored) -> list[Difference]:
 
 
 def main() -> None:
-    """What a worker process does until the other end of its pipe is closed."""
+    """Serves objects until the other end of the pipe is closed."""
     pipe = Connection(int(sys.argv[1]))
     try:
         mujoco = mujoco_of(None)
@@ -79,7 +79,7 @@ class Worker:
         return str(version)
 
     def _end(self) -> str:
-        """How the process ended: "(SIGSEGV)"."""
+        """Returns the cause of the end of the process: "(SIGSEGV)"."""
         assert self._process is not None
         status = self._process.wait()
         return f"({signal.Signals(-status).name})" if status < 0 else f"(status {status})"

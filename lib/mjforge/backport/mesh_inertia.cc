@@ -21,6 +21,8 @@ namespace {
 
 constexpr std::string_view kInertia = "inertia";
 
+using LoadText = std::function<engine::Loaded(const std::string&)>;
+
 std::string Text(const mjtNum* numbers, int count) {
   return xml::TextOf(std::vector<double>(numbers, numbers + count));
 }
@@ -34,22 +36,17 @@ class MeshInertia {
   explicit MeshInertia(xml::XmlElement& root) : root_(root) { Find(); }
 
   /// Returns the place of the first body that was given an inertia.
-  diag::SourceMark Run(const std::function<engine::Loaded(const std::string&)>& load) {
+  diag::SourceMark Run(const LoadText& load) {
     if (bodies_.empty()) return {};
-    const engine::Loaded meshes = load(xml::Flatten(Copy(nullptr)).text);
-    if (!meshes.model) return {};
-    const engine::Loaded boxes = load(xml::Flatten(Copy(meshes.model.get())).text);
-    if (!boxes.model) return {};
-    for (xml::XmlElement& section : root_.children) {
-      if (section.tag == "worldbody") AddInertials(section, *boxes.model);
-      // Otherwise MuJoCo would replace the inertias by its own.
-      if (section.tag == "compiler" && replaces_) section.Set("inertiafromgeom", "auto");
-      if (section.tag != "asset") continue;
-      for (xml::XmlElement& asset : section.children) {
-        if (asset.tag == "mesh") asset.Remove(kInertia);
-      }
+    if (AddAll(load)) {
+      RemoveKinds(root_);
+      return first_;
     }
-    return first_;
+    // If MuJoCo rejects the file for another reason, the attribute must not hide the reason.
+    xml::XmlElement without_kinds = root_;
+    RemoveKinds(without_kinds);
+    if (!load(xml::Flatten(without_kinds).text).model) RemoveKinds(root_);
+    return {};
   }
 
  private:
@@ -61,10 +58,35 @@ class MeshInertia {
     MeshInertiaKind kind = MeshInertiaKind::kLegacy;
   };
 
+  /// Returns false, and changes nothing, if MuJoCo rejects the copies.
+  bool AddAll(const LoadText& load) {
+    const engine::Loaded meshes = load(xml::Flatten(Copy(nullptr)).text);
+    if (!meshes.model) return false;
+    const engine::Loaded boxes = load(xml::Flatten(Copy(meshes.model.get())).text);
+    if (!boxes.model) return false;
+    for (xml::XmlElement& section : root_.children) {
+      if (section.tag == "worldbody") AddInertials(section, *boxes.model);
+      // With `inertiafromgeom="true"` MuJoCo would replace the inertias by its own.
+      if (section.tag == "compiler" && replaces_) section.Set("inertiafromgeom", "auto");
+    }
+    return true;
+  }
+
+  /// Removes the attribute `inertia` from all meshes.
+  static void RemoveKinds(xml::XmlElement& root) {
+    for (xml::XmlElement& section : root.children) {
+      if (section.tag != "asset") continue;
+      for (xml::XmlElement& asset : section.children) {
+        if (asset.tag == "mesh") asset.Remove(kInertia);
+      }
+    }
+  }
+
   void Find() {
     DefaultClasses elements(root_);
     const std::string from_geoms = elements.Setting("inertiafromgeom", "auto");
-    // MuJoCo computes these masses in another way; no later release has global coordinates.
+    // MuJoCo does not compute masses, or has another rule for them; no later release has global
+    // coordinates.
     if (from_geoms == "false" || elements.Setting("exactmeshinertia", "false") != "false" ||
         elements.Setting("coordinate", "local") != "local")
       return;
@@ -82,10 +104,10 @@ class MeshInertia {
     if (!differs) bodies_.clear();
   }
 
-  static bool HasInertial(const xml::XmlElement& body) {
-    return std::ranges::find(body.children, "inertial", &xml::XmlElement::tag) !=
-           body.children.end();
+  static bool HasChild(const xml::XmlElement& body, std::string_view tag) {
+    return std::ranges::find(body.children, tag, &xml::XmlElement::tag) != body.children.end();
   }
+  static bool HasInertial(const xml::XmlElement& body) { return HasChild(body, "inertial"); }
 
   /// Returns true for geoms that `discardvisual` removes; since MuJoCo 3.1.2 their masses count.
   static bool IsVisual(const DefaultClasses& elements, const ClassedElement& geom) {
@@ -159,9 +181,12 @@ class MeshInertia {
     const auto weighed = bodies_.find(&body);
     if (weighed != bodies_.end()) {
       copy.Set("name", weighed->second);
-      if (meshes == nullptr && !HasInertial(body))
-        copy.children.push_back(Inertial("1", "0 0 0", "1 0 0 0", "1 1 1"));
     }
+    // A body without a mass is rejected if it moves: meshes have none in the first copy, and a
+    // composite is in neither.
+    const bool has_mass = weighed == bodies_.end() || meshes != nullptr;
+    if (!HasInertial(body) && (!has_mass || HasChild(body, "composite")))
+      copy.children.push_back(Inertial("1", "0 0 0", "1 0 0 0", "1 1 1"));
     for (const xml::XmlElement& child : body.children) {
       if (std::ranges::find(kOmitted, child.tag) != std::end(kOmitted)) continue;
       copy.children.push_back(child.tag == "body"   ? CopyBody(child, meshes)
@@ -238,8 +263,7 @@ class MeshInertia {
 
 }  // namespace
 
-diag::SourceMark AddMeshInertia(xml::XmlElement& root,
-                                const std::function<engine::Loaded(const std::string&)>& load) {
+diag::SourceMark AddMeshInertia(xml::XmlElement& root, const LoadText& load) {
   if (mjVERSION_HEADER >= 300) return {};
   return MeshInertia(root).Run(load);
 }

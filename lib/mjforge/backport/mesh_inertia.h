@@ -18,8 +18,8 @@ inline constexpr bool kComputesMeshInertia = mjVERSION_HEADER < 300 || mjVERSION
 /// face's orientation, and the masses of geoms that `discardvisual` removes. Older releases use the
 /// volume of the box with the same inertia, and reject meshes with inconsistently oriented faces.
 /// Applies the attribute `inertia` of MuJoCo 3.2.5 where the elements of meshes have it, and
-/// removes the attribute. `load` loads a text in the place of the file. If MuJoCo rejects that
-/// text, the tree does not change, because MuJoCo rejects the file, too. Returns the place of the
+/// removes the attribute. `load` loads a text in the place of the file. If MuJoCo rejects the file,
+/// only the attribute is removed, so that it does not hide the reason. Returns the place of the
 /// first changed body; no place if there is none.
 diag::SourceMark AddMeshInertia(xml::XmlElement& root,
                                 const std::function<engine::Loaded(const std::string&)>& load);

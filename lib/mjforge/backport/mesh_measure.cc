@@ -45,7 +45,7 @@ std::span<const int> FacesOf(const mjModel& m, int mesh, bool of_hull) {
   return span(at(graph, 2 + 3 * graph[0] + 3 * graph[1]), graph[1]);
 }
 
-/// Sums over the faces: of the pyramids between the origin and each face, or of the faces.
+/// Moments of the pyramids between the origin and each face, or of the faces.
 struct Sums {
   double size = 0;
   Vector first = {};

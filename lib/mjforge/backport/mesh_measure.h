@@ -9,7 +9,8 @@
 
 namespace mjforge::backport {
 
-/// The body that a mesh stands for: `inertia` of a mesh in MuJoCo 3.2.5 and later.
+/// The rule by which a mesh determines mass and inertia: `inertia` of a mesh in MuJoCo 3.2.5 and
+/// later.
 enum class MeshInertiaKind {
   kLegacy,  // pyramids from the centre of mass to each face, whatever the face's orientation
   kExact,   // the solid that the faces enclose

@@ -35,7 +35,7 @@ struct MjcfFeature {
   std::string_view neutral = {};
 };
 
-/// A row of the table of number lists whose length later releases do not fix.
+/// A row of the table of lists of numbers that may have several lengths in later releases.
 struct MjcfList {
   std::string_view where;  // in the form of MjcfFeature::where
   std::string_view names;  // attributes, separated by blanks
@@ -51,7 +51,7 @@ const MjcfList* FindList(std::string_view parent, std::string_view tag, std::str
 
 /// Returns the row of an element; null if MuJoCo 2.2.2 has the element, or no release has it.
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag);
-/// Returns the row of an element's attribute with this value; null as above.
+/// Returns the row of an element's attribute with this value; null if there is none.
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
                                std::string_view attribute, std::string_view value);
 

@@ -101,7 +101,9 @@ std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string
     if (row.since <= version || (found && found->since <= row.since)) continue;
     if (!HasAttribute(row.names, attribute, value) || !IsAt(row.where, parent, tag)) continue;
     if (IsAccepted(row.accepted, xml::NumbersOf(value))) continue;
-    found = AttributeRefusal{row.since, std::string(Wanted(row.accepted))};
+    found = AttributeRefusal{.since = row.since,
+                             .wanted = std::string(Wanted(row.accepted)),
+                             .is_about_value = row.names.find('=') != row.names.npos};
   }
   return found;
 }
@@ -109,8 +111,10 @@ std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string
 std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
                         std::string_view value) {
   const std::string release = VersionText(refusal.since);
-  if (refusal.wanted.empty())
-    return fmt::format("has '{}', which MuJoCo {} and later reject", attribute, release);
+  if (refusal.wanted.empty()) {
+    return fmt::format("has '{}{}', which MuJoCo {} and later reject", attribute,
+                       refusal.is_about_value ? fmt::format("={}", value) : "", release);
+  }
   return fmt::format("has '{}={}'; MuJoCo {} and later require {}", attribute, value, release,
                      refusal.wanted);
 }

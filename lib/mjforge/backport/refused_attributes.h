@@ -12,8 +12,9 @@ namespace mjforge::backport {
 
 /// The reason why later releases reject an attribute.
 struct AttributeRefusal {
-  int since = 0;       // the first release that rejects it, as mjVERSION_HEADER
-  std::string wanted;  // "an integer"; empty: no value is accepted
+  int since = 0;                // the first release that rejects it, as mjVERSION_HEADER
+  std::string wanted;           // "an integer"; empty: this value is not accepted
+  bool is_about_value = false;  // true: other values of the attribute are accepted
 };
 
 /// Returns the reason why releases after `version` reject this attribute; nothing if they accept

@@ -48,7 +48,7 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
   return 10 * time_limit + std::chrono::seconds(5);
 }
 
-/// Exit status of a process that ran out of memory, also of the program itself.
+/// Exit status of a process that ran out of memory: that of all failures of input and output.
 inline constexpr int kNoMemoryStatus = 3;
 
 /// Result of one variant.

@@ -142,7 +142,7 @@ class FolderSink : public Sink {
   output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
   Journal journal_;
   Checkpoint checkpoint_;
-  std::map<std::string, std::string> kept_assets_;  // names and SHA-256, of the records that remain
+  std::map<std::string, std::string> kept_assets_;  // names and SHA-256 in the kept records
 };
 
 }  // namespace

@@ -102,7 +102,7 @@ class ShardMerger {
       std::string why_not;
       std::optional<manifest::Seal> seal = ReadSealBeside(file, why_not);
       if (!seal || seal->shard != i || seal->shards != count) {
-        ReportMissing(fmt::format("nothing vouches for shard {}/{}: '{}': {}", i, count,
+        ReportMissing(fmt::format("shard {}/{} cannot be verified: '{}': {}", i, count,
                                   manifest::SealPathOf(file).string(),
                                   seal ? "it is another shard's" : why_not),
                       fmt::format("make it with --shard {}/{} --resume", i, count));

@@ -41,10 +41,15 @@ class Verification {
   }
 
  private:
+  /// Returns the manifest that the seal names or, if the seal cannot be read, would name.
   static std::filesystem::path ManifestOf(std::filesystem::path seal) {
     seal.replace_extension().replace_extension(kManifestEnding);
     std::filesystem::path compressed = seal;
     compressed += kCompressedEnding;
+    std::string why_not;
+    if (const auto read = ReadSealBeside(seal, why_not)) {
+      return read->manifest.file == compressed.filename() ? compressed : seal;
+    }
     std::error_code ignored;
     return std::filesystem::exists(compressed, ignored) ? compressed : seal;
   }
@@ -74,9 +79,16 @@ class Verification {
     std::string why_not;
     const std::optional<manifest::Seal> seal = ReadSealBeside(manifest, why_not);
     if (!seal) {
-      ReportMissing(fmt::format("nothing vouches for '{}': '{}': {}", manifest.string(),
+      ReportMissing(fmt::format("'{}' cannot be verified: '{}': {}", manifest.string(),
                                 manifest::SealPathOf(manifest).string(), why_not),
                     "run the command that made it again with --resume");
+      return;
+    }
+    if (seal->manifest.file != manifest.filename()) {
+      ReportMissing(
+          fmt::format("'{}' is not the manifest of '{}', which names '{}'", manifest.string(),
+                      manifest::SealPathOf(manifest).string(), seal->manifest.file),
+          "it is left over from another batch in this place");
       return;
     }
     const std::filesystem::path folder = manifest.parent_path();
@@ -136,7 +148,7 @@ class Verification {
                     fmt::format("cannot read '{}': there is no such file", archive.string()));
       return;
     }
-    ReportMissing(fmt::format("no seal beside '{}' vouches for it", archive.string()),
+    ReportMissing(fmt::format("no seal beside '{}' is about it", archive.string()),
                   "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
   }
 

@@ -44,7 +44,7 @@ class TextStream {
   std::uint64_t position_;  // offset in the file of the next stored byte
   std::uint64_t end_;
   std::uint64_t bytes_after_section_ = 0;
-  bool is_after_section_ = false;  // the last stored bytes are
+  bool is_after_section_ = false;  // true if the last bytes read are behind it
   bool is_at_end_ = false;
   std::unique_ptr<ZSTD_DCtx, FreeDecoder> decoder_;  // null: the file is not compressed
   std::string stored_;

@@ -127,7 +127,7 @@ Utf8Char DecodeUtf8(std::string_view text);
 /// terminal or a page.
 std::string SafeText(std::string_view text);
 
-/// Does the same as SafeText for a text of several lines, and keeps its line ends.
+/// Makes a text of several lines safe to show, like SafeText, and keeps its line ends.
 std::string SafeLines(std::string_view text);
 
 /// Returns the text with ASCII letters in lower case, regardless of the locale.

@@ -27,12 +27,12 @@ struct DeleteModel {
 };
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 
-/// Prefix of warnings about the convex hull of a mesh: MuJoCo ignores them.
+/// Prefix of warnings about the convex hull of a mesh, which do not prevent loading.
 inline constexpr std::string_view kHullWarning = "qhull: ";
 
 /// A limit of memory in MuJoCo 2.2 that a model exceeds.
 struct Shortage {
-  std::string_view effect;  // "ignores contacts beyond its buffer"
+  std::string_view effect;  // "ignores contacts that exceed its buffer"
   std::string_view remedy;  // "a larger `nconmax`"
 };
 
@@ -41,7 +41,7 @@ struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
-  std::optional<FileFault> fault;  // if the text was not given to MuJoCo
+  std::optional<FileFault> fault;  // set if MuJoCo did not get the text
   /// Limits of memory that MuJoCo 2.2 exceeds if it loads the unchanged text. The loaded model may
   /// have more memory. Releases from 2.3 on reserve memory as needed.
   std::vector<Shortage> shortages;

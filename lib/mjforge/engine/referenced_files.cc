@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
-#include <set>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,10 +30,10 @@ class FileScan {
     Add(text);
     for (std::size_t i = 0; i < documents_.size(); ++i) {
       for (const auto& found : documents_[i]->select_nodes("//*")) {
-        if (IsInclude(found.node())) Include(found.node().attribute("file").value());
+        if (IsInclude(found.node())) Include(FileOf(found.node()));
       }
-      for (const auto& found : documents_[i]->select_nodes("/*/compiler")) Set(found.node());
     }
+    ReadSettings(documents_[0]->document_element());
   }
 
   std::optional<FileFault> Find() const {
@@ -61,8 +62,22 @@ class FileScan {
 
   void Include(const std::string& name) {
     std::string why_not;
-    if (!included_.insert(name).second) return;
-    if (const auto text = bytes::Read(folder_ / name, bytes::kMaxMjcf, why_not)) Add(*text);
+    if (included_.contains(name)) return;
+    const auto text = bytes::Read(folder_ / name, bytes::kMaxMjcf, why_not);
+    if (text) Add(*text);
+    included_[name] = text ? documents_.back().get() : nullptr;
+  }
+
+  /// Reads the settings of the compiler in the order of MuJoCo, for which each include is replaced
+  /// by the elements of its file. The last setting counts.
+  void ReadSettings(const pugi::xml_node& root) {
+    for (const pugi::xml_node& section : root.children()) {
+      if (std::string_view(section.name()) == "compiler") Set(section);
+      if (!IsInclude(section)) continue;
+      // MuJoCo rejects a second include of a file, which may be a cycle.
+      const pugi::xml_document* included = std::exchange(included_[FileOf(section)], nullptr);
+      if (included != nullptr) ReadSettings(included->document_element());
+    }
   }
 
   void Set(const pugi::xml_node& compiler) {
@@ -76,6 +91,10 @@ class FileScan {
 
   static bool IsInclude(const pugi::xml_node& element) {
     return diag::LowerCase(element.name()) == "include";
+  }
+
+  static std::string FileOf(const pugi::xml_node& include) {
+    return include.attribute("file").value();
   }
 
   static bool IsImage(const pugi::xml_node& element) {
@@ -145,7 +164,7 @@ class FileScan {
   std::string_view text_;
   fs::path folder_;
   std::deque<std::unique_ptr<pugi::xml_document>> documents_;  // the first is that of the text
-  std::set<std::string> included_;
+  std::map<std::string, const pugi::xml_document*> included_;  // by name; null: not readable
   std::string texture_folder_;
   std::string mesh_folder_;
   std::string strip_path_;

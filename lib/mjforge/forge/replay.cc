@@ -51,12 +51,12 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
 void FindSpecFile(Original& original) {
   for (const std::filesystem::path& folder : {original.folder, original.folder / ".."}) {
     std::error_code error;
-    const auto files = std::filesystem::directory_iterator(folder.empty() ? "." : folder, error);
-    for (const auto& entry : files) {
+    std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+    for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
       diag::Sources sources;
       diag::Findings ignored;
-      if (entry.path().filename().string().find(".jsonl") == std::string::npos) continue;
-      auto records = manifest::RecordReader::Open(entry.path(), sources, ignored);
+      if (at->path().filename().string().find(".jsonl") == std::string::npos) continue;
+      auto records = manifest::RecordReader::Open(at->path(), sources, ignored);
       manifest::Record first;
       if (!records || records->Next(first) != manifest::RecordReader::Outcome::kRecord) continue;
       if (first.spec_file.empty() || first.spec_sha256 != original.record.spec_sha256) continue;

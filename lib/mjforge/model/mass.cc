@@ -59,7 +59,7 @@ struct Divisors {
   double second = 1;
 };
 
-// Sums over the triangles (a, b, c), relative to the mean vertex M.
+// Returns the mass properties of the triangles (a, b, c), summed relative to the mean vertex M.
 template <typename WeightOf>
 MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& divisors,
                      const WeightOf& weight_of) {

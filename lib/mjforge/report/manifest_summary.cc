@@ -113,7 +113,6 @@ void ManifestSummary::AddFindings(const Record& record) {
   std::set<std::string> seen;
   for (RecordedFinding& finding : FindingsOf(record)) {
     if (!seen.insert(finding.code).second) continue;
-    if (codes.size() >= kMaxCodes && !codes.contains(finding.code)) continue;
     CodeTally& tally = codes[finding.code];
     if (tally.variants++ > 0) continue;
     tally.example = std::move(finding);

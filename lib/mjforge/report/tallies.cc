@@ -58,11 +58,7 @@ void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
 }
 
 void ParameterTally::AddText(const std::string& text, const Counts& counts) {
-  if (texts_.size() < kMaxTexts || texts_.contains(text)) {
-    texts_[text].Append(counts);
-  } else {
-    more_texts = true;
-  }
+  texts_[text].Append(counts);
 }
 
 void ParameterTally::AddWhole(double value, const Counts& counts) {
@@ -74,7 +70,11 @@ void ParameterTally::Append(const ParameterTally& other) {
   numbers.resize(std::max(numbers.size(), other.numbers.size()));
   for (std::size_t i = 0; i < other.numbers.size(); ++i) numbers[i].Append(other.numbers[i]);
   more_texts = more_texts || other.more_texts;
-  for (const auto& [text, counts] : other.texts_) AddText(text, counts);
+  for (const auto& [text, counts] : other.texts_) {
+    const bool is_listed = texts_.size() < kMaxTexts || texts_.contains(text);
+    if (is_listed) AddText(text, counts);
+    more_texts = more_texts || !is_listed;
+  }
   all_whole_ = all_whole_ && other.all_whole_;
   for (const auto& [value, counts] : other.whole_) AddWhole(value, counts);
 }

@@ -42,8 +42,8 @@ std::vector<Triangle> TrianglesOf(const mjModel& m, int mesh) {
 }
 
 // Adds up the volumes of the pyramids from the centroid of the surface to each face, like
-// mjCMesh::ComputeVolume. MuJoCo 2.2 does not move the vertices of meshes without a volume, so that
-// the result does not depend on rounding.
+// mjCMesh::ComputeVolume. The vertices are those of the file, because MuJoCo 2.2 does not move the
+// vertices of meshes without a volume.
 double VolumeOf(const std::vector<Triangle>& triangles) {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double area = 0;

@@ -180,6 +180,7 @@ void CompareMasses(const mjModel& m, const Loaded& as_is, diag::SourceMark mark,
                   kHint);
     return;
   }
+  if (as_is.model->nbody != m.nbody) return;
   const mjtNum* here = as_is.model->body_mass;
   std::vector<int> bodies;
   for (int i = 1; i < m.nbody; ++i) {

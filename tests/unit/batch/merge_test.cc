@@ -119,14 +119,14 @@ TEST_CASE_METHOD(ShardTest, "an object that is gone, empty or changed is noticed
   CHECK(findings[0].message == "'" + (folder / file).string() + "' is missing");
 }
 
-TEST_CASE_METHOD(ShardTest, "a shard that nothing vouches for is noticed") {
+TEST_CASE_METHOD(ShardTest, "a shard without a seal is noticed") {
   const auto seal = manifest::SealPathOf(folder / Manifest(2));
   std::filesystem::remove(seal);
   CHECK_FALSE(Merge());
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == diag::Code::kBatchMissing);
   CHECK(findings[0].message ==
-        "nothing vouches for shard 2/4: '" + seal.string() + "': No such file or directory");
+        "shard 2/4 cannot be verified: '" + seal.string() + "': No such file or directory");
 }
 
 TEST_CASE("shards of batches of other sizes are not joined") {

@@ -56,7 +56,7 @@ TEST_CASE_METHOD(VerifyTest, "each file that is missing, short or changed is nam
   CHECK(IsGood("out"));
 }
 
-TEST_CASE_METHOD(VerifyTest, "what nothing vouches for is not good") {
+TEST_CASE_METHOD(VerifyTest, "a batch without a seal is not good") {
   folder.Write("empty/x.tar", "");
   CHECK_FALSE(IsGood("empty"));
   CHECK(findings[0].message.ends_with("empty' has no manifest"));
@@ -73,7 +73,7 @@ TEST_CASE_METHOD(VerifyTest, "what nothing vouches for is not good") {
   CHECK(findings[0].message.ends_with(".jsonl.zst.part' is of a batch that is not done"));
   folder.Write("lost/x.manifest.jsonl.zst", "");
   CHECK_FALSE(IsGood("lost"));
-  CHECK(findings[0].message.starts_with("nothing vouches for '"));
+  CHECK(findings[0].message.find("x.manifest.jsonl.zst' cannot be verified: ") != std::string::npos);
 }
 
 TEST_CASE_METHOD(VerifyTest, "many faults are counted") {
