@@ -11,6 +11,11 @@ endif()
 # Equal computations in different functions must be rounded equally, also on processors with fused
 # multiply-add.
 target_compile_options(mjforge_options INTERFACE -ffp-contract=off)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+  # Eigen calls fused multiply-add if the macro is defined. The notes about the calling convention of
+  # GCC 9 concern std::pair<double, double>.
+  target_compile_options(mjforge_options INTERFACE -U__ARM_FEATURE_FMA -Wno-psabi)
+endif()
 # Allows inlining within the shared library of the Python package, like in a program.
 target_compile_options(mjforge_options INTERFACE -fno-semantic-interposition)
 # GCC 12 has false warnings of overlaps in `"text" + std::string` (GCC bug 105651), and of array

@@ -1,4 +1,5 @@
-// Horizontal radius of shapes: the largest distance of a point from the z axis.
+// Horizontal radius of shapes: the largest distance of a point from the z axis. Lengths are Eigen's
+// norms, because the last bit of std::hypot depends on the processor.
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +25,15 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
   // A centre this close to the minor axis is put on it: the error is below the last bit of a.
   if (u < 1e-18 * a) {
     const double t2 = b * v >= gap ? 1 : b * v / gap;
-    return std::hypot(a * std::sqrt(1 - t2 * t2), v + b * t2);
+    return Eigen::Vector2d(a * std::sqrt(1 - t2 * t2), v + b * t2).norm();
   }
   double lo = std::max(a * u, b * v - gap);
-  double hi = std::hypot(a * u, b * v);
+  double hi = Eigen::Vector2d(a * u, b * v).norm();
   double d = lo;
   for (int i = 0; i < 100 && lo < hi; ++i) {
     const double t1 = a * u / d;
     const double t2 = b * v / (d + gap);
-    const double norm = std::hypot(t1, t2);
+    const double norm = Eigen::Vector2d(t1, t2).norm();
     (norm > 1 ? lo : hi) = d;
     const double slope = (t1 * t1 / d + t2 * t2 / (d + gap)) / (norm * norm * norm);
     double next = d + (1 - 1 / norm) / slope;
@@ -42,7 +43,7 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
   }
   Eigen::Vector2d t(a * u / d, b * v / (d + gap));
   t.normalize();
-  return std::hypot(u + a * t.x(), v + b * t.y());
+  return Eigen::Vector2d(u + a * t.x(), v + b * t.y()).norm();
 }
 
 // The distance from the z axis is a convex function, so that it is largest at an extreme point, on
@@ -50,7 +51,7 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
 // r across the tilt and r |n_z| along it.
 double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   const Eigen::Vector3d n = X_AG.q * Eigen::Vector3d::UnitZ();
-  const double tilt = std::hypot(n.x(), n.y());
+  const double tilt = n.head<2>().norm();
   const Eigen::Vector2d along =
       tilt > 0 ? Eigen::Vector2d(n.head<2>() / tilt) : Eigen::Vector2d(1, 0);
   double largest = 0;
@@ -73,7 +74,7 @@ double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
   const double mean = (ex.squaredNorm() + ey.squaredNorm()) / 2;
   const double difference = (ex.squaredNorm() - ey.squaredNorm()) / 2;
   const double mixed = ex.dot(ey);
-  const double a = std::sqrt(mean + std::hypot(difference, mixed));
+  const double a = std::sqrt(mean + Eigen::Vector2d(difference, mixed).norm());
   const double b = ex.cross(ey).norm() / a;                // a b is the area / pi
   const double angle = std::atan2(mixed, difference) / 2;  // angle of the major axis
   const double c = std::cos(angle);

@@ -65,7 +65,7 @@ double Support(const Shape& shape, const Eigen::Vector3d& direction_G) {
     case GeomType::kEllipsoid:
       return s.cwiseProduct(d).norm();
     case GeomType::kCylinder:
-      return s.x() * std::hypot(d.x(), d.y()) + s.y() * std::abs(d.z());
+      return s.x() * d.head<2>().norm() + s.y() * std::abs(d.z());
     case GeomType::kBox:
       return s.dot(d.cwiseAbs());
     case GeomType::kMesh:

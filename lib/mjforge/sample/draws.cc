@@ -149,7 +149,8 @@ void Evaluator::AppendRotationAbout(const spec::RotationAbout& about, SourceMark
                                     StreamId path, Numbers& out) {
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
-  double length = std::hypot(std::hypot(axis[0], axis[1]), axis[2]);
+  // The function of three numbers, unlike that of two, has the same last bit on every processor.
+  double length = std::hypot(axis[0], axis[1], axis[2]);
   if (length == 0) {
     length = Fail(Code::kSampleBadArgument, mark,
                   "the axis to turn about is 0 0 0; it needs a direction");

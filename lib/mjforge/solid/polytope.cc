@@ -2,6 +2,7 @@
 
 #include "mjforge/solid/polytope.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,18 @@ extern "C" {
 
 namespace mjforge::solid {
 namespace {
+
+Eigen::Vector3d NormalOf(std::span<const Eigen::Vector3d> vertices,
+                         const std::vector<int>& corners) {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // by Newell's method
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d& a = vertices[static_cast<std::size_t>(corners[i])];
+    const Eigen::Vector3d& b =
+        vertices[static_cast<std::size_t>(corners[(i + 1) % corners.size()])];
+    normal += a.cross(b);
+  }
+  return normal.normalized();
+}
 
 // Owner of Qhull's state and memory.
 class Qhull {
@@ -34,19 +47,20 @@ class Qhull {
                         False, command, nullptr, nowhere_.get()) == 0;
   }
 
-  /// Returns the faces; their corners are indices of the points.
-  std::vector<Polytope::Face> Faces() {
-    std::vector<Polytope::Face> faces;
+  /// Returns the corners of each face, counter-clockwise from outside, as indices of the points.
+  std::vector<std::vector<int>> Faces(std::span<const Eigen::Vector3d> points) {
+    std::vector<std::vector<int>> faces;
     qhT* qh = &state_;  // Qhull's macros require this name
     facetT* facet = nullptr;
     FORALLfacets {
-      Polytope::Face face{{}, Eigen::Vector3d(facet->normal)};
+      std::vector<int>& face = faces.emplace_back();
       setT* corners = qh_facet3vertex(qh, facet);
       vertexT* vertex = nullptr;
       vertexT** vertexp = nullptr;
-      FOREACHvertex_(corners) face.corners.push_back(qh_pointid(qh, vertex->point));
+      FOREACHvertex_(corners) face.push_back(qh_pointid(qh, vertex->point));
       qh_settempfree(qh, &corners);
-      faces.push_back(std::move(face));
+      if (NormalOf(points, face).dot(Eigen::Vector3d(facet->normal)) < 0)
+        std::ranges::reverse(face);
     }
     return faces;
   }
@@ -57,18 +71,6 @@ class Qhull {
                                                            std::fclose};
   qhT state_;
 };
-
-Eigen::Vector3d NormalOf(const std::vector<Eigen::Vector3d>& vertices,
-                         const std::vector<int>& corners) {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // by Newell's method
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector3d& a = vertices[static_cast<std::size_t>(corners[i])];
-    const Eigen::Vector3d& b =
-        vertices[static_cast<std::size_t>(corners[(i + 1) % corners.size()])];
-    normal += a.cross(b);
-  }
-  return normal.normalized();
-}
 
 }  // namespace
 
@@ -85,10 +87,14 @@ std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& f
     fault.message = "has no volume: all points lie in a plane";
     return std::nullopt;
   }
+  std::vector<std::vector<int>> faces = qhull.Faces(points);
+  // Sorted, because Qhull's order depends on rounding, which differs between processors.
+  for (std::vector<int>& face : faces) std::ranges::rotate(face, std::ranges::min_element(face));
+  std::ranges::sort(faces);
   Polytope hull;
   std::vector<int> indices(points.size(), -1);
-  for (Polytope::Face& face : qhull.Faces()) {
-    for (int& corner : face.corners) {
+  for (std::vector<int>& face : faces) {
+    for (int& corner : face) {
       int& index = indices[static_cast<std::size_t>(corner)];
       if (index < 0) {
         index = static_cast<int>(hull.vertices.size());
@@ -96,10 +102,8 @@ std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& f
       }
       corner = index;
     }
-    const Eigen::Vector3d normal = NormalOf(hull.vertices, face.corners);
-    if (normal.dot(face.normal) < 0) std::ranges::reverse(face.corners);
-    face.normal = NormalOf(hull.vertices, face.corners);
-    hull.faces.push_back(std::move(face));
+    const Eigen::Vector3d normal = NormalOf(hull.vertices, face);
+    hull.faces.push_back({std::move(face), normal});
   }
   return hull;
 }

@@ -21,8 +21,9 @@ struct Polytope {
   std::vector<Face> faces;
 };
 
-/// Returns the convex hull, computed by Qhull, which merges coplanar facets. Returns nothing and
-/// sets `fault` if the hull has no volume.
+/// Returns the convex hull, computed by Qhull, which merges coplanar facets. The order of faces and
+/// vertices depends only on the order of the points. Returns nothing and sets `fault` if the hull
+/// has no volume.
 std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault);
 
 /// Returns a box centred on the origin.

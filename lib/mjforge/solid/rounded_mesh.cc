@@ -84,8 +84,13 @@ class RoundedMesher {
 
   void AddFace(int face) {
     const std::vector<int>& corners = polytope_.faces[static_cast<std::size_t>(face)].corners;
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      AddTriangle(Arc(corners[0], face), Arc(corners[i], face), Arc(corners[i + 1], face));
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      // Separate statements, because the order in which a call's arguments add vertices depends on
+      // the processor.
+      const int c = Arc(corners[i + 1], face);
+      const int b = Arc(corners[i], face);
+      AddTriangle(Arc(corners[0], face), b, c);
+    }
   }
 
   void AddEdge(int a, int b) {
@@ -102,8 +107,9 @@ class RoundedMesher {
     const std::vector<int> faces = edges_.FacesAround(vertex);
     if (IsSharp(faces)) return AddTip(vertex, faces);
     for (std::size_t i = 1; i + 1 < faces.size(); ++i) {
-      AddPatch(vertex, Arc(vertex, faces[0], faces[i]), Arc(vertex, faces[0], faces[i + 1]),
-               Arc(vertex, faces[i], faces[i + 1]));
+      const std::vector<int> last = Arc(vertex, faces[i], faces[i + 1]);
+      const std::vector<int> right = Arc(vertex, faces[0], faces[i + 1]);
+      AddPatch(vertex, Arc(vertex, faces[0], faces[i]), right, last);
     }
   }
 

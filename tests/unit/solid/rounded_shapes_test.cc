@@ -66,6 +66,30 @@ TEST_CASE("a hull has the mass of what its triangles enclose, and all points in 
   }
 }
 
+// Rounding differs between processors, and between poses.
+TEST_CASE("the order of a hull's faces and vertices does not depend on rounding") {
+  Random random(37);
+  ConvexHull box = {.points = {}, .texture = {.unit = TextureMapping::Unit::kNone}};
+  for (const double x : {-3, 3})
+    for (const double y : {-2, 2})
+      for (const double z : {-1, 1}) box.points.emplace_back(x, y, z);
+  const TriangleMesh mesh = Made(box).pieces[0].mesh;
+  for (int i = 0; i < harness::Effort(100); ++i) {
+    CAPTURE(i);
+    const Matrix3d turn =
+        Eigen::Quaterniond(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1), 1)
+            .normalized()
+            .toRotationMatrix();
+    ConvexHull turned = box;
+    for (Vector3d& p : turned.points) p = turn * p;
+    const TriangleMesh turned_mesh = Made(turned).pieces[0].mesh;
+    CHECK(turned_mesh.triangles == mesh.triangles);
+    REQUIRE(turned_mesh.vertices.size() == mesh.vertices.size());
+    for (std::size_t j = 0; j < mesh.vertices.size(); ++j)
+      CHECK((turned_mesh.vertices[j] - turn * mesh.vertices[j]).norm() < 1e-9);
+  }
+}
+
 // The mesh checks all moments; its error is proportional to the square of its segments' length.
 // Steiner's formula would need the mean width.
 TEST_CASE("a rounded hull's mass is that of its surface, up to the surface's steps") {
