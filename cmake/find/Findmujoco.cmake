@@ -4,7 +4,8 @@
 set(MJFORGE_MUJOCO "" CACHE PATH
   "A folder with include/mujoco and libmujoco.so* (an unpacked wheel's mujoco/, a release); empty: the system's")
 if(MJFORGE_MUJOCO)
-  find_path(mujoco_INCLUDE_DIR mujoco/mujoco.h PATHS ${MJFORGE_MUJOCO}/include NO_DEFAULT_PATH)
+  find_path(mujoco_INCLUDE_DIR mujoco/mujoco.h PATHS ${MJFORGE_MUJOCO}/include
+            NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
   # Wheels contain libmujoco.so.3.3.7 but no libmujoco.so.
   file(GLOB libraries ${MJFORGE_MUJOCO}/libmujoco.so* ${MJFORGE_MUJOCO}/lib/libmujoco.so*)
   if(libraries)
