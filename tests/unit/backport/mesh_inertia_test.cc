@@ -143,6 +143,26 @@ TEST_CASE("a kind of inertia is applied where geoms replace inertias") {
   CHECK(loaded.model->body_mass[1] == Approx(100));
 }
 
+TEST_CASE("a body that has its mass from a composite does not hide the masses of meshes") {
+  if (mjVERSION_HEADER >= 300) return;  // MuJoCo computes the masses
+  const engine::Loaded loaded = LoadBackported(
+      Dented("inertia=\"exact\"") +
+      "<worldbody><body name=\"soft\" pos=\"0 0 9\"><freejoint/><composite type=\"box\" "
+      "count=\"4 4 4\" spacing=\"0.04\"><geom type=\"capsule\" size=\".015 .05\"/></composite>"
+      "</body></worldbody>");
+  INFO(loaded.error);
+  REQUIRE(loaded.model);
+  CHECK(loaded.model->body_mass[1] == Approx(100));
+}
+
+TEST_CASE("MuJoCo's reason to reject a file is not the attribute `inertia`") {
+  if (mjVERSION_HEADER >= 300) return;  // MuJoCo has the attribute
+  const engine::Loaded loaded = LoadBackported(
+      "<asset><mesh name=\"m\" file=\"missing.obj\" inertia=\"convex\"/></asset>"
+      "<worldbody><body><freejoint/><geom type=\"mesh\" mesh=\"m\"/></body></worldbody>");
+  CHECK(loaded.error.find("missing.obj") != std::string::npos);
+}
+
 TEST_CASE("what has an inertia, or no mass, is left alone") {
   const std::string inertial = "<inertial pos=\"0 0 0\" mass=\"3\" diaginertia=\"1 1 1\"/>";
   CHECK(Weighed(inertial + kMesh).model->body_mass[1] == 3);

@@ -73,7 +73,19 @@ TEST_CASE_METHOD(VerifyTest, "a batch without a seal is not good") {
   CHECK(findings[0].message.ends_with(".jsonl.zst.part' is of a batch that is not done"));
   folder.Write("lost/x.manifest.jsonl.zst", "");
   CHECK_FALSE(IsGood("lost"));
-  CHECK(findings[0].message.find("x.manifest.jsonl.zst' cannot be verified: ") != std::string::npos);
+  CHECK(findings[0].message.find("x.manifest.jsonl.zst' cannot be verified: ") !=
+        std::string::npos);
+}
+
+TEST_CASE_METHOD(VerifyTest, "a manifest that is left over from another batch is not good") {
+  Make(Of(10, "out/x.tar.zst"));
+  Request plain = Of(10, "out/x.tar");
+  plain.force = true;
+  Make(plain);
+  CHECK(IsGood("out"));
+  CHECK(IsGood("out/x.manifest.seal.json"));
+  CHECK_FALSE(IsGood("out/x.manifest.jsonl.zst"));
+  CHECK(findings[0].message.find("which names 'x.manifest.jsonl'") != std::string::npos);
 }
 
 TEST_CASE_METHOD(VerifyTest, "many faults are counted") {

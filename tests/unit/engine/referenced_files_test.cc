@@ -43,5 +43,21 @@ TEST_CASE("a file that MuJoCo would wait for is a fault at its element") {
   CHECK(loaded.fault);
 }
 
+TEST_CASE("the last setting of a folder counts, in the order of the document") {
+  const harness::TemporaryFolder folder;
+  folder.Write("sub/mesh.stl", "solid");
+  folder.Write("inner.xml",
+               "<mujoco><include file=\"inner.xml\"/><compiler meshdir=\".\"/></mujoco>");
+  REQUIRE(::mkfifo((folder / "pipe.stl").c_str(), 0600) == 0);
+  const std::string include = "<include file=\"inner.xml\"/>";
+  const std::string sub = "<compiler meshdir=\"sub\"/>";
+  const auto is_fault = [&](const std::string& sections) {
+    const std::string asset = "<asset><mesh file=\"pipe.stl\"/></asset>";
+    return FindFileFault("<mujoco>" + sections + asset + "</mujoco>", folder.path()).has_value();
+  };
+  CHECK_FALSE(is_fault(include + sub));
+  CHECK(is_fault(sub + include));
+}
+
 }  // namespace
 }  // namespace mjforge::engine
