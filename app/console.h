@@ -88,8 +88,9 @@ void PrintError(std::string_view message);
 /// prints the reason and returns kInputOutput.
 ExitStatus Print(std::string_view text);
 
-/// Writes a result for programs (JSON, MJCF, pictures, pages), or without text of unknown origin, to
-/// standard output without changing a byte. On failure prints the reason and returns kInputOutput.
+/// Writes a result for programs (JSON, MJCF, pictures, pages), or without text of unknown origin,
+/// to standard output without changing a byte. On failure prints the reason and returns
+/// kInputOutput.
 ExitStatus PrintBytes(std::string_view bytes);
 
 }  // namespace mjforge::app

@@ -1,5 +1,5 @@
-// Runs a fuzz target once on each file named on the command line, and reports it like libFuzzer. For
-// compilers without libFuzzer.
+// Runs a fuzz target once on each file named on the command line, and reports it like libFuzzer.
+// For compilers without libFuzzer.
 
 #include <unistd.h>
 

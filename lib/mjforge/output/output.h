@@ -127,8 +127,8 @@ class ObjectFolder {
 /// Removes the temporary files that killed processes left when writing `files`: those that no
 /// running process has locked.
 void RemoveAbandoned(const std::set<std::filesystem::path>& files);
-/// Removes the abandoned temporary files of `count` objects from index `first` on, and of the assets beside them, from
-/// a folder of objects and its numbered subfolders.
+/// Removes the abandoned temporary files of `count` objects from index `first` on, and of the
+/// assets beside them, from a folder of objects and its numbered subfolders.
 void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first, std::uint64_t count);
 
 /// Writes a file that is not part of a batch, after removing its abandoned temporary files.
