@@ -66,8 +66,7 @@ LoadTimeLimit::LoadTimeLimit(const std::string& what, Seconds limit, const Conso
   std::signal(SIGPROF, OnCpuTimeLimit);
   std::signal(SIGALRM, OnSecond);
   SetTimer(ITIMER_PROF, limit.count(), 0);
-  // The writer of standard input may take any time.
-  if (what != bytes::kStandardInput) SetTimer(ITIMER_REAL, 1, 1);
+  SetTimer(ITIMER_REAL, 1, 1);
 }
 
 LoadTimeLimit::~LoadTimeLimit() {
