@@ -72,6 +72,8 @@ HOSTS = {
     "dm_control": Host(["dm_control", "mujoco==3.17.0"], ["check_dm_control.py"],
                        "`mjcf.from_path` and `Physics`: bodies, joints, geoms, masses, with inline "
                        "meshes and with `--assets files`"),
+    "loaders": Host(["pandas", "zstandard", "webdataset"], ["check_batches.py"],
+                    "a compressed series of archives and its manifest"),
     "drake": Host(["drake"], ["check_drake.py"],
                   "bodies, joints, collision geometries, mass, with `--assets files`; it leaves "
                   "inline meshes out", heavy=True),
@@ -90,7 +92,7 @@ HOSTS = {
 }
 # The packages whose versions the page tells.
 TOLD = ["mujoco", "mujoco-mjx", "mujoco-warp", "robosuite", "dm_control", "drake", "newton", "mjlab",
-        "mujoco-usd-converter"]
+        "mujoco-usd-converter", "pandas", "webdataset"]
 BEGIN, END = "<!-- written by ./dev interop --all --write -->\n", "<!-- up to here -->\n"
 
 
@@ -118,6 +120,8 @@ def generate(program, folder):
                     raise
                 shutil.rmtree(folder / target / name, ignore_errors=True)
                 print(f"{target} cannot take {name}: it has free bodies", flush=True)
+    run([program, "generate", "hammer", "-n", "200", "-o", f"{folder / 'series'}/h_%02d.tar.zst",
+         "--per-archive", "80", "--quiet"])
     return len(names)
 
 
