@@ -89,7 +89,8 @@ std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& f
   }
   std::vector<std::vector<int>> faces = qhull.Faces(points);
   // Sorted, because Qhull's order depends on rounding, which differs between processors.
-  for (std::vector<int>& face : faces) std::ranges::rotate(face, std::ranges::min_element(face));
+  for (std::vector<int>& face : faces)
+    std::rotate(face.begin(), std::ranges::min_element(face), face.end());
   std::ranges::sort(faces);
   Polytope hull;
   std::vector<int> indices(points.size(), -1);
