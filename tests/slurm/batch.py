@@ -8,8 +8,8 @@ import subprocess
 import page
 from report import expect
 
-# What a run leaves beside the batch: shard manifests, scripts and logs.
-_BESIDE = ["*manifest-*-of-*.jsonl", "*manifest-*-of-*.jsonl.zst", "*.log", "*.sbatch", "*.joblog"]
+# What a run leaves beside the batch: manifests and seals of shards, scripts and logs.
+_BESIDE = ["*manifest-*-of-*.json*", "*.log", "*.sbatch", "*.joblog"]
 
 
 class Form:
@@ -40,9 +40,9 @@ class Form:
         return archive.exists() and archive.stat().st_size > 0
 
 
-FOLDER = Form("folder", "-o hammers/", "hammers/", "hammers/", "", page.COUNT + 1)
+FOLDER = Form("folder", "-o hammers/", "hammers/", "hammers/", "", page.COUNT + 2)
 ARCHIVES = Form("archives", f"-o hammers_%05d.tar.zst --per-archive {page.PER_SHARD}",
-                "hammers_%05d.tar.zst", "hammers.", ".zst", page.SHARDS + 1)
+                "hammers_%05d.tar.zst", "hammers.", ".zst", page.SHARDS + 2)
 
 
 def run(command, folder, expected=0):
