@@ -108,9 +108,9 @@ bool Journal::IsOfThisBatch(diag::Findings& findings) const {
 
 void Journal::ReadPreviousSeal() {
   std::string why_not;
-  previous_seal_ = ReadSealBeside(file_, why_not);
+  previous_seal_ = manifest::ReadSealBeside(file_, why_not);
   if (!previous_seal_)
-    previous_seal_ = ReadSealBeside(options_.request.destination.Manifest({}), why_not);
+    previous_seal_ = manifest::ReadSealBeside(options_.request.destination.Manifest({}), why_not);
   if (!previous_seal_ || previous_seal_->spec != seal_.spec) return;
   for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
 }
@@ -126,7 +126,8 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
            text.find(R"(,"xxh128":")") != text.npos;
   };
   if (!MayReplaceManifest(file_, force || is_sealed, findings) ||
-      !output::MayReplace(manifest::SealPathOf(file_), force, kMaxSeal, is_seal, findings)) {
+      !output::MayReplace(manifest::SealPathOf(file_), force, manifest::kMaxSeal, is_seal,
+                          findings)) {
     return false;
   }
   if (force || !previous_seal_ || previous_seal_->output == seal_.output) return true;

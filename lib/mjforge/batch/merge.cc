@@ -100,7 +100,7 @@ class ShardMerger {
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       const std::filesystem::path file = destination_.Manifest({i, count});
       std::string why_not;
-      std::optional<manifest::Seal> seal = ReadSealBeside(file, why_not);
+      std::optional<manifest::Seal> seal = manifest::ReadSealBeside(file, why_not);
       if (!seal || seal->shard != i || seal->shards != count) {
         ReportMissing(fmt::format("shard {}/{} cannot be verified: '{}': {}", i, count,
                                   manifest::SealPathOf(file).string(),

@@ -38,12 +38,6 @@ bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t lim
 
 }  // namespace
 
-std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
-                                             std::string& why_not) {
-  const auto text = bytes::Read(manifest::SealPathOf(manifest), kMaxSeal, why_not);
-  return text ? manifest::ReadSeal(*text, why_not) : std::nullopt;
-}
-
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings) {
   std::vector<std::string> names;
   std::error_code error;

@@ -14,15 +14,6 @@
 
 namespace mjforge::batch {
 
-/// Limit of the size of a seal, more than that of a seal with as many archives as a folder can
-/// have.
-inline constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
-
-/// Returns the seal beside a manifest; nothing, and the reason in `why_not`, if there is none or it
-/// is damaged.
-std::optional<manifest::Seal> ReadSealBeside(const std::filesystem::path& manifest,
-                                             std::string& why_not);
-
 /// Returns the names in a folder in alphabetical order; adds a finding if it cannot be read.
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings);
 

@@ -47,7 +47,7 @@ class Verification {
     std::filesystem::path compressed = seal;
     compressed += kCompressedEnding;
     std::string why_not;
-    if (const auto read = ReadSealBeside(seal, why_not)) {
+    if (const auto read = manifest::ReadSealBeside(seal, why_not)) {
       return read->manifest.file == compressed.filename() ? compressed : seal;
     }
     std::error_code ignored;
@@ -77,7 +77,7 @@ class Verification {
 
   void CheckBatch(const std::filesystem::path& manifest) {
     std::string why_not;
-    const std::optional<manifest::Seal> seal = ReadSealBeside(manifest, why_not);
+    const std::optional<manifest::Seal> seal = manifest::ReadSealBeside(manifest, why_not);
     if (!seal) {
       ReportMissing(fmt::format("'{}' cannot be verified: '{}': {}", manifest.string(),
                                 manifest::SealPathOf(manifest).string(), why_not),
@@ -134,7 +134,7 @@ class Verification {
     for (const std::string& name : NamesIn(folder, findings_)) {
       if (!name.ends_with(kSealEnding)) continue;
       std::string why_not;
-      const auto seal = ReadSealBeside(ManifestOf(folder / name), why_not);
+      const auto seal = manifest::ReadSealBeside(ManifestOf(folder / name), why_not);
       if (!seal) continue;
       for (const manifest::SealedFile& file : seal->archives) {
         if (file.file != archive.filename()) continue;

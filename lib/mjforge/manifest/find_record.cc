@@ -51,8 +51,7 @@ std::optional<Record> FindIn(const bytes::Section& section, const Path& file, st
 // Returns true if the manifest has a seal, and the size that the seal states.
 bool HasSeal(const Path& file) {
   std::string why_not;
-  const auto text = bytes::Read(SealPathOf(file), bytes::kMaxLine, why_not);
-  const std::optional<Seal> seal = text ? ReadSeal(*text, why_not) : std::nullopt;
+  const std::optional<Seal> seal = ReadSealBeside(file, why_not);
   return seal && seal->manifest.file == file.filename() &&
          bytes::HasSize(file, seal->manifest.content.size, why_not);
 }
@@ -61,13 +60,8 @@ bool HasSeal(const Path& file) {
 
 std::optional<Record> FindRecord(const Path& file, std::uint64_t index, diag::Sources& sources,
                                  diag::Findings& findings) {
-  std::string why_not;
-  const std::optional<std::vector<std::uint64_t>> cuts = bytes::CutsOf(file, why_not);
-  if (!cuts) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(), why_not));
-    return std::nullopt;
-  }
+  const std::optional<std::vector<std::uint64_t>> cuts = CutsOf(file, findings);
+  if (!cuts) return std::nullopt;
   // Line numbers in a section are not those of the file, so its findings are not shown.
   diag::Sources section_sources;
   diag::Findings found;

@@ -114,6 +114,11 @@ std::string PhysicsJson(const physics::Result& result);
 /// Returns the record of a line; nothing, and the reason in `why_not`, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
+/// Returns the offsets in a manifest at which a section may begin: bytes::CutsOf. Returns nothing,
+/// after adding a finding, if the file cannot be read.
+std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
+                                                 diag::Findings& findings);
+
 /// Reads the records of a manifest one after the other, in constant memory, because a manifest may
 /// have a hundred million lines.
 class RecordReader {

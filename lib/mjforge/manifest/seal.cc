@@ -100,6 +100,11 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
   return std::nullopt;
 }
 
+std::optional<Seal> ReadSealBeside(const std::filesystem::path& manifest, std::string& why_not) {
+  const auto text = bytes::Read(SealPathOf(manifest), kMaxSeal, why_not);
+  return text ? ReadSeal(*text, why_not) : std::nullopt;
+}
+
 std::string DifferenceOfOutput(const Seal& seal, const Seal& other) {
   const auto differ = [](std::string_view key, const auto& a, const auto& b) {
     return a == b ? std::string() : fmt::format("{} is '{}', not '{}'", key, a, b);

@@ -48,10 +48,18 @@ struct Seal {
 /// "out/manifest.jsonl.zst".
 std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
+/// Limit of the size of a seal, more than that of a seal with as many archives as a folder can
+/// have.
+inline constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
+
 /// Returns the seal as one line of JSON, with the line end.
 std::string SealText(const Seal& seal);
 /// Parses a seal; returns nothing, and the reason in `why_not`, if the text is not a valid one.
 std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not);
+
+/// Returns the seal beside a manifest; nothing, and the reason in `why_not`, if there is none or it
+/// is damaged.
+std::optional<Seal> ReadSealBeside(const std::filesystem::path& manifest, std::string& why_not);
 
 /// Describes the first option in which two seals' outputs differ: "per_archive is '10', not '20'".
 /// Empty if all such options are equal.

@@ -52,13 +52,8 @@ SectionSummary SummarizeSection(const Path& manifest, const bytes::Section& sect
 
 std::optional<std::vector<bytes::Section>> SectionsOf(const Path& manifest,
                                                       diag::Findings& findings) {
-  std::string why_not;
-  const std::optional<std::vector<std::uint64_t>> cuts = bytes::CutsOf(manifest, why_not);
-  if (!cuts) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", manifest.string(), why_not));
-    return std::nullopt;
-  }
+  const std::optional<std::vector<std::uint64_t>> cuts = manifest::CutsOf(manifest, findings);
+  if (!cuts) return std::nullopt;
   std::vector<bytes::Section> sections(1);
   for (const std::uint64_t cut : *cuts) {
     if (cut - sections.back().begin < kSectionBytes) continue;
