@@ -18,6 +18,7 @@
 #include "mjforge/model/attributes.h"
 #include "mjforge/model/checks.h"
 #include "mjforge/model/poses.h"
+#include "mjforge/model/region.h"
 #include "mjforge/model/shapes.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
@@ -125,6 +126,7 @@ struct Body {
   std::vector<Joint> joints;
   std::vector<Part> parts;
   std::vector<Site> sites;
+  std::vector<Region> regions;
   std::vector<Element> elements;      // cameras and lights
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B

@@ -1,0 +1,36 @@
+// Regions: named level places on a body where other bodies can stand.
+
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/poses.h"
+
+namespace mjforge::model {
+
+enum class RegionType { kBox, kDisc, kPolygon };
+
+/// A level area of a body B, or the interior of a container, with the space above it. The area is
+/// in the xy plane of its frame R, whose z axis points up when the object is in its start state.
+struct Region {
+  std::string name;  // as in the spec: "surface"
+  std::string site;  // full name of its site in MJCF
+  RegionType type = RegionType::kBox;
+  /// Half lengths along x and y, m; for a disc, its radius twice. For a polygon, of its bounding
+  /// box.
+  Eigen::Vector2d half_size = Eigen::Vector2d::Zero();
+  std::vector<Eigen::Vector2d> corners;  // of a polygon, which is convex; counter-clockwise, m
+  Pose X_BR;
+  double height = std::numeric_limits<double>::infinity();  // free height above the area, m
+  double margin = 0;   // least distance of footprints from the edge, m
+  double clear = 0;    // least distance that the owner asks for between what stands here, m
+  bool walls = false;  // an interior, whose floor need not be level: objects are lowered into it
+  diag::SourceMark mark;
+};
+
+}  // namespace mjforge::model
