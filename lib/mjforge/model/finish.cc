@@ -62,6 +62,7 @@ void Assembly::Finish(Scope& scope) {
   CheckUniqueNames(object_, findings_);
   references_.Check();
   CheckViews(object_, findings_);
+  SetPositions();
   SumMass(object_.bodies.front(), assets_);
   object_.mass_properties = SubtreeMass(object_.bodies, 0);
   ShareMass(object_.bodies);
@@ -69,7 +70,6 @@ void Assembly::Finish(Scope& scope) {
   object_.bounds =
       scope.total_size ? DeclaredBounds(*scope.total_size) : SubtreeBounds(object_.bodies, 0);
   ReleaseFreeBodies(object_.bodies, findings_);
-  SetPositions();
   AddExpectations(scope);
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
   for (Section& section : object_.sections) {

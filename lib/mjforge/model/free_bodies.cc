@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/model/mass_and_bounds.h"
+#include "mjforge/model/forward_kinematics.h"
 
 namespace mjforge::model {
 namespace {
@@ -56,10 +56,10 @@ void ReleaseFreeBodies(std::vector<Body>& bodies, diag::Findings& findings) {
     if (i > 0) released.push_back(i);  // the root already is a child of the world
   }
   if (released.empty()) return;
-  const std::vector<Pose> X_RootB = SubtreePoses(bodies, 0);
+  const std::vector<Pose> X_WB = SubtreePoses(bodies, 0);
   for (const std::size_t i : released) {
     bodies[i].parent = -1;
-    bodies[i].X_PB = bodies.front().X_PB * X_RootB[i];
+    bodies[i].X_PB = X_WB[i];
   }
 }
 

@@ -91,10 +91,10 @@ bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) 
   return false;
 }
 
-bool Contains(const Object& object, const Eigen::Vector3d& p_Root) {
-  const std::vector<Pose> X_RootB = BodyPoses(object);
+bool Contains(const Object& object, const Eigen::Vector3d& p_W) {
+  const std::vector<Pose> X_WB = BodyPoses(object);
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    const Eigen::Vector3d p_B = X_RootB[i].Inverse() * p_Root;
+    const Eigen::Vector3d p_B = X_WB[i].Inverse() * p_W;
     for (const Part& part : object.bodies[i].parts) {
       if (part.role != Role::kVisual && Contains(part.shape, part.X_BG, p_B)) return true;
     }

@@ -1,8 +1,10 @@
-// Sums over parts and bodies: bounds, mass properties, poses and counts.
+// Sums over parts and bodies: bounds, mass properties and counts.
 
 #include "mjforge/model/mass_and_bounds.h"
 
 #include <algorithm>
+
+#include "mjforge/model/forward_kinematics.h"
 
 namespace mjforge::model {
 namespace {
@@ -25,18 +27,9 @@ Bounds BoundsOfAll(const ForEach& for_each) {
   return bounds;
 }
 
-}  // namespace
+bool IsIdentity(const Pose& X) { return X.p.isZero(0) && X.q.vec().isZero(0); }
 
-std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first) {
-  std::vector<Pose> X_FB(bodies.size() - first);
-  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
-    const Body& body = bodies[i];
-    X_FB[i - first] = body.parent < 0
-                          ? bodies[first].X_PB.Inverse() * body.X_PB
-                          : X_FB[static_cast<std::size_t>(body.parent) - first] * body.X_PB;
-  }
-  return X_FB;
-}
+}  // namespace
 
 Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   Bounds bounds;
@@ -86,8 +79,8 @@ void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::
 }
 
 Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first) {
-  if (first + 1 == bodies.size()) return BoundsOf(bodies[first].parts);
   const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
+  if (X_FB.size() == 1 && IsIdentity(X_FB[0])) return BoundsOf(bodies[first].parts);
   return BoundsOfAll([&](const auto& visit) {
     for (std::size_t i = first; i < bodies.size(); ++i) {
       for (const Part& part : bodies[i].parts) visit(part, X_FB[i - first] * part.X_BG);
@@ -96,9 +89,9 @@ Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first) {
 }
 
 MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first) {
-  MassProperties sum = bodies[first].mass_properties;
-  if (first + 1 == bodies.size()) return sum;
   const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
+  MassProperties sum = bodies[first].mass_properties;
+  if (!IsIdentity(X_FB[0])) sum = InFrame(X_FB[0], sum);
   for (std::size_t i = first + 1; i < bodies.size(); ++i) {
     sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
   }
@@ -124,8 +117,6 @@ void ShareMass(std::vector<Body>& bodies) {
     mover.explicit_inertial = bodies[i].explicit_inertial = true;
   }
 }
-
-std::vector<Pose> BodyPoses(const Object& object) { return SubtreePoses(object.bodies, 0); }
 
 std::size_t GeomCount(const Body& body) {
   std::size_t count = 0;

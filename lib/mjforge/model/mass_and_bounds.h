@@ -1,4 +1,4 @@
-// Masses, bounds and poses of bodies and subtrees, computed from their parts.
+// Masses and bounds of bodies and subtrees, computed from their parts.
 
 #pragma once
 
@@ -11,11 +11,8 @@ namespace mjforge::model {
 
 /// Returns the extents of the parts from `first` on: of the parts that collide, if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
-/// Returns X_FB of the bodies from `first`, F, on, with all joints at zero. These bodies must be
-/// below F or, if F is the root, children of the world.
-std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first);
-/// Returns bounds and mass of the bodies from `first` on, in the frame of `first`, under the same
-/// conditions.
+/// Returns bounds and mass of the bodies from `first` on, at the start state, in the frame F of
+/// SubtreePoses().
 Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first);
 MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first);
 /// Returns the bounds of a box with these half sizes, m, for `total_size:`.

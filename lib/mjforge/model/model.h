@@ -14,6 +14,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/model/attachment.h"
+#include "mjforge/model/forward_kinematics.h"
 #include "mjforge/model/object.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/solid/solid.h"

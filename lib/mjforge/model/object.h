@@ -140,12 +140,13 @@ struct Body {
   diag::SourceMark mark;
 };
 
-/// Extents of the collision parts in the root frame (of all parts if none collides).
+/// Extents of the collision parts (of all parts if none collides) at the start state, in the
+/// object's frame W; see BodyPoses().
 struct Bounds {
   Box3 aabb;
   double top_offset = 0;         // aabb.max.z, m
   double bottom_offset = 0;      // aabb.min.z, m
-  double horizontal_radius = 0;  // largest distance from the root's z axis, m
+  double horizontal_radius = 0;  // largest distance from the z axis of W, m
   bool declared = false;         // given by `total_size`, not computed
   Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
 };
@@ -158,13 +159,14 @@ struct Object {
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal ones are shared
   std::vector<Section> sections;                   // in the order of spec::Sections()
   Bounds bounds;
-  MassProperties mass_properties;  // in the root frame, with all joints at zero
+  MassProperties mass_properties;  // in W, at the start state
   Checks checks;
   std::vector<Expectation> expectations;
   std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
 };
 
-/// Returns X_RootB of every body with all joints at zero; for the root, the identity.
+/// Returns X_WB of every body at the start state. W is the object's frame, in which X_PB of the
+/// root and of free bodies is given; for most objects it is that of the root.
 std::vector<Pose> BodyPoses(const Object& object);
 
 /// Returns the number of geoms in MJCF; a part that is both collision and visual has two.
@@ -173,7 +175,7 @@ std::size_t GeomCount(const Body& body);
 /// Returns the elements of a section; none if the object does not have the section.
 std::span<const Element> ElementsOf(const Object& object, std::string_view section);
 
-/// Returns true if the point is in a collision part, with all joints at zero.
-bool Contains(const Object& object, const Eigen::Vector3d& p_Root);
+/// Returns true if the point is in a collision part at the start state.
+bool Contains(const Object& object, const Eigen::Vector3d& p_W);
 
 }  // namespace mjforge::model

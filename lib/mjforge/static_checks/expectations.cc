@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "mjforge/static_checks/distance.h"
-#include "mjforge/static_checks/forward_kinematics.h"
 
 namespace mjforge::static_checks {
 namespace {
@@ -66,7 +65,7 @@ class ExpectationChecker {
 
   void Check(const Expectation& expectation) {
     expectation_ = &expectation;
-    poses_ = PosesAt(object_, expectation.positions);
+    poses_ = model::SubtreePoses(object_.bodies, 0, expectation.positions);
     PlacedParts second = PlacedPartsOf(expectation.second, nullptr);
     const PlacedParts first = PlacedPartsOf(expectation.first, OnlyPart(second));
     if (const model::Part* const part = OnlyPart(first))

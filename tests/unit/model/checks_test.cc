@@ -9,7 +9,7 @@
 namespace mjforge::model {
 namespace {
 
-const std::string kBall = "parts: [{name: a, type: sphere, size: 1}]\n";
+const std::string kBallPart = "parts: [{name: a, type: sphere, size: 1}]\n";
 
 TEST_CASE("an object without checks has those of the field table") {
   // A spec that states each default of the field table gives the same checks.
@@ -21,8 +21,8 @@ TEST_CASE("an object without checks has those of the field table") {
     if (blank != std::string::npos) text = "[" + text.replace(blank, 1, ", ") + "]";
     said += "  " + std::string(field.key) + ": " + text + "\n";
   }
-  const Checks checks = Assembling(said + kBall).object().checks;
-  CHECK(checks == Assembling(kBall).object().checks);
+  const Checks checks = Assembling(said + kBallPart).object().checks;
+  CHECK(checks == Assembling(kBallPart).object().checks);
   CHECK(checks == Checks());
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("thresholds are computed from parameters, in SI units") {
                             "  drift: \"light ? 5mm : 1\"\n"
                             "  density: [size * 10kg / 1m ^ 4, 100]\n"
                             "  silence: {physics/thin: it is paper}\n" +
-                            kBall)
+                            kBallPart)
                             .object()
                             .checks;
   CHECK(checks.stable);
@@ -50,7 +50,7 @@ TEST_CASE("thresholds are computed from parameters, in SI units") {
 }
 
 TEST_CASE("a range of densities that is upside down is an error") {
-  CHECK(OnlyFinding("checks: {density: [100, 10]}\n" + kBall) ==
+  CHECK(OnlyFinding("checks: {density: [100, 10]}\n" + kBallPart) ==
         "3:19 density of checks 'thing' has its higher end first");
 }
 

@@ -59,18 +59,18 @@ Part Ball(const Vector3d& p, Role role) {
   return part;
 }
 
-TEST_CASE("an object contains the points of its collision parts in the root frame") {
+TEST_CASE("an object contains the points of its collision parts in its own frame") {
   Object object;
   object.bodies.resize(2);
-  object.bodies[0].X_PB.p = {100, 0, 0};  // the root's pose does not matter
+  object.bodies[0].X_PB.p = {100, 0, 0};
   object.bodies[0].parts = {Ball({2, 0, 0}, Role::kBoth), Ball({-2, 0, 0}, Role::kVisual)};
   object.bodies[1].parent = 0;
   object.bodies[1].X_PB.p = {0, 5, 0};
   object.bodies[1].parts = {Ball({0, 0, 0}, Role::kCollision)};
-  CHECK(Contains(object, {3, 0, 0}));
-  CHECK_FALSE(Contains(object, {0, 0, 0}));
-  CHECK_FALSE(Contains(object, {-2, 0, 0}));
-  CHECK(Contains(object, {0, 4, 0}));
+  CHECK(Contains(object, {103, 0, 0}));
+  CHECK_FALSE(Contains(object, {100, 0, 0}));
+  CHECK_FALSE(Contains(object, {98, 0, 0}));
+  CHECK(Contains(object, {100, 4, 0}));
 }
 
 }  // namespace

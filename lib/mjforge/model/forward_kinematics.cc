@@ -1,0 +1,55 @@
+// Forward kinematics: the motion of single joints, and the poses of the bodies of a tree.
+#include "mjforge/model/forward_kinematics.h"
+
+#include <algorithm>
+
+namespace mjforge::model {
+namespace {
+
+Eigen::Quaterniond QuaternionOf(const sample::Numbers& wxyz) {
+  return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
+}
+
+}  // namespace
+
+sample::Numbers ZeroPosition(const Joint& joint) {
+  if (joint.type == "free") return {};
+  if (joint.type == "ball") return {1, 0, 0, 0};
+  const Attribute* ref = FindAttribute(joint.attributes, "ref");
+  return {ref == nullptr ? 0.0 : ref->numbers.front()};
+}
+
+// Source: mj_kinematics of MuJoCo 2.2 (src/engine/engine_core_smooth.c).
+Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::Numbers& to) {
+  if (from.empty()) return to.empty() ? Pose() : JointMotion(joint, ZeroPosition(joint), to);
+  if (to.empty()) return JointMotion(joint, from, ZeroPosition(joint));
+  const Eigen::Vector3d axis = joint.axis.stableNormalized();
+  if (joint.type == "slide") return {axis * (to[0] - from[0]), Eigen::Quaterniond::Identity()};
+  const Eigen::Quaterniond q =
+      joint.type == "ball" ? (QuaternionOf(from).conjugate() * QuaternionOf(to)).normalized()
+                           : FromAxisAngle(axis, to[0] - from[0]);
+  return {joint.pos - q * joint.pos, q};
+}
+
+std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
+                               JointPositions positions) {
+  std::vector<Pose> X_FB(bodies.size() - first);
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    const Body& body = bodies[i];
+    if (i == first && first > 0) continue;
+    Pose X_PB = body.X_PB;
+    for (const Joint& joint : body.joints) {
+      const auto given =
+          std::ranges::find(positions, joint.name, &JointPositions::value_type::first);
+      const sample::Numbers& to = given == positions.end() ? joint.start : given->second;
+      if (!to.empty()) X_PB = X_PB * JointMotion(joint, {}, to);
+    }
+    X_FB[i - first] =
+        body.parent < 0 ? X_PB : X_FB[static_cast<std::size_t>(body.parent) - first] * X_PB;
+  }
+  return X_FB;
+}
+
+std::vector<Pose> BodyPoses(const Object& object) { return SubtreePoses(object.bodies, 0); }
+
+}  // namespace mjforge::model

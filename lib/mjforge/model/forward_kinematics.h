@@ -1,0 +1,34 @@
+// Forward kinematics of an object, by the rules of MuJoCo: poses of its bodies at given positions
+// of its joints.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/model/object.h"
+
+namespace mjforge::model {
+
+/// Returns the position of a joint at which its body has the pose of the spec, as in qpos (`ref` of
+/// a hinge or slide, the identity of a ball joint); empty for a free joint.
+sample::Numbers ZeroPosition(const Joint& joint);
+
+/// Returns the motion of the body of a hinge, slide or ball joint when the joint moves from one
+/// position to another: X_B0B1, the pose of the body after the motion in its frame before the
+/// motion. Positions are as in qpos; an empty one is ZeroPosition().
+Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::Numbers& to);
+
+/// Positions of some joints, by their full names, as in qpos.
+using JointPositions = std::span<const std::pair<std::string, sample::Numbers>>;
+
+/// Returns X_FB of the bodies from `first` on; other joints than `positions` are at their start
+/// positions. F is the body `first`, but for the root the object's frame W, in which X_PB of the
+/// root and of free bodies is given. The bodies must be below `first` or, if that is the root,
+/// children of the world. Equalities between joints are ignored.
+std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
+                               JointPositions positions = {});
+
+}  // namespace mjforge::model
