@@ -1,4 +1,7 @@
 // `mjforge inspect --json`: one JSON object about a variant or an MJCF file.
+#include <cmath>
+#include <vector>
+
 #include "inspect.h"
 #include "json_output.h"
 
@@ -47,6 +50,30 @@ void WriteSites(JsonOutput& json, const model::Body& body) {
   json.Each("sites", body.sites, [&](const model::Site& site) {
     json.Member("name", site.name);
     WritePose(json, site.X_BS);
+  });
+}
+
+void WriteRegions(JsonOutput& json, const model::Body& body) {
+  json.Each("regions", body.regions, [&](const model::Region& region) {
+    json.Member("name", region.name);
+    json.Member("site", region.site);
+    json.Member("type", model::RegionTypeName(region.type));
+    json.Member("half_size", region.half_size);
+    if (!region.corners.empty()) {
+      std::vector<double> corners;
+      for (const Eigen::Vector2d& corner : region.corners)
+        corners.insert(corners.end(), {corner.x(), corner.y()});
+      json.Member("corners", corners);
+    }
+    WritePose(json, region.X_BR);
+    if (std::isinf(region.height)) {
+      json.Member("height", nullptr);
+    } else {
+      json.Member("height", region.height);
+    }
+    json.Member("margin", region.margin);
+    json.Member("clear", region.clear);
+    json.Member("walls", region.walls);
   });
 }
 
@@ -132,6 +159,7 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
       WriteBodyHead(json, object, body);
       WriteParts(json, body);
       WriteJoints(json, body);
+      WriteRegions(json, body);
       WriteSites(json, body);
       WriteElements(json, "elements", body.elements);
     });

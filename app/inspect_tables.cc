@@ -1,4 +1,7 @@
 // `mjforge inspect`: tables about a variant or an MJCF file.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -126,10 +129,29 @@ std::string JointsText(const model::Object& object, bool always_bodies) {
   return table.empty() ? "" : table.Render() + "\n";
 }
 
+std::string RegionsText(const model::Object& object) {
+  TextTable table({"region", "body", "type", "size", "height", "margin", "clear", "walls"});
+  for (const model::Body& body : object.bodies) {
+    for (const model::Region& region : body.regions) {
+      const bool is_disc = region.type == model::RegionType::kDisc;
+      table.Add({region.name, BodyText(object, body),
+                 std::string(model::RegionTypeName(region.type)),
+                 NumbersText(region.half_size.head(is_disc ? 1 : 2)),
+                 std::isinf(region.height) ? "" : Number(region.height),
+                 region.margin > 0 ? Number(region.margin) : "",
+                 region.clear > 0 ? Number(region.clear) : "", region.walls ? "yes" : ""});
+    }
+  }
+  return table.empty() ? "" : table.Render() + "\n";
+}
+
+// Leaves out the sites of regions, which have a table of their own.
 std::string SitesText(const model::Object& object) {
   TextTable table({"site", "body", "pos"});
   for (const model::Body& body : object.bodies) {
     for (const model::Site& site : body.sites) {
+      if (std::ranges::find(body.regions, site.name, &model::Region::site) != body.regions.end())
+        continue;
       table.Add({site.name, BodyText(object, body), NumbersText(site.X_BS.p)});
     }
   }
@@ -205,7 +227,8 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   text +=
       fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
   if (object.bodies.size() > 1) text += BodiesText(object, {});
-  text += PartsText(object) + JointsText(object, false) + SitesText(object) + ElementsText(object);
+  text += PartsText(object) + JointsText(object, false) + RegionsText(object) + SitesText(object) +
+          ElementsText(object);
   text += TotalsText(object.mass_properties, object.bounds.aabb);
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
   text += SizeOfText(variant.document);

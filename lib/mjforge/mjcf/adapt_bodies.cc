@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,19 +43,46 @@ void PutIntoOuterBody(model::Object& object) {
   object.bodies.insert(object.bodies.begin(), std::move(outer));
 }
 
+// Adds a geom that robocasa reads as a region. `reg_NAME` becomes the region NAME there.
+void AddRegionGeom(std::string_view name, model::Shape shape, const model::Pose& X_BG,
+                   diag::SourceMark mark, model::Body& body) {
+  model::Part part;
+  part.name = fmt::format("reg_{}", name);
+  part.role = model::Role::kVisual;
+  part.as_is = true;
+  part.shape = shape;
+  part.X_BG = X_BG;
+  part.attributes = {MakeAttribute("contype", {0}), MakeAttribute("conaffinity", {0}),
+                     MakeAttribute("group", {1}), MakeAttribute("rgba", {0, 1, 0, 0})};
+  part.mark = mark;
+  body.parts.push_back(std::move(part));
+}
+
 void AddRegionBox(model::Object& object) {
   const model::Box3& box = object.bounds.aabb;
   model::Body& root = object.bodies.front();
-  model::Part part;
-  part.name = "reg_bbox";
-  part.role = model::Role::kVisual;
-  part.as_is = true;
-  part.shape = {model::GeomType::kBox, object.bounds.half_size(), nullptr};
-  part.X_BG.p = (box.min + box.max) / 2;
-  part.attributes = {MakeAttribute("contype", {0}), MakeAttribute("conaffinity", {0}),
-                     MakeAttribute("group", {1}), MakeAttribute("rgba", {0, 1, 0, 0})};
-  part.mark = root.mark;
-  root.parts.push_back(std::move(part));
+  AddRegionGeom("bbox", {model::GeomType::kBox, object.bounds.half_size(), nullptr},
+                {.p = (box.min + box.max) / 2}, root.mark, root);
+}
+
+// Adds each region as the space above it, as robocasa has it. The interior of a fixture or a bowl
+// is called `int` there.
+void AddRegionSpaces(model::Object& object) {
+  constexpr double kOpenHeight = 0.5;  // of regions that are open above, m
+  for (model::Body& body : object.bodies) {
+    for (const model::Region& region : body.regions) {
+      const double half_height = (std::isinf(region.height) ? kOpenHeight : region.height) / 2;
+      model::Shape shape{model::GeomType::kBox,
+                         {region.half_size.x(), region.half_size.y(), half_height},
+                         nullptr};
+      if (region.type == model::RegionType::kDisc) {
+        shape.type = model::GeomType::kCylinder;
+        shape.size = {region.half_size.x(), half_height, 0};
+      }
+      const model::Pose X_BG = region.X_BR * model::Pose{.p = {0, 0, half_height}};
+      AddRegionGeom(region.site == "inside" ? "int" : region.site, shape, X_BG, region.mark, body);
+    }
+  }
 }
 
 // Drops the free joint of the root, because the host adds one without other attributes.
@@ -128,7 +156,10 @@ void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings
   if (!rules.root.empty() && !CheckSingleRoot(object, rules, findings)) return;
   if (!rules.has_free_joint) DropFreeJoint(object.bodies.front(), rules, findings);
   if (!rules.root.empty()) DropElementsTargetingRoot(object, rules, findings);
-  if (rules.has_region_box) AddRegionBox(object);
+  if (rules.has_region_geoms) {
+    AddRegionBox(object);
+    AddRegionSpaces(object);
+  }
   if (rules.has_outer_body) PutIntoOuterBody(object);
 }
 

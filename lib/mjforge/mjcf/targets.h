@@ -52,7 +52,7 @@ struct TargetRules {
   bool has_scene = false;          // floor, light and camera
   bool always_has_assets = false;  // <asset>, even if it is empty
   bool has_outer_body = false;     // unnamed parent of the root, with sites at the bounds
-  bool has_region_box = false;     // geom `reg_bbox` around the object
+  bool has_region_geoms = false;   // geom `reg_bbox` around the object, `reg_NAME` for regions
 
   // Elements and names that the host adds itself.
   bool has_prefix = true;                    // the file has `NAME_` before every name

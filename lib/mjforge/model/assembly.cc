@@ -76,14 +76,25 @@ void Assembly::AddSpec(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   const std::size_t first_part = body().parts.size();
   const std::size_t first_body = object_.bodies.size();
+  const std::size_t first_search = face_searches_.size();
   ReadTotalSize(scope);
   AddParts(scope, spec.parts, Pose());
   AddSites(scope, spec.sites, sample::Child(scope.values.root(), "sites"));
+  AddRegions(scope, spec.regions, "", sample::Child(scope.values.root(), "regions"));
   AddViews(scope, spec.views, scope.values.root());
   if (!spec.bodies.empty()) AddBodies(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
   if (!spec.pose.empty()) ReadPositions(scope);
+  for (std::size_t i = first_search; i < face_searches_.size(); ++i) {
+    FaceSearch& search = face_searches_[i];
+    if (search.last_body > 0) continue;  // of a nested spec
+    search.root = current_body_;
+    search.first_part = first_part;
+    search.last_part = body().parts.size();
+    search.first_body = first_body;
+    search.last_body = object_.bodies.size();
+  }
 }
 
 void Assembly::ReadTotalSize(Scope& scope) {
@@ -151,7 +162,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF)
 }
 
 Assembly::ElementCounts Assembly::CountElements() {
-  return {body().parts.size(), body().sites.size(), body().elements.size(), object_.bodies.size()};
+  return {body().parts.size(), body().sites.size(), body().regions.size(), body().elements.size(),
+          object_.bodies.size()};
 }
 
 void Assembly::Move(const Pose& X_BC, const ElementCounts& from, int parent) {
@@ -160,6 +172,9 @@ void Assembly::Move(const Pose& X_BC, const ElementCounts& from, int parent) {
   }
   for (std::size_t i = from.sites; i < body().sites.size(); ++i) {
     body().sites[i].X_BS = X_BC * body().sites[i].X_BS;
+  }
+  for (std::size_t i = from.regions; i < body().regions.size(); ++i) {
+    body().regions[i].X_BR = X_BC * body().regions[i].X_BR;
   }
   for (std::size_t i = from.views; i < body().elements.size(); ++i) {
     MoveView(X_BC, body().elements[i]);

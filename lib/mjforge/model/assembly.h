@@ -14,6 +14,7 @@
 #include "mjforge/model/materials.h"
 #include "mjforge/model/model.h"
 #include "mjforge/model/references.h"
+#include "mjforge/model/regions.h"
 #include "mjforge/model/repetition.h"
 #include "mjforge/model/sections.h"
 
@@ -45,12 +46,13 @@ class Assembly {
   struct ElementCounts {
     std::size_t parts = 0;
     std::size_t sites = 0;
+    std::size_t regions = 0;
     std::size_t views = 0;
     std::size_t bodies = 0;
   };
   ElementCounts CountElements();
-  /// Moves the elements added since `from` was counted: parts, sites and views of the current body,
-  /// and children of the body `parent`.
+  /// Moves the elements added since `from` was counted: parts, sites, regions and views of the
+  /// current body, and children of the body `parent`.
   void Move(const Pose& X_BC, const ElementCounts& from, int parent);
   /// Returns true if there are fewer than kMaxParts elements. Otherwise reports, the first time,
   /// that there are too many; `what` is their plural.
@@ -131,6 +133,13 @@ class Assembly {
   // sites.cc, joints.cc
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
+  // regions.cc
+  /// Adds regions of the current body; `owner` is the prefix of their names in the spec, empty for
+  /// the spec's root body.
+  void AddRegions(Scope& scope, const std::vector<spec::Entry>& entries, std::string_view owner,
+                  sample::StreamId regions);
+  void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,
+                 sample::StreamId regions);
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);
@@ -154,6 +163,7 @@ class Assembly {
   bool is_full_ = false;                         // kMaxParts was exceeded and reported
   std::unordered_map<std::string, int> bodies_;  // indices by full name
   std::vector<RequestedPosition> positions_;     // inner specs first
+  std::vector<FaceSearch> face_searches_;
 };
 
 }  // namespace mjforge::model

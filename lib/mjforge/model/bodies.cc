@@ -77,6 +77,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   if (by_corner || entry.first_property >= 0) bounds = SubtreeBounds(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
+  AddRegions(scope, entry.regions, *name + "_", sample::Child(path, "regions"));
   AddViews(scope, entry.views, path);
   AddJoints(scope, entry.joints, sample::Child(path, "joints"));
   if (entry.is_free) {

@@ -59,10 +59,12 @@ void Assembly::Finish(Scope& scope) {
     return;
   }
   assets_.CheckPixels();
+  SetPositions();
+  for (const FaceSearch& search : face_searches_) AddFoundRegions(search, object_);
+  CheckLevelRegions(object_, spec_->mark, findings_);
   CheckUniqueNames(object_, findings_);
   references_.Check();
   CheckViews(object_, findings_);
-  SetPositions();
   SumMass(object_.bodies.front(), assets_);
   object_.mass_properties = SubtreeMass(object_.bodies, 0);
   ShareMass(object_.bodies);

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -13,7 +14,13 @@
 
 namespace mjforge::model {
 
+/// Group of the sites of regions, which viewers hide.
+inline constexpr int kRegionGroup = 5;
+
 enum class RegionType { kBox, kDisc, kPolygon };
+
+/// Returns the word of a spec: "box", "disc" or "polygon".
+std::string_view RegionTypeName(RegionType type);
 
 /// A level area of a body B, or the interior of a container, with the space above it. The area is
 /// in the xy plane of its frame R, whose z axis points up when the object is in its start state.

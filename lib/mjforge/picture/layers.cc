@@ -1,5 +1,5 @@
-// Layers of a picture: their names, and the marks of bounds, inertia and joints on the faded
-// object.
+// Layers of a picture: their names, and the marks of bounds, inertia, joints and regions on the
+// faded object.
 
 #include "mjforge/picture/layers.h"
 
@@ -18,8 +18,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Color = std::array<float, 4>;
 
-constexpr std::array<std::string_view, 5> kLayers = {"visual", "collision", "bounds", "inertia",
-                                                     "joints"};
+constexpr std::array<std::string_view, 6> kLayers = {"visual",  "collision", "bounds",
+                                                     "inertia", "joints",    "regions"};
 
 constexpr Color kBox = {0.10F, 0.28F, 0.62F, 1};
 constexpr Color kDisk = {0.95F, 0.55F, 0.10F, 0.35F};
@@ -63,11 +63,11 @@ void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& s
 }
 
 // Returns a color that differs from its neighbours and from the faded object.
-Color JointColor(int joint) {
+Color MarkColor(int number) {
   constexpr std::array<Color, 6> kColors = {
       Color{0.85F, 0.20F, 0.15F, 1}, Color{0.10F, 0.45F, 0.85F, 1}, Color{0.10F, 0.60F, 0.30F, 1},
       Color{0.75F, 0.45F, 0.05F, 1}, Color{0.55F, 0.20F, 0.70F, 1}, Color{0.05F, 0.55F, 0.60F, 1}};
-  return kColors[static_cast<std::size_t>(joint) % kColors.size()];
+  return kColors[static_cast<std::size_t>(number) % kColors.size()];
 }
 
 struct JointMark {
@@ -89,11 +89,11 @@ struct JointMark {
   void Label(const Vector3d& place, std::string_view range) const {
     const std::size_t number = scene.legend().size() + 1;
     scene.AddLabel(place, fmt::format("{}", number));
-    scene.AddToLegend(fmt::format("{} {}: {}", number, Name(), range), JointColor(joint));
+    scene.AddToLegend(fmt::format("{} {}: {}", number, Name(), range), MarkColor(joint));
   }
 
   void Arrow(const Vector3d& from, const Vector3d& to) const {
-    const Color color = JointColor(joint);
+    const Color color = MarkColor(joint);
     const Vector3d along = (to - from).normalized();
     AddRod(from, to, Thickness(), color, scene);
     const double head = 4 * Thickness();
@@ -104,7 +104,7 @@ struct JointMark {
 
   // Draws the axis, and the arc through which the body's centre of mass moves over the range.
   void DrawHinge() const {
-    const Color color = JointColor(joint);
+    const Color color = MarkColor(joint);
     const Vector3d axis = Axis();
     const Vector3d anchor = Anchor();
     Arrow(anchor - 0.3 * radius * axis, anchor + 0.45 * radius * axis);
@@ -137,14 +137,14 @@ struct JointMark {
     const double from = Limited() ? End(0) - Value() : -0.4 * radius;
     const double to = Limited() ? End(1) - Value() : 0.4 * radius;
     Arrow(anchor + from * axis, anchor + to * axis);
-    AddBall(anchor, 2.2 * Thickness(), JointColor(joint), scene);
+    AddBall(anchor, 2.2 * Thickness(), MarkColor(joint), scene);
     const std::string range =
         Limited() ? fmt::format("{:.4g} to {:.4g} m", End(0), End(1)) : "unlimited";
     Label(anchor + to * axis, range);
   }
 
   void DrawBallJoint() const {
-    AddBall(Anchor(), 0.06 * radius, JointColor(joint), scene);
+    AddBall(Anchor(), 0.06 * radius, MarkColor(joint), scene);
     Label(Anchor(), Limited() ? fmt::format("ball, to {:.3g} deg", End(1) * 180 / std::numbers::pi)
                               : "ball, unlimited");
   }
@@ -218,6 +218,32 @@ void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& 
     if (type == mjJNT_HINGE) mark.DrawHinge();
     if (type == mjJNT_SLIDE) mark.DrawSlide();
     if (type == mjJNT_BALL) mark.DrawBallJoint();
+  }
+}
+
+// The size of a site is that of a geom of its type; only boxes and cylinders are regions.
+void DrawRegions(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
+  const mjModel& m = *state.model;
+  int number = 0;
+  for (int i = 0; i < m.nsite; ++i) {
+    const bool is_box = m.site_type[i] == mjGEOM_BOX;
+    if (m.site_group[i] != model::kRegionGroup || (!is_box && m.site_type[i] != mjGEOM_CYLINDER))
+      continue;
+    Vector3d size = compiled::VectorAt(m.site_size, i);
+    if (!is_box) size = {size[0], size[0], size[1]};
+    Color color = MarkColor(number++);
+    const Vector3d center = compiled::VectorAt(state.data->site_xpos, i);
+    const Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+        state.data->site_xmat + 9 * i);
+    const double thick = 0.004 * RadiusOf(around);
+    scene.AddLabel(center, fmt::format("{}", number));
+    scene.AddToLegend(fmt::format("{} {}: {:.4g} x {:.4g} m", number, m.names + m.name_siteadr[i],
+                                  2 * size.x(), 2 * size.y()),
+                      color);
+    color[3] = 0.5F;
+    scene.Add(m.site_type[i], {size.x(), size.y(), thick}, center + thick * axes.col(2), axes,
+              color);
+    scene.AddToFrame({.solid = {model::GeomType::kBox, size}, .p_WS = center, .R_WS = axes});
   }
 }
 

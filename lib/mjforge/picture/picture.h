@@ -39,7 +39,8 @@ enum class Layer {
   kCollision,  // geoms that can collide, each in a different color
   kBounds,     // bounding box of the colliding geoms; top, bottom and horizontal radius
   kInertia,    // boxes with the same inertia as the bodies, and their centres of mass
-  kJoints      // axes, ranges and names of the joints
+  kJoints,     // axes, ranges and names of the joints
+  kRegions     // places where other objects can stand: the sites of group 5
 };
 /// Names of the layers, in the order of the enumeration.
 std::span<const std::string_view> LayerNames();

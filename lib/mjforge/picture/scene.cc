@@ -190,7 +190,9 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
     DrawBounds(state, colliding.empty() ? visible : colliding, *this);
   } else {
     Fade();
-    (layer == Layer::kInertia ? DrawInertias : DrawJoints)(state, visible, *this);
+    (layer == Layer::kInertia  ? DrawInertias
+     : layer == Layer::kJoints ? DrawJoints
+                               : DrawRegions)(state, visible, *this);
   }
   return true;
 }

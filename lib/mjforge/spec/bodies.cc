@@ -33,6 +33,8 @@ class BodyEntryReader {
     body.head.fields = ReadFields(kBodyElement, map, context_);
     if (const YamlNode* sites = map.Find("sites"))
       body.sites = ReadEntries(kSiteElement, *sites, context_);
+    if (const YamlNode* regions = map.Find("regions"))
+      body.regions = ReadRegions(*regions, context_);
     body.views = ReadViews(map, context_);
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
     entries_.End(body.head);
@@ -53,6 +55,11 @@ class BodyEntryReader {
                fmt::format("'{}' together with '{}': a body has only one of the two", pair.key,
                            first->key))
           .notes.push_back({first->mark, "first here"});
+    }
+    if (const YamlNode::Pair* regions = map.FindPair("regions"); regions && map.Find("spec")) {
+      context_.findings.Add(Code::kSpecConflict, regions->mark,
+                            "'regions' together with 'spec': that spec has its own",
+                            "write them into that spec");
     }
     CheckNeeds("params", "spec", map, context_);
     CheckNeeds("materials", "spec", map, context_);

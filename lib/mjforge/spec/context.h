@@ -95,6 +95,8 @@ void ReadDefaults(const YamlNode& defaults, Context& context);
 /// Reads a list of parts, sites, cameras, lights or joints. Reports entries with the same name that
 /// exist in every variant.
 std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context);
+/// Reads `regions:` of an object or a body: a list of regions, or the word `auto`.
+std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context);
 /// Reads `cameras:` and `lights:` of an object or a body.
 std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);

@@ -68,6 +68,7 @@ struct BodyEntry {
   Entry head;  // name, if, for; spec and overrides; parent, pose, mass, mjcf, body as fields
   std::vector<Entry> parts;
   std::vector<Entry> sites;
+  std::vector<Entry> regions;
   std::vector<Entry> views;  // cameras and lights
   std::vector<Entry> joints;
   bool is_free = false;  // `joints: free`

@@ -276,6 +276,21 @@ std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list,
   return entries;
 }
 
+std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context) {
+  if (regions.kind != YamlNode::Kind::kScalar) return ReadEntries(kRegionElement, regions, context);
+  if (regions.text != "auto") {
+    context.findings.Add(Code::kSpecBadValue, regions.mark,
+                         fmt::format("'{}' is neither 'auto' nor a list of regions", regions.text));
+    return {};
+  }
+  YamlNode only;
+  only.kind = YamlNode::Kind::kMap;
+  only.mark = regions.mark;
+  for (const auto& [key, text] : {std::pair("name", "surface"), std::pair("type", "auto")})
+    only.pairs.push_back({key, regions.mark, YamlNode::Scalar(text, regions.mark)});
+  return ReadEntries(kRegionElement, YamlNode::List({only}, regions.mark), context);
+}
+
 std::vector<Entry> ReadViews(const YamlNode& map, Context& context) {
   std::vector<Entry> views;
   if (const YamlNode* cameras = map.Find("cameras"))

@@ -43,6 +43,8 @@ constexpr std::array kFieldKinds = {
         R"("anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}])"},
     FieldKindInfo{FieldKind::kParts, "list of parts", R"("@list part")"},
     FieldKindInfo{FieldKind::kSites, "list of sites", R"("@list site")"},
+    FieldKindInfo{FieldKind::kRegions, "`auto`, or list of regions",
+                  R"("anyOf": [{"const": "auto"}, {"@list region"}])"},
     FieldKindInfo{FieldKind::kCameras, "list of cameras", R"("@list camera")"},
     FieldKindInfo{FieldKind::kLights, "list of lights", R"("@list light")"},
     FieldKindInfo{FieldKind::kJoints, "list of joints"},

@@ -119,6 +119,8 @@ constexpr FieldInfo kObjectFields[] = {
         "Values for the keys that parts, sites and joints leave out."),
     Row({"parts", Key::kParts}, FieldKind::kParts, "The solid parts of the root body."),
     Row("sites", FieldKind::kSites, "Sites of the root body."),
+    Row("regions", FieldKind::kRegions,
+        "Places on the root body where other bodies can stand; `auto` finds them."),
     Row("cameras", FieldKind::kCameras, "Cameras of the root body."),
     Row("lights", FieldKind::kLights, "Lights of the root body."),
     Word("joints", "free none", "free",
@@ -364,6 +366,34 @@ constexpr FieldInfo kSiteFields[] = {
     kUser,
 };
 
+constexpr FieldInfo kRegionFields[] = {
+    Required(kName),
+    kIf,
+    kFor,
+    kLet,
+    Word({"type", Key::kType}, "box disc polygon auto", "box",
+         "Its shape; `auto` finds level upper faces of the body's colliding parts: NAME, NAME_1, "
+         "..., from the largest."),
+    Numbers({"size", Key::kSize}, {1, 2}, "m", Above(0), "",
+            "Half lengths x and y of a box; radius of a disc."),
+    Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a convex polygon."),
+    Number({"area", Key::kArea}, "m^2", Above(0), "25cm^2", "Least area that `auto` takes."),
+    kPos,
+    kQuat,
+    kEuler,
+    kAxisAngle,
+    kXyAxes,
+    kZAxis,
+    Number({"height", Key::kHeight}, "m", Above(0), "unlimited; for `auto` 3cm",
+           "Free height above; for `auto` the least."),
+    Number({"margin", Key::kMargin}, "m", AtLeast(0), "0",
+           "How far from the edge everything stays that stands here."),
+    Number({"clear", Key::kClear}, "m", AtLeast(0), "0",
+           "Least distance between the things that stand here."),
+    Row({"walls", Key::kWalls}, FieldKind::kBoolean, "false",
+        "Whether it is an interior, into which things are lowered until they touch something."),
+};
+
 constexpr FieldInfo kMode = Word("mode", "fixed track trackcom targetbody targetbodycom",
                                  "targetbody where `target` is given, else fixed",
                                  "How it follows its body, or which body it looks at.");
@@ -479,6 +509,9 @@ constexpr FieldInfo kBodyFields[] = {
          "removed.",
          FieldKind::kJoints),
     Row("sites", FieldKind::kSites, "Sites of the body."),
+    Row("regions", FieldKind::kRegions,
+        "Places on the body where other bodies can stand; `auto` finds them. Not beside `spec`, "
+        "which has its own."),
     Row("cameras", FieldKind::kCameras, "Cameras of the body."),
     Row("lights", FieldKind::kLights, "Lights of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
@@ -692,6 +725,9 @@ const ElementInfo kPartElement = {
     kPartFields};
 const ElementInfo kFrameElement = {"frame", "A rigid offset in the body's frame.", kFrameFields};
 const ElementInfo kSiteElement = {"site", "A named place on the body.", kSiteFields};
+const ElementInfo kRegionElement = {
+    "region", "A level place on the body where other bodies can stand; z points up.",
+    kRegionFields};
 const ElementInfo kCameraElement = {"camera", "A camera that moves with the body.", kCameraFields};
 const ElementInfo kLightElement = {"light", "A light that moves with the body.", kLightFields};
 const ElementInfo kJointElement = {
@@ -742,12 +778,12 @@ const FieldInfo* ElementInfo::Find(Key id) const {
 
 std::span<const ElementInfo* const> AllElements() {
   static constexpr const ElementInfo* kElements[] = {
-      &kObjectElement,    &kParameterElement,   &kMaterialElement, &kTextureElement,
-      &kPartElement,      &kFrameElement,       &kSiteElement,     &kCameraElement,
-      &kLightElement,     &kJointElement,       &kBodyElement,     &kContactElement,
-      &kExcludeElement,   &kExpectationElement, &kDefaultsElement, &kChecksElement,
-      &kHoldingElement,   &kFittingElement,     &kGraspingElement, &kPartCheckElement,
-      &kJointCheckElement};
+      &kObjectElement,    &kParameterElement, &kMaterialElement,    &kTextureElement,
+      &kPartElement,      &kFrameElement,     &kSiteElement,        &kCameraElement,
+      &kRegionElement,    &kLightElement,     &kJointElement,       &kBodyElement,
+      &kContactElement,   &kExcludeElement,   &kExpectationElement, &kDefaultsElement,
+      &kChecksElement,    &kHoldingElement,   &kFittingElement,     &kGraspingElement,
+      &kPartCheckElement, &kJointCheckElement};
   return kElements;
 }
 

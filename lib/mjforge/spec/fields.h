@@ -36,6 +36,7 @@ enum class FieldKind {
   kImports,
   kParts,
   kSites,
+  kRegions,
   kCameras,
   kLights,
   kJoints,
@@ -111,6 +112,7 @@ extern const ElementInfo kTextureElement;
 extern const ElementInfo kPartElement;
 extern const ElementInfo kFrameElement;  // the mapping under `frame:`
 extern const ElementInfo kSiteElement;
+extern const ElementInfo kRegionElement;
 extern const ElementInfo kCameraElement;
 extern const ElementInfo kLightElement;
 extern const ElementInfo kJointElement;

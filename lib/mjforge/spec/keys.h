@@ -66,6 +66,11 @@ enum class Key {
   kAxis,
   kRange,
   kLimited,
+  // Regions.
+  kArea,
+  kMargin,
+  kClear,
+  kWalls,
   // Bodies.
   kParent,
   kBody,

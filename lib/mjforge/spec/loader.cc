@@ -95,6 +95,8 @@ class SpecLoader : public NestedLoader {
       spec.parts = ReadEntries(kPartElement, *parts, context);
     if (const YamlNode* sites = root.Find("sites"))
       spec.sites = ReadEntries(kSiteElement, *sites, context);
+    if (const YamlNode* regions = root.Find("regions"))
+      spec.regions = ReadRegions(*regions, context);
     spec.views = ReadViews(root, context);
     ReadMotion(root, settings, context);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, context);

@@ -83,6 +83,7 @@ struct ObjectSpec {
   Defaults defaults;
   std::vector<Entry> parts;
   std::vector<Entry> sites;
+  std::vector<Entry> regions;
   std::vector<Entry> views;  // cameras and lights
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
