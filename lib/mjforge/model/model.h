@@ -16,6 +16,7 @@
 #include "mjforge/model/attachment.h"
 #include "mjforge/model/forward_kinematics.h"
 #include "mjforge/model/object.h"
+#include "mjforge/model/placement.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/solid/solid.h"
 

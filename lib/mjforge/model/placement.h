@@ -3,8 +3,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -13,18 +13,19 @@
 
 namespace mjforge::model {
 
-/// A side of a body, in its frame turned so that its front is -y.
+/// A side of a body, as seen by somebody who looks the way the body's front looks: if its front is
+/// -y, right is -x.
 enum class Side { kLeft, kRight, kFront, kBack };
 
 /// A neighbour that a body stands next to.
 struct Beside {
   int body = -1;             // index in Object::bodies
-  Side side = Side::kRight;  // in the frame of that body
+  Side side = Side::kRight;
   double front = 0;          // angle of that body's front about z, from its -y axis, rad
   double gap = 0;            // distance of the two bounding boxes along the side's direction, m
 };
 
-/// One try at a place, as drawn from `place:`. Points and directions are in the root frame.
+/// One try at a place, as drawn from `place:`. Points and directions are in the frame of the object.
 struct PlaceTry {
   int support = -1;                // index of the body that has the region or the site
   const Region* region = nullptr;  // null: the body is placed by a site of the support
@@ -33,14 +34,21 @@ struct PlaceTry {
   Pose X_SupportSite;
   Pose X_BodySite;
   /// Position within the free play of the footprint, each from -1 to 1; in a disc, within the unit
-  /// disc.
+  /// disc. With `beside`, offset along the neighbour's side: 0 aligns the centres of the bounding
+  /// boxes, -1 and 1 their ends. Left and right use the second number, front and back the first.
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
   std::optional<Beside> beside;
-  double yaw = 0;                           // about the vertical, rad; added to `facing`
-  std::optional<Eigen::Vector2d> facing;    // point that the front of the body faces, m
+  /// Turn about the vertical, rad. The body is turned first so that its front faces `facing` or
+  /// looks along `direction`, or has the direction of the neighbour's front; without any of them,
+  /// so that its axes are those of the region.
+  double yaw = 0;
+  std::optional<Eigen::Vector2d> facing;     // a point, m
+  std::optional<Eigen::Vector2d> direction;  // horizontal, of any length but 0
   double front = 0;                         // angle of the body's front, from its -y axis, rad
   std::optional<Eigen::Quaterniond> lying;  // rotation of the body before the yaw; none: upright
-  double clear = 0;                         // least distance to everything else, m
+  /// Least distance to all other bodies, m; the support must only not overlap, nor bodies whose parts
+  /// are all below the region.
+  double clear = 0;
   double overhang = 0;                      // share of the footprint that may lie outside, 0 .. 1
 };
 
@@ -56,11 +64,20 @@ struct PlaceResult {
   PlaceVerdict verdict = PlaceVerdict::kStands;
   Pose X_SupportBody;   // pose of the body in its support, if it stands
   int blocker = -1;     // index of the body that is too near
-  double distance = 0;  // to the blocker, m; negative if they overlap
+  double distance = 0;  // to the blocker, m; 0 if they overlap
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // lengths of its bounding box, m
 };
 
-/// Searches places for bodies of one object.
+/// An orientation in which a body is at rest on a level plane.
+struct StablePose {
+  std::string name;  // upright, upside_down, on_front, on_back, on_left, on_right, on_left_2, ...
+  Eigen::Quaterniond rotation;  // for PlaceTry::lying
+  double margin = 0;            // least angle by which it must be tilted to tip over, rad
+  double probability = 0;       // of coming to rest in this pose if released at random
+};
+
+/// Searches places for bodies of one object. "Below" a body are all bodies whose chain of parents
+/// contains it. Bodies and their joints are at the start state.
 class Placer {
  public:
   Placer() = default;
@@ -68,14 +85,20 @@ class Placer {
   Placer& operator=(const Placer&) = delete;
   virtual ~Placer() = default;
 
-  /// Forgets all bodies that stand. The object must outlive the next calls; bodies may be added.
+  /// Forgets all bodies that stand. The object must outlive the next calls. Bodies may be added and
+  /// moved between calls, but those that stand and those that were tried keep their parts.
   virtual void Begin(const Object& object) = 0;
 
-  /// Makes the body, and all bodies below it, an obstacle at its present pose.
-  virtual void Stand(int body) = 0;
+  /// Makes the body, and all bodies below it, an obstacle at its present pose. Bodies that are
+  /// placed later must have at least the distance `clear` to it, m.
+  virtual void Stand(int body, double clear = 0) = 0;
 
   /// Tries a place for a body that does not stand yet, with all bodies below it.
   virtual PlaceResult Try(int body, const PlaceTry& where) = 0;
+
+  /// Returns the stable poses of a body, with all bodies below it; the most probable first. `front`
+  /// is the angle of its front, from its -y axis, rad.
+  virtual std::vector<StablePose> StablePoses(int body, double front) = 0;
 };
 
 }  // namespace mjforge::model

@@ -76,8 +76,8 @@ class Qhull {
 
 std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault) {
   fault = {};
-  if (points.size() < 4 || points.size() > kMostPoints) {
-    fault.message = points.size() < 4 ? "needs at least 4 points" : "has more than 1000 points";
+  if (points.size() < 4) {
+    fault.message = "needs at least 4 points";
     return std::nullopt;
   }
   std::vector<double> coordinates;

@@ -1,30 +1,12 @@
-// Convex polyhedra, and the solids at a distance around them (Minkowski sums with a ball).
+// Boxes as convex polyhedra, and the solids at a distance around them (Minkowski sums with a ball).
 
 #pragma once
-
-#include <optional>
-#include <span>
-#include <vector>
 
 #include <Eigen/Dense>
 
 #include "mjforge/solid/solid.h"
 
 namespace mjforge::solid {
-
-struct Polytope {
-  struct Face {
-    std::vector<int> corners;  // counter-clockwise from outside
-    Eigen::Vector3d normal;    // outward, of length 1
-  };
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<Face> faces;
-};
-
-/// Returns the convex hull, computed by Qhull, which merges coplanar facets. The order of faces and
-/// vertices depends only on the order of the points. Returns nothing and sets `fault` if the hull
-/// has no volume.
-std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault);
 
 /// Returns a box centred on the origin.
 Polytope BoxOf(const Eigen::Vector3d& half_sizes);

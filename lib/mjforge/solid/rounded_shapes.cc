@@ -56,6 +56,10 @@ Solid Rounded(const Polytope& core, double round, const TextureMapping& texture)
 }  // namespace
 
 std::optional<Solid> Make(const ConvexHull& hull, Fault& fault) {
+  if (hull.points.size() > kMostPoints) {
+    fault = {.message = "has more than 1000 points"};
+    return std::nullopt;
+  }
   const std::optional<Polytope> core = HullOf(hull.points, fault);
   if (!core) return std::nullopt;
   if (hull.round > 0) return Rounded(*core, hull.round, hull.texture);

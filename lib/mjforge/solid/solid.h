@@ -16,6 +16,8 @@
 
 #include <Eigen/Dense>
 
+#include "mjforge/solid/hull.h"
+
 namespace mjforge::solid {
 
 /// Shapes with more points are rejected, because outlines are compared edge by edge.
@@ -58,14 +60,6 @@ struct Solid {
   TriangleMesh render_mesh;
   std::vector<ConvexPiece> pieces;
   Mass mass;
-};
-
-/// Reason why a shape is rejected, and the index of the faulty point; without a point the whole
-/// outline is faulty.
-struct Fault {
-  std::string message;  // "crosses itself", as the end of a sentence
-  std::optional<std::size_t> point = std::nullopt;
-  std::size_t loop = 0;  // 0 for the outline, 1 for a prism's first hole
 };
 
 /// Scale of texture coordinates. MuJoCo ignores `texrepeat` for meshes with texture coordinates.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mjforge/static_checks/distance.h"
+#include "mjforge/static_checks/placed_part.h"
 
 namespace mjforge::static_checks {
 

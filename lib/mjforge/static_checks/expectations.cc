@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/static_checks/distance.h"
+#include "mjforge/static_checks/placed_part.h"
 
 namespace mjforge::static_checks {
 namespace {
@@ -187,8 +187,9 @@ class ExpectationChecker {
   void CheckInside(const PlacedParts& first, const PlacedParts& second) {
     double farthest = 0;
     const PlacedPart* out = nullptr;
+    const std::vector<distance::PlacedShape> hull(second.begin(), second.end());
     for (const PlacedPart& placed : first) {
-      const double outside = Outside(placed, second);
+      const double outside = Outside(placed, hull);
       if (outside <= farthest) continue;
       farthest = outside;
       out = &placed;
@@ -201,7 +202,8 @@ class ExpectationChecker {
   }
 
   // Returns the largest distance of any point of the part from the convex hull, m.
-  static double Outside(const PlacedPart& placed, const PlacedParts& hull) {
+  static double Outside(const PlacedPart& placed,
+                        std::span<const distance::PlacedShape> hull) {
     std::vector<Vector3d> points;
     if (placed.part->shape.mesh != nullptr) {
       for (const Vector3d& vertex : placed.part->shape.mesh->vertices)

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "mjforge/static_checks/distance.h"
+#include "mjforge/static_checks/placed_part.h"
 
 namespace mjforge::static_checks {
 

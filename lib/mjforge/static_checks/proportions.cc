@@ -13,8 +13,8 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/static_checks/connected_parts.h"
-#include "mjforge/static_checks/distance.h"
 #include "mjforge/static_checks/overlap.h"
+#include "mjforge/static_checks/placed_part.h"
 #include "mjforge/static_checks/solid_parts.h"
 
 namespace mjforge::static_checks {
@@ -250,7 +250,8 @@ class Proportions {
     const Eigen::Vector3d& p_BCm = body.mass_properties.p_FCm;
     Box box;
     for (const PlacedPart& part : placed) box.extend(part.box_W);
-    if (FromHull(placed, p_BCm).norm() <= kHullTolerance * box.diagonal().norm()) return;
+    const std::vector<distance::PlacedShape> shapes(placed.begin(), placed.end());
+    if (distance::FromHull(shapes, p_BCm).norm() <= kHullTolerance * box.diagonal().norm()) return;
     reporter_.Warning(
         Code::kPhysicsCenterOfMass, body.mark,
         fmt::format("the centre of mass of body '{}', {:.4g} {:.4g} {:.4g}, is outside "

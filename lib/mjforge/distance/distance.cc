@@ -1,5 +1,5 @@
-// GJK distance of convex parts, and penetration depth by libccd (EPA).
-#include "mjforge/static_checks/distance.h"
+// GJK distance of convex shapes, and penetration depth by libccd (EPA).
+#include "mjforge/distance/distance.h"
 
 #include <ccd/ccd.h>
 
@@ -10,7 +10,7 @@
 
 #include <Eigen/Dense>
 
-namespace mjforge::static_checks {
+namespace mjforge::distance {
 namespace {
 
 using Eigen::Vector3d;
@@ -103,21 +103,21 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size)
   return nearest;
 }
 
-// Radius around the core of a part: a sphere is a point, and a capsule a segment, with a radius.
-double RadiusOf(const PlacedPart& part) {
-  const model::Shape& shape = part.part->shape;
+// Radius around the core of a shape: a sphere is a point, and a capsule a segment, with a radius.
+double RadiusOf(const PlacedShape& placed) {
+  const model::Shape& shape = placed.shape;
   const bool is_round =
       shape.type == model::GeomType::kSphere || shape.type == model::GeomType::kCapsule;
   return is_round ? shape.size.x() : 0;
 }
 
-// Support function of the core of a part.
-Vector3d FarthestOfCore(const PlacedPart& part, const Vector3d& direction_W) {
-  const model::Shape& shape = part.part->shape;
-  const Vector3d& center = part.X_WG.p;
+// Support function of the core of a shape.
+Vector3d FarthestOfCore(const PlacedShape& placed, const Vector3d& direction_W) {
+  const model::Shape& shape = placed.shape;
+  const Vector3d& center = placed.X_WG.p;
   if (shape.type == model::GeomType::kSphere) return center;
-  if (shape.type != model::GeomType::kCapsule) return FarthestPoint(part, direction_W);
-  const Vector3d half = part.X_WG.q * Vector3d(0, 0, shape.size.y());
+  if (shape.type != model::GeomType::kCapsule) return FarthestPoint(placed, direction_W);
+  const Vector3d half = placed.X_WG.q * Vector3d(0, 0, shape.size.y());
   return center + (half.dot(direction_W) > 0 ? 1 : -1) * half;
 }
 
@@ -125,7 +125,7 @@ Vector3d FarthestOfCore(const PlacedPart& part, const Vector3d& direction_W) {
 // are divided by the size of the two.
 class Penetration {
  public:
-  Penetration(const PlacedPart& a, const PlacedPart& b, double size) : a_(a), b_(b), size_(size) {}
+  Penetration(const PlacedShape& a, const PlacedShape& b, double size) : a_(a), b_(b), size_(size) {}
 
   double Depth() {
     ccd_t ccd;
@@ -193,30 +193,30 @@ class Penetration {
     return least;
   }
 
-  const PlacedPart& a_;
-  const PlacedPart& b_;
+  const PlacedShape& a_;
+  const PlacedShape& b_;
   double size_;
   mutable int calls_ = 0;
 };
 
 // Vector from the nearest point of core B to that of core A.
-Vector3d BetweenCores(const PlacedPart& a, const PlacedPart& b, double size) {
+Vector3d BetweenCores(const PlacedShape& a, const PlacedShape& b, double size) {
   const auto difference = [&](const Vector3d& direction) {
     return Vector3d(FarthestOfCore(a, direction) - FarthestOfCore(b, -direction));
   };
   return NearestToOrigin(difference, a.box_W.center() - b.box_W.center(), size);
 }
 
-double SizeOf(const PlacedPart& a, const PlacedPart& b) {
+double SizeOf(const PlacedShape& a, const PlacedShape& b) {
   return a.box_W.merged(b.box_W).diagonal().norm();
 }
 
-// Support function of the convex hull of several parts.
-Vector3d FarthestOfHull(std::span<const PlacedPart> parts, const Vector3d& direction_W) {
+// Support function of the convex hull of several shapes.
+Vector3d FarthestOfHull(std::span<const PlacedShape> shapes, const Vector3d& direction_W) {
   Vector3d farthest = Vector3d::Zero();
   double way = -std::numeric_limits<double>::infinity();
-  for (const PlacedPart& part : parts) {
-    const Vector3d p = FarthestPoint(part, direction_W);
+  for (const PlacedShape& placed : shapes) {
+    const Vector3d p = FarthestPoint(placed, direction_W);
     if (p.dot(direction_W) <= way) continue;
     way = p.dot(direction_W);
     farthest = p;
@@ -226,35 +226,43 @@ Vector3d FarthestOfHull(std::span<const PlacedPart> parts, const Vector3d& direc
 
 }  // namespace
 
-PlacedPart::PlacedPart(const model::Part* of, const model::Pose& at) : part(of), X_WG(at) {
-  const model::Box3 box = model::BoundsOf(of->shape, at);
+PlacedShape::PlacedShape(const model::Shape& of, const model::Pose& at) : shape(of), X_WG(at) {
+  const model::Box3 box = model::BoundsOf(of, at);
   box_W = {box.min, box.max};
 }
 
-Vector3d FarthestPoint(const PlacedPart& part, const Vector3d& direction_W) {
-  const Eigen::Quaterniond& q_WG = part.X_WG.q;
-  return part.X_WG * model::SupportPoint(part.part->shape, q_WG.conjugate() * direction_W);
+Vector3d FarthestPoint(const PlacedShape& placed, const Vector3d& direction_W) {
+  const Eigen::Quaterniond& q_WG = placed.X_WG.q;
+  return placed.X_WG * model::SupportPoint(placed.shape, q_WG.conjugate() * direction_W);
 }
 
-double Distance(const PlacedPart& a, const PlacedPart& b) {
+Vector3d Separation(const PlacedShape& a, const PlacedShape& b) {
+  const Vector3d cores = BetweenCores(a, b, SizeOf(a, b));
+  const double distance = cores.norm();
+  const double apart = distance - RadiusOf(a) - RadiusOf(b);
+  if (!(apart > 0)) return Vector3d::Zero();
+  return cores * (apart / distance);
+}
+
+double Distance(const PlacedShape& a, const PlacedShape& b) {
   const double cores = BetweenCores(a, b, SizeOf(a, b)).norm();
   return std::max(cores - RadiusOf(a) - RadiusOf(b), 0.0);
 }
 
-double SignedDistance(const PlacedPart& a, const PlacedPart& b) {
+double SignedDistance(const PlacedShape& a, const PlacedShape& b) {
   const double size = SizeOf(a, b);
   const double cores = BetweenCores(a, b, size).norm();
   const double apart = cores > 0 ? cores : -Penetration(a, b, size).Depth();
   return apart - RadiusOf(a) - RadiusOf(b);
 }
 
-Vector3d FromHull(std::span<const PlacedPart> parts, const Vector3d& p_W) {
+Vector3d FromHull(std::span<const PlacedShape> shapes, const Vector3d& p_W) {
   const auto difference = [&](const Vector3d& direction) {
-    return Vector3d(p_W - FarthestOfHull(parts, -direction));
+    return Vector3d(p_W - FarthestOfHull(shapes, -direction));
   };
   Eigen::AlignedBox3d box_W;
-  for (const PlacedPart& part : parts) box_W.extend(part.box_W);
+  for (const PlacedShape& placed : shapes) box_W.extend(placed.box_W);
   return NearestToOrigin(difference, p_W - box_W.center(), box_W.diagonal().norm());
 }
 
-}  // namespace mjforge::static_checks
+}  // namespace mjforge::distance

@@ -1,5 +1,5 @@
-// Distances and penetration depths of convex parts, and distances from convex hulls.
-#include "mjforge/static_checks/distance.h"
+// Distances and penetration depths of convex shapes, and distances from convex hulls.
+#include "mjforge/distance/distance.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,40 +7,36 @@
 
 #include "harness/effort.h"
 
-namespace mjforge::static_checks {
+namespace mjforge::distance {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using model::GeomType;
-using model::Part;
 using model::Pose;
+using model::Shape;
 
-Part PartOf(GeomType type, const Vector3d& size) {
-  Part part;
-  part.shape = {type, size, nullptr};
-  return part;
-}
+Shape ShapeOf(GeomType type, const Vector3d& size) { return {type, size, nullptr}; }
 
-double Between(const Part& a, const Pose& X_WA, const Part& b, const Pose& X_WB) {
-  return SignedDistance({&a, X_WA}, {&b, X_WB});
+double Between(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  return SignedDistance({a, X_WA}, {b, X_WB});
 }
 
 TEST_CASE("the distance of round shapes is that of their axes, less their radii") {
   const double scale = GENERATE(1e-3, 1.0, 1e3);
   CAPTURE(scale);
-  const auto part = [&](GeomType type, const Vector3d& size) { return PartOf(type, scale * size); };
+  const auto shape = [&](GeomType type, const Vector3d& size) { return ShapeOf(type, scale * size); };
   const auto at = [&](double x, double y, double z) {
     Pose X;
     X.p = Vector3d(scale * Vector3d(x, y, z));
     return X;
   };
-  const Part ball = part(GeomType::kSphere, {1, 0, 0});
-  const Part capsule = part(GeomType::kCapsule, {0.5, 2, 0});
-  const Part cylinder = part(GeomType::kCylinder, {0.5, 2, 0});
-  const Part box = part(GeomType::kBox, {1, 2, 3});
-  const Part egg = part(GeomType::kEllipsoid, {1, 2, 3});
-  const auto check = [&](const Part& a, const Pose& X_WA, const Part& b, const Pose& X_WB,
+  const Shape ball = shape(GeomType::kSphere, {1, 0, 0});
+  const Shape capsule = shape(GeomType::kCapsule, {0.5, 2, 0});
+  const Shape cylinder = shape(GeomType::kCylinder, {0.5, 2, 0});
+  const Shape box = shape(GeomType::kBox, {1, 2, 3});
+  const Shape egg = shape(GeomType::kEllipsoid, {1, 2, 3});
+  const auto check = [&](const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                          double wanted) {
     CHECK(std::abs(Between(a, X_WA, b, X_WB) - scale * wanted) <= 1e-8 * scale);
     CHECK(std::abs(Between(b, X_WB, a, X_WA) - scale * wanted) <= 1e-8 * scale);
@@ -61,13 +57,13 @@ TEST_CASE("the distance of round shapes is that of their axes, less their radii"
 }
 
 TEST_CASE("what overlaps has less than no distance") {
-  const Part box = PartOf(GeomType::kBox, {1, 1, 1});
+  const Shape box = ShapeOf(GeomType::kBox, {1, 1, 1});
   Pose X;
   X.p = Vector3d(1.9, 0, 0);
   CHECK(Between(box, {}, box, X) == Approx(-0.1).margin(1e-6));
   X.p = Vector3d(2, 0.3, 0.4);
   CHECK(std::abs(Between(box, {}, box, X)) < 1e-9);
-  const Part ball = PartOf(GeomType::kSphere, {1, 0, 0});
+  const Shape ball = ShapeOf(GeomType::kSphere, {1, 0, 0});
   X.p = Vector3d(1.5, 0, 0);
   CHECK(Between(ball, {}, ball, X) == Approx(-0.5).margin(1e-4));
   CHECK(Between(ball, {}, box, {}) < -0.9);
@@ -85,7 +81,7 @@ TEST_CASE("the distance of turned solids is between what bounds it") {
   for (int i = 0; i < harness::Effort(2000); ++i) {
     CAPTURE(i);
     const auto any = [&] {
-      return PartOf(kTypes[random() % 5], {uniform(0.01, 1), uniform(0.01, 1), uniform(0.01, 1)});
+      return ShapeOf(kTypes[random() % 5], {uniform(0.01, 1), uniform(0.01, 1), uniform(0.01, 1)});
     };
     const auto anywhere = [&] {
       Pose X;
@@ -94,10 +90,10 @@ TEST_CASE("the distance of turned solids is between what bounds it") {
           Quaterniond(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(0.1, 1)).normalized();
       return X;
     };
-    const Part a = any();
-    const Part b = any();
-    const PlacedPart A = {&a, anywhere()};
-    const PlacedPart B = {&b, anywhere()};
+    const Shape a = any();
+    const Shape b = any();
+    const PlacedShape A = {a, anywhere()};
+    const PlacedShape B = {b, anywhere()};
     const double distance = SignedDistance(A, B);
     const double again = SignedDistance(B, A);
     CHECK(std::abs(again - distance) <= (distance > 0 ? 1e-8 : 1e-4));
@@ -123,8 +119,8 @@ TEST_CASE("the distance of turned solids is between what bounds it") {
 }
 
 TEST_CASE("a point in the hull of several solids is at no distance from it") {
-  const Part ball = PartOf(GeomType::kSphere, {0.5, 0, 0});
-  std::vector<PlacedPart> two = {{&ball, {}}, {&ball, {}}};
+  const Shape ball = ShapeOf(GeomType::kSphere, {0.5, 0, 0});
+  std::vector<PlacedShape> two = {{ball, {}}, {ball, {}}};
   two[1].X_WG.p = Vector3d(4, 0, 0);
   CHECK(FromHull(two, {2, 0, 0}).norm() == 0);
   CHECK(FromHull(two, {2, 0.4999, 0}).norm() == 0);
@@ -138,7 +134,7 @@ TEST_CASE("round things around one middle are as deep as their radii say") {
                         const Vector3d& offset) {
     Pose X;
     X.p = offset;
-    return -Between(PartOf(a, size_a), Pose(), PartOf(b, size_b), X);
+    return -Between(ShapeOf(a, size_a), Pose(), ShapeOf(b, size_b), X);
   };
   const Vector3d here = Vector3d::Zero();
   for (const double big : {0.002, 0.009, 0.02, 0.03, 0.1, 1.0}) {
@@ -162,4 +158,4 @@ TEST_CASE("round things around one middle are as deep as their radii say") {
 }
 
 }  // namespace
-}  // namespace mjforge::static_checks
+}  // namespace mjforge::distance

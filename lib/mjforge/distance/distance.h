@@ -1,0 +1,39 @@
+// Distances of convex shapes and of their convex hulls. Meshes count as their convex hulls.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::distance {
+
+/// A shape whose frame G has the pose X_WG in some frame W.
+struct PlacedShape {
+  PlacedShape(const model::Shape& of, const model::Pose& at);
+
+  model::Shape shape;
+  model::Pose X_WG;
+  Eigen::AlignedBox3d box_W;  // bounding box
+};
+
+/// Returns a point of the shape that is farthest in a direction.
+Eigen::Vector3d FarthestPoint(const PlacedShape& shape, const Eigen::Vector3d& direction_W);
+
+/// Vector from the nearest point of B to the nearest point of A, m; zero if they overlap.
+Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
+
+/// Distance of two shapes, m; 0 if they overlap.
+double Distance(const PlacedShape& a, const PlacedShape& b);
+
+/// Distance of two shapes, m. If they overlap, minus the penetration depth: the shortest
+/// translation that separates them, to a ten-thousandth of their size.
+double SignedDistance(const PlacedShape& a, const PlacedShape& b);
+
+/// Vector to a point from the nearest point of the shapes' convex hull, m; zero if the hull
+/// contains the point.
+Eigen::Vector3d FromHull(std::span<const PlacedShape> shapes, const Eigen::Vector3d& p_W);
+
+}  // namespace mjforge::distance

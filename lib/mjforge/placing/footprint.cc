@@ -1,0 +1,253 @@
+// Footprints by slicing convex shapes below a level plane.
+
+#include "mjforge/placing/footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "mjforge/solid/solid.h"
+
+namespace mjforge::placing {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kSlice = 1e-3;     // m; thickness of the slice whose shadow is the footprint
+constexpr int kOutlinePoints = 64;  // per whole turn
+constexpr int kCapsuleSteps = 8;
+constexpr double kLevel = 1e-9;  // tolerance of level axes: rad, or m over the length
+// Vertices below and above the plane are joined pairwise up to this number of pairs; larger meshes
+// are sliced at the edges of their convex hulls.
+constexpr std::size_t kMostPairs = 100'000;
+
+double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+Vector2d UnitAt(int i) {
+  const double angle = 2 * std::numbers::pi * i / kOutlinePoints;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+// Collects the discs and points whose hull is the shadow of all points of convex shapes below a
+// level plane.
+class Slicer {
+ public:
+  explicit Slicer(double level) : level_(level) {}
+
+  void Add(const distance::PlacedShape& placed) {
+    if (placed.box_W.min().z() > level_) return;
+    const Vector3d& size = placed.shape.size;
+    const Vector3d& center = placed.X_WG.p;
+    const Vector3d axis = placed.X_WG.q * Vector3d::UnitZ();
+    switch (placed.shape.type) {
+      case model::GeomType::kSphere:
+        AddBall(center, size.x());
+        break;
+      case model::GeomType::kCapsule:
+        AddCapsule(center, size.y() * (axis.z() < 0 ? Vector3d(-axis) : axis), size.x());
+        break;
+      case model::GeomType::kCylinder:
+        AddCylinder(center, axis, size);
+        break;
+      case model::GeomType::kEllipsoid:
+        AddEllipsoid(center, placed.X_WG.q.toRotationMatrix() * size.asDiagonal());
+        break;
+      case model::GeomType::kBox:
+        AddBox(placed);
+        break;
+      case model::GeomType::kMesh: {
+        std::vector<Vector3d> vertices;
+        for (const Vector3d& p_G : placed.shape.mesh->vertices)
+          vertices.push_back(placed.X_WG * p_G);
+        AddHull(vertices);
+        break;
+      }
+    }
+  }
+
+  // Returns the discs; discs inside another disc and points inside the hull of points are omitted.
+  std::vector<Disc> Discs() {
+    std::vector<Disc> discs;
+    for (const Disc& disc : discs_) {
+      const auto is_inside = [](const Disc& a, const Disc& b) {
+        return (a.center - b.center).norm() + a.radius <= b.radius;
+      };
+      if (std::ranges::any_of(discs, [&](const Disc& other) { return is_inside(disc, other); }))
+        continue;
+      std::erase_if(discs, [&](const Disc& other) { return is_inside(other, disc); });
+      discs.push_back(disc);
+    }
+    for (const Vector2d& point : ConvexPolygon(std::move(points_))) discs.push_back({point, 0});
+    return discs;
+  }
+
+ private:
+  void AddBall(const Vector3d& center, double radius) {
+    const double above = std::max(center.z() - level_, 0.0);
+    if (above > radius) return;
+    discs_.push_back({center.head<2>(), std::sqrt((radius - above) * (radius + above))});
+  }
+
+  // Adds the balls of a capsule, from its lower end to the last one that meets the plane.
+  void AddCapsule(const Vector3d& center, const Vector3d& half, double radius) {
+    const Vector3d low = center - half;
+    const double rise = 2 * half.z();
+    const bool is_level = rise <= kLevel;
+    const double end = is_level ? 1 : std::min(1.0, (level_ + radius - low.z()) / rise);
+    const int steps = is_level ? 1 : kCapsuleSteps;
+    for (int i = 0; i <= steps; ++i) AddBall(low + 2 * half * (end * i / steps), radius);
+  }
+
+  void AddCylinder(const Vector3d& center, const Vector3d& axis, const Vector3d& size) {
+    const Vector2d tilt = axis.head<2>();
+    if (tilt.norm() <= kLevel) {
+      discs_.push_back({center.head<2>(), size.x()});
+      return;
+    }
+    // The first point of each rim is its lowest or its highest.
+    const Vector3d across = Vector3d(-tilt.y(), tilt.x(), 0).normalized();
+    const Vector3d steep = across.cross(axis);
+    std::vector<Vector3d> rims;
+    for (int i = 0; i < kOutlinePoints; ++i) {
+      const Vector3d radial = size.x() * (UnitAt(i).x() * steep + UnitAt(i).y() * across);
+      rims.push_back(center + radial + size.y() * axis);
+      rims.push_back(center + radial - size.y() * axis);
+    }
+    AddHull(rims);
+  }
+
+  // Adds the farthest point of an ellipsoid, below the plane, in each direction. The ellipsoid is
+  // the image of the unit ball under x = center + matrix y.
+  void AddEllipsoid(const Vector3d& center, const Eigen::Matrix3d& matrix) {
+    const Vector3d up = matrix.row(2);  // the plane is up . y = level - center.z
+    const double height = up.norm();
+    const double offset = (level_ - center.z()) / height;
+    for (int i = 0; i < kOutlinePoints; ++i) {
+      const Vector3d way = matrix.topRows<2>().transpose() * UnitAt(i);
+      Vector3d y = way.normalized();
+      if (y.dot(up) > offset * height) {
+        const Vector3d normal = up / height;
+        const Vector3d in_plane = (way - way.dot(normal) * normal).stableNormalized();
+        y = offset * normal + std::sqrt(std::max(0.0, 1 - offset * offset)) * in_plane;
+      }
+      points_.emplace_back((center + matrix * y).head<2>());
+    }
+  }
+
+  void AddBox(const distance::PlacedShape& placed) {
+    std::vector<Vector3d> corners;
+    for (int i = 0; i < 8; ++i) {
+      const Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+      corners.emplace_back(placed.X_WG * placed.shape.size.cwiseProduct(sign).eval());
+    }
+    AddHull(corners);
+  }
+
+  // The extreme points of a hull below a plane are vertices, or points at which the segment between
+  // two vertices crosses the plane.
+  void AddHull(std::span<const Vector3d> vertices) {
+    std::vector<Vector3d> below;
+    std::vector<Vector3d> above;
+    for (const Vector3d& p : vertices) (p.z() <= level_ ? below : above).push_back(p);
+    for (const Vector3d& p : below) points_.emplace_back(p.head<2>());
+    if (below.size() * above.size() <= kMostPairs) {
+      for (const Vector3d& a : below) {
+        for (const Vector3d& b : above) AddCrossing(a, b);
+      }
+      return;
+    }
+    solid::Fault fault;
+    const std::optional<solid::Polytope> hull = solid::HullOf(vertices, fault);
+    if (!hull) return;  // a flat mesh, which MuJoCo rejects
+    for (const solid::Polytope::Face& face : hull->faces) {
+      Vector3d last = hull->vertices[static_cast<std::size_t>(face.corners.back())];
+      for (const int corner : face.corners) {
+        const Vector3d& next = hull->vertices[static_cast<std::size_t>(corner)];
+        if ((last.z() <= level_) != (next.z() <= level_)) AddCrossing(last, next);
+        last = next;
+      }
+    }
+  }
+
+  void AddCrossing(const Vector3d& a, const Vector3d& b) {
+    const double share = (level_ - a.z()) / (b.z() - a.z());
+    points_.emplace_back((a + share * (b - a)).head<2>());
+  }
+
+  double level_;
+  std::vector<Disc> discs_;
+  std::vector<Vector2d> points_;
+};
+
+}  // namespace
+
+Footprint Footprint::Turned(double angle) const {
+  const Eigen::Rotation2Dd turn(angle);
+  std::vector<Disc> discs = discs_;
+  for (Disc& disc : discs) disc.center = turn * disc.center;
+  return Footprint(std::move(discs));
+}
+
+double Footprint::Support(const Vector2d& direction) const {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const Disc& disc : discs_) {
+    const double round = disc.radius > 0 ? disc.radius * direction.norm() : 0;
+    farthest = std::max(farthest, direction.dot(disc.center) + round);
+  }
+  return farthest;
+}
+
+Eigen::AlignedBox2d Footprint::Box() const {
+  Eigen::AlignedBox2d box;
+  for (const Disc& disc : discs_) {
+    box.extend(Vector2d(disc.center.array() - disc.radius));
+    box.extend(Vector2d(disc.center.array() + disc.radius));
+  }
+  return box;
+}
+
+Polygon Footprint::Outline() const {
+  std::vector<Vector2d> points;
+  for (const Disc& disc : discs_) {
+    const int count = disc.radius > 0 ? kOutlinePoints : 1;
+    for (int i = 0; i < count; ++i) points.emplace_back(disc.center + disc.radius * UnitAt(i));
+  }
+  return ConvexPolygon(std::move(points));
+}
+
+Footprint FootprintOf(std::span<const distance::PlacedShape> shapes) {
+  if (shapes.empty()) return Footprint({Disc()});
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const distance::PlacedShape& placed : shapes)
+    lowest = std::min(lowest, placed.box_W.min().z());
+  Slicer slicer(lowest + kSlice);
+  for (const distance::PlacedShape& placed : shapes) slicer.Add(placed);
+  return Footprint(slicer.Discs());
+}
+
+// Andrew's monotone chain ("Another efficient algorithm for convex hulls in two dimensions", 1979).
+Polygon ConvexPolygon(std::vector<Vector2d> points) {
+  std::ranges::sort(points, [](const Vector2d& a, const Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  Polygon hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t first = hull.size();
+    for (const Vector2d& p : points) {
+      while (hull.size() >= first + 2 &&
+             Cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();  // begins the other side
+    std::ranges::reverse(points);
+  }
+  return hull;
+}
+
+}  // namespace mjforge::placing

@@ -1,0 +1,48 @@
+// Footprint of an object: the convex hull, seen from above, of its points near the lowest one.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mjforge/distance/distance.h"
+
+namespace mjforge::placing {
+
+/// A disc in a level plane; a point if the radius is 0.
+struct Disc {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0;
+};
+
+using Polygon = std::vector<Eigen::Vector2d>;  // convex, counter-clockwise
+
+/// The convex hull of at least one disc.
+class Footprint {
+ public:
+  explicit Footprint(std::vector<Disc> discs) : discs_(std::move(discs)) {}
+
+  const std::vector<Disc>& discs() const { return discs_; }
+  /// Returns the footprint turned about the origin by an angle, rad.
+  Footprint Turned(double angle) const;
+  /// Support function: the largest dot(direction, point).
+  double Support(const Eigen::Vector2d& direction) const;
+  Eigen::AlignedBox2d Box() const;
+  /// Returns the outline; arcs become chords.
+  Polygon Outline() const;
+
+ private:
+  std::vector<Disc> discs_;
+};
+
+/// Returns the footprint of shapes in a frame whose z axis points up: the points within 1 mm of the
+/// lowest. Boxes, meshes, spheres, upright cylinders and level capsules are exact; for other curved
+/// shapes, 64 points of an outline are. Without shapes, the footprint is the origin.
+Footprint FootprintOf(std::span<const distance::PlacedShape> shapes);
+
+/// Returns the convex hull of points.
+Polygon ConvexPolygon(std::vector<Eigen::Vector2d> points);
+
+}  // namespace mjforge::placing

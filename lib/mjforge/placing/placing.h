@@ -1,0 +1,20 @@
+// The geometry of placing bodies: footprints, free play in regions, contact, overlap, stable poses.
+
+#pragma once
+
+#include <memory>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::placing {
+
+/// Height of a placed object above its support, m. It is less than the 0.1 mm that an object may
+/// fall, and larger than the rounding of any number in MJCF, so that nothing overlaps. The `margin`
+/// of a geom, at which MuJoCo makes contacts without force, is ignored.
+inline constexpr double kContactGap = 5e-5;
+
+/// Returns a placer. Distances are exact: colliding parts are convex, because MuJoCo replaces a
+/// mesh by its convex hull. The visual parts of a body count if none of its parts collides.
+std::unique_ptr<model::Placer> MakePlacer();
+
+}  // namespace mjforge::placing

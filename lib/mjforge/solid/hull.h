@@ -1,0 +1,37 @@
+// Convex polyhedra as hulls of points, and faults of shapes.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace mjforge::solid {
+
+/// Reason why a shape is rejected, and the index of the faulty point; without a point the whole
+/// outline is faulty.
+struct Fault {
+  std::string message;  // "crosses itself", as the end of a sentence
+  std::optional<std::size_t> point = std::nullopt;
+  std::size_t loop = 0;  // 0 for the outline, 1 for a prism's first hole
+};
+
+struct Polytope {
+  struct Face {
+    std::vector<int> corners;  // counter-clockwise from outside
+    Eigen::Vector3d normal;    // outward, of length 1
+  };
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Face> faces;
+};
+
+/// Returns the convex hull, computed by Qhull, which merges coplanar facets. The order of faces and
+/// vertices depends only on the order of the points. Returns nothing and sets `fault` if the hull
+/// has no volume.
+std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault);
+
+}  // namespace mjforge::solid
