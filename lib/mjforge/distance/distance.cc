@@ -125,7 +125,8 @@ Vector3d FarthestOfCore(const PlacedShape& placed, const Vector3d& direction_W) 
 // are divided by the size of the two.
 class Penetration {
  public:
-  Penetration(const PlacedShape& a, const PlacedShape& b, double size) : a_(a), b_(b), size_(size) {}
+  Penetration(const PlacedShape& a, const PlacedShape& b, double size)
+      : a_(a), b_(b), size_(size) {}
 
   double Depth() {
     ccd_t ccd;

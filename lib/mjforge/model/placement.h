@@ -19,13 +19,14 @@ enum class Side { kLeft, kRight, kFront, kBack };
 
 /// A neighbour that a body stands next to.
 struct Beside {
-  int body = -1;             // index in Object::bodies
+  int body = -1;  // index in Object::bodies
   Side side = Side::kRight;
-  double front = 0;          // angle of that body's front about z, from its -y axis, rad
-  double gap = 0;            // distance of the two bounding boxes along the side's direction, m
+  double front = 0;  // angle of that body's front about z, from its -y axis, rad
+  double gap = 0;    // distance of the two bounding boxes along the side's direction, m
 };
 
-/// One try at a place, as drawn from `place:`. Points and directions are in the frame of the object.
+/// One try at a place, as drawn from `place:`. Points and directions are in the frame of the
+/// object.
 struct PlaceTry {
   int support = -1;                // index of the body that has the region or the site
   const Region* region = nullptr;  // null: the body is placed by a site of the support
@@ -44,12 +45,12 @@ struct PlaceTry {
   double yaw = 0;
   std::optional<Eigen::Vector2d> facing;     // a point, m
   std::optional<Eigen::Vector2d> direction;  // horizontal, of any length but 0
-  double front = 0;                         // angle of the body's front, from its -y axis, rad
-  std::optional<Eigen::Quaterniond> lying;  // rotation of the body before the yaw; none: upright
-  /// Least distance to all other bodies, m; the support must only not overlap, nor bodies whose parts
-  /// are all below the region.
+  double front = 0;                          // angle of the body's front, from its -y axis, rad
+  std::optional<Eigen::Quaterniond> lying;   // rotation of the body before the yaw; none: upright
+  /// Least distance to all other bodies, m; the support must only not overlap, nor bodies whose
+  /// parts are all below the region.
   double clear = 0;
-  double overhang = 0;                      // share of the footprint that may lie outside, 0 .. 1
+  double overhang = 0;  // share of the footprint that may lie outside, 0 .. 1
 };
 
 enum class PlaceVerdict {

@@ -12,6 +12,15 @@ const model::Body& BodyAt(const model::Object& object, int body) {
   return object.bodies[static_cast<std::size_t>(body)];
 }
 
+// Returns the pose of a body in its parent, with its joints at their start.
+model::Pose StartPose(const model::Body& body) {
+  model::Pose X_PB = body.X_PB;
+  for (const model::Joint& joint : body.joints) {
+    if (!joint.start.empty()) X_PB = X_PB * model::JointMotion(joint, {}, joint.start);
+  }
+  return X_PB;
+}
+
 // Calls visit(index, X_AB) for a body A and for all bodies below it. Parents come before their
 // children.
 template <typename Visit>
@@ -23,7 +32,7 @@ void VisitBelow(const model::Object& object, int body, const Visit& visit) {
     const int parent = BodyAt(object, i).parent;
     if (parent < body || !X_AB[static_cast<std::size_t>(parent)]) continue;
     model::Pose& X = X_AB[static_cast<std::size_t>(i)].emplace(
-        *X_AB[static_cast<std::size_t>(parent)] * BodyAt(object, i).X_PB);
+        *X_AB[static_cast<std::size_t>(parent)] * StartPose(BodyAt(object, i)));
     visit(i, X);
   }
 }
@@ -50,11 +59,10 @@ model::MassProperties MassBelow(const model::Object& object, int body) {
   return sum;
 }
 
-model::Pose PoseInRoot(const model::Object& object, int body) {
-  if (body == 0) return {};
+model::Pose PoseInWorld(const model::Object& object, int body) {
   const model::Body& of = BodyAt(object, body);
-  if (of.parent < 0) return object.bodies.front().X_PB.Inverse() * of.X_PB;
-  return PoseInRoot(object, of.parent) * of.X_PB;
+  const model::Pose X_PB = StartPose(of);
+  return of.parent < 0 ? X_PB : PoseInWorld(object, of.parent) * X_PB;
 }
 
 }  // namespace mjforge::placing

@@ -21,7 +21,7 @@ std::vector<BodyShape> ShapesBelow(const model::Object& object, int body);
 /// Returns the mass properties of a body A and all bodies below it, in A.
 model::MassProperties MassBelow(const model::Object& object, int body);
 
-/// Returns the pose of a body in the frame of the root.
-model::Pose PoseInRoot(const model::Object& object, int body);
+/// Returns the pose of a body in the frame W of the object.
+model::Pose PoseInWorld(const model::Object& object, int body);
 
 }  // namespace mjforge::placing

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kRelativeRounding = 1e-12;
-constexpr int kMostSteps = 200;
+constexpr int kMostGrowths = 200;
 
 // Returns the distance from a point to the farthest point of a disc.
 double Reach(const Vector2d& from, const Disc& disc) {
@@ -61,8 +61,8 @@ std::optional<Disc> Around(const Disc& a, const Disc& b, const Disc& c) {
   if (root < 0) return std::nullopt;
   std::optional<Disc> smallest;
   for (const double sign : {-1.0, 1.0}) {
-    const double S = std::abs(p) < kRelativeRounding ? -s / (2 * q)
-                                                     : (-q + sign * std::sqrt(root)) / p;
+    const double S =
+        std::abs(p) < kRelativeRounding ? -s / (2 * q) : (-q + sign * std::sqrt(root)) / p;
     const double radius = S + a.radius;
     if (!(S >= 0) || radius < b.radius || radius < c.radius) continue;
     if (!smallest || radius < smallest->radius)
@@ -99,7 +99,7 @@ Disc Extend(std::vector<Disc>& basis, const Disc& added) {
 Disc EnclosingDisc(std::span<const Disc> discs) {
   std::vector<Disc> basis = {discs.front()};
   Disc around = discs.front();
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostGrowths; ++i) {
     const auto farthest = std::ranges::max_element(
         discs, {}, [&](const Disc& disc) { return Reach(around.center, disc); });
     const double reach = Reach(around.center, *farthest);
@@ -111,7 +111,8 @@ Disc EnclosingDisc(std::span<const Disc> discs) {
     basis = std::move(larger);
   }
   // Contains all discs in spite of rounding.
-  for (const Disc& disc : discs) around.radius = std::max(around.radius, Reach(around.center, disc));
+  for (const Disc& disc : discs)
+    around.radius = std::max(around.radius, Reach(around.center, disc));
   return around;
 }
 

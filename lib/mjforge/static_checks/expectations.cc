@@ -202,8 +202,7 @@ class ExpectationChecker {
   }
 
   // Returns the largest distance of any point of the part from the convex hull, m.
-  static double Outside(const PlacedPart& placed,
-                        std::span<const distance::PlacedShape> hull) {
+  static double Outside(const PlacedPart& placed, std::span<const distance::PlacedShape> hull) {
     std::vector<Vector3d> points;
     if (placed.part->shape.mesh != nullptr) {
       for (const Vector3d& vertex : placed.part->shape.mesh->vertices)

@@ -25,7 +25,9 @@ double Between(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_W
 TEST_CASE("the distance of round shapes is that of their axes, less their radii") {
   const double scale = GENERATE(1e-3, 1.0, 1e3);
   CAPTURE(scale);
-  const auto shape = [&](GeomType type, const Vector3d& size) { return ShapeOf(type, scale * size); };
+  const auto shape = [&](GeomType type, const Vector3d& size) {
+    return ShapeOf(type, scale * size);
+  };
   const auto at = [&](double x, double y, double z) {
     Pose X;
     X.p = Vector3d(scale * Vector3d(x, y, z));

@@ -1,0 +1,217 @@
+// Minkowski erosion of regions by footprints, and areas of footprints outside of regions.
+
+#include "mjforge/placing/free_play.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "mjforge/placing/enclosing_disc.h"
+
+namespace mjforge::placing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFitTolerance = 1e-9;  // m; a footprint as large as its region fits
+constexpr int kTangents = 64;           // of a disc, for areas
+constexpr int kBisections = 50;
+constexpr double kLeastArea = 1e-12;  // m^2; smaller footprints are points or lines
+
+// Points p with normal . p <= limit; the normal has length 1.
+struct HalfPlane {
+  Vector2d normal;
+  double limit;
+};
+
+bool IsDisc(const model::Region& region) { return region.type == model::RegionType::kDisc; }
+
+// Returns the mean of a polygon's corners, or the centre of another region.
+Vector2d MiddleOf(const model::Region& region) {
+  Vector2d sum = Vector2d::Zero();
+  if (region.type != model::RegionType::kPolygon || region.corners.empty()) return sum;
+  for (const Vector2d& corner : region.corners) sum += corner;
+  return sum / static_cast<double>(region.corners.size());
+}
+
+// Returns the half planes whose intersection is the region without its margin; a disc has tangents.
+std::vector<HalfPlane> BordersOf(const model::Region& region) {
+  std::vector<HalfPlane> borders;
+  const Vector2d half = region.half_size.array() - region.margin;
+  if (region.type == model::RegionType::kBox) {
+    borders = {{{1, 0}, half.x()}, {{-1, 0}, half.x()}, {{0, 1}, half.y()}, {{0, -1}, half.y()}};
+  } else if (region.type == model::RegionType::kDisc) {
+    for (int i = 0; i < kTangents; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kTangents;
+      borders.push_back({{std::cos(angle), std::sin(angle)}, half.x()});
+    }
+  } else {
+    for (std::size_t i = 0; i < region.corners.size(); ++i) {
+      const Vector2d& corner = region.corners[i];
+      const Vector2d edge = region.corners[(i + 1) % region.corners.size()] - corner;
+      if (!(edge.norm() > 0)) continue;
+      const Vector2d normal = Vector2d(edge.y(), -edge.x()).normalized();
+      borders.push_back({normal, normal.dot(corner) - region.margin});
+    }
+  }
+  return borders;
+}
+
+// Returns the part of a convex polygon in a half plane (Sutherland and Hodgman, 1974).
+Polygon Clipped(const Polygon& polygon, const HalfPlane& half_plane) {
+  Polygon clipped;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d& a = polygon[i];
+    const Vector2d& b = polygon[(i + 1) % polygon.size()];
+    const double over_a = half_plane.normal.dot(a) - half_plane.limit;
+    const double over_b = half_plane.normal.dot(b) - half_plane.limit;
+    if (over_a <= 0) clipped.push_back(a);
+    if ((over_a <= 0) != (over_b <= 0))
+      clipped.emplace_back(a + (b - a) * (over_a / (over_a - over_b)));
+  }
+  return clipped;
+}
+
+double AreaOf(const Polygon& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d& a = polygon[i];
+    const Vector2d& b = polygon[(i + 1) % polygon.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+// Returns the share of the footprint's area outside of the borders after a translation.
+double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outline,
+                    const Vector2d& translation) {
+  Polygon inside = outline;
+  for (const HalfPlane& border : borders)
+    inside = Clipped(inside, {border.normal, border.limit - border.normal.dot(translation)});
+  return 1 - AreaOf(inside) / AreaOf(outline);
+}
+
+double Between(double low, double high, double u) { return low + (high - low) * (u + 1) / 2; }
+
+// Returns the point of a convex polygon at the share u of its extent along x and, there, at the
+// share v of its extent along y.
+Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
+  Eigen::AlignedBox2d box;
+  for (const Vector2d& p : polygon) box.extend(p);
+  const double x = Between(box.min().x(), box.max().x(), uv.x());
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    Vector2d a = polygon[i];
+    Vector2d b = polygon[(i + 1) % polygon.size()];
+    if (a.x() > b.x()) std::swap(a, b);
+    if (x < a.x() || x > b.x()) continue;
+    const double share = b.x() > a.x() ? (x - a.x()) / (b.x() - a.x()) : 0;
+    const double y = a.y() + share * (b.y() - a.y());
+    low = std::min({low, y, b.x() > a.x() ? y : b.y()});
+    high = std::max({high, y, b.x() > a.x() ? y : b.y()});
+  }
+  if (!(low <= high)) return box.center();  // rounding
+  return {x, Between(low, high, uv.y())};
+}
+
+std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Footprint& footprint,
+                                          const Vector2d& uv) {
+  const std::vector<HalfPlane> borders = BordersOf(region);
+  // A square larger than all translations that keep the footprint within the region.
+  const Eigen::AlignedBox2d box = footprint.Box();
+  const double reach = 4 * (region.half_size.norm() + box.center().norm() + box.diagonal().norm());
+  const Vector2d middle = MiddleOf(region);
+  Polygon play;
+  for (const Vector2d& corner :
+       {Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)})
+    play.emplace_back(middle + reach * corner);
+  for (const HalfPlane& border : borders) {
+    const double limit = border.limit - footprint.Support(border.normal);
+    play = Clipped(play, {border.normal, limit + kFitTolerance});
+  }
+  if (play.empty()) return std::nullopt;
+  return PointIn(play, uv);
+}
+
+// The translations t that keep the footprint within a disc of radius R are the intersection of
+// discs: |t + c_i| <= R - r_i. They are a ray's length from the position in the middle.
+std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footprint& footprint,
+                                       const Vector2d& uv) {
+  const double radius = region.half_size.x() - region.margin;
+  const Disc around = EnclosingDisc(footprint.discs());
+  if (around.radius > radius + kFitTolerance) return std::nullopt;
+  const double share = uv.norm();
+  if (!(share > 0)) return -around.center;
+  const Vector2d way = uv / share;
+  double farthest = std::numeric_limits<double>::infinity();
+  for (const Disc& disc : footprint.discs()) {
+    const Vector2d from = disc.center - around.center;
+    const double along = from.dot(way);
+    const double rest = radius - disc.radius;
+    const double root = along * along - from.squaredNorm() + rest * rest;
+    farthest = std::min(farthest, std::sqrt(std::max(root, 0.0)) - along);
+  }
+  return -around.center + std::min(share, 1.0) * std::max(farthest, 0.0) * way;
+}
+
+// The share of the area outside does not decrease along a ray from the middle, because the area of
+// the intersection of convex sets is a log-concave function of the translation (Brunn-Minkowski).
+std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
+                                             const Footprint& footprint, const Polygon& outline,
+                                             const Vector2d& uv, double overhang) {
+  const std::vector<HalfPlane> borders = BordersOf(region);
+  const auto is_allowed = [&](const Vector2d& translation) {
+    return ShareOutside(borders, outline, translation) <= overhang;
+  };
+  const Vector2d middle = MiddleOf(region) - footprint.Box().center();
+  if (!is_allowed(middle)) return std::nullopt;
+  const double share = std::min(1.0, IsDisc(region) ? uv.norm() : uv.cwiseAbs().maxCoeff());
+  if (!(share > 0)) return middle;
+  const Vector2d way = uv.cwiseProduct(region.half_size).normalized();
+  double low = 0;
+  double high = 2 * region.half_size.norm() + footprint.Box().diagonal().norm();
+  for (int i = 0; i < kBisections; ++i) {
+    const double at = (low + high) / 2;
+    (is_allowed(middle + at * way) ? low : high) = at;
+  }
+  return middle + share * low * way;
+}
+
+}  // namespace
+
+std::optional<Vector2d> PositionIn(const model::Region& region, const Footprint& footprint,
+                                   const Vector2d& uv, double overhang) {
+  if (overhang > 0) {
+    const Polygon outline = footprint.Outline();
+    if (AreaOf(outline) > kLeastArea)
+      return PositionWithOverhang(region, footprint, outline, uv, overhang);
+  }
+  return IsDisc(region) ? PositionInDisc(region, footprint, uv)
+                        : PositionInPolygon(region, footprint, uv);
+}
+
+bool FitsAt(const model::Region& region, const Footprint& footprint, const Vector2d& translation,
+            double overhang) {
+  if (IsDisc(region)) {
+    const double radius = region.half_size.x() - region.margin + kFitTolerance;
+    const auto is_inside = [&](const Disc& disc) {
+      return (disc.center + translation).norm() + disc.radius <= radius;
+    };
+    if (std::ranges::all_of(footprint.discs(), is_inside)) return true;
+  } else {
+    const auto is_inside = [&](const HalfPlane& border) {
+      return border.normal.dot(translation) + footprint.Support(border.normal) <=
+             border.limit + kFitTolerance;
+    };
+    if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
+  }
+  if (!(overhang > 0)) return false;
+  const Polygon outline = footprint.Outline();
+  return AreaOf(outline) > kLeastArea &&
+         ShareOutside(BordersOf(region), outline, translation) <= overhang + kFitTolerance;
+}
+
+}  // namespace mjforge::placing

@@ -1,0 +1,27 @@
+// Positions of a footprint in a region: where it fits, and the one that belongs to given numbers.
+
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Dense>
+
+#include "mjforge/placing/footprint.h"
+
+namespace mjforge::placing {
+
+/// Returns the translation of the footprint, in the frame of the region, that belongs to the
+/// numbers `uv`, each from -1 to 1 or, in a disc, within the unit disc. The numbers are mapped onto
+/// all translations that keep the footprint within the region and its margin (Minkowski erosion of
+/// the region by the footprint). With an `overhang`, the share of the footprint's area that may be
+/// outside, they are mapped onto all translations that keep this share. Returns nothing if there is
+/// no such translation.
+std::optional<Eigen::Vector2d> PositionIn(const model::Region& region, const Footprint& footprint,
+                                          const Eigen::Vector2d& uv, double overhang);
+
+/// Returns true if the translated footprint is within the region and its margin, except for the
+/// share `overhang` of its area.
+bool FitsAt(const model::Region& region, const Footprint& footprint,
+            const Eigen::Vector2d& translation, double overhang);
+
+}  // namespace mjforge::placing

@@ -1,0 +1,126 @@
+// Broad phase by boxes of bodies and of their parts, and conservative advancement.
+
+#include "mjforge/placing/obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mjforge::placing {
+namespace {
+
+using distance::PlacedShape;
+using Eigen::Vector3d;
+
+constexpr double kLengthRounding = 1e-9;  // m
+constexpr double kTouch = 1e-7;           // m; nearer shapes touch
+constexpr int kMostSteps = 200;
+
+Eigen::AlignedBox3d BoxOf(std::span<const PlacedShape> shapes) {
+  Eigen::AlignedBox3d box_W;
+  for (const PlacedShape& placed : shapes) box_W.extend(placed.box_W);
+  return box_W;
+}
+
+// Returns true if the shape has no point above the support.
+bool IsBelow(const PlacedShape& placed, const Support& support) {
+  const Vector3d top = distance::FarthestPoint(placed, support.up_W);
+  return support.up_W.dot(top - support.p_W) <= kLengthRounding;
+}
+
+// Returns how far a shape can be moved against `up_W` until it touches another, at most `most`.
+//
+// Conservative advancement along a line: the plane through the nearest point of the fixed shape,
+// perpendicular to the shortest connection, separates both shapes until the moving one reaches it
+// (van den Bergen, "Ray casting against general convex objects with application to continuous
+// collision detection", 2004).
+double DropOf(PlacedShape moving, const PlacedShape& fixed, const Vector3d& up_W, double most) {
+  double drop = 0;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Vector3d apart = distance::Separation(moving, fixed);
+    const double distance = apart.norm();
+    if (distance <= kTouch) return drop;
+    const double approach = apart.dot(up_W) / distance;  // per length of the way
+    if (approach * (most - drop) <= distance) return most;
+    const double step = distance / approach;
+    drop += step;
+    moving.X_WG.p -= step * up_W;
+    moving.box_W.translate(Vector3d(-step * up_W));
+  }
+  return drop;
+}
+
+}  // namespace
+
+PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA) {
+  PlacedShapes placed;
+  placed.reserve(shapes.size());
+  for (const BodyShape& of : shapes) placed.emplace_back(of.shape, X_WA * of.X_AG);
+  return placed;
+}
+
+void Obstacles::Add(const model::Object& object, int body, double clear) {
+  const std::vector<BodyShape> shapes = ShapesBelow(object, body);
+  const PlacedShapes placed = ShapesAt(shapes, PoseInWorld(object, body));
+  Group group{clear, BoxOf(placed), {}};
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    group.obstacles.push_back({shapes[i].body, placed[i]});
+  groups_.push_back(std::move(group));
+}
+
+std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shapes, double clear,
+                                              const Support& support) const {
+  const Eigen::AlignedBox3d box_W = BoxOf(shapes);
+  for (const Group& group : groups_) {
+    const double asked = std::max(clear, group.clear);
+    if (group.box_W.exteriorDistance(box_W) > asked) continue;
+    for (const auto& [body, obstacle] : group.obstacles) {
+      if (obstacle.box_W.exteriorDistance(box_W) > asked) continue;
+      const bool may_touch = asked > 0 && (body == support.body || IsBelow(obstacle, support));
+      const double wanted = may_touch ? 0 : asked;
+      for (const PlacedShape& placed : shapes) {
+        if (obstacle.box_W.exteriorDistance(placed.box_W) > wanted) continue;
+        const double distance = distance::Distance(placed, obstacle);
+        if (distance > 0 && distance >= wanted - kLengthRounding) continue;
+        return Blocker{body, distance};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+double Obstacles::Drop(PlacedShapes shapes, const Vector3d& up_W, double most) const {
+  double drop = most;
+  const auto swept = [&](Eigen::AlignedBox3d box_W) {
+    const Eigen::AlignedBox3d end = box_W.translated(Vector3d(-drop * up_W));
+    return box_W.extend(end);
+  };
+  const Eigen::AlignedBox3d box_W = BoxOf(shapes);
+  for (const Group& group : groups_) {
+    if (!group.box_W.intersects(swept(box_W))) continue;
+    for (const auto& [body, obstacle] : group.obstacles) {
+      if (!obstacle.box_W.intersects(swept(box_W))) continue;
+      for (const PlacedShape& placed : shapes) {
+        if (obstacle.box_W.intersects(swept(placed.box_W)))
+          drop = DropOf(placed, obstacle, up_W, drop);
+      }
+    }
+  }
+  return drop;
+}
+
+std::pair<double, double> Obstacles::HeightsOf(int body, const Support& support) const {
+  std::pair<double, double> heights;
+  for (const Group& group : groups_) {
+    for (const auto& [of, obstacle] : group.obstacles) {
+      if (of != body) continue;
+      for (const double sign : {-1.0, 1.0}) {
+        const Vector3d p_W = distance::FarthestPoint(obstacle, sign * support.up_W);
+        const double height = support.up_W.dot(p_W - support.p_W);
+        heights = {std::min(heights.first, height), std::max(heights.second, height)};
+      }
+    }
+  }
+  return heights;
+}
+
+}  // namespace mjforge::placing

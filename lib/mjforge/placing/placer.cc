@@ -1,0 +1,262 @@
+// Tries of places: heading, position, contact, overlap.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "mjforge/placing/body_shapes.h"
+#include "mjforge/placing/footprint.h"
+#include "mjforge/placing/free_play.h"
+#include "mjforge/placing/obstacles.h"
+#include "mjforge/placing/placing.h"
+#include "mjforge/placing/stable_poses.h"
+
+namespace mjforge::placing {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using model::PlaceResult;
+using model::PlaceTry;
+using model::PlaceVerdict;
+using model::Pose;
+
+constexpr double kSameAngle = 1e-12;  // rad
+constexpr int kMostTurns = 20;
+
+Eigen::Quaterniond AboutZ(double angle) { return model::FromAxisAngle(Vector3d::UnitZ(), angle); }
+
+// Returns the angle from the -y axis to a direction.
+double AngleOf(const Vector2d& direction) { return std::atan2(direction.x(), -direction.y()); }
+
+// Returns the direction at an angle from the -y axis.
+Vector2d DirectionAt(double angle) { return {std::sin(angle), -std::cos(angle)}; }
+
+// A body in one orientation, which may be turned about the vertical: frame L has the origin of the
+// body, and its z axis points up.
+struct Orientation {
+  int body;
+  Eigen::Quaterniond q_LB;
+  std::vector<BodyShape> shapes;  // in B
+  Footprint footprint;            // in L
+  double bottom = 0;              // least z in L, m
+  double height = 0;              // m
+};
+
+Orientation OrientationOf(const model::Object& object, int body, const Eigen::Quaterniond& q_LB) {
+  std::vector<BodyShape> shapes = ShapesBelow(object, body);
+  Pose X_LB;
+  X_LB.q = q_LB;
+  const PlacedShapes placed = ShapesAt(shapes, X_LB);
+  Orientation orientation{body, q_LB, std::move(shapes), FootprintOf(placed)};
+  Eigen::AlignedBox3d box;
+  for (const distance::PlacedShape& shape : placed) box.extend(shape.box_W);
+  if (placed.empty()) return orientation;
+  orientation.bottom = box.min().z();
+  orientation.height = box.sizes().z();
+  return orientation;
+}
+
+// Extent of shapes along a direction, m.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  double Middle() const { return (low + high) / 2; }
+  double Half() const { return (high - low) / 2; }
+};
+
+Extent ExtentOf(std::span<const distance::PlacedShape> shapes, const Vector2d& direction) {
+  const Vector3d way(direction.x(), direction.y(), 0);
+  Extent extent;
+  for (const distance::PlacedShape& placed : shapes) {
+    extent.low = std::min(extent.low, way.dot(distance::FarthestPoint(placed, -way)));
+    extent.high = std::max(extent.high, way.dot(distance::FarthestPoint(placed, way)));
+  }
+  return shapes.empty() ? Extent{0, 0} : extent;
+}
+
+// The heading and position of a body in its region's frame R.
+struct Stance {
+  double yaw;
+  Footprint footprint;         // turned
+  std::optional<Vector2d> at;  // none: the footprint does not fit into the region
+};
+
+// One try at a place in a region.
+class RegionTry {
+ public:
+  RegionTry(const model::Object& object, const Orientation& of, const PlaceTry& where)
+      : object_(object),
+        of_(of),
+        where_(where),
+        X_WR_(PoseInWorld(object, where.support) * where.region->X_BR) {}
+
+  PlaceResult Run(const Obstacles& obstacles) const {
+    const Stance stance = FindStance();
+    const model::Region& region = *where_.region;
+    PlaceResult result;
+    result.footprint = stance.footprint.Box().sizes();
+    if (of_.height + kContactGap > region.height) {
+      result.verdict = PlaceVerdict::kTooHigh;
+    } else if (!stance.at ||
+               !PositionIn(region, stance.footprint, Vector2d::Zero(), where_.overhang)) {
+      result.verdict = PlaceVerdict::kTooLarge;
+    } else if (where_.beside && !FitsAt(region, stance.footprint, *stance.at, where_.overhang)) {
+      result.verdict = PlaceVerdict::kOutside;
+    } else {
+      Put(stance, obstacles, result);
+    }
+    return result;
+  }
+
+ private:
+  // If the body faces a point, its heading depends on its position, which depends on its heading.
+  Stance FindStance() const {
+    double yaw = YawAt(Vector2d::Zero());
+    for (int i = 0;; ++i) {
+      Stance stance{yaw, of_.footprint.Turned(yaw), std::nullopt};
+      stance.at = where_.beside
+                      ? NextTo(yaw)
+                      : PositionIn(*where_.region, stance.footprint, where_.uv, where_.overhang);
+      if (!where_.facing || !stance.at || i == kMostTurns) return stance;
+      const double next = YawAt(*stance.at);
+      if (std::abs(next - yaw) <= kSameAngle) return stance;
+      yaw = next;
+    }
+  }
+
+  double YawAt(const Vector2d& at) const {
+    Vector2d ahead = DirectionAt(where_.front);
+    if (where_.facing) {
+      const Vector3d p_W(where_.facing->x(), where_.facing->y(), X_WR_.p.z());
+      ahead = (X_WR_.Inverse() * p_W).head<2>() - at;
+    } else if (where_.direction) {
+      ahead = (X_WR_.q.conjugate() * Vector3d(where_.direction->x(), where_.direction->y(), 0))
+                  .head<2>();
+    } else if (where_.beside) {
+      ahead = NeighbourFront();
+    }
+    return AngleOf(ahead) - where_.front + where_.yaw;
+  }
+
+  Pose NeighbourPose() const { return X_WR_.Inverse() * PoseInWorld(object_, where_.beside->body); }
+
+  Vector2d NeighbourFront() const {
+    const Vector2d front = DirectionAt(where_.beside->front);
+    return (NeighbourPose().q * Vector3d(front.x(), front.y(), 0)).head<2>();
+  }
+
+  // Returns the position next to the neighbour, by the bounding boxes of both along the neighbour's
+  // front and across it.
+  Vector2d NextTo(double yaw) const {
+    const model::Beside& beside = *where_.beside;
+    const Vector2d front = NeighbourFront().normalized();
+    const Vector2d right(front.y(), -front.x());
+    const bool is_lateral = beside.side == model::Side::kLeft || beside.side == model::Side::kRight;
+    Vector2d away = is_lateral ? right : front;
+    if (beside.side == model::Side::kLeft || beside.side == model::Side::kBack) away = -away;
+    const Vector2d across = is_lateral ? -front : -right;
+    const PlacedShapes own = ShapesAt(of_.shapes, {Vector3d::Zero(), AboutZ(yaw) * of_.q_LB});
+    const PlacedShapes other = ShapesAt(ShapesBelow(object_, beside.body), NeighbourPose());
+    const double distance = ExtentOf(other, away).high + beside.gap - ExtentOf(own, away).low;
+    const Extent along_other = ExtentOf(other, across);
+    const Extent along_own = ExtentOf(own, across);
+    const double shift = (is_lateral ? where_.uv.y() : where_.uv.x()) *
+                         std::abs(along_other.Half() - along_own.Half());
+    return distance * away + (along_other.Middle() - along_own.Middle() + shift) * across;
+  }
+
+  // Puts the body onto the region and looks for what is too near.
+  void Put(const Stance& stance, const Obstacles& obstacles, PlaceResult& result) const {
+    const model::Region& region = *where_.region;
+    const Support support{where_.support, X_WR_.p, X_WR_.q * Vector3d::UnitZ()};
+    Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
+              AboutZ(stance.yaw) * of_.q_LB};
+    if (region.walls) X_RB.p.z() += Rise(X_RB, support, obstacles);
+    result.X_SupportBody = region.X_BR * X_RB;
+    const PlacedShapes shapes = ShapesAt(of_.shapes, X_WR_ * X_RB);
+    const auto blocker =
+        obstacles.FindBlocker(shapes, std::max(where_.clear, region.clear), support);
+    if (!blocker) return;
+    result.verdict = PlaceVerdict::kBlocked;
+    result.blocker = blocker->body;
+    result.distance = blocker->distance;
+  }
+
+  // Returns the height above the region's plane at which the body, lowered from above an interior,
+  // touches something; 0 if it touches nothing. It is lowered from below the interior's ceiling or,
+  // without one, from above the body that has the region.
+  double Rise(const Pose& X_RB, const Support& support, const Obstacles& obstacles) const {
+    const auto [lowest, highest] = obstacles.HeightsOf(where_.support, support);
+    const double ceiling = where_.region->height;
+    const double start =
+        std::isfinite(ceiling) ? ceiling - of_.height - kContactGap : std::max(highest, 0.0);
+    Pose X_RStart = X_RB;
+    X_RStart.p.z() += start;
+    const double most = start + std::max(-lowest, 0.0) + of_.height;
+    const double drop = obstacles.Drop(ShapesAt(of_.shapes, X_WR_ * X_RStart), support.up_W, most);
+    return drop < most ? start - std::max(drop - kContactGap, 0.0) : 0;
+  }
+
+  const model::Object& object_;
+  const Orientation& of_;
+  const PlaceTry& where_;
+  Pose X_WR_;
+};
+
+class ExactPlacer : public model::Placer {
+ public:
+  void Begin(const model::Object& object) override {
+    object_ = &object;
+    obstacles_.Clear();
+    orientation_.reset();
+  }
+
+  void Stand(int body, double clear) override {
+    obstacles_.Add(*object_, body, clear);
+    orientation_.reset();
+  }
+
+  PlaceResult Try(int body, const PlaceTry& where) override {
+    const Eigen::Quaterniond q_LB = where.lying.value_or(Eigen::Quaterniond::Identity());
+    if (!orientation_ || orientation_->body != body || orientation_->q_LB != q_LB)
+      orientation_ = OrientationOf(*object_, body, q_LB);
+    if (where.region == nullptr) return TryAtSite(where);
+    return RegionTry(*object_, *orientation_, where).Run(obstacles_);
+  }
+
+  std::vector<model::StablePose> StablePoses(int body, double front) override {
+    return StablePosesOf(*object_, body, front);
+  }
+
+ private:
+  // Matches the frames of two sites, except for the yaw about their z axis.
+  PlaceResult TryAtSite(const PlaceTry& where) const {
+    Pose X_SiteSite;
+    X_SiteSite.q = AboutZ(where.yaw);
+    PlaceResult result;
+    result.X_SupportBody = where.X_SupportSite * X_SiteSite * where.X_BodySite.Inverse();
+    const Pose X_WSupport = PoseInWorld(*object_, where.support);
+    const Support support{where.support, X_WSupport * where.X_SupportSite.p, Vector3d::UnitZ()};
+    const PlacedShapes shapes = ShapesAt(orientation_->shapes, X_WSupport * result.X_SupportBody);
+    if (const auto blocker = obstacles_.FindBlocker(shapes, where.clear, support)) {
+      result.verdict = PlaceVerdict::kBlocked;
+      result.blocker = blocker->body;
+      result.distance = blocker->distance;
+    }
+    return result;
+  }
+
+  const model::Object* object_ = nullptr;
+  Obstacles obstacles_;
+  // Orientation of the last try: consecutive tries for a body differ in position and yaw alone.
+  std::optional<Orientation> orientation_;
+};
+
+}  // namespace
+
+std::unique_ptr<model::Placer> MakePlacer() { return std::make_unique<ExactPlacer>(); }
+
+}  // namespace mjforge::placing

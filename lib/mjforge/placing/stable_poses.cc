@@ -1,0 +1,244 @@
+// Stable poses from the faces of the convex hull.
+
+#include "mjforge/placing/stable_poses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <string_view>
+
+#include "mjforge/placing/body_shapes.h"
+#include "mjforge/solid/solid.h"
+
+namespace mjforge::placing {
+namespace {
+
+using Eigen::Vector3d;
+using solid::Polytope;
+
+constexpr int kAround = 64;            // points of a round shape around its axis
+constexpr int kAlong = 8;              // circles of points from its equator to its pole
+constexpr double kCoplanar = 1e-4;     // rad; such faces are one
+constexpr double kRolling = 0.55;      // rad; neighbouring faces of a round side, of 12 or more
+constexpr double kUpright = 1e-6;      // rad; the modelled pose itself
+constexpr double kLeastMargin = 1e-3;  // rad; poses that tip more easily are omitted
+constexpr double kProbability = 1e-6;  // smaller differences do not change the order of poses
+constexpr double kTie = 1e-9;          // differences of cosines that are rounding
+
+Vector3d OnSphere(int around, int along) {
+  const double longitude = 2 * std::numbers::pi * around / kAround;
+  const double latitude = std::numbers::pi / 2 * along / kAlong;
+  return {std::cos(longitude) * std::cos(latitude), std::sin(longitude) * std::cos(latitude),
+          std::sin(latitude)};
+}
+
+// Adds points of a shape, in A, whose hull is the shape or close to it.
+void AddPoints(const BodyShape& of, std::vector<Vector3d>& points_A) {
+  const Vector3d& size = of.shape.size;
+  const auto add = [&](const Vector3d& p_G) { points_A.push_back(of.X_AG * p_G); };
+  switch (of.shape.type) {
+    case model::GeomType::kMesh:
+      for (const Vector3d& vertex : of.shape.mesh->vertices) add(vertex);
+      return;
+    case model::GeomType::kBox:
+      for (int i = 0; i < 8; ++i) {
+        const Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+        add(size.cwiseProduct(sign));
+      }
+      return;
+    case model::GeomType::kCylinder:
+      for (int i = 0; i < kAround; ++i) {
+        for (const double end : {-size.y(), size.y()})
+          add(size.x() * OnSphere(i, 0) + Vector3d(0, 0, end));
+      }
+      return;
+    case model::GeomType::kSphere:
+    case model::GeomType::kEllipsoid:
+    case model::GeomType::kCapsule:
+      break;
+  }
+  const bool is_ellipsoid = of.shape.type == model::GeomType::kEllipsoid;
+  const Vector3d radii = is_ellipsoid ? size : Vector3d(Vector3d::Constant(size.x()));
+  const double shift = of.shape.type == model::GeomType::kCapsule ? size.y() : 0;
+  for (int along = -kAlong; along <= kAlong; ++along) {
+    const int count = std::abs(along) == kAlong ? 1 : kAround;
+    for (int i = 0; i < count; ++i) {
+      const Vector3d p_G = radii.cwiseProduct(OnSphere(i, along));
+      if (along >= 0) add(p_G + Vector3d(0, 0, shift));
+      if (along <= 0 && (shift > 0 || along < 0)) add(p_G - Vector3d(0, 0, shift));
+    }
+  }
+}
+
+// Solid angle of a triangle seen from the origin (van Oosterom and Strackee, "The solid angle of a
+// plane triangle", 1983).
+double SolidAngle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const double la = a.norm();
+  const double lb = b.norm();
+  const double lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)),
+                        la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
+}
+
+// Smallest rotation that turns a direction down; for +z a half turn about x.
+Eigen::Quaterniond TurnDown(const Vector3d& direction) {
+  if (direction.z() <= -std::cos(kUpright)) return Eigen::Quaterniond::Identity();
+  const Vector3d axis = direction.cross(-Vector3d::UnitZ());
+  const double angle = std::atan2(axis.norm(), -direction.z());
+  return model::FromAxisAngle(axis.norm() > kUpright ? axis : Vector3d(Vector3d::UnitX()), angle);
+}
+
+// Faces of a hull that are one stable pose.
+struct Rest {
+  Vector3d down = Vector3d::Zero();  // normal of the representative face
+  double margin = std::numbers::pi;
+  double solid_angle = 0;
+  std::size_t side = 0;   // index of the nearest of the sides
+  double alignment = -1;  // cosine of the angle between `down` and that side
+  bool is_stable = false;
+};
+
+// Names of the six sides. A pose whose lower side is nearly the modelled one leans.
+constexpr std::array<std::string_view, 6> kNames = {"leaning", "upside_down", "on_front",
+                                                    "on_back", "on_right",    "on_left"};
+
+std::array<Vector3d, 6> SidesOf(double front) {
+  const Vector3d ahead(std::sin(front), -std::cos(front), 0);
+  const Vector3d right(ahead.y(), -ahead.x(), 0);
+  return {-Vector3d::UnitZ(), Vector3d::UnitZ(), ahead, -ahead, right, -right};
+}
+
+// Joins the faces of a hull to stable poses.
+class RestFinder {
+ public:
+  RestFinder(const Polytope& hull, const Vector3d& center, double front)
+      : hull_(hull), center_(center), sides_(SidesOf(front)), leaders_(hull.faces.size()) {
+    std::iota(leaders_.begin(), leaders_.end(), 0);
+    for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+      double margin = std::numbers::pi;
+      VisitEdges(f, [&](int a, int b) {
+        margin = std::min(margin, TipAngle(f, a, b));
+        faces_at_[{a, b}] = f;
+      });
+      is_stable_.push_back(margin >= -kCoplanar);
+    }
+    JoinFaces();
+  }
+
+  std::vector<Rest> Find() {
+    std::map<std::size_t, Rest> rests;
+    for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
+      Rest& rest = rests[Leader(f)];
+      const std::vector<int>& corners = hull_.faces[f].corners;
+      for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        rest.solid_angle +=
+            SolidAngle(FromCenter(corners[0]), FromCenter(corners[i]), FromCenter(corners[i + 1]));
+      VisitEdges(f, [&](int a, int b) {
+        const auto other = faces_at_.find({b, a});
+        if (other == faces_at_.end() || Leader(other->second) != Leader(f))
+          rest.margin = std::min(rest.margin, TipAngle(f, a, b));
+      });
+      if (is_stable_[f]) Represent(hull_.faces[f].normal, rest);
+    }
+    std::vector<Rest> stable;
+    for (const auto& [leader, rest] : rests) {
+      if (rest.is_stable && rest.margin >= kLeastMargin) stable.push_back(rest);
+    }
+    return stable;
+  }
+
+ private:
+  Vector3d FromCenter(int corner) const {
+    return hull_.vertices[static_cast<std::size_t>(corner)] - center_;
+  }
+
+  template <typename Visit>
+  void VisitEdges(std::size_t face, const Visit& visit) const {
+    const std::vector<int>& corners = hull_.faces[face].corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      visit(corners[i], corners[(i + 1) % corners.size()]);
+  }
+
+  // Returns the angle by which a body that rests on a face is tilted to tip over an edge; negative
+  // if its centre of mass is beyond the edge.
+  double TipAngle(std::size_t face, int a, int b) const {
+    const Vector3d& normal = hull_.faces[face].normal;
+    const Vector3d inwards = normal.cross(FromCenter(b) - FromCenter(a)).normalized();
+    return std::atan2(-FromCenter(a).dot(inwards), FromCenter(a).dot(normal));
+  }
+
+  void JoinFaces() {
+    for (const auto& [edge, f] : faces_at_) {
+      const auto other = faces_at_.find({edge.second, edge.first});
+      if (other == faces_at_.end()) continue;
+      const std::size_t g = other->second;
+      const Vector3d& normal = hull_.faces[g].normal;
+      const double angle =
+          std::atan2(hull_.faces[f].normal.cross(normal).norm(), hull_.faces[f].normal.dot(normal));
+      if (angle <= kCoplanar || (angle <= kRolling && is_stable_[f] && is_stable_[g]))
+        leaders_[Leader(f)] = Leader(g);
+    }
+  }
+
+  std::size_t Leader(std::size_t face) const {
+    while (leaders_[face] != face) face = leaders_[face];
+    return face;
+  }
+
+  // Makes a face the representative if it is nearer to one of the sides.
+  void Represent(const Vector3d& normal, Rest& rest) const {
+    rest.is_stable = true;
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+      const double alignment = normal.dot(sides_[side]);
+      if (alignment <= rest.alignment + kTie) continue;
+      rest.alignment = alignment;
+      rest.side = side;
+      rest.down = normal;
+    }
+  }
+
+  const Polytope& hull_;
+  Vector3d center_;
+  std::array<Vector3d, 6> sides_;
+  std::vector<std::size_t> leaders_;  // union-find
+  std::vector<bool> is_stable_;
+  std::map<std::pair<int, int>, std::size_t> faces_at_;  // by the corners of an edge
+};
+
+}  // namespace
+
+std::vector<model::StablePose> StablePosesOf(const model::Object& object, int body, double front) {
+  std::vector<Vector3d> points;
+  for (const BodyShape& shape : ShapesBelow(object, body)) AddPoints(shape, points);
+  solid::Fault fault;
+  const std::optional<Polytope> hull = solid::HullOf(points, fault);
+  if (!hull) return {};
+  std::vector<Rest> rests = RestFinder(*hull, MassBelow(object, body).p_FCm, front).Find();
+  // Rounded, because rounding errors must not decide the order.
+  const auto key = [](const Rest& rest) {
+    return std::pair(-std::round(rest.solid_angle / kProbability), rest.side);
+  };
+  std::ranges::stable_sort(rests, {}, key);
+  double sum = 0;
+  for (const Rest& rest : rests) sum += rest.solid_angle;
+  std::array<int, kNames.size()> counts{};
+  std::vector<model::StablePose> poses;
+  for (const Rest& rest : rests) {
+    const Eigen::Quaterniond rotation = TurnDown(rest.down);
+    std::string name(kNames[rest.side]);
+    if (rotation.w() == 1) {
+      name = "upright";
+    } else if (const int count = ++counts[rest.side]; count > 1) {
+      name += "_" + std::to_string(count);
+    }
+    poses.push_back({std::move(name), rotation, rest.margin, rest.solid_angle / sum});
+  }
+  return poses;
+}
+
+}  // namespace mjforge::placing
