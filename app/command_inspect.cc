@@ -49,6 +49,7 @@ ExitStatus InspectSpec(const InspectOptions& options, Console& console) {
   if (recipe) {
     forge::Options generation;
     generation.seed = options.spec.seed;
+    generation.place_seed = options.spec.place_seed;
     generation.validation = forge::Validation::kNone;
     forge::Generator(*recipe, console.sources, generation).Make(options.index, variant);
     console.findings.Append(variant.findings);

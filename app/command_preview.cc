@@ -88,6 +88,7 @@ class Preview {
     ChoosePlace(recipe_->spec->name);
     forge::Options options;
     options.seed = options_.spec.seed;
+    options.place_seed = options_.spec.place_seed;
     options.validation = forge::Validation::kNone;
     forge::Generator generator(*recipe_, console_.sources, options);
     picture::Loader loader;

@@ -155,6 +155,7 @@ ExitStatus ViewVariant(const ObjectOptions& options, Console& console) {
   if (!recipe) return ExitStatus::kFindings;
   forge::Options generation;
   generation.seed = options.spec.seed;
+  generation.place_seed = options.spec.place_seed;
   generation.target = mjcf::Target::kScene;
   forge::Variant variant;
   forge::Generator(*recipe, console.sources, generation).Make(options.index, variant);

@@ -72,6 +72,11 @@ void AddProfile(CLI::App& command, std::vector<std::string>& settings,
 
 void AddSpecOptions(CLI::App& command, SpecOptions& options) {
   AddWholeNumber(command, "-s,--seed", options.seed, "Seed of all draws");
+  const auto set_place_seed = [&options](std::uint64_t seed) { options.place_seed = seed; };
+  AddBounded<std::uint64_t>(command, "--place-seed", ParseWhole, set_place_seed, 0,
+                            std::numeric_limits<std::uint64_t>::max(), "a whole number",
+                            "Seed of the draws of `place:` alone")
+      ->option_text("N");
   AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");
   const auto set_root = [&options](const std::string& word) {
     options.settings.push_back("root.joints=" + word);
@@ -137,6 +142,7 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
 batch::Request RequestOf(const BatchOptions& options) {
   batch::Request request = options.request;
   request.variant.seed = options.spec.seed;
+  request.variant.place_seed = options.spec.place_seed;
   if (request.variant.batch == 0) request.variant.batch = request.count;
   return request;
 }

@@ -22,10 +22,11 @@ namespace mjforge::app {
 /// Options for the values of a spec's parameters.
 struct SpecOptions {
   std::uint64_t seed = 0;
+  std::optional<std::uint64_t> place_seed;
   std::vector<std::string> settings;  // NAME=VALUE
   std::vector<std::string> parameter_files;
 
-  bool given() const { return seed != 0 || !settings.empty() || !parameter_files.empty(); }
+  bool given() const { return seed != 0 || place_seed || !settings.empty() || !parameter_files.empty(); }
 };
 void AddSpecOptions(CLI::App& command, SpecOptions& options);
 /// Loads a spec; returns nothing and adds findings if it has errors.

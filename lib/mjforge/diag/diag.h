@@ -100,6 +100,8 @@ class Findings {
   /// Drops repeats (same code, place and message), keeping the first.
   void Unique();
   void clear() { list_.clear(); }
+  /// Keeps only the first `size` findings.
+  void Truncate(std::size_t size) { list_.resize(std::min(size, list_.size())); }
 
  private:
   std::vector<Finding> list_;

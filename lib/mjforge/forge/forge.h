@@ -103,6 +103,7 @@ using manifest::Validation;
 /// Options that apply to all variants of a batch.
 struct Options {
   std::uint64_t seed = 0;
+  std::optional<std::uint64_t> place_seed;  // redraws the places alone
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
   std::string name;           // valid for CheckName; empty: the name of the spec
@@ -155,6 +156,7 @@ class Generator {
   sample::Sampler sampler_;
   files::Maker files_;
   attach::MjcfReader attachments_;
+  std::unique_ptr<model::Placer> placer_;
   model::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
 };

@@ -4,6 +4,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/forge/forge.h"
+#include "mjforge/placing/placing.h"
 #include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::forge {
@@ -20,6 +21,17 @@ std::string RelativePath(const std::filesystem::path& file, const std::filesyste
   const auto below = root.relative_path();
   if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
   return file.lexically_relative(root).generic_string();
+}
+
+void RecordPlaces(const model::Object& object, manifest::Record& record) {
+  record.left_out = object.left_out;
+  const std::vector<model::Pose> X_WB = model::BodyPoses(object);
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const model::Body& body = object.bodies[i];
+    if (body.stands_at.empty()) continue;
+    const Eigen::Vector4d quat = model::Wxyz(X_WB[i].q);
+    record.places.push_back({body.name, body.stands_at, X_WB[i].p, {quat.begin(), quat.end()}});
+  }
 }
 
 // Adds masses, bounds and counts of elements to the record.
@@ -41,6 +53,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   manifest::Record record;
   record.version = Version();
   record.seed = options.seed;
+  record.place_seed = options.place_seed;
   record.spec = recipe.reference;
   if (options.folder && !recipe.file.empty())
     record.spec_file = RelativePath(recipe.file, *options.folder);
@@ -69,7 +82,8 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
       common_(BatchRecord(recipe, options)),
       sampler_(*recipe.spec, options.sampler, options.seed, options.batch),
       attachments_(sources),
-      assembler_(&attachments_) {}
+      placer_(placing::MakePlacer()),
+      assembler_(&attachments_, placer_.get()) {}
 
 void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
@@ -136,6 +150,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   if (!Build(*values, variant) || !files_.Make(*variant.object, variant.document, variant.findings))
     return Outcome::kFailed;
   RecordProperties(*variant.object, options_.target, record);
+  if (spec.has_place) RecordPlaces(*variant.object, record);
   Validate(variant);
   return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kOk : Outcome::kFailed;
 }
@@ -144,7 +159,11 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
   std::optional<model::Object> object = assembler_.Assemble(
-      values, {.name = record.name, .prefix = rules.has_prefix, .root = std::string(rules.root)},
+      values,
+      {.name = record.name,
+       .prefix = rules.has_prefix,
+       .root = std::string(rules.root),
+       .place_seed = options_.place_seed},
       variant.findings);
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);

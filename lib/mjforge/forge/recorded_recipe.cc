@@ -77,6 +77,7 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   Options options;
   options.assets = *form;
   options.seed = record.seed;
+  options.place_seed = record.place_seed;
   options.target = *target;
   options.name = record.name;
   options.attempt = record.attempt;

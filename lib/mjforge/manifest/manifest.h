@@ -89,6 +89,16 @@ struct Record : mjcf::Provenance {
   int nbody = 0;
   int njnt = 0;
   int ngeom = 0;
+  /// A body that `place:` placed: its name in the file, the region or site as in the spec, and its
+  /// pose in the world at the start.
+  struct Place {
+    std::string body;
+    std::string at;
+    Eigen::Vector3d pos = Eigen::Vector3d::Zero();  // m
+    std::vector<double> quat;                       // w x y z
+  };
+  std::vector<Place> places;
+  std::vector<std::string> left_out;  // bodies of entries with `fewer: true` that found no room
   Validation validate = Validation::kLoad;
   std::string mujoco;  // release of MuJoCo that checked the variant; empty: none did
   std::optional<physics::Result> physics;  // empty if not requested or not measurable

@@ -62,6 +62,11 @@ constexpr JsonMember<Result::SimReady> kSimReady[] = {
     {"full_range_sweep", &Result::SimReady::full_range_sweep},
     {"self_collision", &Result::SimReady::self_collision}};
 
+constexpr JsonMember<Record::Place> kPlace[] = {{"body", &Record::Place::body},
+                                                {"at", &Record::Place::at},
+                                                {"pos", &Record::Place::pos},
+                                                {"quat", &Record::Place::quat}};
+
 // Calls `use` with key, value and member table of each list or object within a physics result, in
 // the order in which they are written.
 template <typename AnyResult, typename Use>
@@ -213,6 +218,31 @@ RecordField PhysicsField() {
       [](const Record& record) { return !record.physics; }};
 }
 
+RecordField PlacesField() {
+  return {"places",
+          fmt::format(R"("type": "array", "items": {{"type": "object", "properties": {{{}}}}})",
+                      SchemaOf(kPlace)),
+          "The bodies that were placed, in the order of the file: name, region or site, and pose in "
+          "the world at the start; left out if there are none.",
+          [](Json& json, const Record& record) {
+            json.StartArray();
+            for (const Record::Place& place : record.places) {
+              json.StartObject();
+              PutAll(json, place, kPlace);
+              json.EndObject();
+            }
+            json.EndArray();
+          },
+          [](const Value& value, Record& record) {
+            const bool is_good =
+                value.IsArray() && std::ranges::all_of(value.GetArray(), [&](const Value& item) {
+                  return GetAll(item, record.places.emplace_back(), kPlace);
+                });
+            return is_good ? ExpectedKind() : "a list of places";
+          },
+          [](const Record& record) { return record.places.empty(); }};
+}
+
 void PutFindings(Json& json, const Record& record) {
   json.StartArray();
   for (const std::string& finding : record.findings) json.Raw(finding);
@@ -246,6 +276,8 @@ const std::array kFields = {
     Field<&Record::name>("name", kText, "The object's name and the prefix of all names in it."),
     Field<&Record::index>("index", kWhole, "The variant's number in the family."),
     Field<&Record::seed, FieldScope::kBatch>("seed", kWhole, "The seed of all draws."),
+    OptionalField<&Record::place_seed, FieldScope::kBatch>(
+        "place_seed", kWhole, "The seed of the places alone; left out if they follow from `seed`."),
     Field<&Record::attempt>("attempt", kWhole, "How many draws were rejected before this one."),
     Field<&Record::spec, FieldScope::kBatch>(
         "spec", kText, "The spec: its name in the catalogue, or its file's name."),
@@ -304,6 +336,10 @@ const std::array kFields = {
                                 "Bodies in the file as MuJoCo counts them, the world included."),
     ObjectField<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
     ObjectField<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
+    PlacesField(),
+    OptionalField<&Record::left_out>(
+        "left_out", R"("type": "array", "items": {"type": "string"})",
+        "The bodies that found no room and that the spec allows to leave out (`fewer: true`)."),
     Field<&Record::target, FieldScope::kBatch>("target", kText,
                                                "The host that the file is written for."),
     Field<&Record::validate, FieldScope::kBatch>(

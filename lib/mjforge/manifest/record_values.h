@@ -61,11 +61,21 @@ inline ExpectedKind Get(const rapidjson::Value& value, std::string& text) {
   return {};
 }
 
+template <typename T>
+void Put(Json& json, const std::optional<T>& value) {
+  json.Value(*value);
+}
+
 template <std::integral T>
 ExpectedKind Get(const rapidjson::Value& value, T& number) {
   if (!value.Is<T>()) return std::is_same_v<T, bool> ? "true or false" : "a whole number";
   number = value.Get<T>();
   return {};
+}
+
+template <typename T>
+ExpectedKind Get(const rapidjson::Value& value, std::optional<T>& out) {
+  return Get(value, out.emplace());
 }
 
 // Numbers that are not finite are written as null.

@@ -24,6 +24,7 @@ struct Provenance {
   std::string spec_sha256;
   std::vector<std::pair<std::string, std::string>> settings;  // --set
   std::uint64_t seed = 0;
+  std::optional<std::uint64_t> place_seed;  // --place-seed
   std::uint64_t index = 0;
   std::string name;  // object's name; empty: the name of the spec
   std::string target;

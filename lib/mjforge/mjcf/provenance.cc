@@ -80,6 +80,7 @@ bool ReadPair(std::string_view word, Provenance& provenance) {
   const std::optional<std::string> value = Decoded(word.substr(equals + 1));
   if (!value) return false;
   if (key == "seed") return ReadInteger(*value, 10, provenance.seed);
+  if (key == "place-seed") return ReadInteger(*value, 10, provenance.place_seed.emplace());
   if (key == "index") return ReadInteger(*value, 10, provenance.index);
   if (key == "spec") provenance.spec = *value;
   if (key == "sha256") provenance.spec_sha256 = *value;
@@ -124,6 +125,8 @@ void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
   AppendPair("spec", provenance.spec, out);
   AppendPair("sha256", provenance.spec_sha256, out);
   AppendPair("seed", std::to_string(provenance.seed), out);
+  if (provenance.place_seed)
+    AppendPair("place-seed", std::to_string(*provenance.place_seed), out);
   AppendPair("index", std::to_string(provenance.index), out);
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);

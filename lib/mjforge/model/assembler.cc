@@ -1,5 +1,7 @@
 // Assembler: entry point of the assembly, and caches of mesh and texture files.
 
+#include <set>
+
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/model/assembly.h"
 #include "mjforge/model/mesh_files.h"
@@ -7,9 +9,18 @@
 
 namespace mjforge::model {
 
-std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const NameOptions& options,
+// Bodies that find no room and may be left out are found only when all others stand, so the object
+// is assembled again without these bodies. All draws keep their values.
+std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
                                           diag::Findings& findings) {
-  return Assembly(*this, findings).Run(values, options);
+  const std::size_t before = findings.size();
+  std::set<std::string> left_out;
+  for (;;) {
+    const std::size_t known = left_out.size();
+    std::optional<Object> object = Assembly(*this, left_out, findings).Run(values, options);
+    if (left_out.size() == known) return object;
+    findings.Truncate(before);
+  }
 }
 
 const Assembler::CachedMesh& Assembler::ReadMesh(const std::filesystem::path& file) {

@@ -24,11 +24,13 @@ Scope::Scope(sample::Evaluator& evaluator, std::string name_prefix, int root, co
       parts(sample::Child(evaluator.root(), "parts")),
       materials(evaluator.spec().materials.size()) {}
 
-std::optional<Object> Assembly::Run(sample::Evaluator& values,
-                                    const Assembler::NameOptions& options) {
+std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::Options& options) {
   const std::size_t before = findings_.size();
   const spec::ObjectSpec& spec = values.spec();
   spec_ = &spec;
+  place_seed_ = options.place_seed;
+  const std::size_t left_out = left_out_.size();
+  object_.left_out.assign(left_out_.begin(), left_out_.end());
   object_.name = options.name.empty() ? spec.name : options.name;
   if (!IsName(object_.name)) {
     findings_.Add(Code::kModelBadName, {},
@@ -45,6 +47,7 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values,
     root.mark = spec.bodies.front().head.mark;
   }
   AddSpec(scope);
+  if (left_out_.size() > left_out) return std::nullopt;  // the object is assembled again
   AddRootJoints(scope);
   ReadChecks(scope);
   if (!findings_.HasErrors(before)) Finish(scope);
@@ -95,6 +98,7 @@ void Assembly::AddSpec(Scope& scope) {
     search.first_body = first_body;
     search.last_body = object_.bodies.size();
   }
+  if (spec.has_place) PlaceBodies(scope);
 }
 
 void Assembly::ReadTotalSize(Scope& scope) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -23,8 +24,11 @@ namespace mjforge::model {
 /// The state of one assembly. An instance builds one object.
 class Assembly {
  public:
-  Assembly(Assembler& assembler, diag::Findings& findings)
+  /// Leaves out the bodies whose full names are in `left_out`, and adds those that find no room.
+  Assembly(Assembler& assembler, std::set<std::string>& left_out, diag::Findings& findings)
       : findings_(findings),
+        placer_(assembler.placer()),
+        left_out_(left_out),
         repetition_(findings),
         assets_(assembler, object_, findings),
         references_(object_, findings),
@@ -34,7 +38,7 @@ class Assembly {
                    bodies_},
                   findings) {}
 
-  std::optional<Object> Run(sample::Evaluator& values, const Assembler::NameOptions& options);
+  std::optional<Object> Run(sample::Evaluator& values, const Assembler::Options& options);
 
  private:
   // assembly.cc
@@ -82,9 +86,15 @@ class Assembly {
   void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry, const Bounds& bounds,
                  Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
+  /// Returns the angle of `front:` of a spec about z, counter-clockwise from -y, rad.
+  double FrontOf(Scope& scope);
   /// Sets the values of NAME.top and the other properties of a body.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,
                      std::size_t index);
+
+  // placements.cc
+  /// Places the bodies of the spec that have `place:`, in the order of their entries.
+  void PlaceBodies(Scope& scope);
 
   void Finish(Scope& scope);  // finish.cc
 
@@ -150,6 +160,9 @@ class Assembly {
 
   Object object_;
   diag::Findings& findings_;
+  Placer* placer_;
+  std::optional<std::uint64_t> place_seed_;
+  std::set<std::string>& left_out_;
   Repetition repetition_;
   Assets assets_;
   References references_;

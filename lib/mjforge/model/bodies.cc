@@ -1,5 +1,6 @@
 // `bodies:`: inline bodies, other specs, and bodies of MJCF files.
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ void Assembly::AddBodies(Scope& scope) {
 void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies) {
   if (!HasRoomFor("bodies", object_.bodies.size(), entry.head.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry.head, bodies, findings_);
-  if (!name) return;
+  if (!name || left_out_.contains(scope.prefix + *name)) return;
   const sample::StreamId path = sample::Child(bodies, std::string_view(*name));
   FieldReader reader(scope.values, findings_, "body", *name, path);
   const std::size_t index = object_.bodies.size();
@@ -63,8 +64,9 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
     body.name = scope.prefix + *name;
     body.mark = entry.head.mark;
   }
-  // A body without a valid parent is still checked for other errors.
-  object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
+  // A body without a valid parent is still checked for other errors. A body with `place:` belongs
+  // to the world until PlaceBodies finds its parent.
+  if (!entry.place) object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
   bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
 
   // The parts, sites and joints that follow belong to this body.
@@ -88,7 +90,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   current_body_ = outer;
   scope.X_BS = X_BS;
   scope.total_size = total_size;
-  PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
+  if (!entry.place) PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
 }
 
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
@@ -99,6 +101,7 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), Pose());
     SetSubstitutes(scope, entry.head, path, inner);
     AddSpec(inner);
+    object_.bodies[index].front = FrontOf(inner);
     // A body that is free in both specs keeps its free joint, which has the same name in both.
     const bool keeps_joint = entry.is_free && nested->spec().root_joints == spec::RootJoints::kFree;
     if (!keeps_joint) MarkRootJointsRemoved(inner);
@@ -147,6 +150,16 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& ent
                     diag::DidYouMean(*name, names));
   finding.notes.push_back({entry.mark, "parents come before children; this one is defined here"});
   return scope.body;
+}
+
+double Assembly::FrontOf(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (!spec.front) return 0;
+  FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
+  const auto direction = reader.Vector<2>(*spec.front);
+  if (!direction) return 0;
+  if (direction->isZero(0)) reader.Report(Code::kModelBadRotation, *spec.front, "is zero");
+  return std::atan2((*direction)[0], -(*direction)[1]);
 }
 
 void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry, const Bounds& bounds,

@@ -35,7 +35,8 @@ bool MayBeFree(const std::vector<Body>& bodies, const Body& body, const Joint& j
     return false;
   }
   const Body* moving = MovingParent(bodies, body.parent);
-  if (moving == nullptr) return true;
+  // A body that was placed only starts there.
+  if (moving == nullptr || !body.stands_at.empty()) return true;
   findings
       .Add(diag::Code::kModelBadValue, mark,
            fmt::format("body '{}' is free, but stands on body '{}', which moves", body.name,

@@ -26,18 +26,22 @@ namespace mjforge::model {
 /// that it has computed, because most variants use them again.
 class Assembler {
  public:
-  struct NameOptions {
+  struct Options {
     std::string name;       // name of the object; empty: the spec's
     bool prefix = true;     // put `name_` before every element's name
     std::string root = {};  // name of the root body; empty: the object's
+    /// Seed of the draws of `place:` that are not draws of the variant's other values; none: the
+    /// variant's seed alone.
+    std::optional<std::uint64_t> place_seed = {};
   };
 
-  /// `attachments` reads MJCF files and must outlive the assembler; without it a body with `mjcf:`
-  /// is an error.
-  explicit Assembler(AttachmentSource* attachments = nullptr) : attachments_(attachments) {}
+  /// `attachments` reads MJCF files, `placer` searches places; without them a body with `mjcf:` or
+  /// `place:` is an error. Both must outlive the assembler.
+  explicit Assembler(AttachmentSource* attachments = nullptr, Placer* placer = nullptr)
+      : attachments_(attachments), placer_(placer) {}
 
   /// Returns the object; nothing after an error, which is added to the findings.
-  std::optional<Object> Assemble(sample::Evaluator& values, const NameOptions& options,
+  std::optional<Object> Assemble(sample::Evaluator& values, const Options& options,
                                  diag::Findings& findings);
 
   struct CachedMesh {
@@ -60,10 +64,12 @@ class Assembler {
   const CachedTexture& ReadTexture(const std::filesystem::path& file);
 
   AttachmentSource* attachments() const { return attachments_; }
+  Placer* placer() const { return placer_; }
   solid::Cache& solids() { return solids_; }
 
  private:
   AttachmentSource* attachments_;
+  Placer* placer_;
   std::map<std::filesystem::path, CachedMesh> meshes_;
   std::map<std::filesystem::path, CachedTexture> textures_;
   solid::Cache solids_;

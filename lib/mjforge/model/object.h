@@ -127,6 +127,10 @@ struct Body {
   std::vector<Part> parts;
   std::vector<Site> sites;
   std::vector<Region> regions;
+  double front = 0;  // angle of its front about z, counter-clockwise from -y, rad
+  /// Region or site that the body was placed at, as in the spec: "table.surface"; empty: the body
+  /// was not placed.
+  std::string stands_at;
   std::vector<Element> elements;      // cameras and lights
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
@@ -162,6 +166,7 @@ struct Object {
   MassProperties mass_properties;  // in W, at the start state
   Checks checks;
   std::vector<Expectation> expectations;
+  std::vector<std::string> left_out;  // full names of bodies that found no room, for `fewer: true`
   std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
 };
 

@@ -70,6 +70,11 @@ class Evaluator {
   /// false after a finding.
   bool SetLocal(const spec::Local& local, StreamId path);
 
+  /// Returns four independent numbers in (0, 1), for draws that no value of the spec describes.
+  std::array<double, 4> Uniforms(StreamId path) const {
+    return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
+  }
+
   /// Returns the current value of spec().parameters[i].
   ParameterValue Parameter(std::size_t i) const;
   StreamId root() const { return root_; }
@@ -81,10 +86,6 @@ class Evaluator {
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
 
  private:
-  std::array<double, 4> Uniforms(StreamId path) const {
-    return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
-  }
-
   // rejection.cc
   bool SampleShared(Overrides overrides);
   bool Holds(const spec::Requirement& requirement);

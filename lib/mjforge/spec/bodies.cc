@@ -37,6 +37,8 @@ class BodyEntryReader {
       body.regions = ReadRegions(*regions, context_);
     body.views = ReadViews(map, context_);
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
+    body.place = ReadPlace(map, context_);
+    context_.spec.has_place |= body.place.has_value();
     entries_.End(body.head);
     context_.spec.bodies.push_back(std::move(body));
   }

@@ -111,6 +111,9 @@ void ReadExpectations(const YamlNode& list, Context& context);
 /// Reads `bodies:` in order, because each body may use properties of earlier bodies.
 void ReadBodies(const YamlNode& bodies, Context& context);
 
+/// Reads `place:` of a body's entry; nothing if it has none.
+std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context);
+
 /// Read `contact:` and `mjcf:` into the sections of the spec.
 void ReadContact(const YamlNode& contact, Context& context);
 void ReadSections(const YamlNode& sections, Context& context);

@@ -75,6 +75,8 @@ const Field* FindField(std::span<const Field> fields, Key id) {
 }
 
 const Field* Entry::Find(Key id) const { return FindField(fields, id); }
+const Field* PlaceEntry::Find(Key id) const { return FindField(fields, id); }
+const Field* PlaceEntry::FindBeside(Key id) const { return FindField(beside, id); }
 const Field* Material::Find(Key id) const { return FindField(fields, id); }
 
 const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {

@@ -63,6 +63,16 @@ enum class BodyProperty { kTop, kBottom, kRadius, kHalfX, kHalfY, kHalfZ, kMass 
 /// Returns the names of the properties, "top", "bottom", ..., in the order of BodyProperty.
 std::span<const std::string_view> BodyPropertyNames();
 
+/// `place:` of a body: where it stands.
+struct PlaceEntry {
+  diag::SourceMark mark;
+  std::vector<Field> fields;
+  std::vector<Field> beside;  // fields of `beside:`; empty without it
+
+  const Field* Find(Key id) const;
+  const Field* FindBeside(Key id) const;
+};
+
 /// An entry of `bodies:`: inline parts, another spec, or an MJCF file.
 struct BodyEntry {
   Entry head;  // name, if, for; spec and overrides; parent, pose, mass, mjcf, body as fields
@@ -71,7 +81,8 @@ struct BodyEntry {
   std::vector<Entry> regions;
   std::vector<Entry> views;  // cameras and lights
   std::vector<Entry> joints;
-  bool is_free = false;  // `joints: free`
+  bool is_free = false;             // `joints: free`
+  std::optional<PlaceEntry> place;  // in place of pose and parent
   /// Slot of NAME.top; the other properties follow. -1 if no expression uses a property.
   int first_property = -1;
   /// Slot of NAME.PARAMETER for each of head.nested->parameters; -1 if expressions cannot use it.

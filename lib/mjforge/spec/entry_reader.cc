@@ -201,6 +201,7 @@ void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& e
   if (entry.nested != nullptr && entry.nested->has_exact_choice) {
     context_.spec.has_exact_choice = true;
   }
+  if (entry.nested != nullptr) context_.spec.has_place |= entry.nested->has_place;
   if (const YamlNode* params = map.Find("params");
       params && IsMap(*params, "parameters", context_)) {
     for (const auto& pair : params->pairs) ReadOverride(pair, entry);

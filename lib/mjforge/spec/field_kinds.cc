@@ -57,6 +57,11 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kSubstitutes, "name: material's name", R"("@map text")"},
     FieldKindInfo{FieldKind::kFields, "keys"},
     FieldKindInfo{FieldKind::kBodies, "list of bodies", R"("@list body")"},
+    FieldKindInfo{FieldKind::kPlace, "place", R"("@is place")"},
+    FieldKindInfo{FieldKind::kBeside, "side of a body", R"("@is beside")"},
+    FieldKindInfo{FieldKind::kFacing, "name, or 2 or 3 numbers",
+                  R"("anyOf": [{"@is text"}, {"@list number", "minItems": 2, "maxItems": 3}, )"
+                  R"({"@is vector_draw"}])"},
     FieldKindInfo{FieldKind::kPositions, "joint: position",
                   R"("type": "object", "additionalProperties": {"anyOf": [{"@is number"}, )"
                   R"({"@list number", "minItems": 4, "maxItems": 4}, {"@is vector_draw"}]})"},

@@ -141,6 +141,8 @@ constexpr FieldInfo kObjectFields[] = {
     Numbers({"total_size", Key::kTotalSize}, {3, 3}, "m", Above(0), "",
             "Half sizes of the declared bounding box, centred on the root body; used as the "
             "object's bounds in place of the computed ones."),
+    Numbers({"front", Key::kFront}, {2, 2}, "any one", kAnyNumber, "0 -1",
+            "Direction x, y of its front, for `beside` and `facing` of a `place`."),
     Row("expect", FieldKind::kExpectations,
         "What must be true of every variant: conditions, and how bodies and parts lie."),
     Row("checks", FieldKind::kChecks,
@@ -503,6 +505,11 @@ constexpr FieldInfo kBodyFields[] = {
     kAxisAngle,
     kXyAxes,
     kZAxis,
+    Row("place", FieldKind::kPlace,
+        "In place of a pose and a parent: where it stands. Without joints it is fixed to the body "
+        "that it stands on."),
+    Row({"fewer", Key::kFewer}, FieldKind::kBoolean, "false",
+        "Whether a body for which `place` finds no room is left out, in place of an error."),
     Word("joints", "free none", "none",
          "Its joints; without any it is fixed to its parent. `free`: a body of the world, which "
          "starts where its parent has it. Top-level joints that a spec or an MJCF file brings are "
@@ -518,6 +525,40 @@ constexpr FieldInfo kBodyFields[] = {
            "Mass of the body with everything that a spec or an MJCF file brings; the parts are "
            "scaled to it."),
     kUser,
+};
+
+constexpr FieldInfo kPlaceFields[] = {
+    Required(Row({"at", Key::kAt}, FieldKind::kText,
+                 "A region or a site of an earlier body: BODY.NAME, or BODY.INNER.NAME for a body "
+                 "inside the spec or file of BODY; NAME alone is one of the root body.")),
+    Numbers(
+        {"uv", Key::kUv}, {2, 2}, "", Between(-1, 1), "drawn uniformly",
+        "Position in a region along its x and y axes: 1 is the outermost position at which the "
+        "whole footprint fits. On a disc, a point of the unit disc. With `beside` 0 0, and only "
+        "along that side."),
+    Row({"by", Key::kBy}, FieldKind::kText, "its own frame",
+        "A site of this body, NAME or INNER.NAME, whose frame is laid on that of the site `at`."),
+    Row("beside", FieldKind::kBeside, "An earlier body that it stands next to."),
+    Number({"yaw", Key::kYaw}, "rad", kAnyNumber, "drawn uniformly; with `facing` or `beside` 0",
+           "Turn about the vertical: from the axes of the region, from where it faces, or from the "
+           "direction of the body that it is beside."),
+    Row({"facing", Key::kFacing}, FieldKind::kFacing,
+        "What its front is turned to: an earlier body, a point x, y of the root frame, or a "
+        "direction x, y, 0."),
+    Row({"lying", Key::kLying}, FieldKind::kText, "upright",
+        "How it stands: `upright`, as its spec has it; by the name of another way in which it is "
+        "stable (`on_left`, `upside_down`); `any`: drawn from all of these."),
+    Number({"clear", Key::kClear}, "m", AtLeast(0), "0",
+           "Least distance to everything else; the region may ask for more."),
+    Number({"overhang", Key::kOverhang}, "", Between(0, 1), "0",
+           "Share of its footprint that may lie outside of the region."),
+};
+
+constexpr FieldInfo kBesideFields[] = {
+    Required(Row({"body", Key::kBody}, FieldKind::kText, "An earlier body.")),
+    Required(Word({"side", Key::kSide}, "left right front back", "",
+                  "Its side, as it is for somebody who looks where its front does.")),
+    Number({"gap", Key::kGap}, "m", AtLeast(0), "0", "Distance between the two."),
 };
 
 constexpr FieldInfo kContactFields[] = {
@@ -735,6 +776,11 @@ const ElementInfo kJointElement = {
 const ElementInfo kBodyElement = {
     "body", "One of several bodies of an object: parts, another spec, or an MJCF file.",
     kBodyFields};
+const ElementInfo kPlaceElement = {
+    "place", "Where a body stands: on, in or beside others, where there is room for it.",
+    kPlaceFields};
+const ElementInfo kBesideElement = {"beside", "The side of a body that another one stands at.",
+                                    kBesideFields};
 const ElementInfo kContactElement = {"contact", "Contacts between the bodies.", kContactFields};
 const ElementInfo kExcludeElement = {
     "exclude", "Two bodies that do not collide: the long form of [BODY, BODY].", kExcludeFields};
@@ -778,12 +824,12 @@ const FieldInfo* ElementInfo::Find(Key id) const {
 
 std::span<const ElementInfo* const> AllElements() {
   static constexpr const ElementInfo* kElements[] = {
-      &kObjectElement,    &kParameterElement, &kMaterialElement,    &kTextureElement,
-      &kPartElement,      &kFrameElement,     &kSiteElement,        &kCameraElement,
-      &kRegionElement,    &kLightElement,     &kJointElement,       &kBodyElement,
-      &kContactElement,   &kExcludeElement,   &kExpectationElement, &kDefaultsElement,
-      &kChecksElement,    &kHoldingElement,   &kFittingElement,     &kGraspingElement,
-      &kPartCheckElement, &kJointCheckElement};
+      &kObjectElement,      &kParameterElement, &kMaterialElement,  &kTextureElement,
+      &kPartElement,        &kFrameElement,     &kSiteElement,      &kCameraElement,
+      &kRegionElement,      &kLightElement,     &kJointElement,     &kBodyElement,
+      &kPlaceElement,       &kBesideElement,    &kContactElement,   &kExcludeElement,
+      &kExpectationElement, &kDefaultsElement,  &kChecksElement,    &kHoldingElement,
+      &kFittingElement,     &kGraspingElement,  &kPartCheckElement, &kJointCheckElement};
   return kElements;
 }
 

@@ -46,6 +46,9 @@ enum class FieldKind {
   kSubstitutes,
   kFields,
   kBodies,
+  kPlace,
+  kBeside,
+  kFacing,
   kPositions,
   kContact,
   kExcludes,
@@ -117,6 +120,8 @@ extern const ElementInfo kCameraElement;
 extern const ElementInfo kLightElement;
 extern const ElementInfo kJointElement;
 extern const ElementInfo kBodyElement;
+extern const ElementInfo kPlaceElement;
+extern const ElementInfo kBesideElement;  // the mapping under `beside:`
 extern const ElementInfo kContactElement;
 extern const ElementInfo kExcludeElement;  // an entry of contact: exclude:
 extern const ElementInfo kExpectationElement;

@@ -74,6 +74,18 @@ enum class Key {
   // Bodies.
   kParent,
   kBody,
+  kFewer,
+  kFront,
+  // Places.
+  kAt,
+  kUv,
+  kBy,
+  kSide,
+  kYaw,
+  kFacing,
+  kLying,
+  kClear,
+  kOverhang,
   // Materials and textures.
   kBuiltin,
   // Expectations.

@@ -176,6 +176,8 @@ class SpecLoader : public NestedLoader {
         spec.mass = std::move(field);
       else if (field.info->id == Key::kTotalSize)
         spec.total_size = std::move(field);
+      else if (field.info->id == Key::kFront)
+        spec.front = std::move(field);
       else if (field.info->id == Key::kPlacement) {
         if (LiteralText(field.value) == "corner") spec.placement = Placement::kCorner;
       }

@@ -90,8 +90,10 @@ struct ObjectSpec {
   std::vector<BodyEntry> bodies;
   std::vector<JointPosition> pose;
   std::vector<Section> sections;
-  std::optional<Field> mass;  // kg, of the whole object
+  std::optional<Field> mass;   // kg, of the whole object
+  std::optional<Field> front;  // direction x, y
   Placement placement = Placement::kCenter;
+  bool has_place = false;           // a body here or in a nested spec has `place:`
   bool has_exact_choice = false;    // here or in a nested spec: variants depend on the batch size
   std::optional<Field> total_size;  // half sizes, m
   std::vector<Expectation> expectations;

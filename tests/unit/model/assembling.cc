@@ -11,7 +11,7 @@
 namespace mjforge::model {
 
 Assembling::Assembling(const std::string& body, std::uint64_t seed, std::uint64_t index,
-                       const std::filesystem::path& folder, const Assembler::NameOptions& options) {
+                       const std::filesystem::path& folder, const Assembler::Options& options) {
   spec_ = spec::LoadSpecText("thing.yaml", "mjforge: 1\nname: thing\n" + body, folder, {}, sources_,
                              findings_);
   if (spec_ == nullptr) return;

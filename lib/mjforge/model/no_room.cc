@@ -1,0 +1,113 @@
+// Messages about bodies for which no place was found: sizes, and what took the room.
+
+#include "mjforge/model/no_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "mjforge/model/names.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+
+// Most bodies in the way that a message names.
+constexpr std::size_t kMostNamed = 3;
+
+// Returns a length in cm, to a tenth of a millimetre.
+std::string Cm(double length) { return expr::NumberText(std::round(length * 1e4) / 100); }
+
+std::string Sizes(const Eigen::Vector2d& lengths) {
+  return fmt::format("{} x {} cm", Cm(lengths[0]), Cm(lengths[1]));
+}
+
+std::string AreaOf(const Region& region) {
+  if (region.type == RegionType::kDisc)
+    return fmt::format("{} cm across", Cm(2 * region.half_size[0]));
+  return Sizes(2 * region.half_size);
+}
+
+// Returns "'plate_0' 400 times, 'mug_1' 120 times": the bodies that were in the way most often.
+std::string BlockersText(const Misses& misses) {
+  std::vector<std::pair<std::string, std::size_t>> all(misses.blockers.begin(),
+                                                       misses.blockers.end());
+  std::ranges::stable_sort(all, std::greater<>(), &std::pair<std::string, std::size_t>::second);
+  all.resize(std::min(all.size(), kMostNamed));
+  std::vector<std::string> texts;
+  for (const auto& [name, times] : all) {
+    texts.push_back(misses.count == 1 ? Quoted(name)
+                                      : fmt::format("{} {} times", Quoted(name), times));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string RemedyFor(const Misses& misses) {
+  constexpr std::string_view kRemedies =
+      "make room, or leave out what finds none with `fewer: true`";
+  if (misses.blockers.empty()) return std::string(kRemedies);
+  const std::string blockers = BlockersText(misses);
+  if (misses.count == 1) return fmt::format("{} is in the way; {}", blockers, kRemedies);
+  return fmt::format("in {} tries, in the way were {}; {}", misses.count, blockers, kRemedies);
+}
+
+void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& finding) {
+  finding.message = fmt::format("no room for body {} at {}", Quoted(what.body), Quoted(what.at));
+  if (what.region != nullptr) {
+    finding.message +=
+        fmt::format(", {}: it needs {}", AreaOf(*what.region), Sizes(misses.footprint));
+    if (what.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(what.clear));
+    if (what.instances > 1) {
+      finding.message +=
+          fmt::format("; {} of {} have found a place", what.standing, what.instances);
+    }
+  }
+  finding.hint = RemedyFor(misses);
+}
+
+}  // namespace
+
+void Misses::Add(const PlaceResult& result, const PlaceNames& names) {
+  ++count;
+  ++verdicts[result.verdict];
+  if (result.verdict == PlaceVerdict::kBlocked && result.blocker >= 0)
+    ++blockers[names.NameOf(result.blocker)];
+  footprint = result.footprint;
+}
+
+bool Misses::AreAll(PlaceVerdict verdict) const {
+  const auto found = verdicts.find(verdict);
+  return found != verdicts.end() && found->second == count;
+}
+
+void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& findings) {
+  diag::Finding& finding = findings.Add(Code::kModelNoRoom, what.mark, {});
+  if (what.target) finding.notes.push_back({what.target, "the place is described here"});
+  const std::string body = Quoted(what.body);
+  const std::string at = Quoted(what.at);
+  if (misses.AreAll(PlaceVerdict::kTooLarge)) {
+    finding.message =
+        fmt::format("body {} is larger than {}: it stands on {}, and the region is {}", body, at,
+                    Sizes(misses.footprint), AreaOf(*what.region));
+    finding.hint = "a smaller body, a larger region, or a share that may lie outside: `overhang`";
+  } else if (misses.AreAll(PlaceVerdict::kTooHigh)) {
+    finding.message = fmt::format("body {} is too high for {}, which has {} cm of free height",
+                                  body, at, Cm(what.region->height));
+    finding.hint = "a lower body, or another way of `lying`";
+  } else if (misses.AreAll(PlaceVerdict::kOutside)) {
+    finding.message = what.beside.empty()
+                          ? fmt::format("the place of body {} is outside of {}", body, at)
+                          : fmt::format("the place of body {} beside {} is outside of {}", body,
+                                        Quoted(what.beside), at);
+    finding.hint = fmt::format("the region is {}", AreaOf(*what.region));
+  } else {
+    ReportCrowded(what, misses, finding);
+  }
+}
+
+}  // namespace mjforge::model

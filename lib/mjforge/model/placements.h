@@ -1,0 +1,92 @@
+// Placing of the bodies of one spec that have `place:`: draws of their tries, and their results.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "mjforge/model/no_room.h"
+#include "mjforge/model/place_names.h"
+#include "mjforge/model/repetition.h"
+
+namespace mjforge::model {
+
+/// What placing needs of the object's assembly.
+struct PlacementContext {
+  Object& object;
+  const std::unordered_map<std::string, int>& bodies;  // indices by full name
+  Repetition& repetition;
+  Placer& placer;
+  std::optional<std::uint64_t> seed;  // of the places alone
+  std::set<std::string>& left_out;    // full names of bodies; those without room are added
+  diag::Findings& findings;
+};
+
+/// Places the bodies of the spec of a scope, in the order of their entries. Bodies that wait for
+/// their place are children of the world.
+class Placements {
+ public:
+  Placements(Scope& scope, PlacementContext context)
+      : scope_(scope), context_(context), names_(context.object, context.bodies, scope) {}
+
+  void Run();
+
+ private:
+  // A body that needs a place.
+  struct Request {
+    const spec::BodyEntry& entry;
+    std::string name;  // in the spec
+    int body = -1;
+  };
+  // A drawn place.
+  struct Trial {
+    std::string at;
+    PlaceTarget target;
+    PlaceTry where;
+    bool is_drawn = false;  // another try has other values
+  };
+
+  void Place(const spec::BodyEntry& entry, sample::StreamId bodies);
+  void Settle(const Request& request, const Trial& trial, const PlaceResult& result);
+  void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
+  /// Notes that the object must be assembled without the body; returns false if that is not
+  /// allowed.
+  bool LeaveOut(const Request& request);
+
+  // place_tries.cc
+  /// Draws a place; returns nothing after a finding, or if the body has been left out.
+  std::optional<Trial> Draw(const Request& request, sample::StreamId path);
+  bool ReadSites(const Request& request, FieldReader& reader, Trial& trial);
+  bool ReadArea(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
+  bool ReadPosition(const Request& request, FieldReader& reader, sample::StreamId path,
+                    Trial& trial);
+  bool ReadBeside(const Request& request, sample::StreamId path, Trial& trial);
+  bool ReadFacing(const Request& request, FieldReader& reader, PlaceTry& where);
+  bool ReadLying(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
+  /// Returns the index of a body named in a field, which must stand.
+  std::optional<int> ReadBody(const Request& request, FieldReader& reader,
+                              const spec::Field& field);
+  /// Returns true if a body stands. Otherwise adds a finding, unless its place was not found.
+  bool MustStand(const Request& request, int body, diag::SourceMark mark);
+  bool MustBeLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
+  /// Returns "a -> b -> a" if the places of entries lead from one back to itself.
+  std::string CircleOf(std::string_view name) const;
+
+  const Body& BodyAt(int index) const {
+    return context_.object.bodies[static_cast<std::size_t>(index)];
+  }
+  const Pose& X_WB(int index) const { return X_WB_[static_cast<std::size_t>(index)]; }
+
+  Scope& scope_;
+  PlacementContext context_;
+  PlaceNames names_;
+  std::vector<Pose> X_WB_;     // poses of all bodies at present
+  std::size_t instances_ = 0;  // of the current entry, ignoring conditions
+  std::size_t standing_ = 0;   // of the current entry
+};
+
+}  // namespace mjforge::model

@@ -1,0 +1,89 @@
+// Reader of `place:`, the place of a body on, in or beside others.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/context.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+// Keys of a body that also decide where it is.
+constexpr std::string_view kOtherPlaces[] = {"parent",    "pos",    "quat", "euler",
+                                             "axisangle", "xyaxes", "zaxis"};
+// Keys that have no meaning beside `by`, because the two sites already decide the whole pose.
+constexpr std::string_view kNotWithSites[] = {"uv", "beside", "yaw", "facing", "lying", "overhang"};
+
+// Reports each of `keys` that the mapping has.
+void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
+                  std::string_view reason, Context& context) {
+  for (const YamlNode::Pair& pair : map.pairs) {
+    if (std::ranges::find(keys, pair.key) == keys.end()) continue;
+    context.findings
+        .Add(Code::kSpecConflict, pair.mark,
+             fmt::format("'{}' together with '{}': {}", pair.key, key, reason))
+        .notes.push_back({map.FindPair(key)->mark, fmt::format("'{}' is here", key)});
+  }
+}
+
+void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
+  for (const FieldInfo& field : element.fields) {
+    if (!field.required || map.Find(field.key) != nullptr) continue;
+    context.findings.Add(Code::kSpecMissingKey, map.mark,
+                         fmt::format("'{}' without '{}'", element.name, field.key),
+                         std::string(field.doc));
+  }
+}
+
+// Reads the name of a body, the two numbers of a point, or the three of a direction.
+void ReadFacing(const YamlNode::Pair& pair, std::vector<Field>& fields, Context& context) {
+  const bool is_name = pair.value.kind == YamlNode::Kind::kScalar;
+  Value value =
+      is_name ? context.values.ReadText(pair.value) : context.values.ReadAnything(pair.value);
+  if (value.components == 0) return;  // already reported
+  const bool is_vector = value.type == expr::Type::kNumber && !value.is_list &&
+                         (value.components == 2 || value.components == 3);
+  if (value.type != expr::Type::kText && !is_vector) {
+    context.findings.Add(Code::kSpecWrongType, value.mark,
+                         fmt::format("'facing' is {}, not the name of a body, a point [x, y] or a "
+                                     "direction [x, y, 0]",
+                                     KindText(value)));
+    return;
+  }
+  if (value.components == 2) {
+    static constexpr FieldInfo kPoint = {
+        .key = "facing", .min_count = 2, .max_count = 2, .unit = "m"};
+    context.values.CheckUnits(kPoint, value);
+  }
+  fields.push_back({kPlaceElement.Find(Key::kFacing), std::move(value), pair.mark});
+}
+
+}  // namespace
+
+std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context) {
+  CheckNeeds("fewer", "place", body, context);
+  const YamlNode* map = body.Find("place");
+  if (map == nullptr || !IsMap(*map, "where the body stands", context)) return std::nullopt;
+  RejectBeside("place", kOtherPlaces, body, "'place' decides where the body is", context);
+  CheckKeys(kPlaceElement, *map, context);
+  RequireKeys(kPlaceElement, *map, context);
+  PlaceEntry place;
+  place.mark = map->mark;
+  place.fields = ReadFields(kPlaceElement, *map, context);
+  if (const YamlNode::Pair* facing = map->FindPair("facing"))
+    ReadFacing(*facing, place.fields, context);
+  if (map->Find("by") != nullptr)
+    RejectBeside("by", kNotWithSites, *map, "the two sites decide the pose", context);
+  const YamlNode* beside = map->Find("beside");
+  if (beside != nullptr && IsMap(*beside, "a body and its side", context)) {
+    CheckKeys(kBesideElement, *beside, context);
+    RequireKeys(kBesideElement, *beside, context);
+    place.beside = ReadFields(kBesideElement, *beside, context);
+  }
+  return place;
+}
+
+}  // namespace mjforge::spec
