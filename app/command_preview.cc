@@ -175,9 +175,11 @@ class Preview {
 
   // Returns the metadata that identify the object in the picture.
   picture::Texts TextsOf(const manifest::Record& record, const std::string& count) const {
+    const std::string places =
+        record.place_seed ? fmt::format(" place-seed={}", *record.place_seed) : "";
     const std::string shown =
-        recipe_ ? fmt::format("spec={} sha256={} seed={} index={}{}", record.spec,
-                              record.spec_sha256, record.seed, record.index, count)
+        recipe_ ? fmt::format("spec={} sha256={} seed={}{} index={}{}", record.spec,
+                              record.spec_sha256, record.seed, places, record.index, count)
                 : "file=" + std::filesystem::path(options_.what).filename().string();
     return {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", shown}};
   }

@@ -26,7 +26,9 @@ struct SpecOptions {
   std::vector<std::string> settings;  // NAME=VALUE
   std::vector<std::string> parameter_files;
 
-  bool given() const { return seed != 0 || place_seed || !settings.empty() || !parameter_files.empty(); }
+  bool given() const {
+    return seed != 0 || place_seed || !settings.empty() || !parameter_files.empty();
+  }
 };
 void AddSpecOptions(CLI::App& command, SpecOptions& options);
 /// Loads a spec; returns nothing and adds findings if it has errors.

@@ -158,13 +158,12 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
 bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
-  std::optional<model::Object> object = assembler_.Assemble(
-      values,
-      {.name = record.name,
-       .prefix = rules.has_prefix,
-       .root = std::string(rules.root),
-       .place_seed = options_.place_seed},
-      variant.findings);
+  std::optional<model::Object> object = assembler_.Assemble(values,
+                                                            {.name = record.name,
+                                                             .prefix = rules.has_prefix,
+                                                             .root = std::string(rules.root),
+                                                             .place_seed = options_.place_seed},
+                                                            variant.findings);
   if (!object) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
   variant.object = std::make_shared<const model::Object>(*std::move(object));

@@ -219,28 +219,29 @@ RecordField PhysicsField() {
 }
 
 RecordField PlacesField() {
-  return {"places",
-          fmt::format(R"("type": "array", "items": {{"type": "object", "properties": {{{}}}}})",
-                      SchemaOf(kPlace)),
-          "The bodies that were placed, in the order of the file: name, region or site, and pose in "
-          "the world at the start; left out if there are none.",
-          [](Json& json, const Record& record) {
-            json.StartArray();
-            for (const Record::Place& place : record.places) {
-              json.StartObject();
-              PutAll(json, place, kPlace);
-              json.EndObject();
-            }
-            json.EndArray();
-          },
-          [](const Value& value, Record& record) {
-            const bool is_good =
-                value.IsArray() && std::ranges::all_of(value.GetArray(), [&](const Value& item) {
-                  return GetAll(item, record.places.emplace_back(), kPlace);
-                });
-            return is_good ? ExpectedKind() : "a list of places";
-          },
-          [](const Record& record) { return record.places.empty(); }};
+  return {
+      "places",
+      fmt::format(R"("type": "array", "items": {{"type": "object", "properties": {{{}}}}})",
+                  SchemaOf(kPlace)),
+      "The bodies that were placed, in the order of the file: name, region or site, and pose in "
+      "the world at the start; left out if there are none.",
+      [](Json& json, const Record& record) {
+        json.StartArray();
+        for (const Record::Place& place : record.places) {
+          json.StartObject();
+          PutAll(json, place, kPlace);
+          json.EndObject();
+        }
+        json.EndArray();
+      },
+      [](const Value& value, Record& record) {
+        const bool is_good =
+            value.IsArray() && std::ranges::all_of(value.GetArray(), [&](const Value& item) {
+              return GetAll(item, record.places.emplace_back(), kPlace);
+            });
+        return is_good ? ExpectedKind() : "a list of places";
+      },
+      [](const Record& record) { return record.places.empty(); }};
 }
 
 void PutFindings(Json& json, const Record& record) {

@@ -125,8 +125,7 @@ void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
   AppendPair("spec", provenance.spec, out);
   AppendPair("sha256", provenance.spec_sha256, out);
   AppendPair("seed", std::to_string(provenance.seed), out);
-  if (provenance.place_seed)
-    AppendPair("place-seed", std::to_string(*provenance.place_seed), out);
+  if (provenance.place_seed) AppendPair("place-seed", std::to_string(*provenance.place_seed), out);
   AppendPair("index", std::to_string(provenance.index), out);
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
