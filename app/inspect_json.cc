@@ -113,6 +113,7 @@ void WriteBodyHead(JsonOutput& json, const model::Object& object, const model::B
   json.Member("parent", body.parent < 0
                             ? std::string_view("world")
                             : object.bodies[static_cast<std::size_t>(body.parent)].name);
+  if (!body.stands_at.empty()) json.Member("stands_at", body.stands_at);
   WritePose(json, body.X_PB);
   WriteMass(json, body.mass_properties);
 }

@@ -10,7 +10,8 @@
 namespace mjforge::model {
 
 // Bodies that find no room and may be left out are found only when all others stand, so the object
-// is assembled again without these bodies. All draws keep their values.
+// is assembled again without these bodies. All draws keep their values. After an error, a second
+// assembly would not report the failed values again.
 std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
                                           diag::Findings& findings) {
   const std::size_t before = findings.size();
@@ -18,7 +19,7 @@ std::optional<Object> Assembler::Assemble(sample::Evaluator& values, const Optio
   for (;;) {
     const std::size_t known = left_out.size();
     std::optional<Object> object = Assembly(*this, left_out, findings).Run(values, options);
-    if (left_out.size() == known) return object;
+    if (left_out.size() == known || findings.HasErrors(before)) return object;
     findings.Truncate(before);
   }
 }

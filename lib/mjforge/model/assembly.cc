@@ -98,7 +98,11 @@ void Assembly::AddSpec(Scope& scope) {
     search.first_body = first_body;
     search.last_body = object_.bodies.size();
   }
-  if (spec.has_place) PlaceBodies(scope);
+  if (!spec.has_place) return;
+  for (std::size_t i = first_search; i < face_searches_.size(); ++i)
+    AddFoundRegions(face_searches_[i], object_);
+  face_searches_.resize(first_search);
+  PlaceBodies(scope);
 }
 
 void Assembly::ReadTotalSize(Scope& scope) {

@@ -14,10 +14,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Largest angle of a region to the horizontal, rad: an object 30 cm long that lies on it is less
-// than 0.1 mm off.
-constexpr double kLevelAngle = 3e-4;
-
 // Returns the colliding parts of a body, from `first` to `last`, in the root frame.
 void AddColliding(const Body& body, const Pose& X_RootB, std::size_t first, std::size_t last,
                   std::vector<PlacedShape>& out) {
@@ -29,14 +25,16 @@ void AddColliding(const Body& body, const Pose& X_RootB, std::size_t first, std:
   }
 }
 
-// Returns true if the body, or one above it, moves freely: such a body is no part of a fixture.
+// Returns true if the body, or one above it, moves freely or waits for its place: such a body is no
+// part of a fixture.
 bool IsLoose(const Object& object, std::size_t index) {
-  for (int i = static_cast<int>(index); i > 0;) {
+  auto i = static_cast<int>(index);
+  while (i > 0) {
     const Body& body = object.bodies[static_cast<std::size_t>(i)];
     if (std::ranges::find(body.joints, "free", &Joint::type) != body.joints.end()) return true;
     i = body.parent;
   }
-  return false;
+  return i < 0;
 }
 
 class FaceFinder {

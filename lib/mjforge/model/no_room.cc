@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "mjforge/model/names.h"
 
@@ -27,47 +27,42 @@ std::string Sizes(const Eigen::Vector2d& lengths) {
   return fmt::format("{} x {} cm", Cm(lengths[0]), Cm(lengths[1]));
 }
 
-std::string AreaOf(const Region& region) {
+std::string SizeOf(const Region& region) {
   if (region.type == RegionType::kDisc)
     return fmt::format("{} cm across", Cm(2 * region.half_size[0]));
   return Sizes(2 * region.half_size);
 }
 
-// Returns "'plate_0' 400 times, 'mug_1' 120 times": the bodies that were in the way most often.
+// Returns "'plate_0' was in the way of 400, 'mug_1' of 120": the bodies that were in the way of
+// most tries.
 std::string BlockersText(const Misses& misses) {
   std::vector<std::pair<std::string, std::size_t>> all(misses.blockers.begin(),
                                                        misses.blockers.end());
   std::ranges::stable_sort(all, std::greater<>(), &std::pair<std::string, std::size_t>::second);
   all.resize(std::min(all.size(), kMostNamed));
-  std::vector<std::string> texts;
+  if (all.size() == 1) return fmt::format("{} is in the way", Quoted(all.front().first));
+  std::string text;
   for (const auto& [name, times] : all) {
-    texts.push_back(misses.count == 1 ? Quoted(name)
-                                      : fmt::format("{} {} times", Quoted(name), times));
+    text += text.empty() ? fmt::format("of {} tries, {} was in the way of {}", misses.count,
+                                       Quoted(name), times)
+                         : fmt::format(", {} of {}", Quoted(name), times);
   }
-  return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-std::string RemedyFor(const Misses& misses) {
-  constexpr std::string_view kRemedies =
-      "make room, or leave out what finds none with `fewer: true`";
-  if (misses.blockers.empty()) return std::string(kRemedies);
-  const std::string blockers = BlockersText(misses);
-  if (misses.count == 1) return fmt::format("{} is in the way; {}", blockers, kRemedies);
-  return fmt::format("in {} tries, in the way were {}; {}", misses.count, blockers, kRemedies);
+  return text;
 }
 
 void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& finding) {
   finding.message = fmt::format("no room for body {} at {}", Quoted(what.body), Quoted(what.at));
   if (what.region != nullptr) {
     finding.message +=
-        fmt::format(", {}: it needs {}", AreaOf(*what.region), Sizes(misses.footprint));
+        fmt::format(", {}: it needs {}", SizeOf(*what.region), Sizes(misses.footprint));
     if (what.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(what.clear));
     if (what.instances > 1) {
       finding.message +=
           fmt::format("; {} of {} have found a place", what.standing, what.instances);
     }
   }
-  finding.hint = RemedyFor(misses);
+  if (!misses.blockers.empty()) finding.hint = BlockersText(misses) + "; ";
+  finding.hint += "make room, or leave out what finds none with `fewer: true`";
 }
 
 }  // namespace
@@ -93,7 +88,7 @@ void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& find
   if (misses.AreAll(PlaceVerdict::kTooLarge)) {
     finding.message =
         fmt::format("body {} is larger than {}: it stands on {}, and the region is {}", body, at,
-                    Sizes(misses.footprint), AreaOf(*what.region));
+                    Sizes(misses.footprint), SizeOf(*what.region));
     finding.hint = "a smaller body, a larger region, or a share that may lie outside: `overhang`";
   } else if (misses.AreAll(PlaceVerdict::kTooHigh)) {
     finding.message = fmt::format("body {} is too high for {}, which has {} cm of free height",
@@ -104,7 +99,7 @@ void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& find
                           ? fmt::format("the place of body {} is outside of {}", body, at)
                           : fmt::format("the place of body {} beside {} is outside of {}", body,
                                         Quoted(what.beside), at);
-    finding.hint = fmt::format("the region is {}", AreaOf(*what.region));
+    finding.hint = fmt::format("the region is {}", SizeOf(*what.region));
   } else {
     ReportCrowded(what, misses, finding);
   }

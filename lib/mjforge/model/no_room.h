@@ -31,7 +31,7 @@ struct NoRoom {
   std::string beside;              // empty: beside none
   double clear = 0;                // m
   std::size_t standing = 0;        // instances of the same entry that stand
-  std::size_t instances = 0;       // all instances of the entry
+  std::size_t instances = 0;       // all instances of the entry; 0: not known
   diag::SourceMark mark;           // of the name in `at`
   diag::SourceMark target;         // of the region or site
 };

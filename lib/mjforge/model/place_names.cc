@@ -23,19 +23,18 @@ auto FindIn(const List& list, const Condition& condition) -> decltype(list.data(
   return found == list.end() ? nullptr : &*found;
 }
 
-bool Has(const std::vector<std::string>& names, const std::string& name) {
+bool HasName(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// Returns the region or site of a body that has one of the full names, or a region named `last`.
-std::optional<PlaceTarget> FindOn(const Object& object, int body, std::string_view last,
+// Returns the region or site of a body that has one of the full names.
+std::optional<PlaceTarget> FindOn(const Object& object, int body,
                                   const std::vector<std::string>& names) {
   const Body& owner = object.bodies[static_cast<std::size_t>(body)];
   PlaceTarget target{.body = body};
-  target.region = FindIn(owner.regions, [&](const Region& region) {
-    return (!last.empty() && region.name == last) || Has(names, region.site);
-  });
-  target.site = FindIn(owner.sites, [&](const Site& site) { return Has(names, site.name); });
+  target.region =
+      FindIn(owner.regions, [&](const Region& region) { return HasName(names, region.site); });
+  target.site = FindIn(owner.sites, [&](const Site& site) { return HasName(names, site.name); });
   if (target.region == nullptr && target.site == nullptr) return std::nullopt;
   return target;
 }
@@ -86,11 +85,11 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   std::optional<int> body = scope_.body;
   if (!path.empty()) body = FindBody(fmt::format("{}", fmt::join(path, ".")));
   if (body) {
-    if (auto target = FindOn(object_, *body, last, names)) return target;
+    if (auto target = FindOn(object_, *body, names)) return target;
   }
   // The elements of a spec in `parts:` belong to the body that it is welded to.
   for (int i = 0; i < static_cast<int>(object_.bodies.size()); ++i) {
-    if (auto target = FindOn(object_, i, {}, {names.back()})) return target;
+    if (auto target = FindOn(object_, i, {names.back()})) return target;
   }
   return std::nullopt;
 }

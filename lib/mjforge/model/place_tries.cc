@@ -11,15 +11,13 @@
 
 #include "mjforge/model/names.h"
 #include "mjforge/model/placements.h"
+#include "mjforge/model/regions.h"
 
 namespace mjforge::model {
 namespace {
 
 using diag::Code;
 using spec::Key;
-
-// Largest tilt of a region, as the sine of the angle: half a degree.
-constexpr double kMaxTilt = 0.0087;
 
 bool IsDrawn(const std::vector<spec::Field>& fields) {
   return std::ranges::any_of(fields,
@@ -32,6 +30,16 @@ const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view 
     return spec::LiteralText(entry.head.name) == name;
   });
   return found == spec.bodies.end() ? nullptr : &*found;
+}
+
+// Returns a field that places at a site do not have; null if there is none.
+const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
+  constexpr Key kOfSites[] = {Key::kAt, Key::kBy, Key::kYaw, Key::kClear};
+  if (!place.beside.empty()) return &place.beside.front();
+  const auto found = std::ranges::find_if(place.fields, [&](const spec::Field& field) {
+    return std::ranges::find(kOfSites, field.info->id) == std::end(kOfSites);
+  });
+  return found == place.fields.end() ? nullptr : &*found;
 }
 
 std::string OwnerOf(std::string_view name) { return fmt::format("body {}", Quoted(name)); }
@@ -69,8 +77,14 @@ std::optional<Placements::Trial> Placements::Draw(const Request& request, sample
 }
 
 bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& trial) {
+  const spec::PlaceEntry& place = *request.entry.place;
+  if (const spec::Field* field = WithoutMeaningAtSites(place)) {
+    reader.Report(Code::kModelBadPlace, *field, "has no meaning at a site, which decides the pose");
+    return false;
+  }
+  if (!ReadYaw(request, reader, trial)) return false;
   trial.where.X_SupportSite = trial.target.X_BT();
-  const spec::Field* by = request.entry.place->Find(Key::kBy);
+  const spec::Field* by = place.Find(Key::kBy);
   if (by == nullptr) return true;
   const std::optional<std::string> name = reader.Text(*by);
   if (!name) return false;
@@ -84,6 +98,14 @@ bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& t
   return true;
 }
 
+bool Placements::ReadYaw(const Request& request, FieldReader& reader, Trial& trial) {
+  const spec::Field* yaw = request.entry.place->Find(Key::kYaw);
+  if (yaw == nullptr) return true;
+  const std::optional<double> angle = reader.Number(*yaw);
+  if (angle) trial.where.yaw = *angle;
+  return angle.has_value();
+}
+
 bool Placements::ReadArea(const Request& request, FieldReader& reader, sample::StreamId path,
                           Trial& trial) {
   const spec::PlaceEntry& place = *request.entry.place;
@@ -94,11 +116,9 @@ bool Placements::ReadArea(const Request& request, FieldReader& reader, sample::S
     if (!share) return false;
     where.overhang = *share;
   }
-  if (const spec::Field* yaw = place.Find(Key::kYaw)) {
-    const std::optional<double> angle = reader.Number(*yaw);
-    if (!angle) return false;
-    where.yaw = *angle;
-  } else if (place.beside.empty() && place.Find(Key::kFacing) == nullptr) {
+  if (!ReadYaw(request, reader, trial)) return false;
+  if (place.Find(Key::kYaw) == nullptr && place.beside.empty() &&
+      place.Find(Key::kFacing) == nullptr) {
     where.yaw = 2 * std::numbers::pi * scope_.values.Uniforms(sample::Child(path, "yaw"))[0];
     trial.is_drawn = true;
   }
@@ -257,9 +277,9 @@ bool Placements::MustBeLevel(const Request& request, const Trial& trial, diag::S
   const Eigen::Vector3d up =
       X_WB(trial.target.body).q * (trial.target.region->X_BR.q * Eigen::Vector3d::UnitZ());
   const double tilt = std::atan2(up.head<2>().norm(), up[2]);
-  if (tilt <= kMaxTilt) return true;
+  if (tilt <= kLevelAngle) return true;
   context_.findings
-      .Add(Code::kModelBadPlace, mark,
+      .Add(Code::kModelNotLevel, mark,
            fmt::format("body {} cannot stand at {}, which is tilted by {} degrees at the start",
                        Quoted(request.name), Quoted(trial.at),
                        expr::NumberText(std::round(tilt * 1800 / std::numbers::pi) / 10)))

@@ -71,7 +71,7 @@ void Placements::Run() {
     if (!entry.place) continue;
     const auto count = context_.repetition.Count(entry.head, values, 0);
     if (!count) continue;
-    instances_ = *count;
+    instances_ = entry.head.condition ? 0 : *count;
     standing_ = 0;
     context_.repetition.ForEach(entry.head, values, bodies, [&] { Place(entry, bodies); });
   }

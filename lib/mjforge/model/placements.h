@@ -61,6 +61,7 @@ class Placements {
   /// Draws a place; returns nothing after a finding, or if the body has been left out.
   std::optional<Trial> Draw(const Request& request, sample::StreamId path);
   bool ReadSites(const Request& request, FieldReader& reader, Trial& trial);
+  bool ReadYaw(const Request& request, FieldReader& reader, Trial& trial);
   bool ReadArea(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
   bool ReadPosition(const Request& request, FieldReader& reader, sample::StreamId path,
                     Trial& trial);
@@ -85,7 +86,7 @@ class Placements {
   PlacementContext context_;
   PlaceNames names_;
   std::vector<Pose> X_WB_;     // poses of all bodies at present
-  std::size_t instances_ = 0;  // of the current entry, ignoring conditions
+  std::size_t instances_ = 0;  // of the current entry; 0 if it has a condition
   std::size_t standing_ = 0;   // of the current entry
 };
 

@@ -8,6 +8,10 @@
 
 namespace mjforge::model {
 
+/// Largest angle of a region to the horizontal, rad: an object 30 cm long that lies on it is less
+/// than 0.1 mm off.
+inline constexpr double kLevelAngle = 3e-4;
+
 /// A request to find regions on a body: `type: auto`.
 struct FaceSearch {
   std::size_t body = 0;        // index in Object::bodies

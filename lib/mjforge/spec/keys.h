@@ -84,7 +84,6 @@ enum class Key {
   kYaw,
   kFacing,
   kLying,
-  kClear,
   kOverhang,
   // Materials and textures.
   kBuiltin,

@@ -15,7 +15,7 @@ using diag::Code;
 constexpr std::string_view kOtherPlaces[] = {"parent",    "pos",    "quat", "euler",
                                              "axisangle", "xyaxes", "zaxis"};
 // Keys that have no meaning beside `by`, because the two sites already decide the whole pose.
-constexpr std::string_view kNotWithSites[] = {"uv", "beside", "yaw", "facing", "lying", "overhang"};
+constexpr std::string_view kNotWithSites[] = {"uv", "beside", "facing", "lying", "overhang"};
 
 // Reports each of `keys` that the mapping has.
 void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
@@ -76,7 +76,7 @@ std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context) {
   if (const YamlNode::Pair* facing = map->FindPair("facing"))
     ReadFacing(*facing, place.fields, context);
   if (map->Find("by") != nullptr)
-    RejectBeside("by", kNotWithSites, *map, "the two sites decide the pose", context);
+    RejectBeside("by", kNotWithSites, *map, "the two sites decide the place", context);
   const YamlNode* beside = map->Find("beside");
   if (beside != nullptr && IsMap(*beside, "a body and its side", context)) {
     CheckKeys(kBesideElement, *beside, context);

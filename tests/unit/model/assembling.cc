@@ -11,7 +11,8 @@
 namespace mjforge::model {
 
 Assembling::Assembling(const std::string& body, std::uint64_t seed, std::uint64_t index,
-                       const std::filesystem::path& folder, const Assembler::Options& options) {
+                       const std::filesystem::path& folder, const Assembler::Options& options,
+                       Placer* placer) {
   spec_ = spec::LoadSpecText("thing.yaml", "mjforge: 1\nname: thing\n" + body, folder, {}, sources_,
                              findings_);
   if (spec_ == nullptr) return;
@@ -19,7 +20,7 @@ Assembling::Assembling(const std::string& body, std::uint64_t seed, std::uint64_
   std::optional<sample::Evaluator> values =
       sample::Sample(*spec_, {.seed = seed, .index = index}, sample::kRootStream, {}, findings_);
   if (!values) return;
-  Assembler assembler;
+  Assembler assembler(nullptr, placer);
   object_ = assembler.Assemble(*values, options, findings_);
 }
 

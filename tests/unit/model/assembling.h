@@ -18,7 +18,7 @@ class Assembling {
  public:
   explicit Assembling(const std::string& body, std::uint64_t seed = 1, std::uint64_t index = 0,
                       const std::filesystem::path& folder = {},
-                      const Assembler::Options& options = {});
+                      const Assembler::Options& options = {}, Placer* placer = nullptr);
 
   /// Returns the object. The test fails with the findings if there is none.
   const Object& object() const;

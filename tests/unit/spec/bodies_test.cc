@@ -124,3 +124,24 @@ TEST_CASE("mjcf: takes sections, elements and attributes that MuJoCo knows", "[b
   CHECK(report("sensor: [{gyro: {name: a, site: s}, clock: {name: b}}]") ==
         Strings{"5:39 spec/conflict: 'clock' together with 'gyro': one element per entry"});
 }
+
+TEST_CASE("a place takes the place of a pose and a parent", "[bodies]") {
+  CHECK(ReportBodies(std::string("- {name: a, place: {at: b.top, uv: [0, 0 .. 1], yaw: 3deg}, ") +
+                     kRod + "}\n")
+            .empty());
+  CHECK(
+      ReportBodies(std::string("- {name: a, pos: [0, 0, 1], place: {at: top}, ") + kRod + "}\n") ==
+      Strings{"4:13 spec/conflict: 'pos' together with 'place': 'place' decides where the body "
+              "is"});
+  CHECK(ReportBodies("- {name: a, place: {uv: [0, 0]}}\n- {name: b, fewer: true}\n") ==
+        Strings{"4:20 spec/missing-key: 'place' without 'at' (A region or a site of an earlier "
+                "body: BODY.NAME, or BODY.INNER.NAME for a body inside the spec or file of BODY; "
+                "NAME alone is one of the root body.)",
+                "5:13 spec/conflict: 'fewer' needs 'place' in the same entry"});
+  const Loaded scene = Load(
+      "mjforge: 1\nname: t\nfront: [1, 0]\nbodies: [{name: a, place: {at: top, facing: [1, "
+      "2]}}]\n");
+  CHECK(scene.Report().empty());
+  CHECK(scene.spec->has_place);
+  CHECK(scene.spec->front);
+}

@@ -1,0 +1,365 @@
+// Tries of places: poses in closed form, verdicts, and random tries checked by other means.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "harness/effort.h"
+#include "mjforge/placing/free_play.h"
+#include "mjforge/placing/obstacles.h"
+#include "mjforge/placing/placing.h"
+#include "scene.h"
+
+namespace mjforge::placing {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using model::GeomType;
+using model::PlaceResult;
+using model::PlaceTry;
+using model::PlaceVerdict;
+using model::Pose;
+using model::Region;
+using model::Shape;
+
+// A table with its top at the height 0, on which bodies are placed one after the other.
+class Table {
+ public:
+  Table() : region(BoxRegion(0.5, 0.3)), placer(MakePlacer()) {
+    table = scene.Add(ShapeOf(GeomType::kBox, 0.5, 0.3, 0.05));
+    scene.object.bodies.back().parts.back().X_BG = At(0, 0, -0.05);
+  }
+
+  PlaceTry Where(double u = 0, double v = 0) const {
+    PlaceTry where;
+    where.support = table;
+    where.region = &region;
+    where.uv = {u, v};
+    return where;
+  }
+
+  // Tries a place for a body, and lets it stand there if it fits.
+  PlaceResult Place(int body, const PlaceTry& where, double clear = 0) {
+    if (!has_begun_) {
+      placer->Begin(scene.object);
+      placer->Stand(table);
+      has_begun_ = true;
+    }
+    const PlaceResult result = placer->Try(body, where);
+    if (result.verdict != PlaceVerdict::kStands) return result;
+    scene.body(body).X_PB = scene.body(where.support).X_PB * result.X_SupportBody;
+    placer->Stand(body, clear);
+    return result;
+  }
+
+  int AddBox(double x, double y, double z) { return scene.Add(ShapeOf(GeomType::kBox, x, y, z)); }
+
+  Scene scene;
+  Region region;
+  int table = -1;
+  std::unique_ptr<model::Placer> placer;
+
+ private:
+  bool has_begun_ = false;
+};
+
+// Returns the angle of a body's x axis.
+double YawOf(const PlaceResult& result) {
+  const Vector3d x = result.X_SupportBody.q * Vector3d::UnitX();
+  return std::atan2(x.y(), x.x());
+}
+
+void CheckAt(const PlaceResult& result, const Vector3d& p, double tolerance = 1e-8) {
+  CAPTURE(result.X_SupportBody.p.transpose(), p.transpose());
+  CHECK(result.verdict == PlaceVerdict::kStands);
+  CHECK((result.X_SupportBody.p - p).norm() < tolerance);
+}
+
+TEST_CASE("a body stands on a region, a little above it") {
+  Table table;
+  const int box = table.AddBox(0.1, 0.05, 0.2);
+  PlaceTry where = table.Where(1, -1);
+  const PlaceResult result = table.Place(box, where);
+  CheckAt(result, {0.4, -0.25, 0.2 + kContactGap});
+  CHECK(result.footprint.isApprox(Vector2d(0.2, 0.1)));
+  // Turned, and on a table that is turned and moved itself.
+  table.scene.body(table.table).X_PB = At(1, 2, 3, 0.5);
+  table.placer->Begin(table.scene.object);
+  table.placer->Stand(table.table);
+  where.yaw = M_PI / 2;
+  CheckAt(table.placer->Try(box, where), {0.45, -0.2, 0.2 + kContactGap});
+}
+
+TEST_CASE("bodies below a body are placed with it, at their start state") {
+  Table table;
+  const int box = table.AddBox(0.1, 0.05, 0.2);
+  // An arm that starts turned down by a quarter turn.
+  table.scene.Add(ShapeOf(GeomType::kBox, 0.01, 0.01, 0.01), At(0, 0, -0.1), box);
+  table.scene.object.bodies.back().parts.back().X_BG = At(0.2, 0, 0);
+  model::Joint& joint = table.scene.object.bodies.back().joints.emplace_back();
+  joint.type = "hinge";
+  joint.axis = Vector3d::UnitY();
+  joint.start = {M_PI / 2};
+  const PlaceResult result = table.Place(box, table.Where());
+  CheckAt(result, {0, 0, 0.31 + kContactGap});
+  CHECK((result.footprint - Vector2d(0.02, 0.02)).norm() < 1e-9);
+}
+
+TEST_CASE("a body in another orientation stands on another side") {
+  Table table;
+  const int box = table.AddBox(0.1, 0.05, 0.2);
+  PlaceTry where = table.Where(1, 1);
+  where.lying = model::FromAxisAngle(Vector3d::UnitY(), M_PI / 2);
+  CheckAt(table.Place(box, where), {0.3, 0.25, 0.1 + kContactGap});
+}
+
+TEST_CASE("a place can be too small, too low, outside or taken") {
+  Table table;
+  CHECK(table.Place(table.AddBox(0.51, 0.1, 0.1), table.Where()).verdict ==
+        PlaceVerdict::kTooLarge);
+  table.region.height = 0.2;
+  CHECK(table.Place(table.AddBox(0.1, 0.1, 0.1), table.Where()).verdict == PlaceVerdict::kTooHigh);
+  const int low = table.AddBox(0.1, 0.1, 0.0999);
+  CHECK(table.Place(low, table.Where()).verdict == PlaceVerdict::kStands);
+  const int second = table.AddBox(0.1, 0.1, 0.05);
+  const PlaceResult result = table.Place(second, table.Where(0.4));
+  CHECK(result.verdict == PlaceVerdict::kBlocked);
+  CHECK(result.blocker == low);
+  CHECK(result.distance == 0);
+  PlaceTry where = table.Where();
+  where.beside = {.body = low, .gap = 0.21};
+  CHECK(table.Place(second, where).verdict == PlaceVerdict::kOutside);
+  where.beside->gap = 0.2 - 1e-9;
+  CheckAt(table.Place(second, where), {-0.4, 0, 0.05 + kContactGap}, 1e-7);
+}
+
+TEST_CASE("a body stands at a gap beside another, as that body's front says") {
+  Table table;
+  const int first = table.AddBox(0.05, 0.03, 0.05);
+  PlaceTry where = table.Where();
+  table.Place(first, where);
+  const int second = table.AddBox(0.02, 0.01, 0.05);
+  const auto at = [&](model::Side side, double front, const Vector2d& uv) {
+    PlaceTry beside = table.Where(uv.x(), uv.y());
+    beside.beside = model::Beside{first, side, front, 0.02};
+    table.placer->Begin(table.scene.object);
+    return table.placer->Try(second, beside);
+  };
+  const double z = 0.05 + kContactGap;
+  using enum model::Side;
+  CheckAt(at(kRight, 0, {0, 0}), {-0.09, 0, z});
+  CheckAt(at(kLeft, 0, {0, 1}), {0.09, 0.02, z});
+  CheckAt(at(kFront, 0, {-1, 0}), {-0.03, -0.06, z});
+  CheckAt(at(kBack, 0, {0, 0}), {0, 0.06, z});
+  // The front of the first is +x, so that its right is -y, and the second is turned like it.
+  const PlaceResult turned = at(kRight, M_PI / 2, {0, 0});
+  CheckAt(turned, {0, -0.03 - 0.02 - 0.02, z});
+  CHECK(std::abs(YawOf(turned) - M_PI / 2) < 1e-9);
+}
+
+TEST_CASE("the front of a body faces a point or looks along a direction") {
+  Table table;
+  const int box = table.AddBox(0.05, 0.02, 0.05);
+  PlaceTry where = table.Where(0.7, -0.3);
+  where.facing = Vector2d(0.1, 0.2);
+  where.front = GENERATE(0.0, 1.0);
+  where.yaw = GENERATE(0.0, 0.25);
+  const PlaceResult result = table.Place(box, where);
+  const Vector2d way = *where.facing - result.X_SupportBody.p.head<2>();
+  const double wanted = std::atan2(way.x(), -way.y()) - where.front + where.yaw;
+  CHECK(std::abs(std::remainder(YawOf(result) - wanted, 2 * M_PI)) < 1e-9);
+  where.facing.reset();
+  where.direction = Vector2d(2, 0);
+  table.placer->Begin(table.scene.object);
+  CHECK(YawOf(table.placer->Try(box, where)) ==
+        Approx(M_PI / 2 - where.front + where.yaw).margin(1e-9));
+}
+
+TEST_CASE("a body in an interior is lowered until it touches") {
+  Scene scene;
+  const int outer = scene.AddBin(0.2, 0.1, 0.01);
+  const int inner = scene.AddBin(0.15, 0.1, 0.01);
+  const int ball = scene.Add(ShapeOf(GeomType::kSphere, 0.05));
+  Region region = BoxRegion(0.2, 0.2);
+  region.walls = true;
+  region.height = GENERATE(std::numeric_limits<double>::infinity(), 0.3);
+  const auto placer = MakePlacer();
+  placer->Begin(scene.object);
+  placer->Stand(outer);
+  PlaceTry where;
+  where.support = outer;
+  where.region = &region;
+  where.clear = 0.03;
+  PlaceResult result = placer->Try(inner, where);
+  CheckAt(result, {0, 0, 0.01 + kContactGap}, 1e-6);
+  scene.body(inner).X_PB = result.X_SupportBody;
+  placer->Stand(inner);
+  // In the inner bin, whose floor is 1 cm above that of the outer one.
+  Region inside = BoxRegion(0.15, 0.15);
+  inside.walls = true;
+  where.support = inner;
+  where.region = &inside;
+  result = placer->Try(ball, where);
+  CheckAt(result, {0, 0, 0.05 + kContactGap}, 1e-6);
+  // The ball's foot is in the region, but the ball would be in the wall.
+  where.uv = {1, 0};
+  where.clear = 0;
+  result = placer->Try(ball, where);
+  CHECK(result.verdict == PlaceVerdict::kStands);
+  CHECK(result.X_SupportBody.p.z() > 0.06);
+}
+
+TEST_CASE("round bowls nest") {
+  Scene scene;
+  // Cones: truncated, as meshes of their own hulls, stacked as rings of boxes would be.
+  std::vector<int> bowls;
+  for (int i = 0; i < 2; ++i) {
+    bowls.push_back(scene.Add(ShapeOf(GeomType::kCylinder, 0.05, 0.002)));
+    for (int k = 0; k < 16; ++k) {
+      Pose tilted = At(0, 0, 0, 2 * M_PI * k / 16) *
+                    Pose{{0.085, 0, 0.035}, model::FromAxisAngle(-Vector3d::UnitY(), M_PI / 4)};
+      scene.AddPart(ShapeOf(GeomType::kBox, 0.045, 0.03, 0.002), tilted);
+    }
+  }
+  Region inside = BoxRegion(0.05, 0.05, 0.002);
+  inside.type = model::RegionType::kDisc;
+  inside.walls = true;
+  const auto placer = MakePlacer();
+  placer->Begin(scene.object);
+  placer->Stand(bowls[0]);
+  PlaceTry where;
+  where.support = bowls[0];
+  where.region = &inside;
+  const PlaceResult result = placer->Try(bowls[1], where);
+  CHECK(result.verdict == PlaceVerdict::kStands);
+  // Walls of 4 mm at 45 degrees touch at a rise of 4 mm times sqrt(2), above the floors' 4 mm.
+  CheckAt(result, {0, 0, 0.004 * std::sqrt(2) + kContactGap}, 1e-6);
+}
+
+TEST_CASE("the sites of a body and its support coincide") {
+  Scene scene;
+  const int board = scene.Add(ShapeOf(GeomType::kBox, 0.5, 0.01, 0.5), At(0, 0, 1, 0.3));
+  const int tool = scene.Add(ShapeOf(GeomType::kBox, 0.02, 0.02, 0.1));
+  const auto placer = MakePlacer();
+  placer->Begin(scene.object);
+  placer->Stand(board);
+  PlaceTry where;
+  where.support = board;
+  where.X_SupportSite = At(0.1, -0.04, 0.2);
+  where.X_BodySite = At(0, 0, 0.09);
+  const PlaceResult result = placer->Try(tool, where);
+  CheckAt(result, {0.1, -0.04, 0.11});
+  where.X_SupportSite.p.y() = -0.02;
+  CHECK(placer->Try(tool, where).verdict == PlaceVerdict::kBlocked);
+}
+
+TEST_CASE("the distance that a standing body asks for holds for later ones") {
+  Table table;
+  table.Place(table.AddBox(0.05, 0.05, 0.05), table.Where(), 0.03);
+  const int second = table.AddBox(0.05, 0.05, 0.05);
+  const double play = 0.45;
+  CHECK(table.Place(second, table.Where(0.129 / play)).verdict == PlaceVerdict::kBlocked);
+  CHECK(table.Place(second, table.Where(0.131 / play)).verdict == PlaceVerdict::kStands);
+}
+
+// Points of a shape: farthest points in random directions, and points between two of them.
+std::vector<Vector3d> PointsOf(const distance::PlacedShape& placed, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 150; ++i) {
+    points.push_back(
+        FarthestPoint(placed, Vector3d(normal(random), normal(random), normal(random))));
+    points.push_back((points.back() + points[random() % points.size()]) / 2);
+  }
+  return points;
+}
+
+// Returns the largest gap of two parallel planes between shapes, in some random directions.
+double LargestGap(const distance::PlacedShape& a, const distance::PlacedShape& b,
+                  std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  double gap = -1;
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d n = Vector3d(normal(random), normal(random), normal(random)).normalized();
+    gap = std::max(gap, n.dot(FarthestPoint(b, -n)) - n.dot(FarthestPoint(a, n)));
+  }
+  return gap;
+}
+
+Shape AnyShape(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(0.01, 0.06);
+  const std::array types = {GeomType::kSphere, GeomType::kCapsule, GeomType::kEllipsoid,
+                            GeomType::kCylinder, GeomType::kBox};
+  return ShapeOf(types[random() % 5], uniform(random), uniform(random), uniform(random));
+}
+
+PlaceTry AnyTry(const Table& table, std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  PlaceTry where = table.Where(uniform(random), uniform(random));
+  if (table.region.type == model::RegionType::kDisc) where.uv *= std::sqrt(0.5);
+  where.yaw = 4 * uniform(random);
+  if (random() % 3 == 0) where.facing = Vector2d(uniform(random), uniform(random));
+  if (random() % 2 == 0) where.lying = model::FromAxisAngle(Vector3d::UnitX(), M_PI / 2);
+  where.clear = random() % 2 == 0 ? 0 : 0.02;
+  return where;
+}
+
+// Checks that a body that stands is inside the region, on it, and away from all others.
+void CheckStands(const Table& table, int body, double clear, std::mt19937& random) {
+  const std::vector<BodyShape> shapes = ShapesBelow(table.scene.object, body);
+  const distance::PlacedShape own = ShapesAt(shapes, PoseInWorld(table.scene.object, body))[0];
+  const double bottom = own.box_W.min().z();
+  CHECK(bottom > 0);
+  CHECK(bottom < 1e-4);
+  const std::vector<Vector3d> points = PointsOf(own, random);
+  for (const Vector3d& p : points) {
+    if (p.z() > bottom + 1e-3) continue;
+    CHECK((table.region.type == model::RegionType::kDisc
+               ? p.head<2>().norm() <= table.region.half_size.x() + 1e-5
+               : ((p.head<2>().cwiseAbs() - table.region.half_size).array() <= 1e-5).all()));
+  }
+  for (int other = 1; other < body; ++other) {
+    const std::vector<BodyShape> of = ShapesBelow(table.scene.object, other);
+    const auto standing = ShapesAt(of, PoseInWorld(table.scene.object, other));
+    if (standing[0].X_WG.p.z() == 0) continue;  // found no place
+    const std::vector<Vector3d> others = PointsOf(standing[0], random);
+    for (const Vector3d& p : points) {
+      CHECK_FALSE(model::Contains(standing[0].shape, standing[0].X_WG, p));
+      if (clear == 0) continue;
+      for (std::size_t i = 0; i < others.size(); i += 7) CHECK((p - others[i]).norm() >= clear);
+    }
+  }
+}
+
+TEST_CASE("random tries stand freely, and those that are blocked are") {
+  std::mt19937 random(2);
+  int counts[2] = {0, 0};
+  for (int scene = 0; scene < harness::Effort(50); ++scene) {
+    Table table;
+    if (scene % 2 == 1) table.region.type = model::RegionType::kDisc;
+    if (scene % 2 == 1) table.region.half_size = {0.3, 0.3};
+    for (int i = 0; i < 20; ++i) {
+      const int body = table.scene.Add(AnyShape(random));
+      const PlaceTry where = AnyTry(table, random);
+      const PlaceResult result = table.Place(body, where);
+      const bool stands = result.verdict == PlaceVerdict::kStands;
+      REQUIRE((stands || result.verdict == PlaceVerdict::kBlocked));
+      ++counts[stands ? 0 : 1];
+      if (stands) {
+        CheckStands(table, body, where.clear, random);
+        continue;
+      }
+      const auto& object = table.scene.object;
+      const auto own = ShapesAt(ShapesBelow(object, body), result.X_SupportBody);
+      const auto other =
+          ShapesAt(ShapesBelow(object, result.blocker), PoseInWorld(object, result.blocker));
+      CHECK(LargestGap(own[0], other[0], random) < std::max(where.clear, 1e-9));
+    }
+  }
+  CHECK(counts[0] > harness::Effort(300));
+  CHECK(counts[1] > harness::Effort(200));
+}
+
+}  // namespace
+}  // namespace mjforge::placing
