@@ -28,6 +28,8 @@ constexpr Ratio kRatios[] = {
     {"10,000 parameters read / 1,000", "BM_Parameters/10000", "BM_Parameters/1000", 12},
     {"a chain of 1,000 bodies / of 100", "BM_Chain/1000", "BM_Chain/100", 12},
     {"1,000 attached copies of a knob / 100", "BM_AttachedKnobs/1000", "BM_AttachedKnobs/100", 12},
+    {"200 boxes placed on 30 % of a region, us", "BM_PlaceBoxes/200", nullptr, 50'000},
+    {"100 boxes placed on ten times the area / 10", "BM_PlaceBoxes/100", "BM_PlaceBoxes/10", 12},
     {"1,000 attached copies of an arm / 100", "BM_AttachedArms/1000", "BM_AttachedArms/100", 12},
 };
 

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kSlice = 1e-3;     // m; thickness of the slice whose shadow is the footprint
 constexpr int kOutlinePoints = 64;  // per whole turn
-constexpr int kCapsuleSteps = 8;
+constexpr int kCapsuleSteps = 32;
 constexpr double kLevel = 1e-9;  // tolerance of level axes: rad, or m over the length
 // Vertices below and above the plane are joined pairwise up to this number of pairs; larger meshes
 // are sliced at the edges of their convex hulls.
@@ -98,7 +98,11 @@ class Slicer {
     const bool is_level = rise <= kLevel;
     const double end = is_level ? 1 : std::min(1.0, (level_ + radius - low.z()) / rise);
     const int steps = is_level ? 1 : kCapsuleSteps;
-    for (int i = 0; i <= steps; ++i) AddBall(low + 2 * half * (end * i / steps), radius);
+    for (int i = 0; i <= steps; ++i) {
+      // Denser towards the end, where the discs shrink like the square root of the distance to it.
+      const double rest = 1 - static_cast<double>(i) / steps;
+      AddBall(low + 2 * half * (end * (1 - rest * rest)), radius);
+    }
   }
 
   void AddCylinder(const Vector3d& center, const Vector3d& axis, const Vector3d& size) {

@@ -91,20 +91,22 @@ class RegionTry {
       : object_(object),
         of_(of),
         where_(where),
-        X_WR_(PoseInWorld(object, where.support) * where.region->X_BR) {}
+        region_(*where.region),
+        X_WR_(PoseInWorld(object, where.support) * region_.X_BR) {
+    if (region_.walls) region_.margin += kContactGap;
+  }
 
   PlaceResult Run(const Obstacles& obstacles) const {
     const Stance stance = FindStance();
-    const model::Region& region = *where_.region;
     PlaceResult result;
     result.footprint = stance.footprint.Box().sizes();
-    if (of_.height + kContactGap > region.height) {
+    if (of_.height + kContactGap > region_.height) {
       result.verdict = PlaceVerdict::kTooHigh;
-    } else if (!stance.at ||
-               !PositionIn(region, stance.footprint, Vector2d::Zero(), where_.overhang)) {
+    } else if (!stance.at) {
       result.verdict = PlaceVerdict::kTooLarge;
-    } else if (where_.beside && !FitsAt(region, stance.footprint, *stance.at, where_.overhang)) {
-      result.verdict = PlaceVerdict::kOutside;
+    } else if (where_.beside && !FitsAt(region_, stance.footprint, *stance.at, where_.overhang)) {
+      const bool fits = PositionIn(region_, stance.footprint, {0, 0}, where_.overhang).has_value();
+      result.verdict = fits ? PlaceVerdict::kOutside : PlaceVerdict::kTooLarge;
     } else {
       Put(stance, obstacles, result);
     }
@@ -117,9 +119,8 @@ class RegionTry {
     double yaw = YawAt(Vector2d::Zero());
     for (int i = 0;; ++i) {
       Stance stance{yaw, of_.footprint.Turned(yaw), std::nullopt};
-      stance.at = where_.beside
-                      ? NextTo(yaw)
-                      : PositionIn(*where_.region, stance.footprint, where_.uv, where_.overhang);
+      stance.at = where_.beside ? NextTo(yaw)
+                                : PositionIn(region_, stance.footprint, where_.uv, where_.overhang);
       if (!where_.facing || !stance.at || i == kMostTurns) return stance;
       const double next = YawAt(*stance.at);
       if (std::abs(next - yaw) <= kSameAngle) return stance;
@@ -170,15 +171,14 @@ class RegionTry {
 
   // Puts the body onto the region and looks for what is too near.
   void Put(const Stance& stance, const Obstacles& obstacles, PlaceResult& result) const {
-    const model::Region& region = *where_.region;
     const Support support{where_.support, X_WR_.p, X_WR_.q * Vector3d::UnitZ()};
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
               AboutZ(stance.yaw) * of_.q_LB};
-    if (region.walls) X_RB.p.z() += Rise(X_RB, support, obstacles);
-    result.X_SupportBody = region.X_BR * X_RB;
+    if (region_.walls) X_RB.p.z() += Rise(X_RB, support, obstacles);
+    result.X_SupportBody = region_.X_BR * X_RB;
     const PlacedShapes shapes = ShapesAt(of_.shapes, X_WR_ * X_RB);
     const auto blocker =
-        obstacles.FindBlocker(shapes, std::max(where_.clear, region.clear), support);
+        obstacles.FindBlocker(shapes, std::max(where_.clear, region_.clear), support);
     if (!blocker) return;
     result.verdict = PlaceVerdict::kBlocked;
     result.blocker = blocker->body;
@@ -190,9 +190,9 @@ class RegionTry {
   // without one, from above the body that has the region.
   double Rise(const Pose& X_RB, const Support& support, const Obstacles& obstacles) const {
     const auto [lowest, highest] = obstacles.HeightsOf(where_.support, support);
-    const double ceiling = where_.region->height;
-    const double start =
-        std::isfinite(ceiling) ? ceiling - of_.height - kContactGap : std::max(highest, 0.0);
+    const double start = std::isfinite(region_.height)
+                             ? std::max(region_.height - of_.height - 2 * kContactGap, 0.0)
+                             : std::max(highest, 0.0);
     Pose X_RStart = X_RB;
     X_RStart.p.z() += start;
     const double most = start + std::max(-lowest, 0.0) + of_.height;
@@ -203,6 +203,7 @@ class RegionTry {
   const model::Object& object_;
   const Orientation& of_;
   const PlaceTry& where_;
+  model::Region region_;  // with a margin to its walls
   Pose X_WR_;
 };
 

@@ -30,8 +30,9 @@ constexpr double kLeastMargin = 1e-3;  // rad; poses that tip more easily are om
 constexpr double kProbability = 1e-6;  // smaller differences do not change the order of poses
 constexpr double kTie = 1e-9;          // differences of cosines that are rounding
 
+// Returns a point of the unit sphere. Flat faces between such points are perpendicular to the axes.
 Vector3d OnSphere(int around, int along) {
-  const double longitude = 2 * std::numbers::pi * around / kAround;
+  const double longitude = 2 * std::numbers::pi * (around + 0.5) / kAround;
   const double latitude = std::numbers::pi / 2 * along / kAlong;
   return {std::cos(longitude) * std::cos(latitude), std::sin(longitude) * std::cos(latitude),
           std::sin(latitude)};

@@ -112,12 +112,18 @@ TEST_CASE("footprints of random shapes contain all low points and are not larger
     for (int j = 0; j < 16; ++j) {
       // Duality: the farthest point below a plane is the least farthest point of tilted directions.
       const Vector2d direction = UnitAt(2 * M_PI * j / 16);
-      double farthest = 1;
-      for (int k = 0; k < 4000; ++k) {
-        const double tilt = std::tan(M_PI / 2 * k / 4000);
-        const Vector3d way(direction.x(), direction.y(), -tilt);
-        farthest = std::min(farthest, way.dot(FarthestPoint(placed, way)) + tilt * level);
+      const auto farthest_at = [&](double angle) {
+        const Vector3d way(direction.x(), direction.y(), -std::tan(angle));
+        return way.dot(FarthestPoint(placed, way)) + std::tan(angle) * level;
+      };
+      double low = 0;
+      double high = 1.5707;
+      while (high - low > 1e-9) {
+        const double third = (high - low) / 3;
+        (farthest_at(low + third) > farthest_at(high - third) ? low : high) =
+            farthest_at(low + third) > farthest_at(high - third) ? low + third : high - third;
       }
+      const double farthest = farthest_at(low);
       CAPTURE(model::GeomTypeName(placed.shape.type), farthest);
       CHECK(std::abs(footprint.Support(direction) - farthest) < 1e-4);
     }
